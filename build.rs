@@ -1,4 +1,4 @@
-//! Says which models are compiled, and warns of equations that are of another text than their model: compares hashes, and depends on
+//! Selects the models that are compiled, and warns of equations whose hash is not that of their model. Depends on
 //! nothing.
 //!
 //! The text under `generated/` is compiled as it is. A model that was edited since runs interpreted, until
@@ -41,7 +41,7 @@ fn main() {
     }
 }
 
-/// What a folder holds, in order.
+/// Folders in a folder, in order of their paths.
 fn folders(path: &str) -> Vec<std::path::PathBuf> {
     let mut list: Vec<_> = std::fs::read_dir(path).into_iter().flatten().flatten().map(|entry| entry.path()).collect();
     list.retain(|path| path.is_dir());
@@ -49,7 +49,8 @@ fn folders(path: &str) -> Vec<std::path::PathBuf> {
     list
 }
 
-/// Whether the package has a feature of this name. A model without one is always compiled: such as one that somebody adds.
+/// True if the package has a feature of this name. A model without one, such as a model that a user adds, is always
+/// compiled.
 fn is_feature(manifest: &str, name: &str) -> bool {
     let features = manifest.split_once("[features]\n").map_or("", |(_, after)| after);
     let lines = features.lines().take_while(|line| !line.starts_with('['));

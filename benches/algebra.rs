@@ -1,4 +1,4 @@
-//! How long it takes to decide whether an expression is zero: by exact evaluation, and by a proof.
+//! Time to decide whether an expression is zero: by exact evaluation, and by a proof.
 //!
 //! `cargo bench -p tripos-benches --features measure --bench algebra`
 

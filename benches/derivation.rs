@@ -1,4 +1,4 @@
-//! How long it takes to derive, to prove and to judge.
+//! Time to derive a model's equations, to prove them equivalent and to judge a publication.
 //!
 //! `cargo bench -p tripos-benches --features measure --bench derivation`
 

@@ -1,4 +1,4 @@
-//! What watching costs: runs of the disk with an event in ranges, beside the same sampled, and beside none.
+//! Cost of watching an event: runs of the disk with an event in ranges, with a sampled event, and with none.
 //!
 //! `cargo bench -p tripos-benches --features measure --bench events`. Each figure is the median of short turns, taken
 //! alternately; an event is a tape, as those of scenes are, in the parameters and the integrated state.

@@ -136,8 +136,8 @@ fn dopri5_takes_the_steps_that_its_authors_print() {
     assert_eq!((found.evaluations, found.attempted, found.accepted), (1442, 240, 216));
 }
 
-/// Where time enters f, `ode_solvers` evaluates the twelfth stage of `dop853` at t instead of t + h (its c₁₂ is 0; in
-/// `dop853.f` the stage has `XPH = X + H`), so that problems with time are no oracle. Ours must be exact for them.
+/// Goal: `dop853` is exact for right-hand sides with time. `ode_solvers` is no oracle for them: it evaluates the
+/// twelfth stage at t instead of t + h (its c₁₂ is 0; in `dop853.f` the stage has `XPH = X + H`).
 #[test]
 fn dop853_integrates_powers_of_time_exactly() {
     let rhs = |t: f64, _y: &[f64], dydt: &mut [f64]| {

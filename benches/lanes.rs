@@ -1,4 +1,4 @@
-//! What lanes cost: sines, the derivative of the disk's state, and whole runs, beside the same in single numbers.
+//! Cost of lanes: sines, the derivative of the disk's state, and whole runs, compared with single numbers.
 //!
 //! `cargo bench -p tripos-benches --features measure --bench lanes`. Each figure is the median of short turns, most of
 //! them taken alternately; "a state" means: divided by the number of lanes.

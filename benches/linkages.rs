@@ -1,8 +1,10 @@
-//! IFToMM's benchmarks A01, A02 and A04: ten seconds of each mechanism to an energy error of 1e-10 J, by compiled equations.
+//! IFToMM's benchmarks A01, A02 and A04: ten seconds of each mechanism to an energy error of 1e-10 J, by compiled
+//! equations.
 //!
-//! A run is one integration from a start that is ready: without the second run that tells errors, and without that which finds that the chosen
-//! speeds fail on the way. Where they do, all rates run beside them, as in `tripos simulate`. The error is the largest change of T + V at the ends
-//! of steps; nothing keeps the energy. For each method the tolerance is the first of a ladder that gets there, found before anything is timed.
+//! A run is one integration from a start that is ready. It leaves out the second run that estimates errors, and the
+//! search for a failure of the chosen speeds on the way. Where the speeds fail, all rates run beside them, as in
+//! `tripos simulate`. The error is the largest change of T + V at the ends of steps; no projection keeps the energy.
+//! For each method the tolerance is the first of a ladder that reaches the aim, found before anything is timed.
 //! M. González, D. Dopico, U. Lugrís & J. Cuadrado, *Multibody System Dynamics* 16 (2006) 179–190.
 #![allow(missing_docs, reason = "`criterion_group!` makes a public function")]
 
@@ -20,7 +22,7 @@ use tripos_derive::mechanics::By;
 use tripos_derive::scene::Solve;
 use tripos_sim::{Method, Options, Output, Solution};
 
-/// What the energy may change by, J.
+/// Largest permitted change of the energy T + V, J.
 const AIM: f64 = 1e-10;
 const BENCHMARKS: [&str; 3] = ["a01", "a02", "a04"];
 const METHODS: [Method; 3] = [Method::Dop853, Method::Taylor, Method::Ode45];

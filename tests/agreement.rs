@@ -40,8 +40,9 @@ proptest! {
     }
 }
 
-/// Goal: printing lost nothing. Method: generated Rust against the interpreter at 1 000 seeded states of every model, entry by entry, both in 32 digits:
-/// 1e-20 of the largest term, since the two sum in different orders, and what is near a singular pose grows by up to ten orders.
+/// Goal: printing loses nothing. Method: generated Rust against the interpreter at 1 000 seeded states of every model,
+/// entry by entry, both in 32 digits. The bound is 1e-20 of the largest term, since the two sum in different orders,
+/// and near a singular pose rounding grows by up to ten orders.
 #[test]
 fn generated_code_equals_the_interpreter() {
     for name in tripos_models::MODELS.iter().map(|model| model.name) {
@@ -219,7 +220,8 @@ fn compare_jacobian(extended: &dyn System<DoubleDouble>, double: &dyn System<f64
         };
         for (row, (slope, wider)) in slopes(h).into_iter().zip(slopes(h + h)).enumerate() {
             let entry = found[row * size + by];
-            // Close to a singularity differences are off by more than rounding: by a third of what twice the step makes of them.
+            // Close to a singularity the error of a difference is more than rounding: a third of the change that twice
+            // the step makes.
             let bound = 1e-12 * largest + (slope - wider).abs();
             assert!((entry - slope).abs() <= bound, "{place}: d{row}/d{by} is {entry}, not {slope}");
         }

@@ -35,7 +35,7 @@ fn derive_depends_on_the_traits_alone() {
     knows_nothing_of("derive/src", &["tripos_codegen", "tripos_sim", "tripos_models", "tripos::"]);
 }
 
-/// What is proved, and what is zero, is never asked of rounded numbers, however many digits they have.
+/// Proofs, and tests for zero, never use rounded numbers, however many digits these have.
 #[test]
 fn no_verdict_reads_a_double_double() {
     for (path, text) in sources("derive/src") {
@@ -62,7 +62,7 @@ fn formulations_never_import_one_another() {
     }
 }
 
-/// What a formulation is stands in its row of the table alone: elsewhere one is asked for, never asked which it is.
+/// Properties of a formulation stand in its row of the table alone: no code asks which formulation it has.
 #[test]
 fn nobody_asks_which_formulation_it_is() {
     for folder in ["derive/src", "codegen/src", "run/src", "cli/src"] {
@@ -126,7 +126,8 @@ fn packages_of_the_library(features: &[&str]) -> Vec<String> {
     packages
 }
 
-/// What writes Rust is the command's alone; what a browser has not, files, threads and a clock, is behind features.
+/// Only the command depends on the writer of Rust. Files, threads and a clock, which a browser has not, are behind
+/// features.
 #[test]
 fn the_library_needs_no_target_and_can_do_without_threads_and_files() {
     let target = ["prettyplease", "quote", "syn", "proc-macro2", "tempfile", "clap"];
@@ -171,8 +172,8 @@ fn documentation_of_an_item_begins_with_what_it_is() {
     }
 }
 
-/// Where text is taken apart, and why that is no decision by a printed name: it is a file, an argument or a path; or
-/// how letters, signs and digits are set.
+/// Files that take text apart, with the reason why that is no decision by a printed name: the text is a file, an
+/// argument or a path; or the code sets letters, signs and digits.
 const READS_TEXT: [(&str, &[&str]); 3] = [
     (
         "files and arguments",
@@ -285,7 +286,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
     ),
 ];
 
-/// What an integral, a quantity, a stop, a formulation or a set of equations is, is a value: text is made from it,
+/// Integrals, quantities, stops, formulations and sets of equations are told apart by values: text is made from them,
 /// never the other way.
 #[test]
 fn nothing_is_decided_by_printed_text() {

@@ -18,7 +18,7 @@ use tripos_derive::scene::{Project, QUADRATURE, Solve};
 use tripos_sim::Method;
 use truth::Truth;
 
-/// How many runs are made, unless the environment says.
+/// Number of runs, unless the environment gives another.
 const RUNS: usize = 100;
 /// Runs of one motion, which share its truth.
 const EACH: usize = 10;
@@ -33,13 +33,13 @@ const REPORTED: usize = 250;
 /// Most digits that are told apart.
 const MOST: f64 = 15.0;
 
-/// What a run stated, and what is true.
+/// Digits that a run stated, and digits that are true.
 struct Outcome {
     run: String,
     method: String,
     stated: f64,
     right: f64,
-    /// Whether it warned of too few digits.
+    /// True if the run warned of too few digits.
     warned: bool,
     /// Fewest digits that were true at any instant.
     fewest: f64,
@@ -109,7 +109,7 @@ fn claims_too_many(o: &Outcome) -> bool {
     o.stated > o.right + TOO_MANY
 }
 
-/// Whether a run warned although three digits are right everywhere, and the error is below 100 times what was asked.
+/// True if a run warned although three digits are right everywhere, and the error is below 100 times its tolerance.
 fn is_false(o: &Outcome) -> bool {
     o.warned && o.fewest >= 3.0 && 10_f64.powf(-o.fewest) < 100.0 * o.asked
 }
@@ -150,7 +150,7 @@ fn draw(
     (by, words)
 }
 
-/// What a run stated and what is true at its end, if it states anything of states that are known.
+/// Compares the digits that a run stated with the true ones at its end; `None` if it states none of a known state.
 fn compare(run: &tripos::Run, truth: &Truth, scene: &tripos_derive::scene::Scene) -> Option<Outcome> {
     let digits = run.digits.as_ref()?;
     let known: Vec<(usize, usize)> = run

@@ -1,8 +1,8 @@
 //! The Whipple bicycle, nonlinear, from its model file.
 //!
-//! Truth: J. P. Meijaard, J. M. Papadopoulos, A. Ruina & A. L. Schwab, Proc. R. Soc. A 463 (2007) 1955-1982: the linearized
-//! equations M q'' + v C1 q' + (g K0 + v^2 K2) q = 0 of lean and steer, of which the figures below have more digits than the
-//! paper prints.
+//! Truth: J. P. Meijaard, J. M. Papadopoulos, A. Ruina & A. L. Schwab, Proc. R. Soc. A 463 (2007) 1955-1982: the
+//! linearized equations M q'' + v C1 q' + (g K0 + v^2 K2) q = 0 of lean and steer, of which the figures below have more
+//! digits than the paper prints.
 
 use std::path::Path;
 use tripos::{Overrides, Scene};
@@ -48,9 +48,9 @@ fn solve2(a: [[f64; 2]; 2], b: [f64; 2]) -> [f64; 2] {
     [(b[0] * a[1][1] - a[0][1] * b[1]) / determinant, (a[0][0] * b[1] - b[0] * a[1][0]) / determinant]
 }
 
-/// Goal: a mechanism of eight coordinates, a loop and four slips moves as published. Method: slopes of the accelerations at
-/// straight riding by differences of fourth order, at three speeds, for slips in two frames; the heading is 0.8, so that
-/// nothing is helped by a zero.
+/// Goal: a mechanism of eight coordinates, a loop and four slips moves as published. Method: slopes of the
+/// accelerations at straight riding by differences of fourth order, at three speeds, for slips in two frames; the
+/// heading is 0.8, so that nothing is helped by a zero.
 #[test]
 fn linearized_equations_are_the_published_ones() {
     for text in [BICYCLE.to_owned(), in_inertial_frame()] {
@@ -87,8 +87,8 @@ fn linearized_equations_are_the_published_ones() {
     }
 }
 
-/// Goal: equations are singular where the bicycle is, and nowhere else. Method: whatever frame the slips are stated in, what is
-/// divided by is the same and not zero on straight rides in any direction.
+/// Goal: equations are singular where the bicycle is, and nowhere else. Method: whatever frame the slips are stated in,
+/// the divisors are the same and not zero on straight rides in any direction.
 #[test]
 fn frames_of_slips_bring_no_singularities() {
     let divisors = |text: &str| {
@@ -110,8 +110,8 @@ fn frames_of_slips_bring_no_singularities() {
     }
 }
 
-/// Goal: which speeds are dependent is a matter of choice. Method: lean and steer accelerate alike in leaned, steered and turning
-/// states, whichever of wheel, front wheel and heading the third speed is.
+/// Goal: the choice of dependent speeds does not change the motion. Method: lean and steer accelerate alike in leaned,
+/// steered and turning states, for the wheel, the front wheel or the heading as the third speed.
 #[test]
 fn accelerations_do_not_depend_on_the_choice_of_dependent_speeds() {
     let states = [[0.2, 0.3, 0.4, -0.5], [-0.3, 0.1, 0.8, 0.6], [0.4, -0.6, -0.2, 0.9], [0.01, 0.8, -1.0, 0.3]];
@@ -124,8 +124,8 @@ fn accelerations_do_not_depend_on_the_choice_of_dependent_speeds() {
     }
 }
 
-/// u1' and u2' in states of lean, steer and their rates at 4 m/s, the third speed being what the file says: its value is that of a
-/// bicycle whose rear wheel turns at 4 m/s.
+/// u1' and u2' in states of lean, steer and their rates at 4 m/s. The third speed is that of the file, with the value
+/// for a bicycle whose rear wheel turns at 4 m/s.
 fn leans_and_steers(text: &str, states: &[[f64; 4]]) -> Vec<[f64; 2]> {
     let (mut base, mut model) = (read(BICYCLE), read(text));
     let is_third = |name: &str| text.contains(&format!("u3 = \"{name}'\""));
@@ -154,8 +154,8 @@ fn leans_and_steers(text: &str, states: &[[f64; 4]]) -> Vec<[f64; 2]> {
     list
 }
 
-/// Goal: the scene's bicycle at 5 m/s comes up again as linear theory says. Method: knocked a thousandth as hard, by every formulation, against the published
-/// equations; what these leave out is of the second order.
+/// Goal: the scene's bicycle at 5 m/s comes up again as linear theory says. Method: knocked a thousandth as hard, by
+/// every formulation, against the published equations; their error is of the second order.
 #[test]
 fn a_knocked_bicycle_comes_up_again() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/whipple_bicycle/scenes/knocked.toml");

@@ -7,10 +7,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use syn::visit::{self, Visit};
 
-/// Where a name leads: modules from the root of the crate, then the name.
+/// Path of a name: modules from the root of the crate, then the name.
 type Names = Vec<String>;
 
-/// What a file says.
+/// Items, imports and paths of a file.
 #[derive(Default)]
 struct Module {
     /// Names of what it defines.
@@ -101,7 +101,7 @@ impl Crate {
     }
 }
 
-/// What each module of a folder uses beside it.
+/// Modules that each module of a folder uses.
 type Arrows = BTreeMap<String, BTreeSet<String>>;
 
 impl<'a> Visit<'a> for Module {

@@ -32,8 +32,8 @@ const BARS: &str = "name = \"bars\"\n[parameters]\na = \"30 cm\"\nb = \"800 mm\"
                     \"-g\", 0]\n[bodies]\ncrank = { mass = \"ma\", inertia = \"ma*a^2/12\" }\ncoupler = { mass = \"mb\", inertia = \
                     \"mb*b^2/12\" }\nrocker = { mass = \"mc\", inertia = \"mc*c^2/12\" }\n[joints]\n";
 
-/// Goal: a linkage moves alike however it is described. Method: angles from the ground; pins, the last of which closes the loop; and
-/// each bar by three coordinates of its own, tied by four pins.
+/// Goal: a linkage moves alike however it is described. Method: angles from the ground; pins, the last of which closes
+/// the loop; and each bar by three coordinates of its own, tied by four pins.
 #[test]
 fn a_four_bar_linkage_in_three_descriptions() {
     let by_pins = format!(
@@ -75,8 +75,8 @@ fn a_four_bar_linkage_in_three_descriptions() {
     }
 }
 
-/// Goal: angles of a ball joint are a choice. Method: a top by two sequences of its ball joint, by three pins with bodies of
-/// nothing between, and by frames with the same speeds; the direction of its axis from each.
+/// Goal: angles of a ball joint are a choice. Method: a top by two sequences of its ball joint, by three pins with
+/// bodies of nothing between, and by frames with the same speeds; the direction of its axis from each.
 #[test]
 fn a_top_in_four_descriptions() {
     let world = "name = \"top\"\n[parameters]\nl = \"0.3 m\"\nm = \"2 kg\"\nA = { unit = \"kg*m^2\", value = 0.05 }\nB = { unit = \
@@ -137,9 +137,10 @@ fn a_top_in_four_descriptions() {
     assert!(axes[0].iter().any(|axis| axis[1] > 0.1), "it goes round");
 }
 
-/// Goal: Euler parameters and pins about any axis are other words. Method: an arm on a skew pin with a top on a ball joint at its end; the pin
-/// by a vector, by turns of its axes on both sides, and by a frame turned about a vector; the ball by three turns and by Euler parameters, by
-/// every formulation. The top passes where the turns are singular beside.
+/// Goal: Euler parameters and pins about any axis describe the same motions. Method: an arm on a skew pin with a top on
+/// a ball joint at its end; the pin by a vector, by turns of its axes on both sides, and by a frame turned about a
+/// vector; the ball by three turns and by Euler parameters, by every formulation. The top passes a pose in which the
+/// turns are singular.
 #[test]
 fn a_skew_arm_with_a_top_in_four_descriptions() {
     let world = "name = \"arm and top\"\n[parameters]\nl = \"0.3 m\"\nm = \"2 kg\"\nA = { unit = \"kg*m^2\", value = 0.05 }\nB = { unit = \

@@ -13,7 +13,7 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// What the models give, made once for all tests here, beside what is committed.
+/// Freshly generated files, made once for all tests here and compared with the committed ones.
 static FOUND: LazyLock<Freshness> =
     LazyLock::new(|| freshness(&root().join("models"), &root().join("generated/src"), None).unwrap());
 

@@ -56,7 +56,8 @@ fn left(s: f64, a: f64) -> f64 {
     size - a * ((a + size) / s).ln()
 }
 
-/// A block that slides on a plank that slides; the block does not turn, so that its slip falls as in closed form, and the momentum of both stays.
+/// Goal: friction between two moving bodies follows a closed form. Method: a block slides on a plank that slides; the
+/// block does not turn, so that its slip falls as in closed form, and the momentum of both is constant.
 #[test]
 fn a_block_slides_on_a_plank_as_in_closed_form() {
     let rest = format!(
@@ -101,8 +102,8 @@ fn a_rotor_stops_on_its_bearing_as_in_closed_form() {
     }
 }
 
-/// Goal: the law with a hump at rest, across a normal, on material that turns. Method: the formula written out, in components of another frame, gives one motion; energy is lost
-/// alone.
+/// Goal: the law with a hump at rest, across a normal, on material that turns. Method: the formula written out, in
+/// components of another frame, gives the same motion; energy is only lost.
 #[test]
 fn stribecks_law_is_its_formula() {
     let rub = "[friction]\nrub = { on = \"block\", at = \"edge\", against = \"plank\", frame = \"N0\", normal = 3, coefficient = \"mu\", normal_force = \"N\", static = \"more\", stribeck = \"vs\", smoothing = \"v0\" }\n";

@@ -1,4 +1,4 @@
-//! What drives loads: numbers, formulas and tables of scenes.
+//! Inputs that drive loads: numbers, formulas and tables of scenes.
 //!
 //! Truth: the motions of a linear oscillator under constant, harmonic and piecewise linear forces, in closed form.
 
@@ -86,7 +86,8 @@ fn numbers_are_parameters_that_are_inputs() {
     held(&run(&scene, Formulation::Kane), 1e-11, |t| under_a_line([0.1, 0.3], -2.0, 0.0, t)[0]);
 }
 
-/// Goal: formulas are put in before anything is derived. Method: a harmonic force; a force that is a damper; by series as well, which need slopes.
+/// Goal: formulas replace inputs before the equations are derived. Method: a harmonic force; a force that is a damper;
+/// by series as well, which need slopes.
 #[test]
 fn formulas_are_of_time_place_and_speed() {
     let driven = scene("[inputs]\nF = \"6*sin(3*t)\"\n").unwrap();
@@ -106,7 +107,7 @@ fn formulas_are_of_time_place_and_speed() {
     assert_ne!(driven.mechanism().model.text_hash(), mechanism().model.text_hash());
 }
 
-/// What is fed in is no potential of the mechanism, and its work is counted.
+/// Goal: an input is no potential of the mechanism, and its work is counted.
 #[test]
 fn inputs_work() {
     let run = run(&scene("[inputs]\nF = 3\n").unwrap(), Formulation::Kane);
@@ -169,7 +170,7 @@ fn forces_that_jump_in_time() {
         held(&run(&scene("[inputs]\nF = \"3*sign(k*t - 10)\"\n").unwrap(), by), 1e-11, jump);
         held(&run(&scene("[inputs]\nF = \"m*abs(10 - k*t)/2\"\n").unwrap(), by), 1e-11, bend);
     }
-    // A step takes in energy at an instant where something stands in its way: it is work that is counted, not a potential that jumps.
+    // A step of the force does work that is counted; it is not taken for a jump of the potential.
     for by in Formulation::ALL {
         let step = run(&scene("[inputs]\nF = \"1 + 2*sign(k*t - 10)\"\n").unwrap(), by);
         assert!(step.objections().is_empty(), "{}: {:?}", by.name(), step.objections());
@@ -238,14 +239,16 @@ fn inputs_that_cannot_be() {
 }
 
 /// Goal: a controller in the loop sees the same of compiled and of interpreted equations. Method: the PUMA 560 held by
-/// sampled damping of its joints; the two sum in different orders, which half a second of a damped motion does not amplify.
+/// sampled damping of its joints; the two sum in different orders, which half a second of a damped motion does not
+/// amplify.
 #[test]
 fn a_controller_closes_the_loop_of_compiled_and_of_interpreted_equations() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/puma560/scenes/collapse.toml");
     let scene = Scene::read(path).unwrap_or_else(|e| panic!("{e}"));
     let inputs = ["tau1", "tau2", "tau3", "tau4", "tau5", "tau6"];
     let instants: Vec<f64> = (0..50).map(|k| f64::from(k) * 0.01).collect();
-    // What is sampled at 100 Hz is held without growing only where the gain is below the inertia over a sample: the wrist is light.
+    // Feedback sampled at 100 Hz and held stays bounded only if the gain is below the inertia over a sample: the wrist
+    // is light.
     let gains = [4.0, 4.0, 4.0, 0.01, 0.01, 0.002];
     let damped =
         || move |sample: &tripos::Sample<'_>| sample.state[6..].iter().zip(gains).map(|(u, gain)| -gain * u).collect();

@@ -47,9 +47,9 @@ fn all(system: &dyn System<Dd>, has_taylor: bool, p: &[Dd], q: &[Dd], v: &[Dd]) 
 }
 
 /// Goal: a reference does not depend on whether its model is compiled. Method: generated Rust against tapes, both in 32
-/// digits, at seeded states of every model. 1e-28 of the largest entry: some thousand roundings of 5e-32 in the
-/// longest functions, those of the governor; and what the last three bits of the state decide, which near singular poses is
-/// more, and grows on the way as often.
+/// digits, at seeded states of every model. 1e-28 of the largest entry: some thousand roundings of 5e-32 in the longest
+/// functions, those of the governor. Added is 16 times the change that the last three bits of the state make, which is
+/// larger near singular poses.
 #[test]
 fn interpreted_equations_have_28_digits_of_the_compiled_ones() {
     for name in tripos_models::MODELS.iter().map(|model| model.name) {

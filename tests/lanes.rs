@@ -69,8 +69,8 @@ fn compiled_formulations_are_the_same_in_lanes() {
     assert!(tried >= 50, "{tried}");
 }
 
-/// Goal: the recurrences in lanes are those in doubles. Method: coefficients up to order 9 at random states, one in each
-/// lane, to 1e-9 of the largest of their order, as rates agree; products are fused in lanes alone.
+/// Goal: the recurrences in lanes are those in doubles. Method: coefficients up to order 9 at random states, one in
+/// each lane, to 1e-9 of the largest of their order, as rates agree; products are fused in lanes alone.
 fn series_agree(name: &str, system: &CompiledSystem, series: &(dyn Series<Lanes<4>> + Sync)) {
     const ORDER: usize = 9;
     let Lengths { parameters: np, .. } = system.double.lengths();
@@ -112,7 +112,7 @@ fn compiled_recurrences_are_the_same_in_lanes() {
     assert!(tried >= 8, "{tried}");
 }
 
-/// What quadrature asks for, at a value of the coordinate in each lane: V[a, b], then T and q̇ at b, in one list.
+/// Integrands of quadrature, at a value of the coordinate in each lane: V[a, b], then T and q̇ at b, in one list.
 fn at_points<const N: usize>(
     integrands: &dyn Integrands<Lanes<N>>,
     p: &[f64],
@@ -128,8 +128,9 @@ fn at_points<const N: usize>(
     [vec![integrands.potential_slope(&p, a, b), integrands.kinetic_energy(&p, &q, v)], rates].concat()
 }
 
-/// Goal: quadrature at several points at once integrates what it integrates at one after the other. Method: divided differences of V, T and q̇ of
-/// every scene at random places, also where both ends are one, in doubles and in both widths, which agree to the bit; 1e-12 of the largest of each.
+/// Goal: quadrature at several points at once has the values of one point at a time. Method: divided differences of V,
+/// T and q̇ of every scene at random places, also with both ends equal, in doubles and in both widths, which agree to
+/// the bit; 1e-12 of the largest of each.
 fn integrands_agree(name: &str, system: &dyn System<f64>) -> bool {
     let Some(points) = system.at_points() else { return false };
     let Lengths { parameters, coordinates, .. } = system.lengths();

@@ -1,7 +1,7 @@
-//! Mechanisms of the library that move as others found, or as equations written by hand say.
+//! Motions of mechanisms of the library against published results and equations written by hand.
 //!
-//! Truth: closed forms, first integrals by other formulas than the program's, published figures. Each scene runs by every
-//! formulation, as it stands but for the method.
+//! Truth: closed forms, first integrals by other formulas than the program's, published figures. Each scene runs by
+//! every formulation, unchanged except for the method.
 
 use crate::support::Random;
 use std::path::Path;
@@ -80,8 +80,9 @@ fn a_slider_crank_keeps_its_energy_by_hand() {
     }
 }
 
-/// Goal: Andrews' squeezing mechanism ends where it is known to. Truth: angles at 30 ms of the Test Set for Initial Value Problem
-/// Solvers (F. Mazzia & C. Magherini, release 2.4, 2008, problem Andrews' squeezing mechanism), which agree with these runs to 2e-9.
+/// Goal: Andrews' squeezing mechanism ends where it is known to. Truth: angles at 30 ms of the Test Set for Initial
+/// Value Problem Solvers (F. Mazzia & C. Magherini, release 2.4, 2008, problem Andrews' squeezing mechanism), which
+/// agree with these runs to 2e-9.
 #[test]
 fn the_squeezer_ends_where_it_is_known_to() {
     let known = [
@@ -140,8 +141,8 @@ fn a_governor_hunts_as_its_two_integrals_say() {
     }
 }
 
-/// Truth: B. S. Cazzolato & Z. Prime, Journal of Control Science and Engineering 2011, 528341, the equations of motion with
-/// slender links, at random states and parameters.
+/// Truth: B. S. Cazzolato & Z. Prime, Journal of Control Science and Engineering 2011, 528341, the equations of motion
+/// with slender links, at random states and parameters.
 #[test]
 fn a_furuta_pendulum_has_the_published_equations() {
     let all = tripos_models::MODELS.iter().find(|m| m.name == "furuta").unwrap();
@@ -192,9 +193,9 @@ fn a_gyroscope_in_gimbals_keeps_its_integrals_by_hand() {
     }
 }
 
-/// Goal: Bricard's mechanism moves in its one way. Truth: with bars of one length at right angles and angles from the cube, which
-/// are equal by threes, closing is sin b - sin a = sin a sin b (J. E. Baker, Mechanism and Machine Theory 15 (1980) 267-286, the
-/// trihedral case).
+/// Goal: Bricard's mechanism moves in its one way. Truth: with bars of one length at right angles and angles from the
+/// cube, which are equal by threes, closing is sin b - sin a = sin a sin b (J. E. Baker, Mechanism and Machine Theory
+/// 15 (1980) 267-286, the trihedral case).
 #[test]
 fn bricards_mechanism_keeps_its_one_relation() {
     for (by, run) in runs("bricard/scenes/let_go.toml") {
@@ -208,8 +209,8 @@ fn bricards_mechanism_keeps_its_one_relation() {
     }
 }
 
-/// What Corke's Robotics Toolbox for MATLAB prints of its PUMA 560 in the pose `qn` (P. I. Corke, Robotics, Vision and Control (2011), section 9.1): its
-/// inertia, of which the rotors of the motors, Jm G^2, are taken away, and its gravity load.
+/// Truth: the output of Corke's Robotics Toolbox for MATLAB for its PUMA 560 in the pose `qn` (P. I. Corke, Robotics,
+/// Vision and Control (2011), section 9.1): its inertia, less the rotors of the motors, Jm G^2, and its gravity load.
 #[test]
 fn the_puma_weighs_what_is_printed() {
     let printed = [
@@ -248,9 +249,9 @@ fn the_puma_weighs_what_is_printed() {
     }
 }
 
-/// Method: a gyrostat's equations in vectors, J w' + w x (J w + h e) = -T e and h' = T for the wheel's spin momentum, h = J_s (s + e . w), with the inertia of the
-/// wheel across its axle in J; the body's axes by w x b. Both by classical Runge-Kutta steps short enough (P. C. Hughes, Spacecraft Attitude Dynamics
-/// (1986), section 3.5).
+/// Truth: a gyrostat's equations in vectors, J w' + w x (J w + h e) = -T e and h' = T for the wheel's spin momentum, h
+/// = J_s (s + e . w), with the inertia of the wheel across its axle in J; the body's axes by w x b. Both by classical
+/// Runge-Kutta steps short enough (P. C. Hughes, Spacecraft Attitude Dynamics (1986), section 3.5).
 #[test]
 fn a_satellite_tumbles_as_a_gyrostat_does() {
     type Vector = nalgebra::Vector3<f64>;

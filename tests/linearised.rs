@@ -1,6 +1,7 @@
 //! Linear systems of random mechanisms, and of linkages, at states of any kind.
 //!
-//! Truth: differences in 32 digits of what Kane's and Newton and Euler's equations give, with loops closed again at each displaced state.
+//! Truth: differences in 32 digits of Kane's and Newton and Euler's equations, with loops closed again at each
+//! displaced state.
 
 use crate::mechanism;
 use crate::spoilt::Random;
@@ -14,9 +15,9 @@ use tripos_derive::scene::{Loops, load_asked};
 use tripos_derive::{Formulation, Model, model};
 use tripos_traits::{DoubleDouble as Dd, Real, Scalar};
 
-/// How far numbers are displaced: what third derivatives leave is then 1e-18 of them.
+/// Displacement for the differences: third derivatives then change them by 1e-18 of their size.
 const STEP: f64 = 1e-9;
-/// What may be between a slope and a difference, of the largest entry of the system.
+/// Largest permitted difference of a slope and its finite difference, relative to the largest entry of the system.
 const APART: f64 = 1e-15;
 
 /// The equations of a mechanism by one formulation.
@@ -40,7 +41,7 @@ impl Rates {
     }
 }
 
-/// What is linearised: a mechanism, with parameters and a state.
+/// A mechanism to linearise, with parameters and a state.
 struct Case {
     mechanism: Mechanism,
     p: Vec<Dd>,
@@ -50,7 +51,8 @@ struct Case {
 }
 
 impl Case {
-    /// The linear system at a state, whatever its rates are, with q', u' and T as outputs, and these parameters as inputs.
+    /// The linear system at a state, whatever its rates are, with q', u' and T as outputs, and these parameters as
+    /// inputs.
     fn new(text: Model, state: &str, inputs: &[&str]) -> Self {
         let mut text = text;
         let names = |list: &mut dyn Iterator<Item = &str>| list.map(|name| format!("\"{name}'\"")).collect::<Vec<_>>();
@@ -129,8 +131,9 @@ impl Case {
     }
 }
 
-/// Goal: A, B, C and D are the derivatives of the equations of any open mechanism at any state. Method: random mechanisms of one to three links
-/// with mixed speeds, drag, springs and dampers, at their random starts; masses, springs and gravity as inputs; against differences.
+/// Goal: A, B, C and D are the derivatives of the equations of any open mechanism at any state. Method: random
+/// mechanisms of one to three links with mixed speeds, drag, springs and dampers, at their random starts; masses,
+/// springs and gravity as inputs; against differences.
 #[test]
 fn linear_systems_of_random_mechanisms_are_their_derivatives() {
     let mut random = Random(20);
@@ -150,8 +153,9 @@ fn linear_systems_of_random_mechanisms_are_their_derivatives() {
     assert!(compared > 300, "{compared} entries");
 }
 
-/// Goal: `as_is` takes a state as it is, and no pose whose loops are open. Method: the crossed four-bar linkage that is let go, with the crank
-/// stated and the others guessed: the pose that closes, and its slopes; with all coordinates stated wrongly, a refusal.
+/// Goal: `as_is` takes a state unchanged, but no pose whose loops are open. Method: the crossed four-bar linkage that
+/// is let go, with the crank stated and the others guessed: the pose that closes, and its slopes; with all coordinates
+/// stated wrongly, a refusal.
 #[test]
 fn a_state_is_taken_as_it_is_with_its_loops_closed() {
     let model = || Model::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models/four_bar/model.toml")).unwrap();
@@ -169,8 +173,8 @@ fn a_state_is_taken_as_it_is_with_its_loops_closed() {
     assert!(refused.contains("loops are open at this state: `"), "{refused}");
 }
 
-/// Goal: loops are eliminated rightly. Method: linkages of the library from the starts of their scenes, as they are, with what closes them
-/// found again at each displaced state; lengths, which the loops depend on, and masses as inputs.
+/// Goal: loops are eliminated rightly. Method: linkages of the library from the starts of their scenes, unchanged, with
+/// dependent coordinates found again at each displaced state; lengths, which the loops depend on, and masses as inputs.
 #[test]
 fn linear_systems_of_linkages_are_their_derivatives() {
     let cases: [(&str, &str, &[&str]); 7] = [

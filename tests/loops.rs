@@ -38,8 +38,8 @@ fn run(scene: &Scene, by: &str, solve: Option<&str>, method: Option<&str>) -> Ru
 const TURNING: &str = "model = \"four_bar.toml\"\nspan = [0, 2]\n[start]\nq1 = 0.5\nu1 = 20\n[guess]\nq2 = 0.6\nq3 = 1.2\n\
                        [integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-12\n";
 
-/// Coupler and rocker angles of the open (1) or the crossed (-1) linkage by the diagonal between its moving pin and the fixed one, and the energy
-/// by the velocity ratios that an instant centre gives.
+/// Coupler and rocker angles of the open (1) or the crossed (-1) linkage by the diagonal between its moving pin and the
+/// fixed one, and the energy by the velocity ratios that an instant centre gives.
 fn by_hand(q1: f64, branch: f64) -> (f64, f64, f64, f64) {
     let (a, b, c, d, [ma, mb, mc], g) = (0.3, 0.8, 0.6, 0.7, [1.0, 2.0, 1.5], 9.81);
     let (x, y) = (d - a * f64::cos(q1), -a * f64::sin(q1));
@@ -54,8 +54,8 @@ fn by_hand(q1: f64, branch: f64) -> (f64, f64, f64, f64) {
     (q2, q3, inertia, g * heights)
 }
 
-/// Goal: a closed loop moves as it must, by every formulation, solve and method. Method: positions by trigonometry and the
-/// speed by the energy, at every sample; and the ends agree.
+/// Goal: a closed loop moves as it must, by every formulation, solve and method. Method: positions by trigonometry and
+/// the speed by the energy, at every sample; and the ends agree.
 #[test]
 fn a_four_bar_linkage_turns() {
     let scene = scene(four_bar(), TURNING).unwrap();
@@ -66,7 +66,8 @@ fn a_four_bar_linkage_turns() {
         let methods = ["taylor", "gauss6", "radau5"].map(|method| (None, Some(method)));
         for (solve, method) in [(None, None), (Some("numeric"), None)].into_iter().chain(methods) {
             let run = run(&scene, formulation.name(), solve, method);
-            // Samples inside steps of implicit methods, three of four, are of order 3: rates are off by up to 9.5e-9 there.
+            // Samples inside steps of implicit methods, three of four, are of order 3: rates are off by up to 9.5e-9
+            // there.
             let is_implicit = matches!(method, Some("gauss6" | "radau5"));
             let of = |name: &str| run.column(name).unwrap();
             let samples = of("q1").into_iter().zip(of("q2")).zip(of("q3")).zip(of("u1")).enumerate();
@@ -92,8 +93,8 @@ fn a_four_bar_linkage_turns() {
     }
 }
 
-/// Goal: what a run reports is on the constraints. Method: without projection the drift of a loose run is seen, with it the
-/// last state is closed to rounding.
+/// Goal: the states that a run reports satisfy the constraints. Method: without projection a loose run drifts visibly,
+/// with it the last state is closed to rounding.
 #[test]
 fn projection_keeps_loops_closed() {
     let loose = TURNING.replace("1e-12", "1e-5");
@@ -170,7 +171,8 @@ fn a_reference_knows_a_loop() {
     }
 }
 
-/// Goal: a nonholonomic motion in closed form. Method: x = g sin α sin²(ω t)/(2 ω²), y = g sin α (ω t − sin ω t cos ω t)/(2 ω²).
+/// Goal: a nonholonomic motion in closed form. Method: x = g sin α sin²(ω t)/(2 ω²), y = g sin α (ω t − sin ω t cos ω
+/// t)/(2 ω²).
 #[test]
 fn a_knife_edge_goes_along_a_cycloid() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/knife_edge/model.toml");
@@ -188,8 +190,8 @@ fn a_knife_edge_goes_along_a_cycloid() {
     }
 }
 
-/// Goal: the multipliers of a loop are the forces of the pin that closes it. Method: the numeric solves of Lagrange's and
-/// Newton-Euler's systems at random states, at which the loop need not even be closed.
+/// Goal: the multipliers of a loop are the forces of the pin that closes it. Method: the numeric solves of Lagrange's
+/// and Newton-Euler's systems at random states, at which the loop need not even be closed.
 #[test]
 fn multipliers_are_the_reactions_of_the_closing_pin() {
     let all = tripos_models::MODELS.iter().find(|m| m.name == "four_bar").unwrap();
@@ -219,7 +221,7 @@ fn multipliers_are_the_reactions_of_the_closing_pin() {
     }
 }
 
-/// Goal: nothing runs a linkage by equations that would let its loops come open. Method: the scene's own equations, asked for.
+/// Goal: no equations run a linkage that would let its loops open. Method: the scene's own equations, asked for.
 #[test]
 fn a_linkage_has_no_equations_of_a_scene() {
     let scene = scene(four_bar(), TURNING).unwrap();
@@ -228,8 +230,8 @@ fn a_linkage_has_no_equations_of_a_scene() {
     assert!(refused.contains("nothing would keep `loop_x` closed"), "{refused}");
 }
 
-/// Goal: a speed that does not determine the motion in dead points does not end a run. Method: the linkage by the speed of its
-/// rocker, which stands still twice in a turn of the crank, beside the same motion by the speed of the crank.
+/// Goal: a speed that fails in dead points does not end a run. Method: the linkage by the speed of its rocker, which
+/// stands still twice in a turn of the crank, beside the same motion by the speed of the crank.
 #[test]
 fn a_rocker_goes_through_its_dead_points() {
     let by_rocker = FOUR_BAR.replace("u1 = \"q1'\"", "u1 = \"q3'\"");
@@ -281,9 +283,9 @@ Q = { kind = "pin", body = "crank2", to = "plate", at = ["l", 0, 0], body_at = [
 R = { kind = "pin", body = "crank3", to = "plate", at = ["2*l", 0, 0], body_at = ["third", 0, 0] }
 "#;
 
-/// Goal: a loop that follows from the others at the default values is watched at others. Method: a third crank that is parallel to the
-/// others moves; one that meets the plate in another direction stops it, and is refused; one of twice the length that is parallel at the start
-/// permits the first instant alone, and the run says that it opens.
+/// Goal: a loop that is redundant at the default values is watched at other values. Method: a third crank that is
+/// parallel to the others moves; one that meets the plate in another direction stops it, and is refused; one of twice
+/// the length that is parallel at the start permits the first instant alone, and the run says that it opens.
 #[test]
 fn loops_that_follow_from_others_are_watched() {
     let text = |parameters: &str, third: f64| {
@@ -314,7 +316,8 @@ fn loops_that_follow_from_others_are_watched() {
     );
 }
 
-/// Goal: long chains of loops move as they must. Method: ten windows swing as one pendulum, every crank parallel to the first.
+/// Goal: long chains of loops move as they must. Method: ten windows swing as one pendulum, every crank parallel to the
+/// first.
 #[test]
 fn ten_windows_swing_as_one() {
     let text = include_str!("../models/window_linkage/model.toml").replace("n = 2", "n = 10");

@@ -48,7 +48,7 @@ fn differences(model: &Model) -> Vec<(Formulation, usize)> {
     found
 }
 
-/// Whether what makes Gauss's form least solves Kane's equations: M u' = f by meaning, with u' as it gives them.
+/// True if the minimum of Gauss's form solves Kane's equations: its u' satisfy M u' = f by meaning.
 fn is_solved(arena: &mut Arena, kane: &Equations) -> bool {
     let Some(gauss) = &kane.gauss else { return false };
     let Some(recursion) = least(arena, &mut Simplifier::default(), gauss, &kane.unknowns) else { return false };
@@ -68,9 +68,9 @@ fn is_solved(arena: &mut Arena, kane: &Equations) -> bool {
     })
 }
 
-/// Goal: names change nothing. Method: mechanisms with hinges and slides, mixed speeds, springs, dampers, drag at points
-/// that move in their links and all reactions, derived with names and without; every entry of every formulation, T, V
-/// and the power are equal by meaning, and what the accelerations of the bodies give one after the other solves M u' = f. A
+/// Goal: names do not change the equations. Method: mechanisms with hinges and slides, mixed speeds, springs, dampers,
+/// drag at points that move in their links and all reactions, derived with names and without. Every entry of every
+/// formulation, T, V and the power are equal by meaning, and the accelerations found body by body solve M u' = f. A
 /// defect that both ways share would escape.
 #[test]
 fn random_mechanisms_have_the_same_equations_with_names_and_without() {

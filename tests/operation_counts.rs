@@ -1,4 +1,4 @@
-//! What the generated functions cost: bounds for each model, as their headers state the counts.
+//! Cost of the generated functions: bounds for each model, as their headers state the counts.
 
 use std::path::Path;
 use tripos_codegen::plan::{FormulationPlan, Language, Planner};
@@ -122,9 +122,10 @@ fn matrices_and_forcings_share_what_they_have_in_common() {
     }
 }
 
-/// Goal: an arm with full inertias takes no more than generators made for arms need; work of parameters alone, which is once for all states, apart.
-/// Method: the planned functions of six joints, with six numbers of inertia and offsets in three directions at each. General counts of recursive
-/// Newton–Euler: 92 n − 127 multiplications and 81 n − 117 additions, 794 for six joints (W. Khalil & E. Dombre, *Modeling, Identification and
+/// Goal: an arm with full inertias takes no more operations than generators made for arms need. Work of parameters
+/// alone, done once for all states, is counted apart. Method: the planned functions of six joints, with six numbers of
+/// inertia and offsets in three directions at each. General counts of recursive Newton–Euler: 92 n − 127
+/// multiplications and 81 n − 117 additions, 794 for six joints (W. Khalil & E. Dombre, *Modeling, Identification and
 /// Control of Robots* (2002), ch. 9).
 #[test]
 fn an_arm_of_six_joints_takes_what_generators_made_for_arms_need() {

@@ -31,8 +31,9 @@ fn says(run: &Run, what: &str) -> bool {
     run.notes.iter().any(|note| note.contains(what))
 }
 
-/// Goal: Kane's speed of one pin fails in dead points, and the motion goes on. Method: Bricard's mechanism over four of them by Kane's and by Newton and
-/// Euler's equations; its one relation (J. E. Baker 1980, the trihedral case) at every sample, and its energy.
+/// Goal: Kane's speed of one pin fails in dead points, and the motion goes on. Method: Bricard's mechanism over four of
+/// them by Kane's and by Newton and Euler's equations; its one relation (J. E. Baker 1980, the trihedral case) at every
+/// sample, and its energy.
 #[test]
 fn bricards_mechanism_goes_on_where_its_speed_fails() {
     let text = library("bricard/scenes/let_go.toml").replace("span = [0, 1]", "span = [0, 6]");
@@ -52,9 +53,10 @@ fn bricards_mechanism_goes_on_where_its_speed_fails() {
     }
 }
 
-/// Goal: the parallelogram of a linkage is kept through the poses in which its bars lie in one line, where its constraints are dependent. Truth: the angle of
-/// the cranks from the vertical, with ((N + 1)/3 + N) phi'' = ((N + 1)/2 + N) g sin phi, and its rate, N = 2, from a table (problem A02 of the
-/// IFToMM's benchmarks for multibody systems).
+/// Goal: the parallelogram of a linkage is kept through the poses in which its bars lie in one line, where its
+/// constraints are dependent. Truth: the angle of the cranks from the vertical and its rate, from a table for N = 2
+/// (problem A02 of the IFToMM's benchmarks for multibody systems). The angle satisfies
+/// ((N + 1)/3 + N) phi'' = ((N + 1)/2 + N) g sin phi.
 #[test]
 fn windows_go_through_their_singular_poses() {
     let table: [(f64, f64, f64); 5] = [
@@ -93,8 +95,9 @@ fn windows_go_through_their_singular_poses() {
 const TURNING: &str = "span = [0, 2]\n[start]\nq1 = 0.5\nu1 = 20\n[guess]\nq2 = 0.6\nq3 = 1.2\n[[events]]\nname = \"over\"\n\
                        zero = \"sin(q1)\"\n[integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-12\nsamples = 41\n";
 
-/// Goal: what a run shows is of the declared speed, and events happen when they do, whatever equations run. Method: a linkage by the speed of its
-/// rocker, which fails twice in a turn of the crank, beside itself by the speed of the crank, whose events are those of `sin(q1) = 0`.
+/// Goal: samples are in the declared speed, and events happen at their instants, whatever equations run. Method: a
+/// linkage by the speed of its rocker, which fails twice in a turn of the crank, compared with the same by the speed of
+/// the crank, whose events are those of `sin(q1) = 0`.
 #[test]
 fn changed_speeds_change_neither_samples_nor_events() {
     let model = library("four_bar/model.toml");
@@ -126,8 +129,8 @@ fn changed_speeds_change_neither_samples_nor_events() {
     }
 }
 
-/// Goal: loops stay closed as long as they are run. Method: a crank that turns on and on for 10 000 s, its residuals over the lengths of the
-/// bars and its energy; some minutes, in `.ci/full`.
+/// Goal: loops stay closed in long runs. Method: a crank that turns on and on for 10 000 s, its residuals over the
+/// lengths of the bars and its energy; some minutes, in `.ci/full`.
 #[test]
 #[ignore = "ten thousand seconds of motion"]
 fn a_linkage_stays_closed_for_ten_thousand_seconds() {

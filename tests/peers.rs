@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
-/// What a section prints.
+/// The printed text of a section of the comparison with other programs.
 ///
 /// None if there is no Python and the tests that need it are left out.
 fn printed(section: &str) -> Option<String> {
@@ -43,7 +43,7 @@ fn rows_of_tripos(text: &str) -> Vec<Vec<&str>> {
     rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect()).collect()
 }
 
-/// Whether a cell starts with a number that is finite.
+/// True if a cell starts with a finite number.
 fn is_figure(cell: &str) -> bool {
     let number = cell.split_whitespace().next().and_then(|word| word.parse::<f64>().ok());
     number.is_some_and(f64::is_finite)

@@ -30,8 +30,8 @@ const RUNS: [(&str, &str, f64); 10] = [
     ("pendulum", "over", 2.0),
 ];
 
-/// |e| / (1 + |exact|) of what is shown. DOP853 at 1e-14 leaves what some hundred steps add up to; accelerations of 100/s² multiply
-/// it by ten.
+/// Bound of |e| / (1 + |exact|) of the outputs. DOP853 at 1e-14 leaves the sum of the errors of some hundred steps;
+/// accelerations of 100/s² multiply it by ten.
 const BOUND: f64 = 1e-11;
 /// The disk passes flat by 3.3 mrad at 1.02 s, and the rounding of the start grows with the inverse of that, twice in
 /// accelerations.
@@ -120,7 +120,7 @@ fn reduced_systems_move_by_the_closed_forms() {
     }
 }
 
-/// What a scene's module makes of a start, and what runs make of it.
+/// A start as a scene's module gives it, or as runs have it.
 struct Start {
     parameters: Vec<f64>,
     q: Vec<f64>,

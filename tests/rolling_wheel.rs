@@ -110,8 +110,8 @@ fn every_formulation_rolls() {
     }
 }
 
-/// Goal: the multipliers are the friction. Method: the rows of x and y, in which they stand alone, against the engine's own
-/// multipliers of K03's first state.
+/// Goal: the multipliers are the friction. Method: the rows of x and y, in which they stand alone, against the engine's
+/// own multipliers of K03's first state.
 #[test]
 fn multipliers_are_the_forces_of_the_constraints() {
     let model = rolling();
@@ -134,7 +134,8 @@ fn multipliers_are_the_forces_of_the_constraints() {
     }
 }
 
-/// Goal: what a sliding disc keeps is not claimed of a rolling one. Method: proofs of both, from one file by its rolling.
+/// Goal: first integrals of a sliding disc are not claimed of a rolling one. Method: proofs of both, from one file by
+/// its rolling.
 #[test]
 fn a_rolling_disc_keeps_its_energy_alone() {
     let integrals = |model: &Model| {
@@ -198,8 +199,8 @@ fn a_run_is_the_rolling_motion() {
     }
 }
 
-/// Goal: errors of runs with fewer speeds than coordinates have a reference, too. Method: a tight run against it; its own
-/// two runs are by Kane's method and by Lagrange's equations.
+/// Goal: runs with fewer speeds than coordinates have a reference, too. Method: a tight run against it; its own two
+/// runs are by Kane's method and by Lagrange's equations.
 #[test]
 fn a_reference_knows_the_rolling_motion() {
     let scene = Scene::parse(Mechanism::new(rolling()), ROLL).unwrap_or_else(|e| panic!("{e}"));
@@ -211,7 +212,8 @@ fn a_reference_knows_the_rolling_motion() {
     }
 }
 
-/// Goal: no run starts with a motion that the constraints forbid. Method: rates at which the disc slips, and those at which it rolls.
+/// Goal: no run starts with a motion that the constraints forbid. Method: rates at which the disc slips, and those at
+/// which it rolls.
 #[test]
 fn a_start_with_rates_that_slip_is_refused() {
     let start = |x_dot: f64| {

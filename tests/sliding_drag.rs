@@ -39,7 +39,7 @@ fn drag_on_the_material_at_the_contact_only_takes_energy() {
     }
 }
 
-/// What is proportional to the velocity of the point itself is no drag on what is there.
+/// A force proportional to the velocity of the contact point itself is no drag on the material there: it gives energy.
 #[test]
 fn drag_by_the_velocity_of_the_contact_point_gives_energy() {
     let energies = energies("v(P)", "kane");

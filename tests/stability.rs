@@ -1,4 +1,4 @@
-//! Where methods fail: a fixed battery, every item an assertion.
+//! Limits of methods: a fixed battery of runs, every item an assertion.
 //!
 //! References are exact solutions, eigenvalues by hand, or double-double runs that two formulations certify.
 

@@ -1,5 +1,5 @@
-//! What methods do over many steps, whatever the mechanism: limits of fixed steps, drifts of long runs, tolerances
-//! below rounding. Held against theory and the pendulum's exact solution; passages and unstable motions are in
+//! Behaviour of methods over many steps, whatever the mechanism: limits of fixed steps, drifts of long runs, tolerances
+//! below rounding. Truth: theory and the pendulum's exact solution; passages and unstable motions are in
 //! `stability.rs`.
 
 use crate::support;

@@ -1,4 +1,4 @@
-//! What is derived here against what SymPy alone derives from the same model files.
+//! The equations derived here, compared with those that SymPy alone derives from the same model files.
 
 use crate::sympy;
 
@@ -43,12 +43,12 @@ fn recorded(model: &Path) -> PathBuf {
 const BEYOND: [(&str, &str); 2] =
     [("bricard", "tests/library.rs, derive/tests/closed_loops.rs"), ("whipple_bicycle", "tests/bicycle.rs")];
 
-/// Whether a model is one of these.
+/// True if a model is one of those in `BEYOND`.
 fn is_beyond(model: &Path) -> bool {
     BEYOND.iter().any(|(name, _)| model.parent().is_some_and(|folder| folder.ends_with(name)))
 }
 
-/// How many entries there are, and those that do not agree, each in a line.
+/// Number of compared entries, and a line for each that does not agree.
 fn judge(model: &Path, reference: &Source) -> Result<(usize, Vec<String>), ReferenceError> {
     let model = Model::read(model).unwrap();
     let reference = Reference::read(reference)?;
@@ -73,8 +73,8 @@ fn live(python: &Path, model: &Path) -> Result<String, String> {
     String::from_utf8(output.stdout).map_err(|e| e.to_string())
 }
 
-/// What is wrong with a model's reference, derived now. One that is recorded has to be what is recorded, which
-/// [`recorded_references_are_of_the_current_text_and_agree`] judges.
+/// Faults of a model's reference, derived now. A recorded reference must be unchanged;
+/// [`recorded_references_are_of_the_current_text_and_agree`] judges it.
 fn renewed(python: &Path, model: &Path, is_recorded: bool) -> Vec<String> {
     let text = match live(python, model) {
         Ok(text) => text,
@@ -94,8 +94,8 @@ fn renewed(python: &Path, model: &Path, is_recorded: bool) -> Vec<String> {
 }
 
 /// Goal: two programs that share no line derive the same. Method: SymPy derives every model anew, in its own pinned
-/// environment, and every velocity, load, energy and equation is compared by exact verdict: of the library's models in the test
-/// below, since their text has to be the recorded one.
+/// environment, and every velocity, load, energy and equation is compared by exact verdict: of the library's models in
+/// the test below, since their text has to be the recorded one.
 #[test]
 fn sympy_derives_the_same_from_every_model() {
     if sympy::is_left_out("every model derived anew by SymPy") {
@@ -202,7 +202,7 @@ fn only_newton_euler_rows_may_be_scaled_and_moved() {
     assert!(!wrong.is_empty() && wrong.iter().all(|line| line.starts_with("newton-euler ")), "{wrong:#?}");
 }
 
-/// What a reference leaves out is no agreement.
+/// Goal: an entry that a reference leaves out does not count as agreement.
 #[test]
 fn a_reference_has_to_be_whole() {
     let remove = |value: &mut Value, name: &str| value.as_object_mut().unwrap().shift_remove(name).is_some();

@@ -56,7 +56,8 @@ fn end(run: &Run, name: &str) -> f64 {
     *run.column(name).unwrap_or_else(|e| panic!("{e}")).last().unwrap()
 }
 
-/// Goal: a force that follows a signal. Method: x'' + 4 x = cos 3t from rest is x = (cos 2t − cos 3t)/5; its work is T + V.
+/// Goal: a force that follows a signal. Method: x'' + 4 x = cos 3t from rest is x = (cos 2t − cos 3t)/5; its work is
+/// the change of T + V.
 #[test]
 fn a_force_follows_a_signal() {
     let text = "name = \"forced\"\n[parameters]\nm = { unit = \"kg\", value = 1, positive = true }\nk = { unit = \"N/m\", \
@@ -99,8 +100,8 @@ fn pendulum(what: &str) -> String {
 
 const TURNED: &str = "[frames]\nB = { from = \"N\", axis = 3, angle = \"q\" }\n";
 
-/// The length of a rope that is pulled in and let out, put into a point, prescribed for a coordinate, as a rate, or as a
-/// loop in Cartesian coordinates.
+/// Models of a rope whose length changes in time. The length is put into a point, prescribed for a coordinate,
+/// prescribed as a rate, or stated as a loop in Cartesian coordinates.
 fn ropes() -> [(String, String); 4] {
     let angle = "[coordinates]\nq = { unit = \"rad\" }\n";
     let with_length = "[coordinates]\nq = { unit = \"rad\" }\nr = { unit = \"m\" }\n";
@@ -131,8 +132,8 @@ fn ropes() -> [(String, String); 4] {
     ]
 }
 
-/// Goal: one driven motion in four descriptions. Method: each by each way against r q'' + 2 r' q' + g sin q = 0, written by
-/// hand and integrated apart.
+/// Goal: one driven motion in four descriptions. Method: each by each way against r q'' + 2 r' q' + g sin q = 0,
+/// written by hand and integrated apart.
 #[test]
 fn a_rope_of_prescribed_length_swings_alike_in_every_description() {
     let by_hand = |t: f64, y: &[f64], out: &mut [f64]| {
@@ -163,7 +164,8 @@ fn a_rope_of_prescribed_length_swings_alike_in_every_description() {
     }
 }
 
-/// Goal: what is proved of driven mechanisms. Method: Kane's and Lagrange's equations of each description, and no energy.
+/// Goal: driven mechanisms are proved. Method: Kane's and Lagrange's equations of each description, and no conserved
+/// energy.
 #[test]
 fn driven_mechanisms_are_proved_and_keep_no_energy() {
     for (what, _) in ropes() {
@@ -175,8 +177,8 @@ fn driven_mechanisms_are_proved_and_keep_no_energy() {
     }
 }
 
-/// Goal: nobody is told that a run is wrong because what drives it works. Method: a cart pulled at constant speed below a
-/// pendulum, whose angle moves as below a cart at rest.
+/// Goal: no run is called wrong because its drive does work. Method: a cart pulled at constant speed below a pendulum,
+/// whose angle moves as below a cart at rest.
 #[test]
 fn a_constant_drive_is_no_drift() {
     let moved = |drive: &str| {
@@ -215,8 +217,8 @@ fn time_stands_where_it_has_a_meaning() {
     assert_eq!(by_rates.simulate(&Overrides::default()).unwrap().names, ["q", "t", "u"]);
 }
 
-/// Goal: what keeps a run on its constraints never moves time. Method: a loose run of a loop that depends on it, whose steps are moved
-/// far.
+/// Goal: projection onto the constraints never moves time. Method: a loose run of a loop that depends on it, whose
+/// steps are moved far.
 #[test]
 fn projection_moves_no_clock() {
     let (what, start) = &ropes()[3];
@@ -233,8 +235,8 @@ fn projection_moves_no_clock() {
     }
 }
 
-/// Goal: the multiplier of time is the power of what drives. Method: the pull of the rod, from Newton–Euler's equations, times the velocity of
-/// the pivot along it, in the library's driven pendulum at random states.
+/// Goal: the multiplier of time is the power of the drive. Method: the pull of the rod, from Newton–Euler's equations,
+/// times the velocity of the pivot along it, in the library's driven pendulum at random states.
 #[test]
 fn the_multiplier_of_time_is_the_power_of_the_drive() {
     let all = tripos_models::MODELS.iter().find(|m| m.name == "driven_pendulum").unwrap();

@@ -22,12 +22,12 @@ pub struct Arguments {
 pub enum Command {
     /// Derive, run every scene of a model by all formulations, and write one page that shows it
     Page(Page),
-    /// What `page` was called before
+    /// Former name of `page`
     #[command(hide = true)]
     Report {
         /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
         model: Option<PathBuf>,
-        /// Where index.html goes
+        /// Folder for index.html
         #[arg(long, default_value = "target/report")]
         out: PathBuf,
     },
@@ -38,15 +38,15 @@ pub enum Command {
         /// kane, lagrange or newton-euler; all that the model supports if not given
         #[arg(long)]
         by: Option<String>,
-        /// How to write mathematics
+        /// Notation of the mathematics
         #[arg(long, value_enum, default_value_t = Format::Text)]
         format: Format,
         /// Sections of LaTeX for another document to \\input, and not a document
         #[arg(long)]
         fragment: bool,
     },
-    /// Say what a model is: its freedoms, which constraints are integrable or follow from others, where its speeds fail, what
-    /// nobody uses
+    /// Say what a model is: its freedoms, integrable or redundant constraints, singularities of its speeds, and unused
+    /// declarations
     Check {
         /// A model file, or a folder with model.toml
         model: PathBuf,
@@ -66,22 +66,23 @@ pub enum Command {
     Equilibria {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A state file or a scene to begin from: what is under [guess] is sought, what is under [state] is held; without [guess],
-        /// all coordinates are sought, and all speeds if one is not 0. Without it only the conditions in closed form are told
+        /// A state file or a scene to begin from: values under [guess] are sought, values under [state] are held;
+        /// without [guess], all coordinates are sought, and all speeds if one is not 0. If not given, only the
+        /// conditions in closed form are printed
         #[arg(long, value_name = "STATE")]
         from: Option<PathBuf>,
         /// Begin also from so many other places
         #[arg(long, value_name = "COUNT", default_value_t = 0, requires = "from")]
         starts: u64,
-        /// Follow it along a parameter, a value that is held, or a name of the state file, and find where its stability changes; twice,
-        /// for a map over two of them
+        /// Follow the steady motion along a parameter, a held value, or a name of the state file, and find where its
+        /// stability changes; twice, for a map over two of them
         #[arg(long, value_name = "NAME=FROM:TO:COUNT", requires = "from")]
         over: Vec<String>,
         /// In closed form solve for this coordinate, velocity or parameter rather than for others; may be given again
         #[arg(long = "for", value_name = "NAME", conflicts_with = "over")]
         wanted: Vec<String>,
-        /// Draw what was followed to this file, .svg, .png or .pdf: eigenvalues over one number, or where stability changes over two; with the
-        /// data beside it
+        /// Draw the followed motions to this file, .svg, .png or .pdf: eigenvalues over one number, or where stability
+        /// changes over two; with the data beside it
         #[arg(long, value_name = "FILE", requires = "over")]
         out: Option<PathBuf>,
         /// Print JSON
@@ -98,7 +99,7 @@ pub enum Command {
         /// An input of the model, or a parameter, for B; all inputs of the model if none is given
         #[arg(long = "input", value_name = "NAME")]
         inputs: Vec<String>,
-        /// What C gives, a name or a formula, beside the `outputs` of the file
+        /// An output for C, a name or a formula, beside the `outputs` of the file
         #[arg(long = "output", value_name = "FORMULA")]
         outputs: Vec<String>,
         /// Keep a parameter, or a name of the state file, as a letter: A, B, C and D by exact algebra
@@ -110,7 +111,7 @@ pub enum Command {
         /// Linearise about the state as it is, also if it is no equilibrium
         #[arg(long)]
         as_is: bool,
-        /// What the matrices are written in
+        /// Language of the matrices
         #[arg(long, value_enum, default_value_t = Notation::Text, conflicts_with = "json")]
         format: Notation,
         /// Print JSON
@@ -121,11 +122,12 @@ pub enum Command {
     Inverse {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A motion: TOML with [state] and [accelerations], or with [motion] (coordinates as formulas of t) and [times]; or a CSV
-        /// table with a column for every coordinate, speed and acceleration
+        /// A motion: TOML with [state] and [accelerations], or with [motion] (coordinates as formulas of t) and
+        /// [times]; or a CSV table with a column for every coordinate, speed and acceleration
         #[arg(long, value_name = "FILE", visible_alias = "at")]
         motion: PathBuf,
-        /// An input of the model, or a parameter that loads are linear in, to solve for; all inputs of the model if none is given
+        /// An input of the model, or a parameter that loads are linear in, to solve for; all inputs of the model if
+        /// none is given
         #[arg(long = "input", value_name = "NAME")]
         inputs: Vec<String>,
         /// Print a CSV table, a row an instant
@@ -139,7 +141,8 @@ pub enum Command {
     Identify {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// Ask of the parameters that the file declares, as they enter, and not of all ten inertial parameters of every body
+        /// Ask of the parameters that the file declares, as they enter, and not of all ten inertial parameters of every
+        /// body
         #[arg(long)]
         declared: bool,
         /// A motion, as `inverse` takes it: the regressor at its instants is printed with --csv and --json
@@ -181,7 +184,7 @@ pub enum Command {
     },
     /// Print the JSON Schema of a format of files, for editors
     Schema {
-        /// Which format
+        /// Format of the files
         #[arg(value_parser = tripos_derive::schema::Format::ALL.map(tripos_derive::schema::Format::name))]
         format: String,
     },
@@ -192,12 +195,12 @@ pub enum Command {
     ///   tripos completions bash > ~/.local/share/bash-completion/completions/tripos
     #[command(verbatim_doc_comment)]
     Completions {
-        /// Which shell
+        /// Shell for which completions are printed
         shell: Shell,
     },
     /// Print the manual page, or those of all commands into a folder
     Man {
-        /// Where the pages go, tripos.1 and one for each command
+        /// Folder for the pages, tripos.1 and one for each command
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
@@ -208,15 +211,16 @@ pub enum Command {
         /// The folder of the module, named as the module; files in it that this command did not write stay untouched
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
-        /// rust: mod.rs, and one file a formulation; js: one module a formulation, kane.mjs, with dop853.mjs and run.mjs
+        /// rust: mod.rs, and one file for each formulation; js: one module for each formulation, kane.mjs, with
+        /// dop853.mjs and run.mjs
         #[arg(long, value_name = "LANGUAGE", default_value = "rust")]
         language: String,
         /// kane, lagrange or newton-euler, more than once for several; all that the model supports if not given, and
         /// what the report beside it prints
         #[arg(long = "formulation", value_name = "F")]
         formulations: Vec<String>,
-        /// Rust also has: jacobian, its entries for implicit methods, which else differentiate the code as it runs; taylor,
-        /// recurrences for Taylor's method
+        /// Further functions for Rust: jacobian, its entries for implicit methods, which else differentiate the code as
+        /// it runs; taylor, recurrences for Taylor's method
         #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
         with: Vec<String>,
     },
@@ -270,7 +274,7 @@ pub enum Command {
         /// Draw exactly this state: a TOML file with [parameters] and [state]
         #[arg(long, value_name = "STATE.toml")]
         at: Option<PathBuf>,
-        /// Where the picture goes: .svg, or .tex for LaTeX with TikZ
+        /// File of the picture: .svg, or .tex for LaTeX with TikZ
         #[arg(long, value_name = "FILE", default_value = "sketch.svg")]
         out: PathBuf,
     },
@@ -302,7 +306,7 @@ pub enum Command {
         /// Shorter runs and fewer steps
         #[arg(long)]
         quick: bool,
-        /// Where the table and the figures go
+        /// Folder for the table and the figures
         #[arg(long, default_value = "target/stability")]
         out: PathBuf,
     },
@@ -316,7 +320,7 @@ pub enum Command {
         /// Also the printed equations of the report beside the model
         #[arg(long)]
         printed: bool,
-        /// Where the tables and the chart go
+        /// Folder for the tables and the chart
         #[arg(long, default_value = "target/chart")]
         out: PathBuf,
     },
@@ -327,7 +331,7 @@ pub enum Command {
 pub struct Page {
     /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
     pub model: Option<PathBuf>,
-    /// Where index.html goes
+    /// Folder for index.html
     #[arg(long, default_value = "target/page")]
     pub out: PathBuf,
 }
@@ -339,12 +343,12 @@ pub struct Simulate {
     pub scene: PathBuf,
     #[command(flatten)]
     pub how: How,
-    /// Also the derivatives of all that is shown by a parameter or a number of the start, at the end, at events, and in the
-    /// columns d(NAME)/d(PARAMETER) of --csv; more than once for several. Whole equations are run
+    /// Also print the derivatives of all shown quantities by a parameter or a number of the start, at the end, at
+    /// events, and in the columns d(NAME)/d(PARAMETER) of --csv; more than once for several. Whole equations are run
     #[arg(long, value_name = "NAME")]
     pub sensitivity: Vec<String>,
-    /// Also the derivatives of this output, coordinate, speed or energy at the end, or of t, the instant at which an event ends the run, by all parameters and all
-    /// numbers of the start at once. Whole equations are run
+    /// Also print the derivatives of this output, coordinate, speed or energy at the end, or of t, the instant at which
+    /// an event ends the run, by all parameters and all numbers of the start at once. Whole equations are run
     #[arg(long, value_name = "NAME")]
     pub gradient: Option<String>,
     /// Write the samples to this file; one that is there is replaced if its name ends in .csv
@@ -367,18 +371,18 @@ pub struct Plot {
     /// Scene files
     #[arg(required = true, value_name = "SCENE")]
     pub scenes: Vec<PathBuf>,
-    /// Quantities of a panel, with commas between them: names or formulas as in `outputs` of a scene; or `integrals` for the
-    /// changes of all that is conserved. What the scene shows, a panel each, if not given
+    /// Quantities of a panel, with commas between them: names or formulas as in `outputs` of a scene; or `integrals`
+    /// for the changes of all conserved quantities. If not given, each shown quantity of the scene has a panel
     #[arg(long, value_name = "QUANTITIES")]
     pub what: Vec<String>,
-    /// What to draw them against; the time if not given
+    /// Quantity on the horizontal axis; the time if not given
     #[arg(long, value_name = "QUANTITY")]
     pub against: Option<String>,
     /// A further curve of each scene, run in another way: by, method, solve, step, rtol, atol
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub also: Vec<String>,
-    /// The figure, .svg, .png or .pdf, or .csv for its data alone, which are written beside every figure; an .svg named as the first
-    /// scene if not given
+    /// The figure, .svg, .png or .pdf, or .csv for its data alone, which are written beside every figure; if not given,
+    /// an .svg named as the first scene
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Pixels of an inch of a .png
@@ -395,11 +399,11 @@ pub struct View {
     pub scene: PathBuf,
     #[command(flatten)]
     pub how: How,
-    /// Show also, seen through: the scene by other equations (kane, lagrange, newton-euler, printed:ID), or another scene of the
-    /// same model; more than once for several
+    /// Also show, transparent: the scene by other equations (kane, lagrange, newton-euler, printed:ID), or another
+    /// scene of the same model; more than once for several
     #[arg(long, value_name = "F|SCENE")]
     pub against: Vec<String>,
-    /// Where the view goes
+    /// File of the view
     #[arg(long, value_name = "FILE.html", default_value = "view.html")]
     pub out: PathBuf,
 }
@@ -433,8 +437,8 @@ pub struct Sweep {
     /// Replace the file if it is there
     #[arg(long)]
     pub overwrite: bool,
-    /// Go on where this sweep was interrupted or killed: the rows that FILE.part has stay, and the others are run. What was begun with
-    /// other options or other files is refused
+    /// Go on where this sweep was interrupted or killed: the rows in FILE.part stay, and the others are run. A sweep
+    /// begun with other options or other files is refused
     #[arg(long)]
     pub resume: bool,
     /// Print a summary as JSON
@@ -442,7 +446,7 @@ pub struct Sweep {
     pub json: bool,
 }
 
-/// What the command line may change of the way a scene is run.
+/// Options with which the command line overrides a scene's integration.
 #[derive(clap::Args)]
 pub struct How {
     /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model. If not given,
@@ -450,14 +454,14 @@ pub struct How {
     /// the model supports
     #[arg(long)]
     pub by: Option<String>,
-    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6, radau5 or taylor; or quadrature, for a scene's own
-    /// equations with one degree of freedom
+    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6, radau5 or taylor; or quadrature, for a scene's
+    /// own equations with one degree of freedom
     #[arg(long)]
     pub method: Option<String>,
-    /// What each step is projected onto: energy, for a scene's own equations; what that removes is reported
+    /// Invariant onto which each step is projected: energy, for a scene's own equations; the removed drift is reported
     #[arg(long)]
     pub project: Option<String>,
-    /// How accelerations are found: eliminated (solved for when the code was generated) or numeric (the linear
+    /// Solution for the accelerations: eliminated (solved for when the code was generated) or numeric (the linear
     /// system at each state)
     #[arg(long)]
     pub solve: Option<String>,
@@ -479,7 +483,7 @@ pub struct How {
 }
 
 impl How {
-    /// What stands in the place of what a scene says.
+    /// Settings that override the scene's; `None` keeps the scene's value.
     pub fn overrides(&self) -> Overrides {
         let Self { by, method, project, solve, step, max_step, rtol, atol, until } = self;
         Overrides {
@@ -496,7 +500,7 @@ impl How {
     }
 }
 
-/// How to write mathematics.
+/// Notation of formulas in a document.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// The language of model files
@@ -515,7 +519,7 @@ pub enum Format {
     Json,
 }
 
-/// What a linear system is written in.
+/// Language of a printed linear system.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Notation {
     /// Words and tables
@@ -529,7 +533,7 @@ pub enum Notation {
 }
 
 impl Command {
-    /// Whether programs read the answer.
+    /// True if the command prints JSON.
     pub fn is_json(&self) -> bool {
         match self {
             Self::Derive { format, .. } => *format == Format::Json,

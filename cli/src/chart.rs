@@ -1,4 +1,4 @@
-//! What a chart leaves behind: tables, a figure, and words.
+//! Output of a chart: tables, a figure, and words.
 
 pub mod figure;
 pub mod files;

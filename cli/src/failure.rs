@@ -1,4 +1,4 @@
-//! How a command ends when it does not end well.
+//! Failures of commands: their messages, exit statuses and JSON.
 
 use serde_json::{Value, json};
 use std::fmt;
@@ -23,7 +23,7 @@ pub mod status {
 /// Why a command could not do its work.
 #[derive(Debug)]
 pub enum Failure {
-    /// What was asked for cannot be had.
+    /// A refused request, or one that has no result, with the reason.
     Refused(Error),
     /// A file that could not be written.
     Output(String, std::io::Error),
@@ -39,7 +39,7 @@ impl Failure {
         Self::Refused(Error::request(what, help))
     }
 
-    /// What went wrong, in a line.
+    /// The first line of the message.
     pub fn first_line(&self) -> String {
         self.said().0.lines().next().unwrap_or_default().to_owned()
     }
@@ -61,7 +61,7 @@ impl Failure {
         json!({ "error": { "message": message, "help": help, "places": places }, "exit_status": self.status() })
     }
 
-    /// What is wrong, first where there is more than one thing, and what to do.
+    /// The message and the help. Of several errors the first is told.
     fn said(&self) -> (String, Option<String>) {
         match self {
             Self::Refused(error) => error.what_and_help(),
@@ -145,7 +145,8 @@ pub fn print(text: &str) -> Result<(), Failure> {
     write_out(&visible(text))
 }
 
-/// Writes JSON to standard output, the version of its format first. What steers a terminal or turns a line is escaped, which JSON reads back as it was.
+/// Writes JSON to standard output, the version of its format first. Control characters and those that turn a line are
+/// escaped, which JSON reads back as they were.
 pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     let mut versioned = serde_json::Map::from_iter([("schema".to_owned(), SCHEMA.into())]);
     let versioned = match value {

@@ -1,4 +1,4 @@
-//! What the figures of a scene show: panels from runs.
+//! Panels of a scene's figures, drawn from runs.
 
 use crate::page::{Standing, two_digits};
 use crate::plot::{Panel, Scale, Series};
@@ -11,15 +11,15 @@ use tripos_sim::Stop;
 /// A run with what was watched along it, and how its curves look.
 #[derive(Clone)]
 pub struct Curve<'a> {
-    /// The run.
+    /// The run that the curve shows.
     pub run: &'a Run,
-    /// What was watched.
+    /// Quantities watched along the run.
     pub course: &'a Course,
     /// Colour, dashes and marker, the same in every figure.
     pub style: usize,
     /// The name in a legend.
     pub label: String,
-    /// How it stands.
+    /// Standing of the run: right, loose, stopped, wrong or undecided.
     pub standing: &'a Standing,
 }
 
@@ -34,7 +34,7 @@ impl<'a> Curve<'a> {
         Self { run, course, style, label, standing }
     }
 
-    /// Whether two runs show the same numbers, and stand alike.
+    /// True if two runs show the same numbers, and either both or neither is wrong.
     fn shows_the_same(&self, other: &Self) -> bool {
         let (own, its) = (self.run, other.run);
         (*self.standing == Standing::Wrong) == (*other.standing == Standing::Wrong)
@@ -74,7 +74,7 @@ pub fn merged(curves: Vec<Curve>) -> Vec<Curve> {
     list
 }
 
-/// Which equations the curves of a figure are of, in sentences: which are wrong, and which loose, with their errors.
+/// Sentences about the equations of the curves: the wrong ones, the stopped ones, and the loose ones with their errors.
 pub fn said(curves: &[Curve]) -> String {
     let names = |of: &dyn Fn(&Standing) -> bool| {
         let some = curves.iter().filter(|curve| of(curve.standing));
@@ -95,7 +95,7 @@ pub fn said(curves: &[Curve]) -> String {
 /// Fewer digits than this are seen in a figure.
 const SEEN: f64 = 2.5;
 
-/// What a band is, where one is to be seen.
+/// Sentence about the shaded bands; empty if no band is wide enough to be seen.
 fn banded(curves: &[Curve]) -> &'static str {
     let right = curves.iter().filter(|curve| *curve.standing != Standing::Wrong);
     let fewest = right.filter_map(|curve| curve.run.digits.as_ref()?.fewest_of_all());
@@ -123,7 +123,7 @@ fn loose(curves: &[Curve]) -> String {
     )
 }
 
-/// Where a run ended that did not arrive.
+/// Note about the runs that ended before the last instant, with time and reason; `None` if there are none.
 fn note(curves: &[Curve]) -> Option<String> {
     let early = curves.iter().map(|curve| curve.run).filter(|run| run.solution.stop != Stop::End);
     let notes: Vec<String> = early
@@ -153,7 +153,7 @@ pub fn radians(unit: &str) -> String {
     }
 }
 
-/// What a scene wants to see, a panel each: a curve with its values, sample by sample, of what its run shows.
+/// Panels of a scene's outputs, one each: a curve for each run, with its values sample by sample.
 pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) -> Vec<Panel> {
     let unit = |output: &SceneOutput| match model.unit_of(&model.arena, output.value) {
         Some(unit) => radians(&unit.to_string()),

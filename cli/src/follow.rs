@@ -14,9 +14,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use tripos::follow::{Follow, Progress};
 use tripos_sim::Poll;
 
-/// Whether the command was asked to end.
+/// True once the command was asked to end.
 static ASKED: AtomicBool = AtomicBool::new(false);
-/// What the poll of the one run that is shown keeps up to date.
+/// Progress bar of the one run that is shown, kept up to date by the poll.
 static SHOWN: OnceLock<Shown> = OnceLock::new();
 
 /// Parts of a span that a bar tells apart.
@@ -35,7 +35,7 @@ pub fn listen() {
     let _ = ctrlc::set_handler(asked);
 }
 
-/// Whether the command was asked to end.
+/// True if the command was asked to end.
 pub fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
@@ -45,7 +45,7 @@ pub fn follow() -> Follow {
     Follow::new(Poll::new(look), asked)
 }
 
-/// How far the one run that is shown has come.
+/// Progress bar of a run, and the span that it covers.
 struct Shown {
     bar: ProgressBar,
     span: (f64, f64),

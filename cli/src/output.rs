@@ -1,4 +1,4 @@
-//! What commands write: tables, texts, folders.
+//! Output of commands to files: tables, texts, folders.
 //!
 //! Invariant: everything goes through [`tripos_codegen::files`], so that a file of its name is whole, and nothing
 //! that a command reads is written over by it: [`keep_inputs`] is asked before work begins.
@@ -102,7 +102,7 @@ impl Rows {
         Ok(Draft::resume(path, existing)?.map(Self))
     }
 
-    /// What an earlier command has left, from its beginning.
+    /// Reader over the rows that an earlier command has left, from their beginning.
     pub fn left(&self) -> impl Read + '_ {
         self.0.left()
     }
@@ -124,7 +124,7 @@ impl Rows {
         written.map_err(|error| WriteError::Io(self.0.place().to_owned(), error).into())
     }
 
-    /// Where the rows are until the table is whole.
+    /// Path of the rows until the table is whole.
     pub fn place(&self) -> &Path {
         self.0.place()
     }

@@ -1,12 +1,12 @@
 //! The report: one page that needs nothing else, with a derivation and the runs of its equations.
 //!
-//! What matters comes first: an abstract, the motion, what is wrong in print, the runs, then equations, proofs and derivations; what is
-//! long is folded.
+//! The order is by importance: an abstract, the motion, the mistakes in print, the runs, then equations, proofs and
+//! derivations. Long parts are folded.
 //!
-//! Invariant: the same input gives the same bytes, but for times that are measured; every text that came from a file
-//! is escaped; every link in the page has its place. Two scripts, in the page itself, open what a link leads into and move the motion;
-//! without them it says the same. Absent on purpose: outside resources, which the page forbids itself, dates and paths of the machine.
-//! Links to the tables of measured figures are all that leads out of the page.
+//! Invariant: the same input gives the same bytes, except for measured times; every text from a file is escaped; every
+//! link in the page has its place. Two scripts in the page itself open the folded target of a link and move the motion;
+//! without them the page says the same. Absent on purpose: outside resources, which the page forbids itself, dates and
+//! paths of the machine. The only links out of the page lead to the tables of measured figures.
 
 mod advice;
 mod content;
@@ -40,7 +40,7 @@ use std::fmt::Write;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::DerivationInSteps;
 
-/// What the page may load and run: what stands in it.
+/// Policy of the page: it may load and run only its own content.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:";
 
 /// The page as HTML.
@@ -103,7 +103,7 @@ fn simulation(page: &Page) -> String {
     out + "</section>\n"
 }
 
-/// How the equations are derived, step by step.
+/// The derivations of all formulations, step by step.
 fn derivations(page: &Page) -> String {
     let mut shown = Vec::new();
     let steps = page.derivations.iter();

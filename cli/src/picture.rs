@@ -1,7 +1,8 @@
 //! Figures as files: SVG as it is drawn, and PNG and PDF made of it.
 //!
-//! Invariant: a figure is the same on any machine. Letters of PNG and PDF come from the fonts in `cli/fonts`, never from those of the system.
-//! PNG and PDF need the feature `pictures`: what makes them takes a third as long to compile as all else.
+//! Invariant: a figure is the same on any machine. Letters of PNG and PDF come from the fonts in `cli/fonts`, never
+//! from those of the system. PNG and PDF need the feature `pictures`: the libraries that make them take a third as long
+//! to compile as all other code.
 
 #[cfg(feature = "pictures")]
 mod made;
@@ -26,9 +27,9 @@ const MOST_PIXELS: f32 = 2e8;
 /// A kind of file that figures are written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// What is drawn, unchanged.
+    /// SVG text as drawn, unchanged.
     Svg,
-    /// Pixels.
+    /// An image of pixels.
     Png,
     /// A page of its size, with its fonts.
     Pdf,

@@ -96,7 +96,7 @@ fn describe(panels: &[Panel]) -> String {
     if shares_names(panels) { of(panels) } else { panels.chunks(1).map(of).collect::<Vec<_>>().join(". ") }
 }
 
-/// Whether one legend is enough for all panels.
+/// True if one legend is enough for all panels.
 fn shares_names(panels: &[Panel]) -> bool {
     panels.len() == 1 || legend(panels, WIDTH).len() <= MOST_NAMES
 }
@@ -120,8 +120,8 @@ fn names(canvas: &Canvas, entries: &[Entry<'_>], (left, top): (f64, f64)) -> Res
     Ok(())
 }
 
-/// Every label once, with the place of its entry: a line of its own for what each panel shows that none before it does. A curve that
-/// is alone and called as its panel needs none.
+/// Entries of the legend: every label once, with its place. Each panel begins a line for the labels that no panel
+/// before it has. A single curve named as its panel needs no entry.
 fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry> = Vec::new();
     let (mut x, mut y) = (0.0, 0.0);

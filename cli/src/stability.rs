@@ -1,4 +1,4 @@
-//! What the studies of where runs give way leave behind: tables, figures, and words.
+//! Output of the studies of a scene's limits: tables, figures, and words.
 
 pub mod words;
 
@@ -45,7 +45,7 @@ pub fn tables(findings: &Findings, out: &Path) -> Result<(), Failure> {
     table(&out.join("passages.csv"), &header, rows)
 }
 
-/// What to take away, a line each: what the studies say, and after the passages what their table shows.
+/// Conclusions, a line each: those of the studies, and after the passages those from their table.
 pub fn statements(model: &Mechanism, findings: &Findings) -> Vec<String> {
     let (passages, others): (Vec<_>, Vec<_>) = findings.statements.iter().partition(|s| s.study == Topic::Passages);
     let mut list: Vec<String> = passages.into_iter().map(|s| s.text.clone()).collect();

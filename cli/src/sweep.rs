@@ -1,4 +1,4 @@
-//! What a sweep leaves behind: a table, and a summary; and, where it does not come to its end, what it takes to go on.
+//! Output of a sweep: a table, and a summary; if it is interrupted, a record with which it can go on.
 
 mod kept;
 mod record;

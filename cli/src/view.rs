@@ -1,8 +1,8 @@
 //! A motion to be seen: a figure of HTML that turns, plays and speaks, in a page or alone.
 //!
-//! Invariant: it needs nothing but itself, no network above all; every text that came from a file reaches the browser as text: in HTML
-//! through [`escape`], in data through [`as_script`], and from there by `textContent` alone. Absent on purpose: mechanics, which is
-//! [`tripos::view`]'s, and libraries.
+//! Invariant: a view needs no other file and no network; every text that came from a file reaches the browser
+//! as text: in HTML through [`escape`], in data through [`as_script`], and from there by `textContent` alone. Absent on
+//! purpose: mechanics, which is [`tripos::view`]'s, and libraries.
 
 mod data;
 mod live;
@@ -31,13 +31,13 @@ const SCRIPT: [&str; 11] = [
     include_str!("view/curve.js"),
     include_str!("view/live.js"),
 ];
-/// What makes a viewer of each figure, once all is there.
+/// Script that starts a viewer in each figure, once the page is loaded.
 const BEGIN: &str = include_str!("view/begin.js");
-/// How it looks.
+/// Style of a viewer.
 pub const STYLE: &str = include_str!("view/style.css");
 const PAGE_STYLE: &str = include_str!("view/page.css");
 
-/// What is to be seen.
+/// Content of a view: the mechanism, its scene, solids and motions.
 pub struct Seen<'a> {
     /// The mechanism.
     pub mechanism: &'a Mechanism,
@@ -45,14 +45,14 @@ pub struct Seen<'a> {
     pub scene: &'a Scene,
     /// Its solids.
     pub view: View,
-    /// What moved: the first as solids, the others as ghosts.
+    /// The motions: the first is drawn as solids, the others as ghosts.
     pub motions: Vec<Motion>,
     /// The scene's title, or the name of its file.
     pub title: String,
 }
 
 impl Seen<'_> {
-    /// Whether there are forces to be drawn.
+    /// True if there are forces to be drawn.
     fn has_arrows(&self) -> bool {
         self.motions.first().is_some_and(|motion| !motion.forces.list.is_empty())
     }
@@ -61,13 +61,13 @@ impl Seen<'_> {
 /// A view with the equations that it runs by itself, if it does.
 #[derive(Clone, Copy)]
 pub struct Shown<'a> {
-    /// What is to be seen.
+    /// Content of the view.
     pub seen: &'a Seen<'a>,
     /// Its equations.
     pub live: &'a Live,
 }
 
-/// Whether a viewer shows the turning of all bodies as it is.
+/// True if the viewer's frames are close enough in time to show how every body turns.
 pub fn turns_truly(seen: &Seen<'_>, home: Home) -> bool {
     data::turns_truly(seen, home.bytes())
 }
@@ -88,7 +88,7 @@ pub fn document(seen: &Seen<'_>, live: &Live) -> String {
     )
 }
 
-/// Where a view stands.
+/// Place of a view: a file of its own or a page.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Home {
     /// In a file of its own.
@@ -168,7 +168,7 @@ pub fn figure(shown: Shown<'_>, home: Home) -> String {
     )
 }
 
-/// What can be changed, or why nothing can.
+/// Controls for the values that can be changed, or the reason why none can.
 fn controls(seen: &Seen<'_>, live: &Live) -> String {
     let title = match live {
         Live::Rests(why) => {
@@ -207,7 +207,7 @@ fn controls(seen: &Seen<'_>, live: &Live) -> String {
     )
 }
 
-/// What each motion is, where there is more than one.
+/// Legend of the motions; empty if there is only one.
 fn legend(seen: &Seen<'_>) -> String {
     if seen.motions.len() < 2 {
         return String::new();
@@ -221,7 +221,7 @@ fn legend(seen: &Seen<'_>) -> String {
     out + "</ul>\n"
 }
 
-/// Which arrows are what, where there are some.
+/// Legend of the kinds of arrows; empty if there are none.
 fn acting(seen: &Seen<'_>) -> String {
     let Some(forces) = seen.motions.first().map(|motion| &motion.forces) else { return String::new() };
     let kinds = [
@@ -237,7 +237,7 @@ fn acting(seen: &Seen<'_>) -> String {
     if items.is_empty() { items } else { format!("<ul class=\"view-acts\">\n{items}</ul>\n") }
 }
 
-/// What is said of forces: how long arrows are, and which are not there.
+/// Sentences about forces: the scale of the arrows, and the forces that are not shown.
 fn forces_in_words(forces: &Forces) -> String {
     let mut out = String::new();
     if !forces.list.is_empty() {
@@ -259,7 +259,7 @@ fn forces_in_words(forces: &Forces) -> String {
     out
 }
 
-/// What is shown, in words, as HTML.
+/// Description of the view, in words, as HTML.
 fn words(seen: &Seen<'_>) -> String {
     let mut out = String::new();
     let kinds: Vec<String> = seen

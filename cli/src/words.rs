@@ -1,9 +1,9 @@
 //! Words that several parts of the command say.
 
-/// What the terms are called that stand by their names in everything that follows.
+/// Heading of the terms that stand by their names in the formulas after it.
 pub const NAMED: &str = "Terms that stand by a name";
 
-/// How many entries, in words.
+/// A number of entries, in words.
 pub fn entries(count: usize) -> String {
     if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
 }

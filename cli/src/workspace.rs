@@ -37,7 +37,7 @@ pub fn short_name(model: &Model) -> String {
     full.parent().and_then(Path::file_name).map_or(stem, |folder| folder.to_string_lossy().into_owned())
 }
 
-/// What is to be said of a model of the workspace that was edited since its equations were compiled.
+/// Warning about a model of the workspace that was edited since its equations were compiled.
 pub fn edited(model: &Mechanism) -> Option<String> {
     let of_place = MODELS.iter().find(|m| is_workspace_model(model, m.name))?;
     (compiled(model).is_none()).then(|| {
@@ -49,7 +49,7 @@ pub fn edited(model: &Mechanism) -> Option<String> {
     })
 }
 
-/// Whether the model file is the one that a compiled model was derived from, by place.
+/// True if the model file is, by its place, the one that a compiled model was derived from.
 fn is_workspace_model(model: &Model, name: &str) -> bool {
     let path = &model.source.path;
     let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_owned));

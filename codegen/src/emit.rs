@@ -1,7 +1,8 @@
 //! The modules of any one model file, for programs of its user's own: Rust, or another target's.
 //!
 //! Invariant: a file that [`place`] did not write is never changed, and nothing is changed if one stands in the way.
-//! What it wrote it knows by the header. Absent on purpose: the crate around a module of Rust; it needs `tripos-traits`.
+//! The header of a file tells whether this module wrote it. Absent on purpose: the crate around a module of Rust; it
+//! needs `tripos-traits`.
 
 #[cfg(feature = "rust")]
 use crate::extras::Extras;
@@ -25,16 +26,18 @@ use tripos_derive::plain::path_in_line;
 /// The files of one model in one language.
 #[derive(Debug)]
 pub struct Emission {
-    /// Text of each file by its name: in Rust `mod.rs`, one a formulation with its equations, and its code under `code/`.
+    /// Text of each file by its name. In Rust: `mod.rs`, one file of equations for each formulation, and their code
+    /// under `code/`.
     pub files: BTreeMap<String, String>,
     /// Formulations that the model does not support, each with the reason.
     pub left_out: Vec<(Formulation, DeriveError)>,
-    /// What the names of its files end with: those of other languages stay as they are.
+    /// Extension of the names of its files. Files with other extensions belong to other languages and are not touched.
     pub extension: &'static str,
 }
 
 /// Emits the module `module` of a model file: these formulations alone, or, if none are named, all that the model
-/// supports and the printed equations of the report beside it; with these extras, and those that are asked for beside the model.
+/// supports and the printed equations of the report beside it; with these extras, and those that are asked for beside
+/// the model.
 ///
 /// The text is what a workspace has in `generated/src/MODULE`, but for the line that says where it comes from.
 ///
@@ -68,7 +71,7 @@ pub fn emit_model(
     }
 }
 
-/// What became of one file of a module.
+/// Outcome for one file of a module.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Placed {
     /// It is new or has another text than before.

@@ -1,7 +1,7 @@
-//! What is written beside the equations where it is asked for.
+//! Optional functions written beside the equations: Jacobians and Taylor recurrences.
 //!
-//! Jacobians and recurrences are longer than all else together, and runs can do without them: a Jacobian is then the code,
-//! differentiated as it runs, and Taylor's method runs interpreted.
+//! They are longer than all else together, and runs can do without them: a Jacobian is then the code, differentiated as
+//! it runs, and Taylor's method runs interpreted.
 
 use std::path::Path;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
@@ -44,7 +44,7 @@ impl Extras {
         Ok(all)
     }
 
-    /// What runs by a method are made faster by.
+    /// Extras that make runs by a method faster.
     #[must_use]
     pub fn for_method(method: Method) -> Self {
         Self { jacobian: method.needs_jacobian(), taylor: method.needs_series() }

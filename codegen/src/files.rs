@@ -19,14 +19,14 @@ use std::{fmt, io};
 use tempfile::TempPath;
 use tripos_derive::plain::path_in_line;
 
-/// How long [`write`] waits for another writer of the same name, who is done as soon as its disk lets it.
+/// Time for which [`write`] waits for another writer of the same name, who is done as soon as its disk lets it.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Between two looks at a lock.
 const PAUSE: Duration = Duration::from_millis(10);
 /// Names of what is open already: opened again, they would be a file like any other where they are one.
 const OPEN: [&str; 4] = ["/dev/stdout", "/dev/stderr", "/dev/fd", "/proc/self/fd"];
 
-/// What becomes of a file that has the name already.
+/// Fate of an existing file that already has the name of a new one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Existing {
     /// It is replaced, once the new one is whole.
@@ -35,7 +35,7 @@ pub enum Existing {
     Kept,
 }
 
-/// What becomes of rows that were written when a draft is dropped before its end.
+/// Fate of the rows written so far when a draft is dropped before its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfinished {
     /// The part is removed.
@@ -81,12 +81,13 @@ impl std::error::Error for WriteError {}
 /// A file that is being written.
 #[derive(Debug)]
 pub struct Draft {
-    /// As it was asked for.
+    /// The path that the caller gave, links not followed.
     path: PathBuf,
     /// The path with links followed: what is renamed to.
     target: PathBuf,
     existing: Existing,
-    /// Where it is until it is whole; none of devices and pipes. Before the file: its name goes before its lock does.
+    /// Temporary file that holds the text until it is whole; `None` for devices and pipes. Declared before `file`: its
+    /// name goes before its lock does.
     part: Option<TempPath>,
     file: BufWriter<File>,
 }
@@ -135,8 +136,8 @@ impl Draft {
         Ok(Self { path: path.to_owned(), target, existing, part: Some(part), file: BufWriter::new(file) })
     }
 
-    /// Takes over what an earlier writer of this name has left, if it has left anything. [`Self::left`] reads it, and [`Self::keep`] cuts it to what
-    /// stays; until then nothing is changed.
+    /// Takes over the unfinished part of an earlier writer of this name; `None` if there is no part. [`Self::left`]
+    /// reads it, and [`Self::keep`] cuts it to the bytes that stay; until then nothing is changed.
     ///
     /// # Errors
     /// [`WriteError`]; then what was left stays.
@@ -155,7 +156,7 @@ impl Draft {
         Ok(Some(Self { path: path.to_owned(), target, existing, part: Some(part), file: BufWriter::new(file) }))
     }
 
-    /// What an earlier writer has left, from its beginning.
+    /// Reader over the unfinished part of an earlier writer, from its beginning.
     #[must_use]
     pub fn left(&self) -> impl Read + '_ {
         self.file.get_ref()
@@ -171,7 +172,7 @@ impl Draft {
         cut.map(|_| ()).map_err(|error| WriteError::Io(self.path.clone(), error))
     }
 
-    /// Where the file is until it is finished: beside its place, or there.
+    /// Path of the file until it is finished: the part beside the target, or the target itself for devices and pipes.
     #[must_use]
     pub fn place(&self) -> &Path {
         self.part.as_deref().unwrap_or(&self.path)
@@ -228,7 +229,7 @@ pub fn folder(path: &Path) -> Result<(), WriteError> {
     std::fs::create_dir_all(path).map_err(|error| WriteError::Io(path.to_owned(), error))
 }
 
-/// Whether writing `path` would change the file `input`, whatever it is called here: by a link, by another way to it,
+/// True if writing `path` would change the file `input`, whatever it is called here: by a link, by another way to it,
 /// or by the part that is written beside.
 #[must_use]
 pub fn would_change(path: &Path, input: &Path) -> bool {
@@ -243,12 +244,12 @@ fn part_of(path: &Path) -> PathBuf {
     name.into()
 }
 
-/// Where a link leads; a path that is none as it is.
+/// Target of a link; any other path unchanged.
 fn followed(path: &Path) -> PathBuf {
     if path.is_symlink() { path.canonicalize().unwrap_or_else(|_| path.to_owned()) } else { path.to_owned() }
 }
 
-/// Whether bytes go straight to where they are to be seen: devices, pipes, and what is open already.
+/// True if bytes go straight to their destination: a device, a pipe, or a file that is open already.
 fn is_direct(path: &Path) -> bool {
     let special = std::fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir());
     special || OPEN.iter().any(|open| path.starts_with(open))
@@ -277,7 +278,7 @@ fn locked(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> 
     }
 }
 
-/// Whether a file is still what its name leads to: between opening and locking, its writer may have renamed it.
+/// True if `path` still leads to this open file: between opening and locking, its writer may have renamed it.
 fn has_name(file: &File, path: &Path) -> io::Result<bool> {
     let mine = Handle::from_file(file.try_clone()?)?;
     Ok(Handle::from_path(path).is_ok_and(|named| named == mine))

@@ -1,4 +1,4 @@
-//! Where generated text comes from, as its header says it.
+//! The origin of generated text, as its header states it.
 
 use std::path::Path;
 
@@ -21,8 +21,8 @@ pub(crate) struct Origin {
 }
 
 impl Origin {
-    /// That of modules of one model file. `model.toml` alone would say little: its folder goes with it. Neither depends on where that
-    /// folder is.
+    /// Origin of the modules of one model file. `model.toml` alone would say little: the name of its folder goes with
+    /// it. Neither depends on where that folder is.
     pub fn emitted(path: &Path) -> Self {
         let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
         let model = name(path.file_name()).unwrap_or_default();
@@ -54,7 +54,7 @@ impl Origin {
         self.of(name)
     }
 
-    /// Whether the equations of scenes are written, too: those of a workspace are.
+    /// True if the equations of scenes are written too, as they are for a workspace.
     #[cfg(feature = "rust")]
     pub fn has_scenes(&self) -> bool {
         self.command == "regenerate"
@@ -71,7 +71,7 @@ fn advice(command: &str) -> String {
     format!("Do not edit; run `tripos {command}`.")
 }
 
-/// Whether a text has the header of what this command writes: an origin in a comment before the first item.
+/// True if the text has the header that this command writes: an origin in a comment before the first item.
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
     let advice = advice(command);
     let mut header = text.lines().map_while(|line| line.strip_prefix("//!").or_else(|| line.strip_prefix("//")));

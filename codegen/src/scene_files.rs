@@ -1,4 +1,4 @@
-//! Where the scenes of a model are.
+//! Scene files of a model, found on disk.
 //!
 //! Invariant: whoever asks for the scenes of a model, the page as the generator of code, has them from here, in one
 //! order. A file in `scenes/` is meant to be a scene, whatever is wrong with it; beside the model stand other files as
@@ -33,7 +33,7 @@ pub fn name_beside(model: &Path, scene: &Path) -> String {
     if is_inside { format!("scenes/{name}") } else { name }
 }
 
-/// Whether two paths lead to one file.
+/// True if two paths lead to one file.
 #[must_use]
 pub fn is_same(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)

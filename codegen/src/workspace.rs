@@ -25,7 +25,7 @@ use tripos_derive::scene::{load_bound as load_scene, model_path as scene_model};
 use tripos_derive::{Equations, Formulation, Model, derive};
 use tripos_traits::Method;
 
-/// What the models of a workspace generate.
+/// Generated files of all models of a workspace.
 #[derive(Debug, Default)]
 pub struct Generated {
     /// Text of each file by its path under `generated/src`, with `/` between folders.
@@ -102,7 +102,8 @@ fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostic
     Ok(module)
 }
 
-/// The functions that are written beside the equations: those that the file beside a model names, and those that methods of its scenes use.
+/// The functions that are written beside the equations: those that the file beside a model names, and those that the
+/// methods of its scenes use.
 pub(crate) fn asked_for(model: &Model, path: &Path) -> Result<Extras, Diagnostics> {
     // A scene with errors is reported where its own equations are derived.
     let scenes = scene_files(path).into_iter().filter_map(|scene| {
@@ -114,11 +115,11 @@ pub(crate) fn asked_for(model: &Model, path: &Path) -> Result<Extras, Diagnostic
     Ok(methods.map(Extras::for_method).fold(Extras::beside(path)?, Extras::and))
 }
 
-/// The file beside a module's equations that is the model which they were derived from: by it, derived again, and not by the text
-/// of its equations, it is told what an edit changes.
+/// Name of the file, beside a module's equations, that holds the model from which they were derived. A later edit is
+/// compared with equations derived again from it, not with their text.
 pub const DERIVED_FROM: &str = "derived_from.toml";
 
-/// What one model gives.
+/// Generated files of one model.
 pub(crate) struct ModuleFiles {
     /// Text of each file, by name.
     pub files: Vec<(String, String)>,
@@ -199,8 +200,9 @@ pub(crate) fn module_files(
 
 /// Convolutions an order above which no recurrences are written: a step of another method then costs less.
 const MOST_CONVOLUTIONS: usize = 200;
-/// Convolutions for each component of the state up to which recurrences are compiled in lanes as well: runs by them cost no
-/// more than by DOP853 up to there (2.4 of the disk cost 0.9 to 1.1 of it, 6.5 of a cart with three pendulums 2.3).
+/// Convolutions for each component of the state up to which recurrences are compiled in lanes as well: runs by them
+/// cost no more than by DOP853 up to there (2.4 of the disk cost 0.9 to 1.1 of it, 6.5 of a cart with three pendulums
+/// 2.3).
 const MOST_CONVOLUTIONS_IN_LANES: usize = 4;
 
 fn has_short_series(convolutions: usize, equations: &Equations) -> bool {
@@ -294,7 +296,7 @@ fn file_of_scene(
     file.map(Some).map_err(|why| unsolved(&source, "the scene's own equations", why))
 }
 
-/// How one file of `generated/src` differs from what the models give.
+/// Difference between one file of `generated/src` and the file that the models generate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Difference {
     /// The models give it, but it is not there.
@@ -325,13 +327,13 @@ impl Difference {
     }
 }
 
-/// What the models give, beside what is committed.
+/// Files that the models generate now, compared with the committed ones.
 #[derive(Debug)]
 pub struct Freshness {
-    /// What the models give, `lib.rs` among the files; models that are broken, and those that nobody asked for, keep
+    /// Freshly generated files, `lib.rs` among them. Models that are broken, and those that nobody asked for, keep
     /// their committed files.
     pub generated: Generated,
-    /// Where the committed text differs.
+    /// Files whose committed text differs.
     pub differences: Vec<Difference>,
 }
 

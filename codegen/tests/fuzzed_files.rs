@@ -33,7 +33,7 @@ fn guarded<T>(what: &str, text: &str, work: impl FnOnce() -> T) -> T {
     done.unwrap_or_else(|_| panic!("{what} panicked:\n{text}"))
 }
 
-/// What is refused is shown, too.
+/// Asserts that refused input has a message that can be shown.
 fn shown(diagnostics: &Diagnostics) {
     assert!(!diagnostics.to_string().is_empty());
 }

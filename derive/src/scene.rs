@@ -1,4 +1,4 @@
-//! Scenes: what to run, from where, how accurately, what to look at. States: one instant of it.
+//! Scenes: a run, its start, its accuracy and its outputs. States: one instant of a run.
 
 mod asked;
 mod axis;
@@ -55,13 +55,13 @@ pub struct SceneEvent {
     pub name: String,
     /// Zero where it happens; in parameters, q, q̇, u and reactions.
     pub function: Expr,
-    /// Which crossings count.
+    /// Direction of the crossings that count.
     pub direction: Direction,
-    /// Whether the run ends there.
+    /// True if the run ends there.
     pub terminal: bool,
 }
 
-/// What a figure shows.
+/// Kind of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureKind {
     /// Total energy over time.
@@ -107,13 +107,13 @@ pub(crate) const FIGURES: [&str; FigureKind::ALL.len()] = {
 /// A figure of the scene's page.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    /// What it shows.
+    /// Kind of the figure.
     pub kind: FigureKind,
     /// The caption.
     pub caption: String,
 }
 
-/// What a scene wants to see.
+/// Quantity that a scene shows.
 #[derive(Clone, Debug)]
 pub struct SceneOutput {
     /// Its name: the formula as it is written, or the key beside it.
@@ -129,7 +129,7 @@ pub struct Scene {
     pub source: Source,
     /// The title.
     pub title: String,
-    /// What it is about, in words.
+    /// Description in words.
     pub about: String,
     /// Values of the parameters, in the order of the model.
     pub parameters: Vec<f64>,
@@ -143,21 +143,21 @@ pub struct Scene {
     pub span: (f64, f64),
     /// Parameters and start to 32 digits, for reference runs.
     pub exact: Exact,
-    /// How to integrate.
+    /// Settings of the integration.
     pub integration: Integration,
     /// Other values of one number of the start, for stability tests.
     pub ladder: Option<Ladder>,
-    /// What to show: every coordinate and speed, if the file does not say.
+    /// Outputs to show: every coordinate and speed, if the file states none.
     pub outputs: Vec<SceneOutput>,
-    /// Whether the file says what to show.
+    /// True if the file states outputs.
     pub states_outputs: bool,
     /// Parameters that stay letters in the scene's own equations, by place, since runs vary them.
     pub free: Vec<usize>,
-    /// What to notice.
+    /// Events to detect during the run.
     pub events: Vec<SceneEvent>,
-    /// Where bodies meet and part again.
+    /// Contacts at which bodies meet and part again.
     pub impacts: Vec<Impact>,
-    /// What to draw.
+    /// Figures to draw.
     pub figures: Vec<Figure>,
 }
 
@@ -265,7 +265,7 @@ impl Scene {
         ladder.values.iter().map(rung).collect()
     }
 
-    /// What its author may have meant otherwise, a line each.
+    /// Warnings about angles that were probably meant in degrees, one line each.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
         let starts = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
@@ -276,13 +276,13 @@ impl Scene {
     }
 }
 
-/// What a scene says in numbers, and what may follow from its parameters.
+/// Numbers of a scene, which may depend on its parameters.
 struct Numbers {
     p: Vec<Number>,
     start: Start,
     span: Option<(f64, f64)>,
     integration: Integration,
-    /// Those of restitution and friction, in the order of the contacts.
+    /// Coefficients of restitution and friction, in the order of the contacts.
     coefficients: Vec<impacts::Coefficients>,
 }
 
@@ -298,7 +298,8 @@ pub struct State {
 }
 
 impl State {
-    /// What is probably not meant: an angle of more than a turn, written as people write degrees.
+    /// Warnings about angles that were probably meant in degrees: they exceed one turn and have few decimals. One line
+    /// each.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
         let turned = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
@@ -306,8 +307,8 @@ impl State {
     }
 }
 
-/// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`; the model gets the formulas that it gives to
-/// inputs.
+/// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`. The formulas that it gives to
+/// inputs are put into the model.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the file.

@@ -1,4 +1,4 @@
-//! What is charted: equations, how their accelerations are found, and the ways to run them.
+//! Cases of a chart: equations of motion, the way in which accelerations are found, and the methods of the runs.
 
 use crate::code::{Code, Ready, code};
 use crate::error::{Error, refused};
@@ -12,25 +12,25 @@ use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_sim::work_precision::options;
 use tripos_sim::{Method, Options, Solution, quadrature};
 
-/// The methods that a scene's own equations are also run by at absolute tolerances alone: they lose so little that
-/// relative ones end too early.
+/// Methods that also run a scene's own equations with absolute tolerances alone. Their errors are so small that
+/// relative tolerances cannot be fine enough.
 const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
 
-/// Equations and how their accelerations are found.
+/// Equations of motion with the way in which their accelerations are found.
 pub struct Case {
-    /// Which equations.
+    /// Name of the equations.
     pub by: By,
-    /// Ready to run, in the scene's distance if it has one.
+    /// Compiled or interpreted equations, in the scene's distance if it has one.
     pub code: Code,
-    /// How accelerations are found.
+    /// Way in which accelerations are found.
     pub solve: Solve,
-    /// Where the equations are a scene's own: what they are.
+    /// Reduction that gave a scene's own equations; `None` for those of the whole model.
     pub reduction: Option<Reduction>,
 }
 
 impl Case {
-    /// Whether a method can run it: without a Jacobian there is no implicit method, and Taylor coefficients are known
-    /// of eliminated accelerations only.
+    /// True if a method can run the case. An implicit method needs a Jacobian, and Taylor's method needs eliminated
+    /// accelerations.
     #[must_use]
     pub fn has(&self, method: Method) -> bool {
         let system = self.code.system();
@@ -38,7 +38,7 @@ impl Case {
         (!method.needs_jacobian() || system.has_accelerations()) && (!method.needs_series() || series)
     }
 
-    /// The methods that can run it, at each of these tolerances, and quadrature where it gives the motion.
+    /// The methods that can run the case, at each of these tolerances, and quadrature where it gives the motion.
     #[must_use]
     pub fn ways(&self, tolerances: &[f64]) -> Vec<Way> {
         let mut list = Vec::new();
@@ -54,13 +54,13 @@ impl Case {
         list
     }
 
-    /// Whether the motion can be asked for by quadrature.
+    /// True if the motion can be computed by quadrature.
     #[must_use]
     pub fn has_quadrature(&self) -> bool {
         self.reduction.is_some() && self.code.system().has_potential_slope()
     }
 
-    /// With the start of a scene: one of the model and the outputs that the case was made for.
+    /// Prepares the case for the start of a scene. The scene must have the model and the outputs of the case.
     ///
     /// # Errors
     /// As [`Reduced::with`].
@@ -68,7 +68,7 @@ impl Case {
         let reduction = self.reduction.clone();
         let mut reduced = reduction.map(|reduction| Reduced::with(reduction, model, scene)).transpose()?;
         if let Some(reduced) = &mut reduced {
-            // Nothing else is there to be solved.
+            // The reduced equations have only the case's way of solving.
             reduced.scene.integration.solve = Some(self.solve);
         }
         Ok(Prepared { case: self, model, scene, reduced })
@@ -84,7 +84,7 @@ pub struct Prepared<'a> {
 }
 
 impl Prepared<'_> {
-    /// Ready to be integrated.
+    /// The problem, ready to be integrated.
     ///
     /// # Errors
     /// As [`Problem::new`].
@@ -97,19 +97,20 @@ impl Prepared<'_> {
     }
 }
 
-/// One way to run a case.
+/// Method and tolerance of a run of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
-    /// By steps of a method at a tolerance.
+    /// Steps of a method at a tolerance.
     Steps(Method, f64),
-    /// A method at an absolute tolerance alone: a relative one is never finer than some roundings, this one is.
+    /// Steps of a method at an absolute tolerance alone. It can be finer than a relative one, which is at least several
+    /// roundings.
     Absolute(Method, f64),
-    /// By integrals over the coordinate, to rounding.
+    /// Integrals over the coordinate, exact to rounding.
     Quadrature,
 }
 
 impl Way {
-    /// The method of the steps; none where no steps are taken.
+    /// The method of the steps; `None` for quadrature.
     #[must_use]
     pub fn method(self) -> Option<Method> {
         match self {
@@ -124,7 +125,7 @@ impl Way {
         self.method().map_or(QUADRATURE, Method::name)
     }
 
-    /// The tolerance of the steps.
+    /// The tolerance of the steps; `None` for quadrature.
     #[must_use]
     pub fn tolerance(self) -> Option<f64> {
         match self {
@@ -133,7 +134,7 @@ impl Way {
         }
     }
 
-    /// How accelerations are found; quadrature asks for none.
+    /// Name of the way in which accelerations are found; `-` for quadrature, which needs none.
     #[must_use]
     pub fn solve(self, solve: Solve) -> &'static str {
         match self {
@@ -150,15 +151,15 @@ impl Way {
             Self::Absolute(method, tolerance) => {
                 Options { rtol: 0.0, ..options(method, tolerance, length, step_limit) }
             }
-            // Of these only the limit on steps matters.
+            // Only the step limit matters here.
             Self::Quadrature => options(Method::Dop853, 1e-12, length, step_limit),
         }
     }
 
-    /// One run over a span, from the integrated state `y0`.
+    /// Runs over a span from the integrated state `y0`.
     ///
     /// # Errors
-    /// [`Error::Request`] if the question makes no sense, or quadrature does not give the motion.
+    /// [`Error::Request`] if the request is invalid, or quadrature does not give the motion.
     pub fn run(
         self,
         problem: &Problem<'_>,
@@ -181,11 +182,11 @@ impl Way {
     }
 }
 
-/// Every formulation that the model has with each way to find its accelerations; printed equations, if wanted, as they
-/// stand; last the scene's own equations. Beside them why something cannot be had.
+/// Lists every formulation of the model with each way to find its accelerations. Printed equations follow if wanted, as
+/// they stand, and then the scene's own equations. Also returns the reasons why cases are missing.
 ///
 /// # Errors
-/// [`Error`] if nothing can be run.
+/// [`Error`] if no equations can be run.
 pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = whole(model, scene, printed)?;
     match own(model, scene) {
@@ -195,7 +196,7 @@ pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
     Ok((list, left_out))
 }
 
-/// Those of the whole model.
+/// Lists the cases of the whole model.
 ///
 /// # Errors
 /// As [`cases`].
@@ -225,10 +226,10 @@ pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
     }
 }
 
-/// A scene's own equations.
+/// Case of a scene's own equations.
 ///
 /// # Errors
-/// [`Error`] if they cannot be had, which is no reason not to chart the others.
+/// [`Error`] if the scene has none; the other cases can still be charted.
 pub fn own(model: &Mechanism, scene: &Scene) -> Result<Case, Error> {
     let reduced = Reduced::new(model, scene)?;
     let code = reduced.code(model)?;

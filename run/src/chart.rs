@@ -1,4 +1,4 @@
-//! Speed charted against accuracy: every formulation, solve and method at many tolerances, measured against a
+//! Charts of speed against accuracy: every formulation, solve and method at many tolerances, measured against a
 //! reference.
 
 pub mod session;
@@ -17,22 +17,22 @@ use tripos_sim::work_precision::{Spread, error, interleaved};
 use tripos_sim::{Options, Output, Stop};
 use tripos_traits::larger;
 
-/// How much is measured.
+/// Extent of the measurements of a chart.
 pub struct Plan {
     /// The tolerances, loosest first.
     pub tolerances: Vec<f64>,
-    /// Runs of each kind.
+    /// Number of runs for each measurement.
     pub repeats: usize,
-    /// Steps after which a run is given up.
+    /// Number of steps after which a run is given up.
     pub step_limit: u64,
-    /// Whether tolerances finer than one that used up the steps are left out.
+    /// True if tolerances finer than one that used up the steps are left out.
     pub quick: bool,
-    /// A run that takes longer than this, s, is not repeated.
+    /// Duration above which a run is not repeated, s.
     pub patience: f64,
 }
 
 impl Plan {
-    /// Everything, or what takes less than two minutes.
+    /// The full plan, or a quick one that takes less than two minutes.
     #[must_use]
     pub fn new(quick: bool) -> Self {
         let powers: Vec<i32> = if quick { vec![3, 5, 7, 9, 11, 13] } else { (2..=14).collect() };
@@ -46,40 +46,40 @@ impl Plan {
     }
 }
 
-/// One point of a chart.
+/// Measured point of a chart.
 pub struct Measurement {
-    /// Which equations.
+    /// Equations of motion that ran.
     pub by: By,
-    /// How accelerations were found, where they were asked for.
+    /// Way in which accelerations were found, where the method needs them.
     pub solve: Solve,
-    /// By what it was run.
+    /// Method and tolerance of the run.
     pub way: Way,
-    /// Times of repeated runs.
+    /// Times of the repeated runs, s.
     pub seconds: Spread,
-    /// Against the reference; none if the run did not arrive.
+    /// Error against the reference; `None` if the run did not reach the end.
     pub error: Option<f64>,
-    /// Accepted steps.
+    /// Number of accepted steps.
     pub steps: u64,
-    /// Calls of the right-hand side.
+    /// Number of calls of the right-hand side.
     pub evaluations: u64,
-    /// Why the run ended.
+    /// Reason of the end of the run.
     pub stop: Stop,
-    /// The largest change of each first integral.
+    /// Largest change of each first integral.
     pub drifts: Vec<f64>,
 }
 
-/// What runs are held against.
+/// Reference, compared quantities and first integrals that runs are measured against.
 pub struct Truth<'a> {
-    /// What errors are differences from.
+    /// Reference solution from which errors are measured.
     pub reference: &'a Reference,
-    /// In what runs are compared.
+    /// Quantities in which runs are compared.
     pub compared: &'a Compared,
-    /// What is conserved.
+    /// First integrals of the motion.
     pub watch: &'a Watch,
 }
 
-/// Measures everything against the reference, which is at the end of the scene's span; if it is interrupted, what
-/// came before. What cannot be measured is added to what is left out, with the reason.
+/// Measures all cases against the reference at the end of the scene's span. An interrupted call returns the
+/// measurements so far. Cases that cannot be measured are added to the list of left-out ones, with the reason.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -102,7 +102,7 @@ pub fn measure(
     for (at, (problem, y0)) in problems.iter().zip(&starts).enumerate() {
         let mut exhausted = None;
         for way in &ways[at] {
-            // Finer ones would use up the steps too.
+            // Finer tolerances would use up the steps too.
             if exhausted == Some(way.name()) {
                 continue;
             }
@@ -111,12 +111,12 @@ pub fn measure(
             bar.inc(1);
             let outcome = first(problem, y0, *way, &how, truth);
             if model.follow.asked() {
-                // What was under way is not measured.
+                // The interrupted run is not measured.
                 return Ok(list);
             }
             let measurement = match outcome {
                 Ok(measurement) => measurement,
-                // A motion that quadrature does not give is still integrated.
+                // A motion that has no quadrature is still integrated.
                 Err(failure) if *way == Way::Quadrature => {
                     left_out.push(format!("{} by {}: {}", problem.by.name(), way.name(), failure.first_line()));
                     continue;
@@ -151,10 +151,10 @@ pub fn measure(
     Ok(list)
 }
 
-/// Steps of a run up to which its first integrals are watched at each.
+/// Greatest number of steps of a run whose first integrals are checked at each step.
 const MOST_WATCHED: u64 = 200_000;
 
-/// The first run of a kind: its error and drifts, and a first time.
+/// Makes the first run of a case: its error, the drift of its first integrals and a first time.
 fn first(problem: &Problem<'_>, y0: &[f64], way: Way, how: &Options, truth: &Truth<'_>) -> Result<Measurement, Error> {
     let Truth { reference, compared, watch } = truth;
     let start = std::time::Instant::now();

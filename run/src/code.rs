@@ -1,4 +1,4 @@
-//! Which code runs a model: compiled in, or interpreted.
+//! Code that runs a model: compiled in, or interpreted.
 
 use crate::error::Error;
 use crate::how::method;
@@ -16,17 +16,17 @@ use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_derive::{Equations, Formulation, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
 
-/// What runs equations.
+/// Form of the code that runs equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Generated Rust.
+    /// Generated Rust code.
     Compiled,
-    /// A tape.
+    /// Tape for interpretation.
     Interpreted,
 }
 
 impl Form {
-    /// How tables name it.
+    /// Name in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -36,11 +36,11 @@ impl Form {
     }
 }
 
-/// Interpreted equations in each kind of number that runs are made in.
+/// Interpreted equations in each number type that runs use.
 pub struct InterpretedSystem {
-    /// In doubles.
+    /// Tape in doubles.
     pub double: Interpreted,
-    /// In twice that precision, made when a reference first asks for it.
+    /// Tape in twice that precision, made on first use.
     extended: OnceLock<Interpreted<DoubleDouble>>,
 }
 
@@ -51,7 +51,7 @@ impl From<Interpreted> for InterpretedSystem {
 }
 
 impl InterpretedSystem {
-    /// In twice the precision of a double.
+    /// Equations in twice the precision of a double.
     #[must_use]
     pub fn extended(&self) -> &Interpreted<DoubleDouble> {
         self.extended.get_or_init(|| self.double.to())
@@ -63,7 +63,7 @@ impl InterpretedSystem {
 pub enum Code {
     /// Generated Rust, compiled in.
     Compiled(&'static CompiledSystem),
-    /// A tape made just now.
+    /// A tape that was made at run time.
     Interpreted(Arc<InterpretedSystem>),
 }
 
@@ -90,19 +90,19 @@ impl Code {
         Self::Interpreted(Arc::new(system.into()))
     }
 
-    /// Whether they are compiled in.
+    /// True if the equations are compiled in.
     #[must_use]
     pub fn is_compiled(&self) -> bool {
         self.form() == Form::Compiled
     }
 
-    /// How tables name it.
+    /// Name of the form in tables.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.form().name()
     }
 
-    /// What runs them.
+    /// Form of the code.
     #[must_use]
     pub fn form(&self) -> Form {
         match self {
@@ -115,7 +115,7 @@ impl Code {
 /// The formulation of this name.
 ///
 /// # Errors
-/// [`Error::Request`] if there is none.
+/// [`Error::Request`] if there is no formulation of this name.
 pub fn formulation(name: &str) -> Result<Formulation, Error> {
     Formulation::named(name).ok_or_else(|| {
         let names = Formulation::ALL.map(Formulation::name);
@@ -123,7 +123,7 @@ pub fn formulation(name: &str) -> Result<Formulation, Error> {
     })
 }
 
-/// The equations of this name: `kane`, `printed:ID`.
+/// Finds the equations of this name, such as `kane` or `printed:ID`.
 ///
 /// # Errors
 /// [`Error::Request`] if there are no such equations; [`Error::Input`] if the report has errors.
@@ -168,8 +168,8 @@ fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>
     Ok(Some((derivations.kinematics.arena, list)))
 }
 
-/// How much of equations is made ready. Compiled ones have everything but recurrences, which few have: where they are needed, equations without
-/// them are interpreted.
+/// Extent to which equations are made ready. Compiled ones have everything except recurrences, which few have. Where
+/// recurrences are needed, equations without them are interpreted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ready {
     /// The equations as they were derived: a matrix, a right-hand side, energies.
@@ -181,8 +181,8 @@ pub enum Ready {
 }
 
 impl Ready {
-    /// What runs of a scene need: Taylor's method asks for recurrences, and a numeric solve for nothing that elimination gives but the
-    /// Jacobian.
+    /// The extent that runs of a scene need. Taylor's method needs recurrences. A numeric solve needs elimination only
+    /// for the Jacobian.
     ///
     /// # Errors
     /// [`Error::Request`] if there is no such method.
@@ -204,9 +204,10 @@ impl Ready {
     }
 }
 
-/// The equations of a model: compiled in if they were derived from this very text, and have what they are to be ready for.
+/// The equations of a model. They are compiled in if they were derived from exactly this text and are ready to the
+/// given extent; else they are interpreted.
 ///
-/// In a distance, if one is given.
+/// They are written in a distance, if one is given.
 ///
 /// # Errors
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived;
@@ -223,17 +224,18 @@ pub fn code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready
     code_of(model, by, &derivation, ready)
 }
 
-/// The equations of a model that were compiled in, if there are such, and they are current and ready for so much.
+/// The equations of a model that were compiled in; `None` unless they are current and ready to the given extent.
 pub fn compiled_code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready) -> Option<Code> {
     let compiled = compiled(model)?;
     let name = by.name_in(distance, model);
     let found = compiled.systems.iter().find(|system| system.name == name);
-    // Printed equations are those of the report's very text, too.
+    // Printed equations must also come from exactly this text of the report.
     let current = by.printed_id().is_none() || hash_beside(&model.source.path) == compiled.report_hash;
     found.filter(|system| current && ready.is_had(system)).map(Code::Compiled)
 }
 
-/// The equations of a scene that were compiled in, if they are of what it says and ready for so much.
+/// The equations of a scene that were compiled in; `None` unless they belong to this reduction and are ready to the
+/// given extent.
 #[must_use]
 pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready) -> Option<Code> {
     let key = reduction.key();
@@ -241,10 +243,10 @@ pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready
     found.filter(|scene| ready.is_had(&scene.system)).map(|scene| Code::Compiled(&scene.system))
 }
 
-/// Equations made ready to be run by interpretation. Printed ones are run as they stand.
+/// Prepares equations for interpretation. Printed ones are run as they stand.
 ///
 /// # Errors
-/// [`Error::Request`] if they depend on what has no value during a run, as only printed ones can.
+/// [`Error::Request`] if they depend on a symbol that has no value during a run, as only printed ones can.
 pub fn code_of(model: &Mechanism, by: &By, derivation: &Derivation, ready: Ready) -> Result<Code, Error> {
     let code = Interpreted::new(model, derivation).map_err(NotInterpreted::from);
     let code = match ready {
@@ -256,10 +258,10 @@ pub fn code_of(model: &Mechanism, by: &By, derivation: &Derivation, ready: Ready
     Ok(Code::interpreted(code.map_err(|why| not_interpreted(&by.name(), &why))?))
 }
 
-/// The equations of a scene made ready to be run by interpretation.
+/// Prepares the equations of a scene for interpretation.
 ///
 /// # Errors
-/// [`Error::Request`] if they depend on what has no value during a run, which what a reduction gives never does.
+/// [`Error::Request`] if they depend on a symbol that has no value during a run. Equations of a reduction never do.
 pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Error> {
     let derivation = &reduction.derivation;
     let code = Interpreted::new(&reduction.model, derivation).map_err(NotInterpreted::from);
@@ -277,15 +279,15 @@ fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
     }
 }
 
-/// What computes these values of inputs.
+/// Tape that computes these values from inputs.
 ///
 /// # Errors
-/// [`Error::Request`] if one of them mentions what is no input.
+/// [`Error::Request`] if a value mentions a symbol other than the inputs.
 pub fn tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str) -> Result<Tape, Error> {
     stepwise(arena, inputs, &[], values, what)
 }
 
-/// What computes these values of inputs and of what the steps define.
+/// Tape that computes these values from inputs and from the symbols that the steps define.
 ///
 /// # Errors
 /// As [`tape`].
@@ -319,7 +321,7 @@ pub fn derivation(model: &Mechanism, by: &By) -> Result<Derivation, Error> {
     Ok(Derivation { arena, equations: equations.ok_or_else(missing)? })
 }
 
-/// The compiled equations of a model's very text, if a program brought them along.
+/// The compiled equations of a model with exactly this text; `None` if the program has none.
 #[must_use]
 pub fn compiled(model: &Mechanism) -> Option<&'static CompiledModel> {
     let hash = model.text_hash();

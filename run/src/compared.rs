@@ -1,7 +1,7 @@
-//! In what runs are compared: in every coordinate and speed, or in what the scene wants to see.
+//! Quantities in which runs are compared: every coordinate and speed, or the outputs that the scene asks for.
 //!
-//! Invariant: what is compared is a function of the state of the whole model, so that all equations are compared in the
-//! same. Accelerations and reactions are not: an output that needs them is left out, and named.
+//! Invariant: a compared quantity is a function of the state of the whole model, so that all equations are compared in
+//! the same quantities. Outputs that need accelerations or reactions are left out, and named.
 
 use crate::code::stepwise;
 use crate::error::Error;
@@ -14,16 +14,16 @@ use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
 use tripos_derive::{Formulation, Model};
 use tripos_traits::DoubleDouble;
 
-/// What is compared in the runs of a scene.
+/// Quantities that are compared in the runs of a scene.
 pub struct Compared {
-    /// Nothing if the scene does not say what it wants to see: then it is the state.
+    /// Outputs of the scene; `None` if it asks for none, so that states are compared.
     outputs: Option<Outputs>,
 }
 
-/// What a scene wants to see, as functions of the whole state.
+/// Outputs of a scene as functions of the whole state.
 struct Outputs {
     parameters: Vec<DoubleDouble>,
-    /// From parameters, coordinates and speeds: the outputs that whole states show.
+    /// Computes the known outputs from parameters, coordinates and speeds.
     tape: Tape<DoubleDouble>,
     list: Vec<Shown>,
 }
@@ -34,16 +34,16 @@ struct Shown {
 }
 
 impl Compared {
-    /// What runs of a scene of this model are compared in.
+    /// Chooses the compared quantities for runs of a scene of this model.
     ///
     /// # Errors
-    /// [`Error::Input`] if the scene wants to see an energy and the model cannot be derived.
+    /// [`Error::Input`] if the scene has an energy as output and the model cannot be derived.
     pub fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
         let outputs = scene.states_outputs.then(|| Outputs::new(model, scene)).transpose()?;
         Ok(Self { outputs })
     }
 
-    /// What a state of the whole model shows: one value for each output, not a number for those that are left out.
+    /// Outputs at a state of the whole model, NaN for those that are left out; the state itself if states are compared.
     #[must_use]
     pub fn of_state(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
         match &self.outputs {
@@ -52,7 +52,7 @@ impl Compared {
         }
     }
 
-    /// What is compared of values for each output: those that are not left out.
+    /// Selects the compared quantities from the values of all outputs.
     #[must_use]
     pub fn kept(&self, values: Vec<DoubleDouble>) -> Vec<DoubleDouble> {
         match &self.outputs {
@@ -63,20 +63,20 @@ impl Compared {
         }
     }
 
-    /// The compared quantities of an integrated state, whichever equations it is of.
+    /// The compared quantities of an integrated state of any equations.
     #[must_use]
     pub fn of_run(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let shown = problem.precise_state(t, y);
         self.kept(if problem.by.is_reduced() { shown } else { self.of_state(&shown) })
     }
 
-    /// Whether there is anything to compare.
+    /// True if there is nothing to compare.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.outputs.as_ref().is_some_and(|outputs| outputs.list.iter().all(|o| !o.is_known))
     }
 
-    /// In what runs are compared, as a sentence; nothing if it is all states.
+    /// Sentence that names the compared quantities; `None` if all states are compared.
     #[must_use]
     pub fn said(&self) -> Option<String> {
         let list = &self.outputs.as_ref()?.list;

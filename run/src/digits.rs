@@ -1,13 +1,13 @@
-//! How many digits of what a run shows are right, as a second run tells.
+//! Number of correct digits of a run, estimated by a second run.
 //!
-//! The second run is of the same motion with other steps ([`tripos_sim::seconds`]), from a start and with parameters
-//! that are one rounding away: what the two differ by holds the errors of the steps, of rounding, and of numbers that
-//! doubles do not have, each as far as the motion has carried it on.
+//! The second run follows the same motion with other steps ([`tripos_sim::seconds`]). Its start and its parameters are
+//! one rounding away. So the difference of the two contains the errors of the steps, of rounding, and of numbers that
+//! doubles cannot hold, each as far as the motion has amplified it.
 //!
-//! On the way an error is measured by the largest size s of its value along the run, at least the quotient of absolute and
-//! relative tolerance: whoever gives both says below which size nothing matters; a curve has no digits of its own where
-//! it goes through zero. At the end, where the number itself is wanted, it is measured by |value| + s with s at most 1
-//! in its SI unit.
+//! During the run an error is measured relative to the largest size s of its value along the run. s is at least the
+//! quotient of absolute and relative tolerance, since these two say below which size nothing matters. A curve through
+//! zero has no digits of its own there. At the end, where the number itself is wanted, the error is measured relative
+//! to |value| + s, with s at most 1 in its SI unit.
 
 use crate::error::Error;
 use crate::problem::Problem;
@@ -17,86 +17,89 @@ use tripos_derive::scene::{QUADRATURE, Scene};
 use tripos_sim::{Effect, Event, EventRecord, Kind, Options, Output, Second, Solution, Stop, seconds};
 use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
 
-/// Instants at which the two runs are compared.
+/// Greatest number of instants at which the two runs are compared.
 const INSTANTS: usize = 400;
-/// The part of a run that lies just before an instant is one of so many, and no fewer instants than these.
+/// Number of parts of a run. The last part before an instant counts for its error, and at least the next number of
+/// instants.
 const NEAR: usize = 40;
 const NEAREST: usize = 2;
-/// Fewer digits than this are too few to be used without a word.
+/// Number of digits below which a warning is given.
 pub const FEW: f64 = 3.0;
-/// No value is known better than to some roundings of what it is computed from.
+/// Least relative error of a value: some roundings of its terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Where no relative tolerance tells which size matters, that of the default tolerances.
+/// Size below which a value does not matter, where no relative tolerance gives it: that of the default tolerances.
 const SMALL: f64 = 1e-3;
-/// What part of the difference of two motions by quadrature is the error: both have all errors but of the start.
+/// Factor from the difference of two motions by quadrature to the error. Both share all errors except those of the
+/// start.
 const QUADRATURE_PART: f64 = 4.0;
 
-/// How many digits of what a run shows are right.
+/// Estimated errors and correct digits of the values of a run.
 #[derive(Clone, Debug)]
 pub struct Digits {
-    /// Instants, s, in the order of the run; the last one is its end, if it was assessed to its end.
+    /// Compared instants in the order of the run, s. The last is the run's end, if it was assessed to its end.
     pub t: Vec<f64>,
-    /// The estimated error of each value that is shown, at each of these instants, in its unit.
+    /// Estimated error of each shown value at each of these instants, in its unit.
     pub errors: Vec<Vec<f64>>,
-    /// The digits of each value that is shown, at each of these instants: −log₁₀ of its error by its largest size.
+    /// Digits of each shown value at each of these instants: −log₁₀ of its error relative to its largest size.
     pub digits: Vec<Vec<f64>>,
-    /// The digits of each value at the last of these instants: −log₁₀ of its error by the value itself.
+    /// Digits of each value at the last of these instants: −log₁₀ of its error relative to the value itself.
     last: Vec<f64>,
-    /// The estimated error of the instant of each event of the run, s; nothing of those that the second run does not have.
+    /// Estimated error of the instant of each event of the run, s; `None` for an event that the second run does not
+    /// have.
     pub events: Vec<Option<f64>>,
-    /// What the second run was, in words.
+    /// Description of the second run in words.
     pub by: String,
     /// The end of the run, s.
     pub t_end: f64,
-    /// When and why the second run ended, and whether it was the finer of the two.
+    /// End of the second run, s, its reason, and true if it was the finer run.
     pub(crate) second: (f64, Stop, bool),
 }
 
 impl Digits {
-    /// Whether the whole run was assessed.
+    /// True if the run was assessed to its end.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.assessed() == Some(self.t_end)
     }
 
-    /// The last instant that was assessed, s; nothing if none was.
+    /// The last assessed instant, s; `None` if there is none.
     #[must_use]
     pub fn assessed(&self) -> Option<f64> {
         self.t.last().copied()
     }
 
-    /// The digits of each value at the end; nothing if the run was not assessed to its end.
+    /// Digits of each value at the end; `None` if the run was not assessed to its end.
     #[must_use]
     pub fn at_end(&self) -> Option<&[f64]> {
         self.is_complete().then_some(self.last.as_slice())
     }
 
-    /// The digits that every value has at the end; nothing if the run was not assessed to its end.
+    /// Least number of digits of all values at the end; `None` if the run was not assessed to its end.
     #[must_use]
     pub fn end(&self) -> Option<f64> {
         self.at_end()?.iter().copied().reduce(f64::min)
     }
 
-    /// The estimated error of each value at the end, in its unit; nothing if the run was not assessed to its end.
+    /// Estimated error of each value at the end, in its unit; `None` if the run was not assessed to its end.
     #[must_use]
     pub fn errors_at_end(&self) -> Option<&[f64]> {
         self.errors.last().filter(|_| self.is_complete()).map(Vec::as_slice)
     }
 
-    /// The value with the fewest digits at an instant, and how many: (place, digits).
+    /// The value with the fewest digits at an instant, as its index and its digits.
     #[must_use]
     pub fn fewest(&self, instant: usize) -> Option<(usize, f64)> {
         self.digits[instant].iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// The fewest digits of all values and instants: (instant, value, digits), the first where several have as few.
+    /// The fewest digits of all values and instants, as instant, value and digits; the first if several are equal.
     #[must_use]
     pub fn fewest_of_all(&self) -> Option<(usize, usize, f64)> {
         let all = (0..self.t.len()).filter_map(|at| self.fewest(at).map(|(which, digits)| (at, which, digits)));
         all.min_by(|a, b| a.2.total_cmp(&b.2))
     }
 
-    /// The first instant at which a value has too few digits, and the value: (instant, value).
+    /// The first instant at which a value has too few digits, as the indices of instant and value.
     #[must_use]
     pub fn first_with_few(&self) -> Option<(usize, usize)> {
         let few = |at: usize| self.fewest(at).filter(|(_, digits)| *digits < FEW).map(|(which, _)| (at, which));
@@ -105,13 +108,13 @@ impl Digits {
     }
 }
 
-/// What is shown of a state, at an instant of a run of a problem.
+/// Function that gives the shown values of a state at an instant of a run.
 pub type Values<'a> = dyn Fn(&Problem<'_>, f64, &[f64]) -> Result<Vec<f64>, Error> + 'a;
 
-/// Compares a run from `y0` with a second one; nothing if it has no step, or nobody waits for it.
+/// Compares a run from `y0` with a second one. `None` if the run has no step or was interrupted.
 ///
 /// # Errors
-/// [`Error`] if the second run makes no sense where the first did, or a value cannot be computed.
+/// [`Error`] if the second run is invalid although the first was not, or a value cannot be computed.
 pub fn assess(
     problem: &Problem<'_>,
     y0: &[f64],
@@ -157,7 +160,7 @@ pub fn assess(
         let near = up_to(&apart, instant);
         let own = |at: usize| a[at].abs() + sizes[at].min(1.0);
         let error = |at: usize| {
-            // What has no value nearby says nothing of this instant.
+            // A neighbour without a value tells nothing about this instant.
             let others = near.iter().map(|apart| apart[at]).filter(|apart| !apart.is_nan());
             let largest = others.fold(apart[instant][at], larger);
             part * largest + ROUNDING * own(at)
@@ -175,11 +178,12 @@ fn differences(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
 }
 
-/// The longest time, in parts of the span, between the instants that two runs have for one impact.
+/// Longest time between the instants that two runs have for one impact, relative to the span.
 const ONE_IMPACT: f64 = 1e-3;
 
-/// Between the instants that two runs have for one impact one of them has jumped and the other has not: what they differ by there is the
-/// jump, and how uncertain its instant is stands beside it. The instant before has the errors of these.
+/// Replaces differences between the instants that two runs have for one impact. There one run has jumped and the other
+/// has not, so they differ by the jump; the uncertainty of the instant is given separately. Such samples get the errors
+/// of the instant before.
 fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], (first, second): (&Solution, &Solution), span: (f64, f64)) {
     let between: Vec<(f64, f64)> = first
         .impacts
@@ -200,16 +204,16 @@ fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], (first, second): (&Sol
     }
 }
 
-/// What lies just before an instant, and it itself. Two motions that swing about each other meet now and then, and the
-/// errors of both are then as large as elsewhere: what they differ by shortly before belongs to that instant, too.
+/// The differences just before an instant and at it. Two motions that oscillate about each other meet now and then,
+/// although the errors of both are as large as elsewhere. So the differences shortly before count too.
 fn up_to(apart: &[Vec<f64>], instant: usize) -> &[Vec<f64>] {
     let near = (apart.len() / NEAR).max(NEAREST);
     &apart[instant.saturating_sub(near)..=instant]
 }
 
-/// The errors of the instants of events, by what another run has for them: what happened as often before. Of an event
-/// that is met again and again it is the largest of some nearby, since two runs that swing about each other may meet at
-/// one of them.
+/// Errors of the instants of events, by comparison with another run. The counterpart is the event that happened as
+/// often before. Of a repeated event the largest of several neighbouring errors is taken, since two runs that oscillate
+/// about each other may meet at one of them.
 fn of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Option<f64>> {
     let mut errors = vec![None; list.len()];
     for (own, its) in by_event(list).iter().zip(by_event(others)) {
@@ -228,7 +232,7 @@ fn of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Opt
     errors
 }
 
-/// The places of the records of each event, in order.
+/// Indices of the records of each event, in order.
 fn by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
     let mut places = Vec::new();
     for (at, record) in list.iter().enumerate() {
@@ -240,12 +244,12 @@ fn by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
     places
 }
 
-/// Digits that a relative error leaves: none where it is 1 or more, or no number.
+/// Digits that a relative error leaves; 0 if it is 1 or more, or not a number.
 fn told(relative: f64) -> f64 {
     if relative < 1.0 { -relative.log10() } else { 0.0 }
 }
 
-/// The second runs that may be made, the first choice first.
+/// Possible second runs in the order of preference.
 fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec<Second> {
     if problem.scene.integration.method == QUADRATURE {
         let words = "quadrature from numbers one rounding away".to_owned();
@@ -254,7 +258,7 @@ fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec
     seconds(options, solution, problem.scene.span, problem.has_short_series())
 }
 
-/// Samples spread evenly over a run, few enough to be compared, and its end.
+/// Samples spread evenly over a run, at most as many as are compared, and its end.
 fn samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
     let every = solution.y.len().div_ceil(INSTANTS).max(1);
     let mut list: Vec<_> = solution.t.iter().copied().zip(&solution.y).step_by(every).collect();
@@ -264,11 +268,12 @@ fn samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
     list
 }
 
-/// How far the second run goes on beyond the end of the first, in parts of it: an event of that end may be later there.
+/// Length by which the second run goes beyond the end of the first, relative to it. An event of that end may be later
+/// there.
 const BEYOND: f64 = 0.02;
 
-/// A scene whose parameters are on the other side of the numbers that doubles do not have, up to the end of a run of it
-/// and a little further.
+/// The scene for the second run, from the first run's start to a little beyond its end. Its parameters are on the other
+/// side of numbers that doubles cannot hold.
 fn beside(scene: &Scene, t_end: f64) -> Scene {
     let (start, end) = scene.span;
     let beyond = t_end + BEYOND * (t_end - start);
@@ -276,7 +281,7 @@ fn beside(scene: &Scene, t_end: f64) -> Scene {
     Scene { parameters: other_side(scene), span: (start, if is_inside { beyond } else { end }), ..scene.clone() }
 }
 
-/// The parameters of a scene, on the other side of the numbers that doubles do not have.
+/// Parameters of a scene, rounded to the other side of numbers that doubles cannot hold.
 pub fn other_side(scene: &Scene) -> Vec<f64> {
     let other = |(x, exact): (&f64, &DoubleDouble)| {
         let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();
@@ -291,7 +296,7 @@ pub fn other_side(scene: &Scene) -> Vec<f64> {
     scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect()
 }
 
-/// The largest size of each value, or what matters of it if that is more.
+/// Largest size of each value, or the size below which it does not matter if that is larger.
 fn sizes(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
     let how = &scene.integration;
     let adaptive = how.step.is_none() && how.method != QUADRATURE;

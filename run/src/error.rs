@@ -1,4 +1,4 @@
-//! Why something cannot be had.
+//! Errors of models, scenes and requests.
 
 use std::fmt;
 use tripos_derive::diagnostic::Diagnostics;
@@ -6,7 +6,7 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
 use tripos_sim::SimError;
 
-/// Why a model or a scene does not give what was asked of it.
+/// Error of a model, a scene or a request for them.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Error {
@@ -16,26 +16,26 @@ pub enum Error {
     Inputs(Vec<Diagnostics>),
     /// A formulation that this model does not have.
     Unsupported(Diagnostics),
-    /// A request that makes no sense here.
+    /// A request that is not possible here.
     Request {
-        /// What is wrong.
+        /// Description of the mistake.
         what: String,
-        /// What to do.
+        /// Advice on the remedy.
         help: String,
     },
-    /// A state or a run that has no answer, and why.
+    /// A state or a run without a result, with the reason.
     Stopped(String),
-    /// Whoever follows asked to end.
+    /// The caller asked to end the work.
     Interrupted,
 }
 
 impl Error {
-    /// A request that makes no sense, and what to do instead.
+    /// Creates an error for a request that is not possible, with advice.
     pub fn request(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Request { what: what.into(), help: help.into() }
     }
 
-    /// What is wrong, first where there is more than one thing, and what to do.
+    /// The message, the first if there are several, and the advice.
     #[must_use]
     pub fn what_and_help(&self) -> (String, Option<String>) {
         let of_first = |list: &[Diagnostics]| {
@@ -51,13 +51,13 @@ impl Error {
         }
     }
 
-    /// What is wrong, in a line.
+    /// First line of the message.
     #[must_use]
     pub fn first_line(&self) -> String {
         self.what_and_help().0.lines().next().unwrap_or_default().to_owned()
     }
 
-    /// The files with errors.
+    /// Diagnostics of the files with errors.
     #[must_use]
     pub fn files(&self) -> &[Diagnostics] {
         match self {
@@ -91,7 +91,7 @@ impl From<Diagnostics> for Error {
     }
 }
 
-/// A scene that the simulator refuses.
+/// Error for a scene that the simulator refuses.
 #[must_use]
 pub fn refused(scene: &Scene, error: &SimError) -> Error {
     Error::request(error.to_string(), format!("check {}", path_in_line(&scene.source.path)))

@@ -1,24 +1,24 @@
-//! What figures show, as data: curves in panels, and tables of sizes. Absent on purpose: how they are drawn.
+//! Contents of figures as data: curves in panels, and tables of sizes. Rendering is left out on purpose.
 
-/// A figure.
+/// Figure that is made of panels or of a table.
 pub enum Figure {
-    /// Panels in a grid of so many columns.
+    /// Panels in a grid with this number of columns.
     Panels(Vec<Panel>, usize),
     /// A table of sizes.
     HeatMap(HeatMap),
 }
 
-/// How values are placed.
+/// Scale of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// Evenly spaced values.
     Linear,
-    /// By their logarithms.
+    /// Evenly spaced logarithms.
     Logarithmic,
 }
 
 impl Scale {
-    /// Whether a point (other, value) can be drawn on this axis. Beyond 1e300 a range could overflow.
+    /// True if a point (other, value) can be drawn on this axis. Beyond 1e300 a range could overflow.
     #[must_use]
     pub fn shows(self, (x, y): (f64, f64)) -> bool {
         x.abs() < 1e300 && y.abs() < 1e300 && (self == Self::Linear || y >= 1e-300)
@@ -27,77 +27,77 @@ impl Scale {
 
 /// One curve.
 pub struct Series {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub label: String,
-    /// Picks colour, dashes and marker: 0 Kane, 1 Lagrange, 2 Newton–Euler, then printed ones.
+    /// Index of colour, dashes and marker: 0 Kane, 1 Lagrange, 2 Newton–Euler, then printed equations.
     pub style: usize,
-    /// (x, y); the curve breaks where a value is not finite.
+    /// Points (x, y); the curve breaks where a value is not finite.
     pub points: Vec<(f64, f64)>,
-    /// For each measured point, from where to where x was found: drawn as a bar. Measurements carry a marker each, a
-    /// curve only some.
+    /// Range of the x values of each measured point, drawn as a bar. Each measurement has a marker; a curve has only a
+    /// few.
     pub spread: Vec<(f64, f64)>,
-    /// (x, lowest, highest): between which values the true one lies, as far as is known; in the order of the points.
+    /// Band (x, lowest, highest) in which the true value lies, as far as is known; in the order of the points.
     pub band: Vec<(f64, f64, f64)>,
 }
 
 impl Series {
-    /// A curve.
+    /// Creates a curve without spread and band.
     #[must_use]
     pub fn curve(label: String, style: usize, points: Vec<(f64, f64)>) -> Self {
         Self { label, style, points, spread: Vec::new(), band: Vec::new() }
     }
 }
 
-/// One coordinate system.
+/// Coordinate system with its curves.
 pub struct Panel {
     /// The title; left out where `y_label` begins with it.
     pub title: String,
-    /// Horizontal quantity, as `t [s]`.
+    /// Label of the horizontal axis, such as `t [s]`.
     pub x_label: String,
-    /// Vertical quantity, as `T + V [J]`.
+    /// Label of the vertical axis, such as `T + V [J]`.
     pub y_label: String,
-    /// How it is scaled; on a logarithmic axis a curve breaks where it is not positive.
+    /// Scale of the vertical axis. On a logarithmic axis a curve breaks where it is not positive.
     pub scale: Scale,
-    /// How the horizontal quantity is scaled.
+    /// Scale of the horizontal axis.
     pub x_scale: Scale,
-    /// The curves, the first one drawn lowest.
+    /// Curves; later ones are drawn over earlier ones.
     pub series: Vec<Series>,
-    /// What to know about the curves, such as where one ends early.
+    /// Note on the curves, such as where one ends early.
     pub note: Option<String>,
 }
 
 impl Panel {
-    /// Whether a point can be drawn.
+    /// True if a point can be drawn.
     #[must_use]
     pub fn shows(&self, (x, y): (f64, f64)) -> bool {
         self.scale.shows((x, y)) && self.x_scale.shows((y, x))
     }
 }
 
-/// One cell.
+/// Cell of a table of sizes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// A number on a logarithmic scale, such as an error.
     Value(f64),
-    /// No number: where and why it stopped, in few words.
+    /// No number, but a short text on where and why the run stopped.
     Stopped(String),
 }
 
 /// A table of numbers on a logarithmic scale.
 pub struct HeatMap {
-    /// What the numbers are.
+    /// Description of the numbers.
     pub title: String,
-    /// A heading for each column.
+    /// Heading of each column.
     pub columns: Vec<String>,
-    /// A heading for each row, and its cells.
+    /// Heading of each row, and its cells.
     pub rows: Vec<(String, Vec<Cell>)>,
-    /// The numbers that have the lightest and the darkest colour.
+    /// Numbers with the lightest and with the darkest colour.
     pub range: (f64, f64),
-    /// What to know.
+    /// Note below the table.
     pub note: String,
 }
 
-/// Words as a person writes them: `q1'` as q̇₁, `cos(q2)` as cos(q₂), `m/s^2` as m/s², `kg*m` as kg·m.
+/// Sets text as a person writes it: `q1'` as q̇₁, `cos(q2)` as cos(q₂), `m/s^2` as m/s², `kg*m` as kg·m.
 #[must_use]
 pub fn pretty(text: &str) -> String {
     let belongs = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
@@ -113,7 +113,7 @@ pub fn pretty(text: &str) -> String {
     out.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A name with its index lowered and dots for its primes; other words as they are.
+/// Sets a name with its index lowered and dots for its primes; leaves other words unchanged.
 fn name(word: &str) -> String {
     let stem = word.trim_end_matches('\'');
     let dots = ["", "\u{307}", "\u{308}"][(word.len() - stem.len()).min(2)];

@@ -1,6 +1,6 @@
-//! Who follows long work: told how far it is, asked whether to go on.
+//! Observers of long work, which see its progress and can end it.
 //!
-//! Invariant: following changes no number. A run that was ended early has the steps that it would have had.
+//! Invariant: an observer changes no number. A run that was ended early has the same steps as a complete run.
 
 use crate::error::Error;
 use std::fmt;
@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use tripos_sim::{Options, Poll, Solution, Stop};
 
-/// Whoever may end long work between two steps; by default nobody.
+/// Observer that may end long work between two steps; none by default.
 #[derive(Clone, Default)]
 pub struct Follow(Option<Follower>);
 
@@ -19,24 +19,24 @@ struct Follower {
 }
 
 impl Follow {
-    /// `poll` is told the time that each accepted step has reached, and answers whether to go on; `asked` whether the
-    /// whole work is to end.
+    /// Creates an observer. `poll` gets the time of each accepted step and decides if the run goes on. `asked` returns
+    /// true if all work is to end.
     pub fn new(poll: Poll, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Some(Follower { poll, asked: Arc::new(asked) }))
     }
 
-    /// Whether the work is to end.
+    /// True if the work is to end.
     #[must_use]
     pub fn asked(&self) -> bool {
         self.0.as_ref().is_some_and(|follower| (follower.asked)())
     }
 
-    /// Whether a loop goes on: until the work is asked to end.
+    /// Breaks a loop if the work is to end.
     pub fn go_on(&self) -> ControlFlow<()> {
         if self.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// The options for a run that is followed.
+    /// Options for a run that is observed.
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         Options { poll: self.0.as_ref().map(|follower| follower.poll.clone()), ..options.clone() }
@@ -49,23 +49,23 @@ impl fmt::Debug for Follow {
     }
 }
 
-/// A run that nobody ended early.
+/// Returns a run that was not interrupted.
 ///
 /// # Errors
-/// [`Error::Interrupted`] otherwise.
+/// [`Error::Interrupted`] if it was.
 pub fn uninterrupted(solution: Solution) -> Result<Solution, Error> {
     if solution.stop == Stop::Interrupted { Err(Error::Interrupted) } else { Ok(solution) }
 }
 
-/// How far work of many parts has come, for who shows it; every method does nothing unless it is stated.
+/// Display for the progress of work in many parts. By default every method does nothing.
 pub trait Progress {
-    /// How many parts there are.
+    /// Sets the number of parts.
     fn set_length(&self, _parts: u64) {}
-    /// So many more are done.
+    /// Adds a number of finished parts.
     fn inc(&self, _parts: u64) {}
-    /// What is being done.
+    /// Names the present part.
     fn set_message(&self, _what: &str) {}
 }
 
-/// Nobody looks.
+/// No display.
 impl Progress for () {}

@@ -1,11 +1,11 @@
-//! How a scene is integrated: what its words are to the simulator.
+//! Integration options of a scene for the simulator.
 
 use crate::error::Error;
 use tripos_derive::scene::{Project, QUADRATURE, Scene};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::AbsoluteTolerance;
 
-/// How a scene is integrated, and at which instants it is sampled.
+/// Integration options of a scene, with the instants of its samples.
 ///
 /// # Errors
 /// [`Error::Request`] if there is no such method.
@@ -13,7 +13,7 @@ pub fn options(scene: &Scene) -> Result<Options, Error> {
     Ok(Options { output: output(scene), ..options_of_ends(scene)? })
 }
 
-/// How a scene is integrated where only the ends of its runs are kept: the same steps.
+/// Integration options of a scene for the same steps, with only the ends of its runs kept.
 ///
 /// # Errors
 /// [`Error::Request`] if there is no such method.
@@ -41,7 +41,7 @@ pub fn method(name: &str) -> Result<Method, Error> {
     })
 }
 
-/// The method and what its steps are made by: "ode45 with rtol 1e-3, atol 1e-5".
+/// The method and its tolerances or step, such as "ode45 with rtol 1e-3, atol 1e-5".
 pub fn method_words(scene: &Scene) -> String {
     let how = &scene.integration;
     if how.method == QUADRATURE {
@@ -85,7 +85,7 @@ pub fn instants((from, to): (f64, f64), count: u32) -> Vec<f64> {
 mod tests {
     use super::instants;
 
-    /// Spans whose parts do not add up in doubles, both ways.
+    /// Goal: the last instant is exact. Method: spans, forwards and backwards, whose parts do not add up in doubles.
     #[test]
     fn the_last_instant_is_the_end_of_the_span() {
         for hundredths in 1..1000 {

@@ -1,7 +1,7 @@
-//! What can be identified from motion, in numbers: values of base parameters, and the regressor at given states.
+//! Identification in numbers: values of the base parameters, and the regressor at given states.
 //!
-//! The base parameters themselves are found by [`tripos_derive::identify`]. What inputs do is Y_b π_b + rest, row by row, with the
-//! inputs' own share on the left: tau = B r ([`crate::inverse`]).
+//! [`tripos_derive::identify`] finds the base parameters. Row by row Y_b π_b + rest = tau, where tau = B r is the
+//! generalized force of the inputs r ([`crate::inverse`]).
 
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
@@ -19,11 +19,10 @@ pub fn identify(model: &Mechanism, varied: Varied) -> Result<Identification, Err
     Identification::new(model, varied).map_err(|error| Error::Input(model.diagnose(&error)))
 }
 
-/// The values of the base parameters, as the model states its bodies and these values its parameters; nothing where a factor has no closed
-/// form.
+/// Values of the base parameters for the model's bodies and these parameters; `None` where a factor has no closed form.
 ///
 /// # Errors
-/// [`Error::Request`] if a formula mentions what has no value.
+/// [`Error::Request`] if a formula mentions a symbol without a value.
 pub fn values(
     model: &Mechanism,
     found: &Identification,
@@ -49,7 +48,7 @@ pub fn values(
         };
         of_groups.push(base.with.iter().map(|(at, factor)| (*at, value(factor, &mut factors))).collect());
     }
-    // What stands for a combination of its own has the value of that, with closed loops.
+    // With closed loops, a column that stands for its own combination has the value of that combination.
     let whole: Vec<(usize, usize)> =
         found.grouped.iter().enumerate().map(|(k, base)| (base.column, found.base.len() + k)).collect();
     let own = |at: usize, with: &[(usize, Option<DoubleDouble>)]| {
@@ -65,23 +64,24 @@ pub fn values(
     Ok(of_base.collect())
 }
 
-/// A row of the regressor: the force along a speed at a state.
+/// Row of the regressor: the force along a speed at a state.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// The state, by its place.
+    /// Index of the state.
     pub state: usize,
-    /// The speed, by its place.
+    /// Index of the speed.
     pub speed: usize,
-    /// What each base parameter is multiplied by.
+    /// Factor of each base parameter.
     pub factors: Vec<DoubleDouble>,
-    /// What is known: the force is Σ factor π + rest. Inputs are 0 in it.
+    /// Known part of the force, which is Σ factor π + rest, with all inputs 0.
     pub rest: DoubleDouble,
 }
 
-/// The regressor of the base parameters at states.
+/// Rows of the regressor of the base parameters at states.
 ///
 /// # Errors
-/// [`Error::Request`] if a column mentions what has no value; [`Error::Stopped`] where one has none at a state.
+/// [`Error::Request`] if a column mentions a symbol without a value; [`Error::Stopped`] where a column has no value at
+/// a state.
 pub fn rows(
     model: &Mechanism,
     found: &Identification,

@@ -1,6 +1,6 @@
 //! Derived equations as a [`System`] by interpretation: for models that are not compiled in.
 //!
-//! Invariant: the equations are compiled to tapes once; another kind of number takes the same tapes with their exact
+//! Invariant: the equations are compiled to tapes once. Another number type takes the same tapes, with their exact
 //! constants rounded anew.
 
 use crate::room::Room;
@@ -14,12 +14,12 @@ use tripos_derive::mechanics::{Derivation, Divisors, Solved, Unsolved, energy_gr
 use tripos_derive::reduce::Reduction;
 use tripos_traits::{Lengths, System};
 
-/// Why equations cannot be interpreted.
+/// Reason why equations cannot be interpreted.
 #[derive(Clone, Debug)]
 pub enum NotInterpreted {
-    /// They mention what has no value during a run.
+    /// A symbol that has no value during a run.
     Unknown(UnknownSymbol),
-    /// They could not be solved for v̇.
+    /// Equations that could not be solved for v̇.
     Unsolved(Unsolved),
 }
 
@@ -35,19 +35,19 @@ impl From<Unsolved> for NotInterpreted {
     }
 }
 
-/// What is computed, each part by a tape of its own.
+/// Parts of the equations, each computed by a tape of its own.
 #[derive(Clone, Copy)]
 enum Part {
     CoordinateRates,
     MassMatrix,
     Forcing,
     Accelerations,
-    /// q̇ and v̇.
+    /// The rates q̇ and v̇.
     Derivative,
     Jacobian,
-    /// What a scene shows, in parameters, time, coordinates and motion variables.
+    /// Outputs of a scene, in parameters, time, coordinates and motion variables.
     Outputs,
-    /// T + V and its slopes by the state, of a scene that has an energy.
+    /// T + V and its derivatives with respect to the state, for a scene that has an energy.
     EnergyGradient,
     /// The slope of the potential energy: first the angles z, then the value for sin z/z.
     SlopeAngles,
@@ -55,9 +55,9 @@ enum Part {
     GeneralizedSpeeds,
     GeneralizedSpeedRates,
     MotionVariables,
-    /// What is divided by and might be zero somewhere.
+    /// Divisors of the equations that may be zero somewhere.
     Divisors,
-    /// What is zero where the constraints hold, and its slopes.
+    /// Functions that are zero where the constraints hold; below, their derivatives.
     Constraints,
     ConstraintSlopes,
     KineticEnergy,
@@ -65,27 +65,28 @@ enum Part {
     Power,
 }
 
-/// One formulation, interpreted; threads may share it.
+/// Interpreted equations of one formulation; threads may share them.
 pub struct Interpreted<S = f64> {
     lengths: Lengths,
-    /// Parameters, coordinates and motion variables: what most tapes read.
+    /// Parameters, coordinates and motion variables, which most tapes read.
     state: Vec<Expr>,
     symmetric: bool,
-    /// By [`Part`]. Printed equations are run as they stand, without accelerations; outputs are a scene's.
+    /// Tapes, indexed by [`Part`]. Printed equations are run as they stand, without accelerations. Outputs belong to a
+    /// scene.
     tapes: [Option<Tape<S>>; Part::Power as usize + 1],
-    /// The recurrences of the Taylor coefficients.
+    /// Recurrences of the Taylor coefficients.
     series: Option<Series<S>>,
-    /// After how much of the first coordinate all repeats that quadrature needs.
+    /// Period in the first coordinate of the functions that quadrature needs; `None` if they have none.
     coordinate_period: Option<f64>,
-    /// Whether the tape of the Jacobian gives its product with a direction.
+    /// True if the tape of the Jacobian gives its product with a direction.
     is_product: bool,
-    /// What people call the divisors that are watched.
+    /// Names of the divisors that are watched.
     divisors: Vec<String>,
-    /// What the constraints are called that a run is kept on.
+    /// Names of the constraints onto which a run is kept.
     constraints: Vec<String>,
-    /// Room for the inputs of a tape, and for its values.
+    /// Buffers for the inputs of a tape and for its values.
     work: Room<(Vec<S>, Vec<S>)>,
-    /// Room for q̇ and v̇.
+    /// Buffer for q̇ and v̇.
     both: Room<Vec<S>>,
 }
 
@@ -93,7 +94,7 @@ impl Interpreted {
     /// Compiles the equations to tapes.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an equation has a symbol that is no input of it: derived ones never do.
+    /// [`UnknownSymbol`] if an equation has a symbol that is not among its inputs. Derived equations never do.
     pub fn new(model: &Model, derivation: &Derivation) -> Result<Self, UnknownSymbol> {
         let Derivation { arena, equations: e } = derivation;
         let (p, q) = (model.p(), e.coordinates.clone());
@@ -101,7 +102,7 @@ impl Interpreted {
         let speed_rates = e.unknowns[..e.variables.len()].to_vec();
         let mut tapes = [const { None }; _];
         let mut tape = |part: Part, inputs: &[Expr], outputs: &[Expr]| {
-            // What is not used is no part of the tape, and what it mentions need have no value.
+            // Unused steps are no part of the tape, and their symbols need no value.
             let steps = needed(arena, &e.definitions, outputs);
             tapes[part as usize] = Some(Tape::stepwise(arena, inputs, &steps, outputs)?);
             Ok(())
@@ -146,11 +147,11 @@ impl Interpreted {
         })
     }
 
-    /// With the accelerations eliminated.
+    /// Adds the eliminated accelerations.
     ///
     /// # Errors
-    /// [`NotInterpreted`] if v̇ is not determined in any configuration, is not proved, or has a step with a symbol that
-    /// nothing defines.
+    /// [`NotInterpreted`] if v̇ is not determined in any configuration, is not proved, or has a step with an undefined
+    /// symbol.
     pub fn solved(mut self, derivation: &Derivation) -> Result<Self, NotInterpreted> {
         let Derivation { mut arena, equations: e } = derivation.clone();
         let Solved { accelerations, jacobian, .. } = Solved::new(&mut arena, &e)?;
@@ -172,10 +173,10 @@ impl Interpreted {
         Ok(self)
     }
 
-    /// With the outputs of the scene that these are the equations of.
+    /// Adds the outputs of the scene to which these equations belong.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an output has a symbol that nothing defines: what a reduction gives never does.
+    /// [`UnknownSymbol`] if an output has an undefined symbol. Outputs of a reduction never do.
     pub fn showing(mut self, reduction: &Reduction) -> Result<Self, UnknownSymbol> {
         let values: Vec<Expr> = reduction.outputs.iter().map(|o| o.value).collect();
         let (p, state) = self.state.split_at(self.lengths.parameters);
@@ -205,7 +206,7 @@ impl Interpreted {
         Ok(self)
     }
 
-    /// The equations in another kind of number.
+    /// Converts the equations to another number type.
     #[must_use]
     pub fn to<S: Numeric>(&self) -> Interpreted<S> {
         Interpreted {
@@ -229,17 +230,19 @@ impl<S: Numeric> Interpreted<S> {
         self.tapes[part as usize].is_some()
     }
 
-    /// What computes q̇ and v̇, and what the constraints that a run is kept on, both in parameters, coordinates and motion variables.
+    /// Tapes of q̇ and v̇, and of the constraints onto which a run is kept. Both read parameters, coordinates and
+    /// motion variables.
     pub fn rates_and_constraints(&self) -> (Option<&Tape<S>>, Option<&Tape<S>>) {
         (self.tapes[Part::Derivative as usize].as_ref(), self.tapes[Part::Constraints as usize].as_ref())
     }
 
-    /// What computes the kinetic energy, in parameters, coordinates and motion variables, and the motion variables, in parameters, coordinates and speeds.
+    /// Tapes of the kinetic energy and of the motion variables. The first reads parameters, coordinates and motion
+    /// variables, the second parameters, coordinates and speeds.
     pub fn energy_and_motions(&self) -> (Option<&Tape<S>>, Option<&Tape<S>>) {
         (self.tapes[Part::KineticEnergy as usize].as_ref(), self.tapes[Part::MotionVariables as usize].as_ref())
     }
 
-    /// The values of a part; not numbers if these equations do not have it.
+    /// Computes the values of a part; NaN if these equations do not have it.
     fn run(&self, part: Part, inputs: &[&[S]], out: &mut [S]) {
         let Some(tape) = &self.tapes[part as usize] else { return out.fill(S::from_f64(f64::NAN)) };
         self.work.with(|(joined, scratch)| {
@@ -251,7 +254,7 @@ impl<S: Numeric> Interpreted<S> {
         });
     }
 
-    /// The value of a part that has only one.
+    /// Computes the value of a part that has only one.
     fn value(&self, part: Part, inputs: &[&[S]]) -> S {
         let mut out = [S::int(0)];
         self.run(part, inputs, &mut out);

@@ -1,4 +1,4 @@
-//! Mechanisms and their scenes, made ready and run: what the `tripos` command does, for programs.
+//! Mechanisms and their scenes, made ready and run: the functions of the `tripos` command, for programs.
 //!
 //! ```
 //! use tripos::{Overrides, Scene};
@@ -14,9 +14,9 @@
 //! # Ok::<(), tripos::Error>(())
 //! ```
 //!
-//! [`Scene`] and [`Mechanism`] are where a program begins; the modules are the parts that they are made of, for who
-//! needs more. Nothing here prints, ends the process, or knows a command line. Equations run compiled if a program
-//! brings them along ([`Scene::with`]), else interpreted, with the same results to rounding.
+//! A program begins with [`Scene`] and [`Mechanism`]. The modules contain the parts of these, for more special needs.
+//! The library never prints, ends the process, or knows a command line. Equations run compiled if a program contains
+//! them ([`Scene::with`]), else interpreted, with the same results to rounding.
 
 pub mod case;
 #[cfg(feature = "clock")]

@@ -1,4 +1,4 @@
-//! A model with what is compiled of it.
+//! Model together with its compiled equations.
 
 use crate::error::Error;
 use crate::follow::Follow;
@@ -12,21 +12,21 @@ use tripos_derive::prove::{Proof, prove};
 use tripos_derive::{Formulation, Model, derive};
 use tripos_traits::CompiledModel;
 
-/// A model, the compiled equations that a program brings along, and who follows long work on it.
+/// Model, the compiled equations that a program contains, and the observer of long work.
 ///
-/// Equations run compiled if they were generated from the model's very text, else interpreted.
+/// Equations run compiled if they were generated from exactly the model's text, else interpreted.
 #[derive(Clone)]
 pub struct Mechanism {
     /// The model.
     pub model: Model,
     /// The compiled equations, of this model or of others.
     pub compiled: &'static [CompiledModel],
-    /// Who may end long work early.
+    /// Observer that may end long work early.
     pub follow: Follow,
 }
 
 impl Mechanism {
-    /// A model that nothing is compiled of, and nobody follows.
+    /// Creates a mechanism without compiled equations and without an observer.
     #[must_use]
     pub fn new(model: Model) -> Self {
         Self { model, compiled: &[], follow: Follow::default() }
@@ -41,13 +41,13 @@ impl Mechanism {
         Ok(Self::new(tripos_derive::model::load(&Source::read(path)?)?))
     }
 
-    /// With the equations that were compiled into a program.
+    /// Adds the equations that were compiled into a program.
     #[must_use]
     pub fn with(self, compiled: &'static [CompiledModel]) -> Self {
         Self { compiled, ..self }
     }
 
-    /// With somebody who may end long work early.
+    /// Adds an observer that may end long work early.
     #[must_use]
     pub fn followed(self, follow: Follow) -> Self {
         Self { follow, ..self }
@@ -66,7 +66,7 @@ impl Mechanism {
         })
     }
 
-    /// Proves what can be proved: that the formulations are equivalent, and what motions conserve.
+    /// Proves all that can be proved: the equivalence of the formulations, and the quantities that motions conserve.
     ///
     /// # Errors
     /// [`Error::Input`] if the model cannot be derived.
@@ -75,7 +75,7 @@ impl Mechanism {
         Ok(prove(&self.model, &mut derivations))
     }
 
-    /// That constraints leave a speed, which this needs.
+    /// Refuses a model without generalized speeds for a task that needs them.
     pub(crate) fn has_speeds(&self, what: &str) -> Result<(), Error> {
         if !self.model.speeds.is_empty() {
             return Ok(());
@@ -84,11 +84,12 @@ impl Mechanism {
         Err(Error::request(format!("the constraints leave no speed: {what}"), help))
     }
 
-    /// Writes the equations as a Rust module of this name: the text of each of its files. No formulations are all that the model
-    /// supports; Jacobian and recurrences are written if they are among the extras.
+    /// Writes the equations as a Rust module of this name. Returns the text of each of its files. An empty list of
+    /// formulations means all that the model supports. Jacobian and recurrences are written if they are among the
+    /// extras.
     ///
     /// # Errors
-    /// [`Error::Input`] if the model cannot be derived, or lacks a formulation that is named.
+    /// [`Error::Input`] if the model cannot be derived, or lacks a named formulation.
     #[cfg(feature = "emit")]
     pub fn emit(
         &self,
@@ -100,7 +101,7 @@ impl Mechanism {
     }
 }
 
-/// A mechanism is used as its model where nothing else is asked of it.
+/// A mechanism can be used wherever a model is expected.
 impl Deref for Mechanism {
     type Target = Model;
 

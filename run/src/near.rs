@@ -1,4 +1,4 @@
-//! Where equations have next to no value: what they divide by there, in words.
+//! Divisors of the equations that are nearly zero at a configuration, in words.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -11,17 +11,17 @@ use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 use tripos_derive::mechanics::load_divisors;
 use tripos_derive::model::{Coordinate, Unit};
 
-/// A divisor is next to zero below this part of the size that its terms have elsewhere, in whatever unit.
+/// Share of the size that a divisor's terms have elsewhere, below which it counts as nearly zero, in any unit.
 const NEAR: f64 = 1e-6;
 
-/// What the equations divide by that is next to zero at a configuration, as the end of a sentence: ", where
-/// sin(theta) = 1.2e-16", with what that means for a load; empty if nothing is.
+/// Divisors of the equations that are nearly zero at a configuration, as the end of a sentence: ", where sin(theta) =
+/// 1.2e-16", with the meaning for a load. Empty if there are none.
 ///
 /// # Errors
-/// [`Error::Request`] if a divisor mentions what has no value during a run.
+/// [`Error::Request`] if a divisor mentions a symbol that has no value during a run.
 pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<String, Error> {
     let inputs = [model.p(), model.q()].concat();
-    // A reduced system may divide by what its steps define: that is no place that a reader could find.
+    // A reduced system may divide by symbols that its steps define. A reader could not find such a place.
     let is_place = |arena: &Arena, e: Expr| {
         let symbols = arena.reachable(&[e]).into_iter();
         symbols.filter(|e| matches!(arena.node(*e), Node::Symbol(_))).all(|e| inputs.contains(&e))
@@ -47,8 +47,8 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
 }
 
-/// How large each parameter and each coordinate is elsewhere: a coordinate that happens to be small is as large as
-/// the largest parameter of its unit, an angle as a radian.
+/// Typical size of each parameter and each coordinate. A coordinate that happens to be small counts as large as the
+/// largest parameter of its unit, an angle as a radian.
 fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     let alike = |coordinate: &Coordinate| {
         let of = model.parameters.iter().zip(parameters).filter(|(p, _)| p.unit == coordinate.unit);
@@ -58,7 +58,7 @@ fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     parameters.iter().map(|value| value.abs()).chain(coordinates).collect()
 }
 
-/// How large terms are where sines and cosines are 1 and nothing cancels, from the sizes of symbols.
+/// Sizes of terms from the sizes of symbols, with sines and cosines at 1 and without cancellation.
 struct Sizes<'a>(&'a FxHashMap<Expr, f64>);
 
 impl Fold for Sizes<'_> {
@@ -83,7 +83,7 @@ impl Fold for Sizes<'_> {
     }
 }
 
-/// A small number in few digits.
+/// Formats a small number in a few digits.
 fn said(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
 }
@@ -93,8 +93,8 @@ mod tests {
     use super::*;
     use tripos_derive::diagnostic::Source;
 
-    /// A bead on the end of a massless arm, in polar coordinates with speeds along and across; only what is divided
-    /// by matters.
+    /// Model of a bead on the end of a massless arm, in polar coordinates with speeds along and across. Only the
+    /// divisors matter.
     const BEAD: &str = r#"
 name = "bead"
 [parameters]

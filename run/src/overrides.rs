@@ -1,38 +1,38 @@
-//! What may be changed of the way a scene is run, without another file.
+//! Settings for a run that replace those of the scene, without another file.
 
 use crate::error::Error;
 use crate::how::method;
 use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
 
-/// What stands in the place of what a scene says of its integration; nothing changes what is not given.
+/// Settings that override the scene's integration settings. `None` keeps the scene's value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
-    /// Which equations: `kane`, `lagrange`, `newton-euler`, `printed:ID`, or the scene's own if nothing is given or
-    /// `reduced`.
+    /// Name of the equations: `kane`, `lagrange`, `newton-euler` or `printed:ID`. `None` or `reduced` means the scene's
+    /// own equations.
     pub by: Option<String>,
-    /// The method, by its name, or `quadrature`.
+    /// Name of the method, or `quadrature`.
     pub method: Option<String>,
-    /// What each step is projected onto, by its name.
+    /// Name of the quantity onto which each step is projected.
     pub project: Option<String>,
-    /// How accelerations are found, by its name.
+    /// Name of the way in which accelerations are found.
     pub solve: Option<String>,
-    /// The length of every step, s.
+    /// Length of every step, s.
     pub step: Option<f64>,
-    /// The longest step that the error may choose, s.
+    /// Longest step that error control may choose, s.
     pub max_step: Option<f64>,
     /// Relative tolerance.
     pub rtol: Option<f64>,
-    /// Absolute tolerance of every state.
+    /// Absolute tolerance of every component of the state.
     pub atol: Option<f64>,
-    /// The last instant, s; before the first, the run goes backward.
+    /// Last instant, s; the run goes backwards if it is before the first one.
     pub until: Option<f64>,
 }
 
 impl Overrides {
-    /// Puts these in place of the scene's values.
+    /// Replaces the scene's values by these.
     ///
     /// # Errors
-    /// [`Error::Request`] for a name that there is not, and for numbers that make no run.
+    /// [`Error::Request`] for an unknown name, and for numbers that allow no run.
     pub fn change(&self, scene: &mut Scene) -> Result<(), Error> {
         if let Some(name) = &self.method {
             let known = if name == QUADRATURE { QUADRATURE } else { method(name)?.name() };
@@ -101,7 +101,7 @@ impl Overrides {
     }
 }
 
-/// What steps are projected onto, by this name.
+/// Finds the quantity of this name onto which steps can be projected.
 fn project(name: &str) -> Result<Project, Error> {
     Project::ALL.into_iter().find(|project| project.name() == name).ok_or_else(|| {
         let help = tripos_derive::diagnostic::nearest(name, Project::ALL.map(Project::name));
@@ -109,7 +109,7 @@ fn project(name: &str) -> Result<Project, Error> {
     })
 }
 
-/// How accelerations are found, by this name.
+/// Finds the way of this name in which accelerations can be found.
 fn solve(name: &str) -> Result<Solve, Error> {
     Solve::ALL.into_iter().find(|solve| solve.name() == name).ok_or_else(|| {
         let help = tripos_derive::diagnostic::nearest(name, Solve::ALL.map(Solve::name));

@@ -1,10 +1,11 @@
 //! Runs of constrained mechanisms that change their independent speeds on the way.
 //!
-//! A choice of speeds u fails where it does not tell the motions that the constraints leave from one another, as the speed of a rocker does
-//! in the dead points of its linkage. Next to such a place the run goes on in all rates, by Lagrange's equations with multipliers solved whatever
-//! their rank ([`tripos_sim::Multipliers`]), and by the chosen speeds again where these hold. Each change is a restart at the end of a step; a step
-//! in chosen speeds that ends where these hardly hold is made in all rates instead. All of the
-//! solution is told in (q, q̇), from which what people see is made; u keeps its meaning.
+//! Chosen speeds u fail where they do not distinguish the motions that the constraints allow. The speed of a rocker
+//! fails in the dead points of its linkage. Near such a place the run goes on in all rates, by Lagrange's equations
+//! with multipliers, solved whatever their rank ([`tripos_sim::Multipliers`]). It returns to the chosen speeds where
+//! these hold again. Each change is a restart at the end of a step. A step in chosen speeds that ends where these
+//! hardly hold is made in all rates instead. The whole solution is given in (q, q̇), from which the shown quantities
+//! are computed; u keeps its meaning.
 
 mod changes;
 mod parts;
@@ -24,68 +25,68 @@ use tripos_sim::{
 };
 use tripos_traits::System;
 
-/// Equations in all rates, those in the chosen speeds, and the parameters of both.
+/// Equations in all rates, equations in the chosen speeds, and the parameters of both.
 type Systems<'a> = (&'a dyn System<f64>, &'a dyn System<f64>, &'a [f64]);
 
 /// Power at a state (q, q̇), W.
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// The part of the best that it has stood on the way below which a choice is left, and above which it is taken again.
+/// Share of the best standing so far below which the chosen speeds are left; above the next one they are taken again.
 const LEAVES: f64 = 0.3;
 const RETURNS: f64 = 0.5;
-/// A choice that stands below this at the start of a run is not begun with.
+/// Standing below which a run does not begin in the chosen speeds.
 const BEGINS: f64 = 0.05;
-/// A part of the largest component, by which a correction moves none: states that are nearer are one.
+/// Relative change of a state that a mere correction stays below; nearer states count as the same.
 const SAME: f64 = 1e-9;
-/// The part of the best below which constraints count as next to dependent.
+/// Share of the best standing below which constraints count as nearly dependent.
 const SINGULAR: f64 = 0.1;
-/// How many times as coarse tolerances are tried next to dependent constraints, and after how many steps the next.
+/// Factors by which tolerances are widened near dependent constraints, and the steps after which the next is tried.
 const COARSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 const FEW: u64 = 2000;
-/// The part of the energy that may be lost next to dependent constraints.
+/// Share of the energy that may be lost near dependent constraints.
 const LOST: f64 = 1e-3;
 
-/// The equations in chosen speeds that a problem in all rates goes along with as far as they hold.
+/// Equations in chosen speeds that run as far as they hold, within a problem in all rates.
 #[derive(Clone, Copy)]
 pub struct Chosen<'a> {
-    /// Which they are.
+    /// The formulation in chosen speeds.
     pub by: &'a By,
-    /// Their code.
+    /// Compiled equations in chosen speeds.
     pub code: &'a Code,
-    /// How their accelerations are found.
+    /// Way in which their accelerations are found.
     pub solve: Solve,
-    /// Where the last run changed.
+    /// Parts of the last run that were made in all rates.
     pub changes: &'a Mutex<Vec<Change>>,
 }
 
-/// A run under way.
+/// A run under way that may change its speeds.
 struct Passage<'r> {
-    /// Equations in all rates, and in the chosen speeds.
+    /// Equations in all rates; below, those in the chosen speeds.
     rates: &'r dyn System<f64>,
     speeds: &'r dyn System<f64>,
     parameters: &'r [f64],
     multipliers: RefCell<Multipliers<'r>>,
-    /// The best standing so far, and whether it tells how well the choice can stand: not while a run that began where the choice fails
-    /// has only moved away from there.
+    /// Best standing so far. It is not known as the best while a run that began where the choice fails has only moved
+    /// away from there.
     best: RefCell<Standing>,
     is_best_known: Cell<bool>,
-    /// The state that was last asked for, with how the choice stands there, and the last one that was told in all rates.
+    /// Last requested state and the standing of the choice there; below, the last state converted to all rates.
     asked: RefCell<(Vec<f64>, Option<Standing>)>,
     told: RefCell<Vec<f64>>,
-    /// For how long, at least, the next part in all rates lasts, s.
+    /// Least duration of the next part in all rates, s.
     dwell: f64,
-    /// For how long the last one did.
+    /// Duration of the last part in all rates, s.
     lasted: f64,
     changes: Vec<Change>,
-    /// Whether T + V less the work of the power is constant in every motion.
+    /// True if T + V minus the work of the power is constant in every motion.
     keeps_energy: bool,
 }
 
-/// Integrates from y0 = (q, q̇) over a span by equations in all rates, and by those in chosen speeds, whose right-hand side is given, as far as
-/// these hold. Returns the solution in (q, q̇), and where it changed.
+/// Integrates from y0 = (q, q̇) over a span. It uses the equations in chosen speeds, whose right-hand side is given, as
+/// far as they hold, and those in all rates elsewhere. Returns the solution in (q, q̇), and the parts in all rates.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense.
+/// [`SimError`] if the request is invalid.
 pub fn solve(
     systems: Systems<'_>,
     rhs: &mut dyn RightHandSide<f64>,
@@ -119,7 +120,8 @@ pub fn solve(
     Ok((whole, passage.changes))
 }
 
-/// The run from `y0` = (q, v) in the chosen speeds alone; `None` if they fail on the way, or hardly determine the motion: [`solve`] makes such runs.
+/// Runs from `y0` = (q, v) in the chosen speeds alone. `None` if they fail on the way, or hardly determine the motion;
+/// [`solve`] makes such runs.
 ///
 /// # Errors
 /// As [`solve`].
@@ -163,14 +165,14 @@ impl<'r> Passage<'r> {
         })
     }
 
-    /// Whether a run can begin in the chosen speeds at (q, q̇).
+    /// True if a run can begin in the chosen speeds at (q, q̇).
     fn begins_in_speeds(&self, y: &[f64]) -> bool {
         let stands = self.stands(y, LEAVES) == Some(true) && self.best.borrow().speeds > BEGINS;
         self.is_best_known.set(stands);
         stands
     }
 
-    /// How the choice stands at (q, q̇), and whether that is above a part of the best so far.
+    /// True if the standing of the choice at (q, q̇) is above a share of the best so far. `None` where it has no value.
     fn stands(&self, y: &[f64], part: f64) -> Option<bool> {
         let now = self.standing(y)?;
         let mut best = self.best.borrow_mut();
@@ -181,7 +183,8 @@ impl<'r> Passage<'r> {
         Some(now.speeds > part * best.speeds && now.constraints > part * best.constraints)
     }
 
-    /// How the choice stands at (q, q̇): as at the state that was asked for before, where only a correction lies between.
+    /// Standing of the chosen speeds at (q, q̇). A state that differs from the last one only by a correction has its
+    /// value.
     fn standing(&self, y: &[f64]) -> Option<Standing> {
         let mut asked = self.asked.borrow_mut();
         let (before, stood) = &mut *asked;
@@ -195,14 +198,15 @@ impl<'r> Passage<'r> {
         *stood
     }
 
-    /// How the choice stands at a state in the chosen speeds: [`Self::stands`].
+    /// True if the choice stands at a state in the chosen speeds, as [`Self::stands`] tells.
     fn stands_in_speeds(&self, y: &[f64], part: f64) -> Option<bool> {
         let mut told = self.told.borrow_mut();
         tell_in_rates(self.speeds, self.parameters, y, &mut told);
         self.stands(&told, part)
     }
 
-    /// A part in the chosen speeds, up to where they hardly determine the motion, and the instant that the last step asked for led to.
+    /// Runs a part in the chosen speeds, up to where they hardly determine the motion. Also returns the end of the last
+    /// attempted step, s.
     fn leg(
         &self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -226,7 +230,7 @@ impl<'r> Passage<'r> {
         Ok((leg, beyond.get()))
     }
 
-    /// A part in the chosen speeds, told in all rates.
+    /// Runs a part in the chosen speeds, with its solution converted to all rates.
     fn by_speeds(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -247,13 +251,13 @@ impl<'r> Passage<'r> {
             *y = to_rates(y);
         }
         leg.projection = leg.projection.map(|report| widened(&report, self.rates));
-        // At least as far beyond a place as the step would have led that began before it.
+        // The next part leads at least as far as the step that began before the failure would have led.
         let beyond = (beyond - leg.t_end).abs();
         self.dwell = if leg.t_end.total_cmp(&span.0).is_eq() { beyond.max(2.0 * self.lasted) } else { beyond };
         Ok(leg)
     }
 
-    /// A part in all rates.
+    /// Runs a part in all rates.
     fn in_rates(
         &mut self,
         span: (f64, f64),
@@ -264,7 +268,7 @@ impl<'r> Passage<'r> {
     ) -> Result<Solution, SimError> {
         let options = options_in_rates(options, y.len() / 2);
         let mut power = power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
-        // Next to a singular pose rounding may be more than the tolerances, and steps creep: coarser ones lead across.
+        // Near a singular pose rounding may exceed the tolerances, and steps creep. Wider tolerances lead across.
         let (mut leg, mut is_singular, mut coarser) = (None, false, 1.0);
         for times in COARSER {
             let few = Options { step_limit: options.step_limit.min(FEW), ..coarsened(&options, times) };
@@ -295,7 +299,7 @@ impl<'r> Passage<'r> {
         }
         let to = (leg.stop == Stop::HandedOver).then_some(leg.t_end);
         match self.changes.last_mut() {
-            // Nothing was done in between.
+            // No step was made in between.
             Some(last) if last.to == Some(span.0) => {
                 (last.to, last.is_singular) = (to, last.is_singular || is_singular);
                 last.coarser = last.coarser.max(coarser);
@@ -305,7 +309,7 @@ impl<'r> Passage<'r> {
         Ok(leg)
     }
 
-    /// One attempt at a part in all rates, and how near the constraints came to depending on one another.
+    /// Attempts a part in all rates. Also returns the least distance of the constraints from dependence.
     fn leg_in_rates(
         &self,
         (span, y): ((f64, f64), &[f64]),
@@ -325,7 +329,8 @@ impl<'r> Passage<'r> {
         Ok((leg, rhs.nearest()))
     }
 
-    /// The part of the energy, less the work done, that a run of the whole energy lost from a state on, if that is more than a few digits.
+    /// Relative change of the energy, less the work done, from a state to the end of a part. `None` if it is below the
+    /// limit, or energy is not conserved.
     fn lost(&self, y: &[f64], leg: &Solution) -> Option<f64> {
         if !self.keeps_energy {
             return None;
@@ -341,7 +346,7 @@ impl<'r> Passage<'r> {
         (part > LOST).then_some(part)
     }
 
-    /// (q, q̇) in the variables of the chosen speeds.
+    /// Converts (q, q̇) to the variables of the chosen speeds.
     fn told_in_speeds(&self, y: &[f64]) -> Vec<f64> {
         let (q, q_dot) = y.split_at(y.len() / 2);
         let mut u = vec![0.0; self.rates.lengths().speeds];
@@ -352,12 +357,12 @@ impl<'r> Passage<'r> {
     }
 }
 
-/// Whether steps became too small or too many.
+/// True if steps became too small or too many.
 fn is_stuck(stop: &Stop) -> bool {
     matches!(stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::StepLimit { .. })
 }
 
-/// An event of (q, q̇) as one of other variables.
+/// Converts an event of (q, q̇) to one of other variables.
 fn told_by<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64>) -> Event<'e> {
     let function = &mut event.function;
     let told = move |t: f64, y: &[f64]| function(t, &to_rates(y));
@@ -380,14 +385,14 @@ fn run(
     integrate(Lent(&mut rhs as &mut dyn RightHandSide<f64>), span, y0, options, events)
 }
 
-/// (q, q̇) of an integrated state.
+/// Converts an integrated state to (q, q̇).
 fn told_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
     let mut told = Vec::new();
     tell_in_rates(system, p, y, &mut told);
     told
 }
 
-/// Writes that.
+/// Writes the state converted to (q, q̇) into `told`.
 fn tell_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], told: &mut Vec<f64>) {
     let n = system.lengths().coordinates;
     let (q, v) = y.split_at(n);

@@ -1,16 +1,17 @@
-//! The power of what the potential energy leaves out, along a run of any equations.
+//! Power of the loads without a potential, along a run by any equations.
 
 use crate::code::{Ready, code};
 use crate::error::Error;
 use crate::problem::{Power, Problem};
 use tripos_derive::Formulation;
 
-/// What changes T + V along a run, if anything does and the run shows energies.
+/// Power that changes T + V along a run, W. `None` if no load without a potential works, or the run shows no energies.
 ///
-/// A scene's own equations show the energies of the whole model: the power is that of Kane's equations at the state shown.
+/// A scene's own equations show the energies of the whole model. The power is then that of Kane's equations at the
+/// shown state.
 ///
 /// # Errors
-/// [`Error`] if Kane's equations cannot be had.
+/// [`Error`] if the model has no Kane's equations.
 pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
     let system = problem.system();
     if !problem.by.is_reduced() {
@@ -18,7 +19,7 @@ pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
         let p = problem.scene.parameters.as_slice();
         return Ok(system.has_power().then(|| Box::new(move |_, y: &[f64]| system.power(p, &y[..n], &y[n..])) as _));
     }
-    // Of a motion that keeps its energy nothing works.
+    // No such load works in a motion that keeps its energy.
     if problem.shown.states_outputs || system.has_energy_gradient() {
         return Ok(None);
     }
@@ -32,7 +33,7 @@ pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
     }))
 }
 
-/// The power that is accounted for: with contacts there is always a sum of work, since impacts join it.
+/// Power whose work is accumulated. With contacts there always is one, at least zero, since impacts add to the work.
 ///
 /// # Errors
 /// As [`power`].

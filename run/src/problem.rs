@@ -27,23 +27,24 @@ use tripos_traits::{DoubleDouble, Real, Scalar, System};
 /// Power at an integrated state, W, as a function of t and y.
 pub type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// A scene, the equations that run it, and how.
+/// Scene with the equations that run it and the way in which accelerations are found.
 pub struct Problem<'a> {
-    /// The mechanism that the scene is of.
+    /// The scene's mechanism.
     pub mechanism: &'a Mechanism,
     /// The model of the equations: the mechanism's, or the reduced one.
     pub model: &'a Model,
     /// The scene, in the variables of the equations.
     pub scene: &'a Scene,
-    /// The scene as its file has it.
+    /// The scene as its file gives it.
     pub shown: &'a Scene,
-    /// Which equations.
+    /// Equations of motion that run.
     pub by: &'a By,
     /// The equations, in the scene's distance if it has one.
     pub code: &'a Code,
-    /// How accelerations are found.
+    /// Way in which accelerations are found.
     pub solve: Solve,
-    /// The equations in chosen speeds that run as far as they hold, if these are all rates beside them.
+    /// Equations in chosen speeds that run as far as they hold. `None` unless the problem's own equations are in all
+    /// rates.
     pub chosen: Option<Chosen<'a>>,
     origin: Option<Origin>,
 }
@@ -55,7 +56,7 @@ const MOST_CONVOLUTIONS: usize = 4;
 /// Parameters and the integrated state, to 32 digits.
 pub type ExtendedStart = (Vec<DoubleDouble>, Vec<DoubleDouble>);
 
-/// The integrated variable at this place is the coordinate minus the origin.
+/// Offset of one integrated variable, which is the coordinate minus this value.
 #[derive(Clone, Copy)]
 struct Origin {
     at: usize,
@@ -63,12 +64,12 @@ struct Origin {
 }
 
 impl<'a> Problem<'a> {
-    /// By these equations, which are in the scene's distance if it has one. Without `solve` the scene decides, then the
-    /// equations: eliminated accelerations where there are such.
+    /// Problem with these equations, which are in the scene's distance if it has one. Without `solve` the scene decides
+    /// how accelerations are found. If it does not say, they are eliminated where the equations allow it.
     ///
     /// # Errors
-    /// [`Error::Request`] if accelerations are to be eliminated that are not; [`Error::Input`] if something that
-    /// moves has no mass at these parameters.
+    /// [`Error::Request`] if accelerations are to be eliminated and cannot be; [`Error::Input`] if a moving body has no
+    /// mass at these parameters.
     pub fn new(
         mechanism: &'a Mechanism,
         scene: &'a Scene,
@@ -79,7 +80,7 @@ impl<'a> Problem<'a> {
         Self::among(&InertiaCheck::new(mechanism), mechanism, scene, by, code, solve)
     }
 
-    /// By these equations for one of many scenes of a mechanism, with one check of its inertia for all.
+    /// Problem with these equations for one of many scenes of a mechanism, with one inertia check for all.
     ///
     /// # Errors
     /// As [`Problem::new`].
@@ -91,12 +92,12 @@ impl<'a> Problem<'a> {
         code: &'a Code,
         solve: Option<Solve>,
     ) -> Result<Self, Error> {
-        // Eliminated equations may have divided by a mass that is 0.
+        // Eliminated equations may have been divided by a mass that is 0.
         inertia.at(&scene.exact.rational).map_err(|error| Error::Input(mechanism.diagnose(&error)))?;
         Self::with(mechanism, &mechanism.model, scene, (by, code), solve)
     }
 
-    /// By a scene's own equations, whose reduction has looked at the inertia.
+    /// Problem with a scene's own reduced equations. Their reduction has already checked the inertia.
     ///
     /// # Errors
     /// As [`Problem::new`].
@@ -143,7 +144,7 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// These equations with another scene: one with other numbers.
+    /// Problem with these equations and another scene that differs only in its numbers.
     #[must_use]
     pub fn with_scene<'b>(&self, scene: &'b Scene) -> Problem<'b>
     where
@@ -153,8 +154,8 @@ impl<'a> Problem<'a> {
         Problem { mechanism, model, scene, shown, by, code, solve, chosen, origin }
     }
 
-    /// Whether the run can be made by Taylor coefficients, and their convolutions are few: of larger systems they cost
-    /// more than a step of a Runge–Kutta method. Interpreted ones are not counted.
+    /// True if the run can use Taylor coefficients with few convolutions. In larger systems they cost more than a step
+    /// of a Runge–Kutta method. Convolutions of interpreted equations are not counted.
     #[must_use]
     pub fn has_short_series(&self) -> bool {
         let system = self.system();
@@ -170,7 +171,7 @@ impl<'a> Problem<'a> {
         self.code.system()
     }
 
-    /// The coordinates of an integrated state, or of its first part.
+    /// Coordinates of an integrated state, or of its leading components.
     #[must_use]
     pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
         let mut q = y[..self.system().lengths().coordinates].to_vec();
@@ -180,7 +181,8 @@ impl<'a> Problem<'a> {
         q
     }
 
-    /// What is shown of an integrated state: coordinates, then generalized speeds, or the outputs of a reduced scene.
+    /// Shown quantities of an integrated state: coordinates, then generalized speeds, or the outputs of a reduced
+    /// scene.
     #[must_use]
     pub fn state(&self, t: f64, y: &[f64]) -> Vec<f64> {
         let system = self.system();
@@ -196,7 +198,7 @@ impl<'a> Problem<'a> {
         [self.coordinates(y), u].concat()
     }
 
-    /// The integrated state at the start.
+    /// Integrated state at the start.
     ///
     /// # Errors
     /// [`Error::Stopped`] if the generalized speeds do not determine the motion variables there.
@@ -204,12 +206,12 @@ impl<'a> Problem<'a> {
         let (system, scene) = (self.system(), self.scene);
         let mut q = scene.q.clone();
         if let Some(Origin { at, value }) = self.origin {
-            // From the file's own number: the double nearest to it has lost what the distance keeps.
+            // The file's exact number is used. The double nearest to it has lost digits that the distance keeps.
             q[at] = (scene.exact.q[at] - value).to_f64();
         }
         let mut v = vec![0.0; system.lengths().variables];
         match &scene.exact.motion {
-            // Speeds may not determine them, as in a dead point.
+            // The generalized speeds may not determine the rates, as in a dead point.
             Stated::Rates(rates) if self.is_constrained_in_rates() => {
                 v = rates.iter().map(|rate| rate.to_f64()).collect();
             }
@@ -225,12 +227,12 @@ impl<'a> Problem<'a> {
         Ok([q, v].concat())
     }
 
-    /// Whether the motion variables are the rates of coordinates that motion constraints tie.
+    /// True if the motion variables are the rates of coordinates under motion constraints.
     fn is_constrained_in_rates(&self) -> bool {
         !self.model.motion_constraints.is_empty() && self.by.formulation().is_some_and(Formulation::is_in_rates)
     }
 
-    /// What the components of the integrated state are called.
+    /// Names of the components of the integrated state.
     #[must_use]
     pub fn variables(&self) -> Vec<String> {
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
@@ -241,15 +243,15 @@ impl<'a> Problem<'a> {
         coordinates.chain(speeds).collect()
     }
 
-    /// What the equations divide by that is next to zero at an integrated state: [`near_divisors`].
+    /// Divisors of the equations that are nearly zero at an integrated state, as text; see [`near_divisors`].
     ///
     /// # Errors
-    /// [`Error::Request`] if a divisor mentions what has no value during a run.
+    /// [`Error::Request`] if a divisor mentions a symbol without a value during a run.
     pub fn near_divisors(&self, y: &[f64]) -> Result<String, Error> {
         near_divisors(self.model, &self.scene.parameters, &self.coordinates(y))
     }
 
-    /// Why the equations have no value at the start, if they have none.
+    /// Reason why the equations have no value at the start; `None` if they have one.
     ///
     /// # Errors
     /// [`Error`] if the start does not determine the motion variables.
@@ -275,15 +277,15 @@ impl<'a> Problem<'a> {
     /// Integrates from the integrated state `y0` over the span of the scene.
     ///
     /// # Errors
-    /// [`SimError`] if the question makes no sense.
+    /// [`SimError`] if the request is invalid.
     pub fn integrate(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, SimError> {
         self.integrate_over(self.scene.span, y0, options, events)
     }
 
-    /// Integrates over another span than the scene's.
+    /// Integrates from `y0` over a span other than the scene's.
     ///
     /// # Errors
-    /// [`SimError`] if the question makes no sense.
+    /// [`SimError`] if the request is invalid.
     pub fn integrate_over(
         &self,
         span: (f64, f64),
@@ -298,7 +300,8 @@ impl<'a> Problem<'a> {
         integrate(Lent(rhs.as_mut()), span, y0, &self.options(options), events)
     }
 
-    /// The options of a run that is followed, and of which steps end where what drives it has corners.
+    /// Options of a run that can be followed and interrupted. Its steps end at the corners of prescribed motions and
+    /// forces.
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         let corners = self.model.corners(&self.scene.parameters).into_iter();
@@ -313,11 +316,11 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// The run that the scene asks for: by steps, by projected steps or by quadrature; with the work of a power, if one is
-    /// given.
+    /// Runs the problem as the scene asks: by steps, by projected steps or by quadrature. With a power it also
+    /// integrates the work.
     ///
     /// # Errors
-    /// [`Error::Request`] if the question makes no sense, or these equations cannot be run so.
+    /// [`Error::Request`] if the request is invalid, or these equations cannot be run so.
     pub fn solve(
         &self,
         y0: &[f64],
@@ -382,7 +385,7 @@ impl<'a> Problem<'a> {
         run.map_err(|error| refused(self.scene, &error))
     }
 
-    /// What a motion by quadrature would need that these equations do not have.
+    /// Help that names the condition for a motion by quadrature that these equations do not meet.
     fn no_quadrature(&self) -> &'static str {
         let system = self.system();
         if !self.by.is_reduced() {
@@ -396,10 +399,10 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// The linear system at each state.
+    /// Linear system for the accelerations at each state.
     ///
     /// # Errors
-    /// [`SimError`] if parameters do not fit.
+    /// [`SimError`] if the parameters do not fit.
     pub fn dynamics(&self) -> Result<Dynamics<'a>, SimError> {
         let label = format!("{}, {}", self.model.title, self.by.name());
         Ok(Dynamics::new(self.system(), &self.scene.parameters)?.labelled(label))

@@ -1,4 +1,4 @@
-//! A scene's own equations, ready to be run: the least system that gives what the scene asks for.
+//! Reduced equations of a scene, ready to run: the smallest system that gives all that the scene asks for.
 
 use crate::code::{Code, Ready, compiled_scene, interpreted_scene, tape};
 use crate::error::Error;
@@ -15,11 +15,11 @@ use tripos_traits::{AbsoluteTolerance, DoubleDouble};
 
 /// The reduced equations of a scene, and the scene in their variables.
 pub struct Reduced {
-    /// The equations.
+    /// Derived equations of the reduced system.
     pub reduction: Reduction,
     /// The scene in the variables of the reduced model, the momenta among its parameters.
     pub scene: Scene,
-    /// How the equations are called.
+    /// Name of the equations.
     pub by: By,
 }
 
@@ -27,7 +27,7 @@ impl Reduced {
     /// The reduced equations of a scene of this model.
     ///
     /// # Errors
-    /// [`Error`] if the model cannot be derived, or the scene asks for what it does not determine.
+    /// [`Error`] if the model cannot be derived, or does not determine an output of the scene.
     pub fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
         let ground = Ground::new(model).map_err(|error| model.diagnose(&error))?;
         Self::of_ground(&ground, model, scene)
@@ -36,12 +36,12 @@ impl Reduced {
     /// The reduced equations of a scene of the model that `ground` was derived from.
     ///
     /// # Errors
-    /// [`Error`] if the scene asks for what the model does not determine.
+    /// [`Error`] if the model does not determine an output of the scene.
     pub fn of_ground(ground: &Ground, model: &Model, scene: &Scene) -> Result<Self, Error> {
         let reduction = ground.reduce(scene).map_err(|error| model.diagnose(&error))?;
         let turns = reduction.frame.is_some();
         match Self::with(reduction, model, scene) {
-            // Not every start can be turned to where the frame is.
+            // Some starts cannot be moved to the section of the moving frame.
             Err(Error::Stopped(_)) if turns => {
                 let plain = ground.reduce_without_frame(scene).map_err(|error| model.diagnose(&error))?;
                 Self::with(plain, model, scene)
@@ -50,7 +50,7 @@ impl Reduced {
         }
     }
 
-    /// Without momenta, so that nothing is singular but where the model's own equations are.
+    /// The equations without constant momenta. They are singular only where the model's own equations are.
     ///
     /// # Errors
     /// As [`Reduced::of_ground`].
@@ -59,13 +59,13 @@ impl Reduced {
         Self::with(reduction, model, scene)
     }
 
-    /// The equations from the start of another scene: one with other numbers.
+    /// The equations from the start of another scene that differs only in its numbers.
     ///
-    /// What the reduction was made from must be the same: model, outputs, events and parameters.
+    /// The scene must have the same model, outputs, events and parameters as the one that was reduced.
     ///
     /// # Errors
-    /// [`Error::Request`] if a variable depends on what has no value at the start; [`Error::Stopped`] if the start cannot be
-    /// turned to where its moving frame is.
+    /// [`Error::Request`] if a variable depends on a symbol that has no value at the start; [`Error::Stopped`] if the
+    /// start cannot be moved to the section of the moving frame.
     pub fn with(reduction: Reduction, model: &Model, scene: &Scene) -> Result<Self, Error> {
         let [parameters, q, v] = start(&reduction, model, &scene.exact)?;
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<_>>();
@@ -88,7 +88,7 @@ impl Reduced {
         Ok(Self { reduction, scene: own, by: By::Reduced })
     }
 
-    /// The equations, ready to run: compiled in if they were generated from what this scene says.
+    /// The equations, ready to run. They are compiled in if they were generated from this scene's reduction.
     ///
     /// # Errors
     /// [`Error`] if they cannot be interpreted.
@@ -99,11 +99,11 @@ impl Reduced {
         }
     }
 
-    /// Why these equations are no gain over the whole ones: they carry as many variables along, and a call costs as
-    /// much or more. Nothing if they are a gain.
+    /// Reason why these equations are no gain over the whole ones: they have as many variables, and a call costs at
+    /// least as much. `None` if they are a gain.
     ///
     /// # Errors
-    /// [`Error`] if Kane's equations of the model cannot be had.
+    /// [`Error`] if the model has no Kane's equations.
     pub fn no_gain(&self, model: &Model) -> Result<Option<String>, Error> {
         if !self.scene.impacts.is_empty() {
             return Ok(Some("impacts change what the scene's own equations hold constant".to_owned()));
@@ -132,7 +132,7 @@ fn start(reduction: &Reduction, model: &Model, exact: &Exact) -> Result<[Vec<Dou
     let (mut symbols, mut values) = known(model, exact)?;
     if let Some(frame) = &reduction.frame {
         let count = model.parameters.len() + model.coordinates.len() + model.speeds.len();
-        // Rates that the file states are those before the turn; the speeds say the same.
+        // Rates in the file belong to the state before the turn; the speeds give the same information.
         symbols.truncate(count);
         values.truncate(count);
         let states = values.split_off(model.parameters.len());
@@ -153,7 +153,7 @@ fn start(reduction: &Reduction, model: &Model, exact: &Exact) -> Result<[Vec<Dou
     Ok([parameters, q, v])
 }
 
-/// The tolerance of each reduced variable: that of the variable that it is or stands for.
+/// Tolerance of each reduced variable: the one of the whole model's variable that it is or replaces.
 fn tolerances(reduction: &Reduction, model: &Model, each: &[f64]) -> Vec<f64> {
     let arena = reduction.terms();
     let own: Vec<_> = model.q().into_iter().chain(model.u()).collect();

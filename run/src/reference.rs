@@ -1,8 +1,8 @@
-//! Runs that other runs are measured against, and how they were certified.
+//! Reference solutions, against which other runs are measured, and their certification.
 //!
-//! Equations run in twice the precision of a double, compiled or interpreted, eliminated, by DOP853 at tolerances
-//! that no double reaches: by two formulations and at two tolerances. What they differ by is how far the reference
-//! can be trusted.
+//! Equations run in twice the precision of a double, compiled or interpreted, eliminated, by DOP853. Their tolerances
+//! are out of reach of doubles. The runs are made by two formulations and at two tolerances. The difference of the runs
+//! is the uncertainty of the reference.
 
 use crate::code::{Code, Ready, code, compiled_code};
 use crate::error::{Error, refused};
@@ -16,30 +16,30 @@ use tripos_sim::work_precision::error;
 use tripos_sim::{Eliminated, Lent, Method, Options, Output, RightHandSide, SimError, Solution, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
-/// States at some instants, known better than any run in doubles knows them.
+/// States at given instants, more accurate than any run in doubles.
 pub struct Reference {
     /// The instants, s.
     pub times: Vec<f64>,
-    /// Coordinates, then generalized speeds, at each.
+    /// Coordinates, then generalized speeds, at each instant.
     pub states: Vec<Vec<DoubleDouble>>,
-    /// How far they can be off, as an error of [`error`].
+    /// Uncertainty of the states, in the measure of [`error`].
     pub uncertainty: f64,
-    /// How they were certified.
+    /// Description of the certification.
     pub how: String,
 }
 
-/// The tolerances of the run that is kept and of the one that it is checked by.
+/// Tolerances of the run that is kept and of the run that checks it.
 const TOLERANCES: [f64; 2] = [1e-22, 1e-20];
-/// Steps after which a reference is given up.
+/// Number of steps after which a reference is given up.
 const MOST_STEPS: u64 = 5_000_000;
-/// States beside the start at which the terms of two witnesses are told apart.
+/// Number of states near the start at which the terms of two formulations are compared.
 const STATES: usize = 4;
 
 impl Reference {
-    /// The reference of a scene without its events, at these instants in the order of the run.
+    /// Computes the reference of a scene without its events, at these instants in the order of the run.
     ///
     /// # Errors
-    /// [`Error`] if no formulation gets there.
+    /// [`Error`] if no formulation gets to the last instant.
     pub fn new(model: &Mechanism, scene: &Scene, times: &[f64]) -> Result<Self, Error> {
         if !scene.impacts.is_empty() {
             let help = "take the errors that the run states, or leave the impacts out";
@@ -68,14 +68,14 @@ impl Reference {
     }
 }
 
-/// Equations that a reference is made by.
+/// Equations that a reference is computed from.
 #[derive(Clone)]
 struct Witness {
     by: By,
     code: Code,
 }
 
-/// Two formulations, or one twice.
+/// Two formulations, or one twice if the model has only one.
 fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
     let mut list = Vec::new();
     for formulation in [Formulation::Lagrange, Formulation::Kane] {
@@ -93,10 +93,10 @@ fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
     })
 }
 
-/// The scene in the distance from its singular surface, where the library has one compiled.
+/// Distance from the singular surface of a scene, if its equations were compiled in that distance.
 fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
     tripos_derive::mechanics::distances(model).first().copied().or(scene.integration.distance).filter(|distance| {
-        // 32 digits leave enough of a distance that no code was generated for.
+        // In 32 digits a distance without generated code keeps enough of them.
         let is_compiled =
             |distance| compiled_code(model, &By::from(Formulation::Lagrange), distance, Ready::Solved).is_some();
         !is_compiled(None) || is_compiled(Some(*distance))
@@ -119,10 +119,10 @@ impl Witness {
         Ok(times.iter().zip(&states).map(|(t, y)| problem.extended_state(&p, *t, y)).collect())
     }
 
-    /// Whether two witnesses are one: their rates have the same bits beside the start.
+    /// True if two formulations have identical terms: their rates have the same bits near the start.
     ///
-    /// Different terms for equal rates round differently in some of 106 bits of some rate at some of these states. It
-    /// is said beside a reference, and decides nothing.
+    /// Different terms for equal rates differ in one of 106 bits of a rate at one of these states. The result is stated
+    /// with a reference, and decides nothing.
     fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
         if self.code.system().lengths().state() != other.code.system().lengths().state() {
             return Ok(false);
@@ -149,7 +149,7 @@ fn options(rtol: f64) -> Options {
     Options { method, step_limit: MOST_STEPS, output: Output::Ends, ..Options::tolerances(rtol, rtol) }
 }
 
-/// From instant to instant: each is the end of a run, where the solution is as good as the tolerance.
+/// Walks from instant to instant. Each is the end of a run, where the solution is as accurate as the tolerance.
 fn along(
     scene: &Scene,
     times: &[f64],

@@ -1,24 +1,24 @@
-//! How far a run is from its constraints.
+//! Residuals of the constraints of a run.
 
 use crate::problem::Problem;
 use tripos_derive::scene::Loops;
 use tripos_sim::Solution;
 
-/// By what part of what it is made of a loop may be open that follows from others: they amplify what is left of these.
+/// Relative gap up to which a redundant loop counts as closed. Redundant loops amplify the residuals of the others.
 const MAY_OPEN: f64 = 1e-6;
-/// What a constraint may be open by rounding, over what it is made of.
+/// Relative residual of a constraint that rounding can cause, compared with the sum of its terms.
 const ROUNDING: f64 = 1e-12;
 
-/// A constraint that a run is kept on.
+/// Residual of a constraint along a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Residual {
-    /// What it is called: the name in the file, with a prime if it is the rate of a loop.
+    /// Name of the constraint in the file, with a prime if it is the rate of a loop.
     pub name: String,
-    /// The largest in size over the samples, with its sign, in the unit of the constraint.
+    /// Largest residual over the samples, with its sign, in the unit of the constraint.
     pub largest: f64,
 }
 
-/// The constraints of a problem, over the samples of its solution.
+/// Computes the residuals of a problem's constraints over the samples of its solution.
 pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
     let system = problem.system();
     let count = system.constraint_count();
@@ -28,7 +28,7 @@ pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
         let (q, v) = y.split_at(system.lengths().coordinates);
         system.constraints(&problem.scene.parameters, q, v, &mut values);
         for (most, value) in largest.iter_mut().zip(&values) {
-            // What is not a number stays.
+            // A value that is not a number stays.
             if value.is_nan() || value.abs() > most.abs() {
                 *most = *value;
             }
@@ -39,8 +39,8 @@ pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
     largest.into_iter().enumerate().map(named).chain(following).collect()
 }
 
-/// The loops that are not kept closed, since they follow from the others, each with the largest part of what it is made of by which it
-/// is open.
+/// Residuals of the redundant loops, which are not kept closed. Each has its largest gap relative to the sizes of its
+/// terms.
 fn following(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)> {
     let model = problem.model;
     if model.closed.is_empty() {
@@ -61,7 +61,7 @@ fn following(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)>
     list
 }
 
-/// The objections to a run in which a loop opens that is to follow from the others.
+/// Objections to a run in which a redundant loop opens.
 pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item = String> {
     following(problem, solution).into_iter().filter(|(_, part)| part.is_nan() || *part > MAY_OPEN).map(|(residual, _)| {
         format!(
@@ -73,8 +73,8 @@ pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item 
     })
 }
 
-/// The objection to a run that could not be kept on its constraints: where it is off them by more than its tolerance. Corrections that rounding decides do not
-/// matter.
+/// Objection to a run that could not be kept on its constraints: a residual exceeds its tolerance. Corrections that
+/// only rounding causes do not matter.
 pub fn broken(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
     let report = solution.projection.as_ref().filter(|_| problem.system().constraint_count() > 0)?;
     let left = report.singular + report.not_converged;
@@ -87,7 +87,7 @@ pub fn broken(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
     })
 }
 
-/// Whether a state is off a constraint by more than its tolerance, over the sum of the sizes of what the constraint is made of.
+/// True if a constraint's residual at a state exceeds its tolerance, relative to the sum of the sizes of its terms.
 fn is_off(problem: &Problem<'_>, y: &[f64]) -> bool {
     let (system, p, how) = (problem.system(), &problem.scene.parameters, &problem.scene.integration);
     let count = system.constraint_count();
@@ -98,7 +98,7 @@ fn is_off(problem: &Problem<'_>, y: &[f64]) -> bool {
     let allowed = if how.step.is_some() { ROUNDING } else { how.rtol.max(ROUNDING) };
     values.iter().zip(slopes.chunks_exact(y.len().max(1))).any(|(value, row)| {
         let size: f64 = row.iter().zip(y).map(|(slope, y)| (slope * y).abs().max(slope.abs())).sum();
-        // What is not a number is off.
+        // A value that is not a number counts as off.
         value.is_nan() || value.abs() > allowed * size
     })
 }

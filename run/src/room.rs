@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-/// Working space that is kept between calls. Whoever comes while another thread has it makes room of its own, so that
+/// Working space that is kept between calls. A thread that comes while another has it allocates its own, so that
 /// equations can be shared and no call waits.
 pub struct Room<T>(Mutex<T>);
 

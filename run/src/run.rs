@@ -1,4 +1,4 @@
-//! What came out of one run of a scene.
+//! Result of one run of a scene.
 
 use crate::code::{Code, Form};
 use crate::digits::Digits;
@@ -10,49 +10,49 @@ use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, EventRecord, ImpactRecord, Kind, Solution};
 
-/// What came out of a run.
+/// States, errors and checks of a run.
 pub struct Run {
-    /// Which equations ran.
+    /// Equations of motion that ran.
     pub by: By,
-    /// What ran them.
+    /// Form of the code that ran.
     pub code: Form,
-    /// How accelerations were found.
+    /// Way in which accelerations were found.
     pub solve: Solve,
     /// The integrator's result.
     pub solution: Solution,
-    /// Why it ended, with the names of its variables.
+    /// Reason of its end, with the names of its variables.
     pub why: String,
-    /// When, after how many steps and why it ended, in a sentence.
+    /// Sentence that says when, after how many steps and why it ended.
     pub ending: String,
-    /// What has no value, and when first; set by [`Run::look_for_missing`].
+    /// Shown quantity without a value, and the first instant of that; set by [`Run::look_for_missing`].
     pub(crate) missing: Option<String>,
-    /// What is shown of a state: the names of coordinates and generalized speeds, or of the outputs of a scene.
+    /// Names of the shown quantities: coordinates and generalized speeds, or the outputs of a scene.
     pub names: Vec<String>,
-    /// Their values at each sample.
+    /// Values of the shown quantities at each sample.
     pub states: Vec<Vec<f64>>,
-    /// Kinetic and potential energy at each sample; nothing where a scene shows outputs of its own.
+    /// Kinetic and potential energy at each sample, J; empty where a scene shows outputs of its own.
     pub energies: Vec<(f64, f64)>,
-    /// What is shown at the end.
+    /// Values of the shown quantities at the end.
     pub end: Vec<f64>,
-    /// How many digits of what is shown are right; nothing if the run took no step or was interrupted.
+    /// Digits of the shown quantities that are correct; `None` if the run took no step or was interrupted.
     pub digits: Option<Digits>,
-    /// Largest change of total energy over the samples, J, if it is known.
+    /// Largest change of total energy over the samples, J; `None` if it is not known.
     pub energy_drift: Option<f64>,
-    /// How much each first integral that was watched changed.
+    /// Change of each first integral that was watched.
     pub drifts: Vec<Drift>,
-    /// How far the run is from the constraints that it is kept on.
+    /// Residuals of the constraints onto which the run is kept.
     pub residuals: Vec<Residual>,
-    /// What a reader may want to know of how the run was made; no reason to distrust it.
+    /// Notes on the way in which the run was made. They are no reason to distrust it.
     pub notes: Vec<String>,
-    /// What a reader must know before trusting the numbers.
+    /// Warnings to read before trusting the numbers.
     pub warnings: Vec<String>,
 }
 
 impl Run {
-    /// The values of what is shown under this name, at each sample.
+    /// Values of the quantity of this name, at each sample.
     ///
     /// # Errors
-    /// [`Error::Request`] if nothing of this name is shown.
+    /// [`Error::Request`] if the run does not show it.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
         let at = self.names.iter().position(|shown| shown == name).ok_or_else(|| {
             let known = self.names.iter().map(String::as_str);
@@ -61,12 +61,12 @@ impl Run {
         Ok(self.states.iter().map(|values| values[at]).collect())
     }
 
-    /// The samples in order: the time, s, and the values of what is shown, in the order of [`Run::names`].
+    /// Samples in order: the time, s, and the shown values in the order of [`Run::names`].
     pub fn samples(&self) -> impl Iterator<Item = (f64, &[f64])> {
         self.solution.t.iter().copied().zip(self.states.iter().map(Vec::as_slice))
     }
 
-    /// The events and the conditions of the domain that the run met, in order, with their instants and states.
+    /// Events and domain conditions that the run met, in order, with their instants and states.
     #[must_use]
     pub fn events(&self) -> &[EventRecord] {
         &self.solution.events
@@ -78,7 +78,8 @@ impl Run {
         &self.solution.impacts
     }
 
-    /// The estimated error of the instant of an impact, s; nothing where it was not assessed, and of one at the start.
+    /// Estimated error of the instant of an impact, s; `None` where it was not assessed, and for an impact at the
+    /// start.
     #[must_use]
     pub fn error_of_impact(&self, impact: &ImpactRecord) -> Option<f64> {
         let at = self
@@ -89,32 +90,32 @@ impl Run {
         self.digits.as_ref().and_then(|digits| digits.events[at])
     }
 
-    /// Why the run must not be trusted to the end that was asked for, a reason a line; nothing if it can be.
+    /// Reasons not to trust the run to the requested end, one a line; empty if it can be trusted.
     #[must_use]
     pub fn objections(&self) -> Vec<String> {
         self.failure().into_iter().chain(self.warnings.iter().cloned()).collect()
     }
 
-    /// Whether the run can be trusted to its end: nothing objects to it, and its digits were assessed.
+    /// True if the run can be trusted to its end: there are no objections, and its digits were assessed.
     #[must_use]
     pub fn is_trusted(&self) -> bool {
         self.objections().is_empty() && self.digits.as_ref().is_none_or(Digits::is_complete)
     }
 
-    /// Why the run could not go on, or what it does not give; nothing if it gives all that was asked for.
+    /// Reason why the run could not go on, or the quantity that it does not give; `None` if it is complete.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
         if self.solution.stop.is_failure() { Some(self.ending.clone()) } else { self.missing.clone() }
     }
 
-    /// Looks whether all that is shown has a value, as it is shown now.
+    /// Checks that all shown quantities have a value, as they are shown now.
     ///
     /// # Errors
     /// As [`Problem::near_divisors`].
     pub(crate) fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
         self.missing = None;
         let Solution { t, y, t_end, y_end, .. } = &self.solution;
-        // The last sample is the end, unless only some instants were asked for.
+        // The last sample is the end, except where only certain instants were requested.
         let end = Some(((t_end, y_end), &self.end)).filter(|_| t.last() != Some(t_end));
         let samples = t.iter().zip(y).zip(&self.states).chain(end);
         let without = samples.filter_map(|(at, values)| Some((at, values.iter().position(|x| !x.is_finite())?)));
@@ -131,14 +132,14 @@ impl Run {
         Ok(())
     }
 
-    /// Everything watched along the run, which was by this code.
+    /// Computes all watched quantities along the run; `code` is the code that made it.
     ///
     /// # Errors
     /// [`Error::Request`] if the parameters are not those of the equations.
     pub fn course(&self, watch: &Watch, scene: &Scene, code: &Code) -> Result<Course, Error> {
         let (integrals, divisors) = watch.along(&scene.parameters, &self.states);
         let (mut determinant, mut condition) = (Vec::new(), Vec::new());
-        // A scene's own equations are solved: they have no matrix, and parameters of their own.
+        // A scene's own equations are solved. They have no matrix, and their parameters differ.
         if !self.by.is_reduced() {
             let mut dynamics =
                 Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused(scene, &error))?;

@@ -1,12 +1,13 @@
-//! Inputs that are set from outside a run and held between instants: recorded signals, and controllers that sample the state.
+//! Runs whose inputs are set from outside and held between instants: recorded signals, and controllers that sample the
+//! state.
 //!
-//! The run is made in windows, one from each instant to the next. An input is a parameter of the equations in each of them, so that no
-//! step and no stage of one sees two values of it: a window ends exactly at its instant, and the next begins there. Nothing in it is of
-//! a method or of a kind of code, and the same controller gives the same bits.
+//! The run is made in windows, one from each instant to the next. An input is a parameter of the equations in each
+//! window. A window ends exactly at its instant and the next begins there, so no step and no stage sees two values of
+//! an input. This holds for every method and every kind of code, and the same controller gives the same bits.
 //!
-//! The errors are told by a second run that is made in finer steps and asks a controller of its own, made anew: its decisions follow from
-//! its own states, so that what they amplify is in what the two differ by.
-//! K. J. Åström & B. Wittenmark, *Computer-Controlled Systems*, 3rd edition (1997), § 2.3 (zero-order hold).
+//! A second run gives the errors. It takes finer steps and asks a new controller of its own. The controller decides
+//! from the states of that run, so the difference of the two runs contains the errors that the decisions amplify. K. J.
+//! Åström & B. Wittenmark, *Computer-Controlled Systems*, 3rd edition (1997), § 2.3 (zero-order hold).
 
 mod windows;
 
@@ -24,35 +25,35 @@ use tripos_derive::scene::{QUADRATURE, Scene};
 use tripos_sim::{EventRecord, Stop};
 use windows::{Loop, finer};
 
-/// What a controller sees at an instant.
+/// State of a run at an instant, as a controller sees it.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a> {
     /// The instant, s.
     pub t: f64,
-    /// The place of the instant among all, from 0.
+    /// Index of the instant, from 0.
     pub index: usize,
     /// The names of coordinates, then of generalized speeds.
     pub names: &'a [String],
-    /// Their values, in SI units.
+    /// Values of coordinates and generalized speeds, in SI units.
     pub state: &'a [f64],
 }
 
 impl Sample<'_> {
-    /// The value of a coordinate or a generalized speed; nothing if there is none of this name.
+    /// The value of a coordinate or a generalized speed; `None` if the name is unknown.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<f64> {
         self.names.iter().position(|known| known == name).map(|at| self.state[at])
     }
 }
 
-/// A recorded signal: from each instant on, an input has the value of the same place.
+/// Recorded signal of an input. From each instant on, the input has the value of the same index.
 #[derive(Clone, Copy, Debug)]
 pub struct Held<'a> {
     /// The name of the input.
     pub input: &'a str,
-    /// Instants, s, each after the one before it. Before the first the input has the value of the scene.
+    /// Instants in increasing order, s. Before the first the input has the value of the scene.
     pub instants: &'a [f64],
-    /// As many values, in the SI unit of the input.
+    /// Values at the instants, in the SI unit of the input; one for each.
     pub values: &'a [f64],
 }
 
@@ -63,50 +64,50 @@ pub struct Decision {
     pub t: f64,
     /// A value for each input, in the order of [`SampledRun::inputs`].
     pub values: Vec<f64>,
-    /// What is shown of the state there, in the order of [`SampledRun::names`].
+    /// State there, in the order of [`SampledRun::names`].
     pub state: Vec<f64>,
-    /// The estimated error of each of these, in its unit; nothing where the second run did not get there.
+    /// Estimated error of each of these, in its unit; `None` where the second run did not get there.
     pub errors: Option<Vec<f64>>,
 }
 
-/// What came out of a run whose inputs were set from outside.
+/// Result of a run whose inputs were set from outside.
 #[derive(Clone, Debug)]
 pub struct SampledRun {
-    /// Which equations ran.
+    /// Equations of motion that ran.
     pub by: By,
-    /// What ran them.
+    /// Form of the code that ran.
     pub code: Form,
-    /// The inputs that were set.
+    /// Names of the inputs that were set.
     pub inputs: Vec<String>,
-    /// What is shown of a state: coordinates, then generalized speeds.
+    /// Names of coordinates, then of generalized speeds.
     pub names: Vec<String>,
     /// Instants of the samples, s.
     pub t: Vec<f64>,
-    /// What is shown at each of them.
+    /// State at each sample.
     pub states: Vec<Vec<f64>>,
-    /// What was decided, in order.
+    /// Values of the inputs from each instant on, in order.
     pub decisions: Vec<Decision>,
     /// Events and conditions of the domain that the run met, in order.
     pub events: Vec<EventRecord>,
     /// The end of the run, s.
     pub t_end: f64,
-    /// What is shown there.
+    /// State at the end of the run.
     pub end: Vec<f64>,
-    /// The estimated error of each value at the end, in its unit; nothing where the second run did not get there.
+    /// The estimated error of each value at the end, in its unit; `None` where the second run did not get there.
     pub errors_at_end: Option<Vec<f64>>,
-    /// Accepted and rejected steps.
+    /// Numbers of accepted and of rejected steps.
     pub steps: (u64, u64),
-    /// Why it ended.
+    /// Reason of the end of the run.
     pub stop: Stop,
-    /// What a reader must know before trusting the numbers.
+    /// Warnings to read before trusting the numbers.
     pub warnings: Vec<String>,
 }
 
 impl SampledRun {
-    /// The values of what is shown under this name, at each sample.
+    /// Values of the coordinate or speed of this name, at each sample.
     ///
     /// # Errors
-    /// [`Error::Request`] if nothing of this name is shown.
+    /// [`Error::Request`] if there is none of this name.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
         let at = self.names.iter().position(|shown| shown == name).ok_or_else(|| {
             let help = nearest(name, self.names.iter().map(String::as_str));
@@ -131,7 +132,7 @@ pub fn simulate_held(
             let what = format!("`{input}` has {} instants and {} values", instants.len(), values.len());
             return Err(Error::request(what, "give as many values as instants"));
         }
-        // All instants together may be in order where those of one signal are not.
+        // The instants of all signals together may be in order although those of one signal are not.
         check_instants(scene, instants)?;
     }
     let inputs: Vec<&str> = signals.iter().map(|signal| signal.input).collect();
@@ -148,15 +149,15 @@ pub fn simulate_held(
     simulate_sampled(mechanism, scene, (&inputs, &all), decide, by)
 }
 
-/// Runs a scene whose inputs of these names are set at these instants by a controller, and held until the next. It is made
-/// once for each run, of which there are two, and gives a value for each input, in its SI unit.
+/// Runs a scene whose inputs of these names are set at these instants by a controller, and held until the next instant.
+/// Two runs are made, each with a new controller. A controller returns a value for each input, in its SI unit.
 ///
-/// At an instant that is the end of the span nothing is decided.
+/// An instant at the end of the span gives no decision.
 ///
 /// # Errors
-/// [`Error::Request`] for inputs that are none or that the scene gives formulas, instants that are not in order or outside the span, a
-/// decision with another number of values or one that is not finite, a run backwards, by quadrature or projected; otherwise as
-/// [`simulate`](crate::simulate()).
+/// [`Error::Request`] for unknown inputs or inputs with formulas; instants that are not in order or outside the span; a
+/// decision with a wrong number of values or a value that is not finite; a run backwards, by quadrature, projected or
+/// with impacts. Otherwise as [`simulate`](crate::simulate()).
 pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -185,7 +186,7 @@ pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
     Ok(loop_.told(first, second.as_ref(), code.form()))
 }
 
-/// The places of inputs among the parameters.
+/// Indices of inputs among the parameters.
 fn places(mechanism: &Mechanism, inputs: &[&str]) -> Result<Vec<usize>, Error> {
     let mut places = Vec::new();
     for name in inputs {
@@ -209,7 +210,7 @@ fn places(mechanism: &Mechanism, inputs: &[&str]) -> Result<Vec<usize>, Error> {
     Ok(places)
 }
 
-/// Instants nearer to each other than so many roundings leave no room for a step.
+/// Least distance of two instants, in roundings of them; nearer ones leave no room for a step.
 const ROUNDINGS: f64 = 64.0;
 
 fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {

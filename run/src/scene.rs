@@ -1,4 +1,4 @@
-//! A scene and its mechanism, read and run: where a program begins.
+//! Scene with its mechanism, read and run: the starting point of a program.
 
 use crate::error::Error;
 use crate::follow::Follow;
@@ -20,13 +20,13 @@ use tripos_derive::scene::model_path;
 use tripos_derive::scene::{self as description, Family, Grid, load_bound};
 use tripos_traits::CompiledModel;
 
-/// A scene file and the model that it is of.
+/// Scene of a file, together with its model.
 #[derive(Clone)]
 pub struct Scene {
     mechanism: Mechanism,
-    /// As its file has it.
+    /// Scene as its file gives it.
     file: description::Scene,
-    /// With what was set.
+    /// Scene with the values that were set.
     current: description::Scene,
     set: Vec<(String, f64)>,
 }
@@ -35,7 +35,7 @@ impl Scene {
     /// Reads a scene file, and the model file that it names.
     ///
     /// # Errors
-    /// [`Error::Input`] with every error of the file that has some, each with its place.
+    /// [`Error::Input`] with every error of the first file that has errors, each with its place.
     #[cfg(feature = "files")]
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let source = Source::read(path.as_ref())?;
@@ -43,7 +43,7 @@ impl Scene {
         Self::load(mechanism, &source)
     }
 
-    /// A scene of this mechanism from the text of a scene file; which model the text names does not matter.
+    /// Creates a scene of this mechanism from the text of a scene file. The model file that the text names is not read.
     ///
     /// # Errors
     /// [`Error::Input`] with every error of the text, each with its place.
@@ -56,7 +56,7 @@ impl Scene {
         Ok(Self { mechanism, current: file.clone(), file, set: Vec::new() })
     }
 
-    /// With equations that were compiled into a program, such as `tripos_models::MODELS`. Without them every model is
+    /// Adds equations that were compiled into a program, such as `tripos_models::MODELS`. Without them every model is
     /// interpreted.
     #[must_use]
     pub fn with(mut self, compiled: &'static [CompiledModel]) -> Self {
@@ -64,27 +64,27 @@ impl Scene {
         self
     }
 
-    /// With somebody who may end long runs early.
+    /// Adds an observer that may end long runs early.
     #[must_use]
     pub fn followed(mut self, follow: Follow) -> Self {
         self.mechanism.follow = follow;
         self
     }
 
-    /// The model, and what is compiled of it.
+    /// Model with its compiled equations.
     #[must_use]
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism
     }
 
-    /// What the scene says, with what was set.
+    /// Description of the scene, with the values that were set.
     #[must_use]
     pub fn description(&self) -> &description::Scene {
         &self.current
     }
 
-    /// Gives a parameter, or a number of the start, another value, in the unit of the model file. What the scene
-    /// computes from it follows.
+    /// Sets a parameter, or a number of the start, to another value, in the unit of the model file. Numbers that the
+    /// scene computes from it change too.
     ///
     /// # Errors
     /// [`Error::Inputs`] if the scene has no such number; [`Error::Input`] if it cannot have this value, such as a
@@ -100,7 +100,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Proves what can be proved of the model: that its formulations are equivalent, and what motions conserve.
+    /// Proves all that can be proved of the model: the equivalence of its formulations, and the quantities that motions
+    /// conserve.
     ///
     /// # Errors
     /// [`Error::Input`] if the model cannot be derived.
@@ -108,23 +109,24 @@ impl Scene {
         self.mechanism.prove()
     }
 
-    /// The least equations that give what the scene shows, and the constants that its start has.
+    /// Derives the smallest equations that give the outputs of the scene, and the constants of its motion.
     ///
     /// # Errors
-    /// [`Error`] if the model cannot be derived, or the scene asks for what it does not determine.
+    /// [`Error`] if the model cannot be derived, or does not determine an output of the scene.
     pub fn reduce(&self) -> Result<Reduced, Error> {
         Reduced::new(&self.mechanism, &self.current)
     }
 
-    /// The states at these instants, s, in the order of the run, to some twenty digits, and how sure they are.
+    /// Computes the states at these instants, s, in the order of the run, to some twenty digits, with their
+    /// uncertainty.
     ///
     /// # Errors
-    /// [`Error`] if no formulation gets there.
+    /// [`Error`] if no formulation gets to the last instant.
     pub fn reference(&self, times: &[f64]) -> Result<Reference, Error> {
         Reference::new(&self.mechanism, &self.current, times)
     }
 
-    /// Runs the scene: by its own reduced equations, unless `how` names others or solves numerically.
+    /// Runs the scene by its own reduced equations, unless `how` names others or asks for a numeric solve.
     ///
     /// # Errors
     /// [`Error`] if it cannot be run. A run that began and could not go on is a [`Run`] that says so.
@@ -134,7 +136,8 @@ impl Scene {
         simulate(&self.mechanism, &scene, how.by.as_deref())
     }
 
-    /// Runs the scene by whole equations, with the derivatives of what it shows by parameters and numbers of its start, by name.
+    /// Runs the scene by whole equations, with the derivatives of its shown quantities with respect to parameters and
+    /// numbers of its start, by name.
     ///
     /// ```
     /// # use tripos::{At, Overrides, Scene};
@@ -153,8 +156,8 @@ impl Scene {
         sensitivities(&self.mechanism, &scene, &self.set, (&names, at), how.by.as_deref())
     }
 
-    /// Runs the scene by whole equations, with the derivatives of one number that it shows at its end by all its parameters and all numbers of its start. Their count
-    /// adds no cost: one sweep backwards finds them all.
+    /// Runs the scene by whole equations, with the derivatives of one number at its end with respect to all its
+    /// parameters and all numbers of its start. Their count adds no cost: one sweep backwards finds them all.
     ///
     /// ```
     /// # use tripos::{Overrides, Scene};
@@ -174,7 +177,7 @@ impl Scene {
         gradient(&self.mechanism, &scene, &self.set, of, how.by.as_deref())
     }
 
-    /// Runs the scene with recorded signals for some of its inputs, each held from one instant to the next.
+    /// Runs the scene with recorded signals for a part of its inputs, each held from one instant to the next.
     ///
     /// # Errors
     /// As [`Scene::simulate_sampled`]; [`Error::Request`] for a signal without as many values as instants.
@@ -184,11 +187,11 @@ impl Scene {
         sampled::simulate_held(&self.mechanism, &scene, signals, how.by.as_deref())
     }
 
-    /// Runs the scene with inputs that a controller sets at these instants, s, from the state there, and that are held until the
-    /// next one (zero-order hold). Before the first they have the values of the scene.
+    /// Runs the scene with inputs that a controller sets at these instants, s, from the state there. They are held
+    /// until the next instant (zero-order hold). Before the first they have the values of the scene.
     ///
-    /// Whole equations are run, and a step ends at each instant. The controller is made anew for each of two runs, the second of
-    /// which tells the errors, and may remember what it likes:
+    /// Whole equations are run, and a step ends at each instant. A second run gives the errors. Each of the two runs
+    /// has a new controller, which may keep data between instants:
     ///
     /// ```
     /// # use tripos::{Mechanism, Overrides, Sample, Scene};
@@ -230,9 +233,9 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Request`] for inputs that are none or that have formulas, instants that are not in order or outside the span, a
-    /// decision with another number of values or one that is not finite, a run backwards, by quadrature or projected; otherwise as
-    /// [`Scene::simulate`].
+    /// [`Error::Request`] for unknown inputs or inputs with formulas; instants that are not in order or outside the
+    /// span; a decision with a wrong number of values or a value that is not finite; a run backwards, by quadrature,
+    /// projected or with impacts. Otherwise as [`Scene::simulate`].
     pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
         &self,
         inputs: &[&str],

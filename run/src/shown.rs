@@ -1,9 +1,8 @@
-//! What is shown of states of whole equations, by any formulation, with any solve: every coordinate and speed, and
-//! what else a scene wants to see.
+//! Shown quantities of states of whole equations, by any formulation, with any solve: every coordinate and speed, and
+//! the other outputs of a scene.
 //!
-//! Invariant: an output has a value for each state or the state has none for it, which is then not a number; no other
-//! number ever stands in its place. Reduced equations bring their outputs with them
-//! ([`tripos_traits::System::outputs`]).
+//! Invariant: an output that has no value at a state is not a number; no other number ever replaces it. Reduced
+//! equations have outputs of their own ([`tripos_traits::System::outputs`]).
 
 use crate::code::{Code, Ready, code, tape};
 use crate::error::{Error, refused};
@@ -23,12 +22,12 @@ pub fn state_names(model: &Model) -> Vec<String> {
     coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
 }
 
-/// What is shown of a state.
+/// Computes the shown quantities of a state.
 #[derive(Clone)]
 pub struct Shown {
-    /// The names of coordinates and generalized speeds, then of the outputs that are none of these.
+    /// Names of coordinates and generalized speeds, then of the other outputs.
     pub names: Vec<String>,
-    /// Nothing if the scene asks for no more than the state.
+    /// Outputs that are not states; `None` if the scene asks only for states.
     outputs: Option<Outputs>,
 }
 
@@ -37,14 +36,14 @@ pub struct Shown {
 struct Outputs {
     tape: Tape,
     needs_accelerations: bool,
-    /// The force balance, if an output needs a reaction.
+    /// Equations of the force balance; `None` if no output needs a reaction.
     balance: Option<Code>,
-    /// The energies that the scene names: kinetic, potential, total.
+    /// Indices of the energies that the scene names: kinetic, potential, total.
     energies: Vec<usize>,
 }
 
 impl Shown {
-    /// What a scene of this model shows.
+    /// Prepares the shown quantities of a scene of this model.
     ///
     /// # Errors
     /// [`Error`] if an output needs a reaction that the model does not determine.
@@ -80,7 +79,7 @@ impl Shown {
         Ok(Self { names, outputs: Some(outputs) })
     }
 
-    /// What an integrated state of whole equations shows.
+    /// Computes the shown quantities of an integrated state of whole equations.
     ///
     /// # Errors
     /// [`Error::Request`] if the parameters are not those of the equations.
@@ -111,7 +110,7 @@ impl Outputs {
         Ok(self.tape.evaluate(&[p, q, &q_dot, u, &u_dot, &reactions, &energies].concat()))
     }
 
-    /// u̇ as the run finds it; not numbers where nothing asks for it, or where it has no value.
+    /// Accelerations u̇ as the run finds them; NaN where no output needs them, or where they have no value.
     fn accelerations(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
         let Lengths { coordinates: n, speeds, .. } = system.lengths();
@@ -124,14 +123,14 @@ impl Outputs {
             _ => Box::new(problem.dynamics().map_err(|error| refused(problem.scene, &error))?),
         };
         let mut rates = vec![0.0; y.len()];
-        // A state without accelerations shows none: the run says why it stops there.
+        // A state without accelerations shows none; the run says why it stops there.
         if rhs.rhs(t, y, &mut rates).is_ok() {
             system.generalized_speed_rates(p, &y[..n], &y[n..], &rates[n..], &mut u_dot);
         }
         Ok(u_dot)
     }
 
-    /// Every reaction; not numbers where nothing asks for them, or where they have no value.
+    /// Values of all reactions; NaN where no output needs them, or where they have no value.
     fn reactions(&self, problem: &Problem<'_>, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Error> {
         let count = problem.model.reactions.len();
         let Some(balance) = &self.balance else { return Ok(vec![f64::NAN; count]) };

@@ -1,4 +1,4 @@
-//! Runs of scenes: by their own reduced equations, or by whole ones, and what is made of them.
+//! Runs of scenes by their own reduced equations or by whole ones, with checks of the results.
 
 use crate::code::{Code, Ready, by_or_first, code};
 use crate::digits::{Digits, Values, assess};
@@ -25,8 +25,8 @@ use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Event, Options, Solution, Stop};
 
-/// Runs a scene as it asks to be run: by the equations of this name (`reduced` are its own), else by its own reduced
-/// ones where these are a gain and run to the end, and by the whole ones where they are not. A numeric solve is one of whole equations.
+/// Runs a scene by the equations of this name; `reduced` names its own. Without a name the scene's own reduced
+/// equations run if they are a gain and reach the end. Else whole equations run, as they do for a numeric solve.
 ///
 /// # Errors
 /// [`Error`] if there are no such equations, or they cannot be run.
@@ -44,14 +44,14 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
     }
 }
 
-/// Why whole equations run without a look at a scene's own; nothing if its own are looked at.
+/// Reason why whole equations run and a scene's own are not tried; `None` if these are tried.
 fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option<&'static str> {
     if scene.integration.solve == Some(Solve::Numeric) {
         return Some(
             "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown",
         );
     }
-    // Quadrature needs the one degree of freedom that only a reduction has.
+    // Quadrature needs one degree of freedom, which only a reduction has.
     if !is_default || scene.integration.method == QUADRATURE {
         return None;
     }
@@ -68,8 +68,8 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option
     })
 }
 
-/// Runs a scene by its own equations. A run that nobody asked to be by them goes over to whole ones where they cannot be had,
-/// are no gain, or do not reach the end.
+/// Runs a scene by its own equations. If the caller did not ask for them, whole ones run where the own ones do not
+/// exist, are no gain, or do not reach the end.
 fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Result<Run, Error> {
     let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
     let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
@@ -92,11 +92,11 @@ fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Resul
     }
 }
 
-/// What came of a scene's own equations.
+/// Result of trying a scene's own equations.
 enum Own {
-    /// A run by them.
+    /// A run by these equations.
     Run(Box<Run>),
-    /// They are no gain over whole ones, for this reason.
+    /// The reason why they are no gain over whole ones.
     NoGain(String),
 }
 
@@ -109,11 +109,11 @@ fn run_gain(mechanism: &Mechanism, scene: &Scene, ground: &Ground, watch: Option
     }
 }
 
-/// A run that could not go on, taken through by other equations of the same motion if there are such: Kane's, or Lagrange's, whose
-/// motion variables are the rates. They start again and show what the scene shows.
+/// Replaces a run that could not go on by one of other equations of the same motion, if there are such: Kane's, or
+/// Lagrange's, whose motion variables are the rates. They start again and show all that the scene shows.
 ///
-/// A scene's own equations hold momenta and may stand in a moving frame: where that has a pole the motion may have none, and they are
-/// left for any reason. Whole ones are left only where they divide by zero.
+/// A scene's own equations contain momenta and may stand in a moving frame. The motion may be regular at a pole of that
+/// frame, so they are replaced for any reason. Whole ones are replaced only where they divide by zero.
 fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, run: Run) -> Result<Run, Error> {
     let Some(why) = left_for(&run) else { return Ok(run) };
     let mut doubtful = None;
@@ -124,7 +124,7 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
         }
         let mut other = match run_whole(mechanism, scene, &by, watch) {
             Ok(other) => other,
-            // A formulation that the model does not have takes nothing through.
+            // A formulation that the model does not have cannot help.
             Err(Error::Unsupported(_) | Error::Stopped(_)) => continue,
             Err(error) => return Err(error),
         };
@@ -135,7 +135,7 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
             if other.warnings.is_empty() {
                 return Ok(other);
             }
-            // Others may do without what it warns of.
+            // Another formulation may give no warning.
             doubtful = doubtful.or(Some(other));
         } else if matches!(other.solution.stop, Stop::StepLimit { .. } | Stop::Interrupted) {
             break;
@@ -144,7 +144,7 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
     Ok(doubtful.unwrap_or(run))
 }
 
-/// What a run must be left for, as the end of a sentence about its equations; nothing if it stands.
+/// Reason why a run must be replaced, as the end of a sentence about its equations; `None` if it stands.
 fn left_for(run: &Run) -> Option<String> {
     let t = run.solution.t_end;
     match &run.solution.stop {
@@ -156,22 +156,22 @@ fn left_for(run: &Run) -> Option<String> {
     }
 }
 
-/// Whether a run comes at least as far as another.
+/// True if a run comes at least as far as another.
 fn comes_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
     (run.solution.t_end - other.solution.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
 
-/// Runs a scene by one set of equations, and shows what it asks for.
+/// Runs a scene by one set of equations, and shows the requested quantities.
 ///
 /// # Errors
-/// [`Error`] if the formulation is not to be had, or the scene asks for what it cannot give.
+/// [`Error`] if the model does not have the formulation, or it cannot give a requested quantity.
 pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
-    // Impacts change what motions conserve: nothing of it is to be proved.
+    // Impacts change the conserved quantities, so no proof is tried.
     let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
     run_whole(model, scene, by, watch.as_ref())
 }
 
-/// Runs a scene by one set of equations, with what is conserved known.
+/// Runs a scene by one set of equations with known first integrals.
 ///
 /// # Errors
 /// As [`run`].
@@ -190,14 +190,14 @@ pub fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch
     }
 }
 
-/// The run by the chosen speeds alone; `None` if it has to change them.
+/// Runs by the chosen speeds alone; `None` if the run has to change them.
 fn alone(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error> {
     let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
     let mut events = events(problem, &balance);
     problem.in_speeds_alone(rates, &options(problem.scene)?, &mut events, accounted(problem)?)
 }
 
-/// The run of a scene by whole equations if it changes its speeds on the way and comes to an end; `None` otherwise.
+/// Runs a scene by whole equations. `None` unless the run changes its speeds and reaches an end.
 ///
 /// # Errors
 /// As [`run`].
@@ -215,7 +215,7 @@ pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &By) -> Result<Optio
     Ok((!run.solution.stop.is_failure()).then_some(run))
 }
 
-/// The equations in all rates that take a run through places where its speeds do not determine the motion; `None` if no constraint
+/// Equations in all rates, for places where the speeds of a run do not determine the motion. `None` if no constraint
 /// makes such places, or the model has no such equations.
 ///
 /// # Errors
@@ -233,10 +233,11 @@ pub fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
     }
 }
 
-/// Runs a problem in its speeds as far as these determine the motion, and in all rates, by this code, elsewhere: what `run` makes of it.
+/// Runs a problem in its speeds as far as these determine the motion, and elsewhere in all rates by this code. Returns
+/// the result of `run`.
 ///
 /// # Errors
-/// As [`Problem::new`], and those of `run`.
+/// As [`Problem::new`], and the errors of `run`.
 pub fn changing_speeds<T>(
     problem: &Problem<'_>,
     code: &Code,
@@ -248,8 +249,8 @@ pub fn changing_speeds<T>(
     run(&rates)
 }
 
-/// Runs a scene by its own reduced equations. Where they have no value at the start, since what determines a speed
-/// from a momentum is singular there, no momentum is held.
+/// Runs a scene by its own reduced equations. No momentum is held constant if the equations have no value at the start,
+/// where a speed cannot be determined from a momentum.
 ///
 /// # Errors
 /// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
@@ -260,7 +261,7 @@ fn run_reduced(
     reduced: &Reduced,
     watch: Option<&Watch>,
 ) -> Result<Run, Error> {
-    // Integrals of the whole are functions of all states, which a scene may not show.
+    // First integrals of the whole model are functions of all states, which a scene may not show.
     let watch = watch.filter(|_| !scene.states_outputs);
     let code = reduced.code(model)?;
     let singular = Problem::reduced(model, reduced, scene, &code)?.singular_start()?;
@@ -278,7 +279,7 @@ fn run_reduced(
     Ok(run)
 }
 
-/// Runs a scene by these of its own equations.
+/// Runs a scene by the given equations of its own.
 fn run_own(
     model: &Mechanism,
     scene: &Scene,
@@ -291,13 +292,13 @@ fn run_own(
     Ok(run)
 }
 
-/// The energies of the whole model, from the states that are shown; where a scene shows outputs of its own, none, and
-/// the drift of its own energy if it has one.
+/// Replaces the energies of a run by those of the whole model, computed from the shown states. A run that shows outputs
+/// of its own has none, but keeps the drift of its own energy if it has one.
 ///
-/// The energies of reduced equations are others: what moves by the momenta that are held counts as potential.
+/// The energies of reduced equations differ: motion due to constant momenta counts as potential energy.
 ///
 /// # Errors
-/// [`Error`] if Kane's equations cannot be had.
+/// [`Error`] if the model has no Kane's equations.
 pub fn whole_energies(model: &Mechanism, scene: &Scene, run: &mut Run) -> Result<(), Error> {
     if scene.states_outputs {
         run.energies.clear();
@@ -316,7 +317,7 @@ pub fn whole_energies(model: &Mechanism, scene: &Scene, run: &mut Run) -> Result
     Ok(())
 }
 
-/// The names of what a run shows: of the outputs of a scene, or of coordinates and generalized speeds.
+/// Names of the quantities that a run shows: the outputs of a scene, or coordinates and generalized speeds.
 fn shown_names(problem: &Problem<'_>) -> Vec<String> {
     if problem.by.is_reduced() {
         problem.shown.outputs.iter().map(|o| o.name.clone()).collect()
@@ -325,8 +326,8 @@ fn shown_names(problem: &Problem<'_>) -> Vec<String> {
     }
 }
 
-/// What is conserved; nothing of a large model, of which the proof may take longer than the run: there energy alone
-/// is watched.
+/// Proved first integrals of a model. `None` for a large model, whose proof may take longer than the run; then only
+/// energy is watched.
 ///
 /// # Errors
 /// [`Error`] if the model cannot be derived.
@@ -334,13 +335,13 @@ pub fn proved(model: &Mechanism) -> Result<Option<Watch>, Error> {
     is_proved(model).then(|| Watch::of_model(model)).transpose()
 }
 
-/// Whether what a model conserves is proved before a run watches it.
+/// True if the first integrals of a model are proved before a run watches them.
 fn is_proved(model: &Mechanism) -> bool {
-    // What moves as it is told conserves nothing of its own.
+    // A fully prescribed motion conserves nothing of its own.
     model.coordinates.len() <= MOST_PROVED && !model.speeds.is_empty()
 }
 
-/// Coordinates up to which a run proves what is conserved before it watches it.
+/// Greatest number of coordinates for which a run proves the first integrals before it watches them.
 const MOST_PROVED: usize = 8;
 
 /// Runs a scene by one set of equations that is ready, in the scene's distance if it has one.
@@ -359,15 +360,15 @@ pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, 
     run_shown(problem, watch, None)
 }
 
-/// Runs a problem, and shows this of its states.
+/// Runs a problem, and shows these quantities of its states.
 fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>) -> Result<Run, Error> {
     run_by(problem, watch, shown, |y0, options, events| problem.solve(y0, options, events, accounted(problem)?))
 }
 
-/// Runs a problem as `solve` does: from the integrated state at the start, with these options, watching these events.
+/// Runs a problem by `solve`, which gets the integrated state at the start, the options and the watched events.
 ///
 /// # Errors
-/// As [`run_problem`], and those of `solve`.
+/// As [`run_problem`], and the errors of `solve`.
 pub fn run_by(
     problem: &Problem<'_>,
     watch: Option<&Watch>,
@@ -394,7 +395,7 @@ pub fn run_by(
     Ok(run)
 }
 
-/// What is said of where the last run changed its speeds.
+/// Notes on the instants at which the last run changed its speeds.
 fn changes(model: &Model, chosen: Chosen<'_>) -> Vec<String> {
     let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
     chosen.changes.lock().map_or_else(|_| Vec::new(), |list| passage::said(&list, &speeds, chosen.by))
@@ -416,7 +417,7 @@ fn finish(
         (system.kinetic_energy(p, q, v), system.potential_energy(p, q))
     };
     let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
-    // Without an energy of their own, reduced equations state none; and nobody knows what a drive works.
+    // Reduced equations without an energy of their own give none, and the work of a drive is unknown.
     let has_energy = (!problem.by.is_reduced() || system.has_energy_gradient()) && !problem.mechanism.is_driven();
     let energy_drift = has_energy.then(|| dynamics.energy_drift(&solution));
     let warnings = trust::objections(problem, &solution, watch, energy_drift, (digits.as_ref(), &names))?;
@@ -456,7 +457,7 @@ fn finish(
     Ok(run)
 }
 
-/// What it means for a load that a divisor of this name is zero, as the end of a sentence.
+/// Consequence for a load of a zero divisor of this name, as the end of a sentence.
 fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
     let mut arena = problem.mechanism.arena.clone();
     let loads = load_divisors(&mut arena, problem.mechanism);
@@ -464,7 +465,7 @@ fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
     of_load.map_or_else(String::new, |load| format!(": {}", load.meaning()))
 }
 
-/// That the energy of a driven mechanism is no measure of a run.
+/// Note that the energy of a driven mechanism is no measure of a run.
 fn driven(problem: &Problem<'_>) -> Option<String> {
     problem.mechanism.is_driven().then(|| {
         "constraints drive the mechanism: its energy changes by what their forces work, and no drift of it is stated"
@@ -472,7 +473,7 @@ fn driven(problem: &Problem<'_>) -> Option<String> {
     })
 }
 
-/// What was solved for at the start, if anything.
+/// Notes on the values that were solved for at the start.
 fn closed(scene: &Scene) -> impl Iterator<Item = String> {
     let solved = |is_rate: bool| -> Option<String> {
         let list = scene.closed.iter().filter(|c| c.is_rate == is_rate);

@@ -1,4 +1,4 @@
-//! A mechanism as textbooks sketch it: bodies, frames, coordinates, gravity and where the ground holds it, on one sheet.
+//! Sketch of a mechanism as in textbooks: bodies, frames, coordinates, gravity and supports, on one sheet.
 //!
 //! ```
 //! use tripos::{Scene, sketch::Sketch};
@@ -9,8 +9,8 @@
 //! # Ok::<(), tripos::Error>(())
 //! ```
 //!
-//! Invariant: the same numbers give the same sheet; what could depend on the last digits of a machine is rounded before it decides.
-//! Absent on purpose: colours, fonts and file formats, which are for who renders it.
+//! Invariant: the same numbers give the same sheet. Values that could depend on a machine's last digits are rounded
+//! before they decide. Colours, fonts and file formats are left to the renderer on purpose.
 
 mod angles;
 mod axes;
@@ -43,47 +43,47 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, State};
 use words::Shown;
 
-/// The room of what has a shape, px.
+/// Greatest width and height of the solids on the sheet, px.
 const ROOM: (f64, f64) = (340.0, 280.0);
 /// The margin of a sheet, px.
 const MARGIN: f64 = 8.0;
-/// Poses in which it is asked what rests.
+/// Number of poses that decide which points are fixed.
 const FAR: usize = 5;
 
 /// A sketch of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sketch {
-    /// What it is of.
+    /// Title of the mechanism.
     pub title: String,
-    /// What it shows, in sentences.
+    /// Description of the drawing, in sentences.
     pub about: String,
-    /// At which values of the coordinates, in a sentence.
+    /// Drawn values of the coordinates, in a sentence.
     pub drawn: String,
-    /// How wide and high the sheet is, px; everything is within it.
+    /// Width and height of the sheet, px. All marks and labels lie within it.
     pub size: Spot,
-    /// Lines and areas, from behind to before.
+    /// Lines and areas, from back to front.
     pub marks: Vec<Mark>,
-    /// Words before them, none on another.
+    /// Labels in front of the marks, none on another.
     pub labels: Vec<Label>,
-    /// Coordinates that are drawn at other values than the start has, since nothing would be seen of them there.
+    /// Coordinates that are drawn at other values than at the start, since they could not be seen there.
     pub changed: Vec<Changed>,
 }
 
-/// What is to be drawn.
+/// Parameters and coordinates that are drawn.
 struct Given<'a> {
     parameters: &'a [f64],
     q: Vec<f64>,
     changed: Vec<Changed>,
-    /// What the numbers are.
+    /// Name of the pose, such as `the start of swing.toml`.
     of: String,
 }
 
 impl Sketch {
-    /// A sketch of a mechanism at the start of a scene; angles and lengths that would not be seen there are drawn at other values, unless
-    /// loops tie them.
+    /// Sketch of a mechanism at the start of a scene. Angles and lengths that could not be seen there are drawn at
+    /// other values, unless the mechanism has loops.
     ///
     /// # Errors
-    /// [`Error::Request`] if a shape has a length that is nothing, or something has no place at this start.
+    /// [`Error::Request`] if a shape has a length that is not positive, or a frame or point has no place at this start.
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let name = path_in_line(&scene.source.path);
         let of =
@@ -91,16 +91,16 @@ impl Sketch {
         Self::seen(mechanism, (&scene.parameters, &scene.q), of)
     }
 
-    /// A sketch of a mechanism without a scene: at the values of its file, and a pose in which everything is seen.
+    /// Sketch of a mechanism without a scene, at the values of its file and in a pose that shows everything.
     ///
     /// # Errors
-    /// As [`Self::of_scene`]; [`Error::Request`] if a parameter has no value, or no pose is found that closes the loops.
+    /// As [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no pose closes the loops.
     pub fn of_model(mechanism: &Mechanism) -> Result<Self, Error> {
         let (parameters, q) = without_scene(mechanism)?;
         Self::seen(mechanism, (&parameters, &q), "the model by itself".to_owned())
     }
 
-    /// A sketch of a mechanism in a state, exactly as it is there.
+    /// Sketch of a mechanism in exactly this state.
     ///
     /// # Errors
     /// As [`Self::of_scene`].
@@ -155,12 +155,12 @@ impl Sketch {
     }
 }
 
-/// The name of a file without its folders.
+/// Name of a file without its folders.
 fn file(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
-/// Poses far from a configuration: what is the same in all of them does not move.
+/// Poses far from a configuration. A point that has the same place in all of them does not move.
 fn far(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
     let moved = |step: usize| {
         // Multiples of irrational numbers, the same on every machine.
@@ -171,7 +171,7 @@ fn far(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
     all.filter(is_somewhere).collect()
 }
 
-/// Chooses from where it is looked at, and how large it is.
+/// Chooses the camera and its scale.
 fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     let moving: Vec<Pose> = std::iter::once(subject.pose.clone()).chain(subject.far.iter().cloned()).collect();
     let plane = View::of_poses(subject.mechanism, at, &[&moving])?.plane;
@@ -187,12 +187,12 @@ fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     let (low, high) = bodies::extent(subject);
     let fits = |room: f64, i: usize| if high[i] - low[i] > 1e-9 { room / (high[i] - low[i]) } else { f64::MAX };
     let scale = fits(ROOM.0, 0).min(fits(ROOM.1, 1));
-    // What is a point has the size that a view gives it.
+    // A mechanism that is a single point has the size that its view gives.
     subject.camera.scale = if scale < f64::MAX { scale } else { 0.5 * ROOM.1 / subject.view.size };
     Ok(())
 }
 
-/// Puts points on the sheet, with their names if the file gives them; those at one place have one dot.
+/// Puts points on the sheet, with their names if the file gives them. Coinciding points share one dot.
 fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for point in 0..subject.pose.points.len() {
@@ -223,7 +223,7 @@ fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Puts every coordinate on the sheet, and says how.
+/// Puts every coordinate on the sheet. Returns the mark that shows each.
 fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> {
     let mut arcs = Arcs::default();
     let (mut shown, mut alone) = (Vec::new(), Vec::new());
@@ -275,13 +275,13 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
 fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
     for (at, body) in subject.mechanism.bodies.iter().enumerate() {
         let own = subject.view.solids.iter().filter(|solid| solid.body == Some(at));
-        // A particle is at its place, whatever rod leads to it.
+        // A particle is named at its place, not along a rod.
         let is_rigid = body.rigid.is_some();
         let rods = own.clone().filter_map(|solid| match solid.form {
             Form::Rod { ends, .. } if is_rigid => Some(ends.map(|end| subject.spot(end))),
             _ => None,
         });
-        // The longest of its rods to a few px, the first of those.
+        // Takes the longest of the rods, compared in steps of 4 px; the first of equal ones.
         let long = |[a, b]: &[Spot; 2]| ((b[0] - a[0]).hypot(b[1] - a[1]) / 4.0).round();
         let longest = rods.fold(None, |best: Option<[Spot; 2]>, rod| match best {
             Some(best) if long(&best) >= long(&rod) => Some(best),
@@ -296,7 +296,7 @@ fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// The sheet with its labels placed, moved so that everything is on it.
+/// The sheet with its labels placed, moved so that all marks and labels lie on it.
 fn finish(sheet: Sheet) -> (Spot, Vec<Mark>, Vec<Label>) {
     let (mut labels, leaders) = place::placed(&sheet.wishes, &sheet.marks);
     let mut marks = sheet.marks;

@@ -1,5 +1,5 @@
-//! Where runs of a scene give way: passages near a singular surface, ill-conditioned matrices, unstable motions,
-//! domains that are left unseen, drifts, and tolerances finer than rounding.
+//! Limits of the runs of a scene: passages near a singular surface, ill-conditioned matrices, unstable motions, domains
+//! that are left unseen, drifts, and tolerances finer than rounding.
 //!
 //! Each study finds out by itself whether it applies to the scene. Every number that is plotted or stated is a row of
 //! the table.
@@ -15,7 +15,7 @@ pub use findings::{Findings, Looked, Passed, Row, Statement, Study, Topic, Varia
 
 use crate::error::Error;
 
-/// A study: what it finds is added.
+/// Function of a study: adds what it finds to the findings.
 pub type Run = fn(&Study<'_>, &mut Findings) -> Result<(), Error>;
 
 /// Runs every study that applies.
@@ -41,7 +41,7 @@ pub fn all(study: &Study<'_>) -> Result<Findings, Error> {
         study.progress.set_message(topic.name());
         let outcome = run(study, &mut findings);
         if study.model.follow.asked() {
-            // What it had found until then is found.
+            // The findings up to the interruption are kept.
             findings.unfinished = Some(topic);
             break;
         }

@@ -1,7 +1,7 @@
 //! The start of a scene to 32 digits.
 //!
-//! Invariant: no number of the file is rounded to a double on the way. A momentum near a singular surface, or what is
-//! left of an angle next to it, is a small difference.
+//! Invariant: no number of the file is rounded to a double on the way. Momenta and angles near a singular surface are
+//! small differences, which rounding would destroy.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -13,7 +13,7 @@ use tripos_traits::DoubleDouble;
 /// The generalized speeds at a start, in the order of the model.
 ///
 /// # Errors
-/// [`Error::Request`] if a definition of a speed mentions what has no value at the start.
+/// [`Error::Request`] if the definition of a speed mentions a symbol that has no value at the start.
 pub fn speeds(model: &Model, exact: &Exact) -> Result<Vec<DoubleDouble>, Error> {
     match &exact.motion {
         Stated::Speeds(u) => Ok(u.clone()),
@@ -26,8 +26,8 @@ pub fn speeds(model: &Model, exact: &Exact) -> Result<Vec<DoubleDouble>, Error> 
     }
 }
 
-/// Every symbol that has a value at a start, and the values: parameters, coordinates, generalized speeds, and rates
-/// where the file states these.
+/// Symbols that have a value at a start, with their values: parameters, coordinates, generalized speeds, and rates
+/// where the file states them.
 ///
 /// # Errors
 /// As [`speeds`].

@@ -1,9 +1,10 @@
-//! Whether stability, not accuracy, keeps the steps of an explicit run short, and what an implicit method makes of it.
+//! Advice on stiff runs: if stability, not accuracy, limits the steps of an explicit run, an implicit method is
+//! measured.
 //!
-//! A step h of an explicit method is stable up to some |h λ|, λ an eigenvalue of the Jacobian; where steps are so long on
-//! average, stability may be what decides them. Whether it does is asked of the motion itself: Radau's method runs it at the
-//! same tolerances with a part of the steps, and either arrives or does not. So what is said is measured, and of a motion
-//! that needs its steps nothing is said.
+//! A step h of an explicit method is stable up to a certain |h λ|, where λ is an eigenvalue of the Jacobian. If the
+//! steps have that length on average, stability may limit them. The motion itself decides this: Radau's method runs it
+//! at the same tolerances with a fraction of the steps, and either arrives or does not. So the advice is measured, and
+//! a motion that needs its steps gets none.
 
 use crate::error::{Error, refused};
 use crate::how::{method, options_of_ends};
@@ -11,22 +12,23 @@ use crate::problem::Problem;
 use tripos_derive::scene::QUADRATURE;
 use tripos_sim::{Eliminated, Method, Options, Output, RightHandSide, Solution, Stop};
 
-/// Steps of a run from which on it is asked: fewer take no time.
+/// Least number of steps of a run for which the question is asked; shorter runs take no time.
 const MANY_STEPS: u64 = 2_000;
-/// |h λ| on average from which on stability may decide. The bounds along the negative axis are 2.8 (rk4), 3.3 (dopri5),
-/// 6.1 (dop853) and more of Taylor's method: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
-/// Equations*, §IV.2 of volume II.
+/// Average |h λ| from which on stability may limit the steps. The bounds along the negative axis are 2.8 (rk4), 3.3
+/// (dopri5), 6.1 (dop853) and more for Taylor's method: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary
+/// Differential Equations*, §IV.2 of volume II.
 const NEAR_BOUND: f64 = 2.0;
-/// How many times fewer steps the implicit method must take, and is given.
+/// Ratio by which the steps of the implicit method must be fewer. The method is given no more.
 const FEWER: u64 = 10;
-/// How many times less it must cost.
+/// Ratio by which the cost of the implicit method must be less.
 const CHEAPER: u64 = 2;
-/// States of a run at which its largest eigenvalue is estimated; iterations that find its direction, and that measure it.
+/// Number of states of a run at which the largest eigenvalue is estimated. Below, the iterations that find its
+/// direction and those that measure it.
 const SAMPLES: usize = 20;
 const TURNS: usize = 10;
 const MEASURED: usize = 30;
 
-/// What to say of a run whose steps stability keeps short; nothing if it does not, if that cannot be told without a
+/// Advice for a run whose steps are limited by stability. `None` if they are not, if this cannot be told without a
 /// Jacobian, or if an implicit method would not be better.
 ///
 /// # Errors
@@ -50,7 +52,7 @@ pub fn advice(problem: &Problem<'_>, solution: &Solution) -> Result<Option<Strin
     )))
 }
 
-/// The largest |λ| of the Jacobian times the length of a step, on average over the run: (1/steps) ∫ |λ| dt.
+/// Average over the run of the largest |λ| of the Jacobian times the length of a step: (1/steps) ∫ |λ| dt.
 fn mean_product(problem: &Problem<'_>, solution: &Solution) -> Option<f64> {
     let mut rhs = Eliminated::new(problem.system(), &problem.scene.parameters)?;
     let every = solution.y.len().div_ceil(SAMPLES).max(1);
@@ -60,11 +62,11 @@ fn mean_product(problem: &Problem<'_>, solution: &Solution) -> Option<f64> {
     (!radii.is_empty()).then(|| step * radii.iter().sum::<f64>() / radii.len() as f64)
 }
 
-/// The largest |λ| of the Jacobian at a state, 1/s, by the mean growth of a vector that it is applied to again and again:
-/// it need not be real.
+/// Largest |λ| of the Jacobian at a state, 1/s, which need not be real. It is the mean growth of a vector under
+/// repeated multiplication by the Jacobian.
 fn spectral_radius(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
     let n = y.len();
-    // What is all algebra has no rates.
+    // Purely algebraic equations have no rates.
     if n == 0 {
         return None;
     }
@@ -87,8 +89,8 @@ fn spectral_radius(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
     Some((growth / MEASURED as f64).exp())
 }
 
-/// This motion by Radau's method, and where it ends: where the run did, or where it was to end if its steps were used
-/// up. Nothing if that does not arrive, by far fewer steps and by less work.
+/// Runs the motion by Radau's method. Returns the end of that run with its solution: the end of the given run, or of
+/// the span if the steps were used up. `None` unless it arrives with far fewer steps and less work.
 fn measured(problem: &Problem<'_>, solution: &Solution) -> Result<Option<(f64, Solution)>, Error> {
     let scene = problem.scene;
     let is_given_up = matches!(solution.stop, Stop::StepLimit { .. });
@@ -101,7 +103,7 @@ fn measured(problem: &Problem<'_>, solution: &Solution) -> Result<Option<(f64, S
     };
     let run = problem.integrate_over((scene.span.0, end), &problem.start()?, &options, &mut []);
     let run = run.map_err(|error| refused(scene, &error))?;
-    // A Jacobian is counted as if it were made by columns.
+    // The cost of a Jacobian is counted as that of differences by columns.
     let spent = run.evaluations + run.jacobians * run.y_end.len() as u64;
     Ok((run.stop == Stop::End && CHEAPER * spent <= solution.evaluations).then_some((end, run)))
 }

@@ -1,7 +1,7 @@
-//! Everything that is derived, proved and judged of a model for its page.
+//! Derivation, proofs and judgement of a model for its page.
 //!
-//! The terms of proofs and verdicts live in one store, apart from those of the equations that are shown and run: what a
-//! report prints can never change what is derived.
+//! The terms of proofs and verdicts live in one store, apart from the terms of the equations that are shown and run. So
+//! the contents of a report can never change the derivation.
 
 use crate::code::{Code, Ready, code_of, compiled_code};
 use crate::error::Error;
@@ -13,37 +13,37 @@ use tripos_derive::prove::{Proof, Singularity, prove, singularity, zeros};
 use tripos_derive::report::{Report, load_beside};
 use tripos_derive::{Equations, Formulation, Model};
 
-/// What is known of a model without running it.
+/// Results of the analysis of a model, without running it.
 pub struct Study {
     /// The store of all terms below.
     pub derivations: Derivations,
-    /// What was proved.
+    /// Proved statements on the model.
     pub proof: Proof,
-    /// Where each formulation's matrix is singular, unless it is too large to say.
+    /// Singular configurations of each formulation's matrix; missing if the matrix is too large.
     pub singular: Vec<(Formulation, Singularity)>,
-    /// The report beside the model.
+    /// Judged report beside the model; `None` if there is none.
     pub published: Option<Published>,
 }
 
-/// A printed system and its code, or why it cannot run.
+/// Printed system with its code, or the reason why it cannot run.
 pub type Printed = (By, Result<Code, Error>);
 
-/// A published derivation, judged.
+/// Published derivation with its judgement.
 pub struct Published {
-    /// What was printed.
+    /// The report with the printed equations.
     pub report: Report,
-    /// How it compares.
+    /// Comparison of the printed equations with the derived ones.
     pub difference: Difference,
-    /// Where the matrix of each printed system is singular, in the order of `difference.consequences`.
+    /// Singular configurations of the matrix of each printed system, in the order of `difference.consequences`.
     pub singular: Vec<Option<Singularity>>,
     /// The printed systems as equations of motion.
     pub printed: Vec<Equations>,
 }
 
 impl Study {
-    /// Derives, proves, and judges the report beside the model, if there is one.
+    /// Derives the model, proves statements on it, and judges the report beside it, if there is one.
     ///
-    /// A report with errors is given back beside a study without it.
+    /// A report with errors is left out; its errors are returned beside the study.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.

@@ -1,11 +1,13 @@
-//! Sweeps: a scene from many starts or with many parameters, a row of a table for each.
+//! Sweeps: runs of a scene from many starts or with many parameters, each giving a row of a table.
 //!
 //! Invariants:
-//! - A row is what `tripos simulate` gives for the scene with the values of its point, to the bit, or to rounding in lanes. It
-//!   depends on nothing else: neither on threads, nor on how points are cut into blocks or shards, nor on the points before it.
-//! - What does not depend on the point is done once: derivation, compilation of formulas, finding compiled equations.
-//! - Rows are written in the order of their points; how many wait for an earlier one is bounded.
-//! - No point ends the sweep. One that cannot start or go on is a row with its reason.
+//! - A row equals the result of `tripos simulate` for the scene with the values of its point, to the bit, or to
+//!   rounding in lanes. It does not depend on threads, on the cutting of points into blocks or shards, or on earlier
+//!   points.
+//! - Work that does not depend on the point is done once: derivation, compilation of formulas, finding compiled
+//!   equations.
+//! - Rows are written in the order of their points. The number of rows that wait for an earlier one is bounded.
+//! - No point ends the sweep. A point that cannot start or go on gives a row with the reason.
 
 mod block;
 #[cfg(feature = "threads")]

@@ -1,6 +1,6 @@
-//! Whether a run can be trusted: what is said of it beside its numbers.
+//! Objections to a run, which say why its numbers cannot be trusted.
 //!
-//! Every objection comes with its figure. None is raised by a clock: the same run gives the same objections.
+//! Every objection comes with its figure. None depends on a clock: the same run gives the same objections.
 
 use crate::digits::{Digits, FEW};
 use crate::error::{Error, refused};
@@ -12,10 +12,10 @@ use tripos_sim::{Solution, Stop};
 
 /// A relative error that leaves no more than three digits.
 const THREE_DIGITS: f64 = 1e-3;
-/// Samples of a run at which matrices are looked at.
+/// Greatest number of samples of a run at which matrices are checked.
 const MOST_SAMPLES: usize = 400;
 
-/// Objections to a run, each with its figure; `names` are those of the values that `digits` is about.
+/// Objections to a run, each with its figure; `names` are those of the values whose digits are given.
 ///
 /// # Errors
 /// [`Error::Request`] if the parameters are not those of the equations.
@@ -28,7 +28,7 @@ pub fn objections(
 ) -> Result<Vec<String>, Error> {
     let mut list: Vec<String> = solution.warnings.iter().map(|w| w.described(&problem.variables())).collect();
     if solution.stop == Stop::Interrupted {
-        // Nobody waits for a judgement.
+        // The run was interrupted, so no judgement is needed.
         return Ok(list);
     }
     list.extend(digits.and_then(|digits| few(digits, names)));
@@ -46,7 +46,7 @@ pub fn objections(
     Ok(list)
 }
 
-/// The objection to a run that shows too few digits, and since when.
+/// Objection to a run that shows too few digits, with the instant from which on it does.
 fn few(digits: &Digits, names: &[String]) -> Option<String> {
     let (instant, which) = digits.first_with_few()?;
     let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
@@ -61,7 +61,7 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
     ))
 }
 
-/// From where on a run is not assessed, in words; nothing if it is assessed to its end.
+/// Part of a run that is not assessed, in words; `None` if it is assessed to its end.
 fn beyond(digits: &Digits) -> Option<String> {
     match digits.assessed() {
         _ if digits.is_complete() => None,
@@ -70,10 +70,10 @@ fn beyond(digits: &Digits) -> Option<String> {
     }
 }
 
-/// How near the end of a run another one may end where neither can go on, in parts of the run.
+/// Distance of the ends of two runs that could not go on, relative to the run, up to which they count as one end.
 const ONE_END: f64 = 1e-3;
 
-/// Whether the second run could not go on, and not for its cost alone, where the first went on.
+/// True if the second run could not go on where the first did. Reaching the step limit does not count.
 fn could_not_go_on(digits: &Digits) -> bool {
     let (t, stop, is_finer) = &digits.second;
     let start = digits.t.first().copied().unwrap_or(*t);
@@ -82,7 +82,7 @@ fn could_not_go_on(digits: &Digits) -> bool {
     *is_finer && stop.is_failure() && !matches!(stop, Stop::StepLimit { .. }) && !is_one_end
 }
 
-/// What to say of a run whose second run had cost as much before its end.
+/// Note on a run whose second run stopped before its end, for its cost or for an error of its own.
 pub fn unassessed(digits: &Digits) -> Option<String> {
     let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
     let why = match digits.second.1 {
@@ -92,26 +92,26 @@ pub fn unassessed(digits: &Digits) -> Option<String> {
     Some(format!("digits are not assessed {beyond}: a second run ({}) {why}", digits.by))
 }
 
-/// The objection to a run that another run of the same motion does not follow to its end.
+/// Objection to a run if another run of the same motion cannot follow it to its end.
 fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
     let beyond = beyond(digits).filter(|_| could_not_go_on(digits))?;
     let why = digits.second.1.described(names);
     Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
 }
 
-/// The objection to a run whose energy is not among the first integrals that are watched, since something works, or
-/// since they were not looked for: T + V less the work done is constant.
+/// Objection to a run whose energy drifts. It applies where energy is not among the watched first integrals, since
+/// loads work or no integrals were looked for. T + V minus the work done is then constant.
 fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
     let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
     let n = system.lengths().coordinates;
     let potential = |y: &Vec<f64>| system.potential_energy(p, &y[..n]).abs();
-    // What kinetic energy can honestly reach: a run that blows up must not raise its own allowance.
+    // The scale is the largest honest kinetic energy. A run that blows up must not raise its own allowance.
     let start = solution.y.first().unwrap_or(&solution.y_end);
     let first = (system.kinetic_energy(p, &start[..n], &start[n..]) + system.potential_energy(p, &start[..n])).abs();
     let scale = solution.y.iter().fold(first, |m, y| m.max(first + potential(y)));
     let scale = solution.work.iter().fold(scale, |m, work| m.max(first + work.abs()));
     let what = if solution.work.is_empty() { "total energy" } else { "total energy less the work done" };
-    // Nothing matters of the place that is below the absolute tolerance, as of what rests where V is 0.
+    // Displacements below the absolute tolerance do not matter, as for a body that rests where V is 0.
     let (end, least) = (&solution.y_end[..n], problem.scene.integration.atol.smallest());
     let reach = |at: usize| {
         let mut beside = end.to_vec();
@@ -127,11 +127,11 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
     })
 }
 
-/// A first integral, and where it is furthest from its start.
+/// First integral with its largest excursion from its start.
 type Worst<'a> = (&'a Conserved, Excursion);
 
 fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Vec<Worst<'a>> {
-    // How far it would be if the state had three digits there.
+    // The allowed excursion is that of a state with three correct digits.
     let worst = watch.worst(problem, solution, MOST_SAMPLES, &|_, x| THREE_DIGITS * (1.0 + x.abs()));
     let list = watch.integrals.iter().zip(worst).zip(watch.exist(&problem.shown.parameters));
     list.filter(|(_, exists)| *exists).map(|(found, _)| found).collect()
@@ -147,15 +147,15 @@ fn said((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
     )
 }
 
-/// States spread evenly over a run, few enough to be looked at closely.
+/// States spread evenly over a run, at most as many as are checked closely.
 fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
     let every = solution.y.len().div_ceil(MOST_SAMPLES).max(1);
     solution.t.iter().copied().zip(&solution.y).step_by(every)
 }
 
-/// A numeric solve loses as many digits as its matrix is ill-conditioned.
+/// Objection to a numeric solve whose ill-conditioned matrix loses too many digits.
 fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
-    // Multipliers are found whatever the rank of the constraints.
+    // Multipliers are found whatever the rank of the constraints is.
     if problem.solve == Solve::Eliminated || problem.chosen.is_some() {
         return Ok(None);
     }

@@ -1,7 +1,7 @@
-//! A start moved along symmetries to where the moving frame of a scene's own equations is, to 32 digits.
+//! Moves a start along symmetries to the section of a scene's moving frame, to 32 digits.
 //!
-//! What symmetries do to a state changes nothing that the scene shows, however far they go: Newton's method may choose how far in
-//! doubles, as long as each of its motions along them is exact, and what it leaves of the pins is nothing.
+//! A motion along symmetries changes nothing that the scene shows, however far it goes. So Newton's method may choose
+//! its lengths in doubles, as long as each motion is exact and the pins end at zero.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -11,27 +11,28 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::reduce::Turned;
 use tripos_traits::DoubleDouble;
 
-/// Steps of Newton's method.
+/// Greatest number of Newton steps.
 const STEPS: usize = 60;
-/// The farthest that one step goes along a symmetry.
+/// Greatest length of one step along a symmetry.
 const FARTHEST: f64 = 0.5;
-/// Columns of an extrapolation, and what may be left between two of them beside the size of the state.
+/// Greatest number of columns of an extrapolation. Below, the accepted difference of two columns, relative to the size
+/// of the state.
 const COLUMNS: usize = 16;
 const EXACT: f64 = 1e-31;
-/// Halvings of a motion that does not converge.
+/// Greatest number of halvings of a motion that does not converge.
 const HALVINGS: usize = 6;
-/// What may be left of a pin, beside the size of the state.
+/// Accepted residual of a pin, relative to the size of the state.
 const PINNED: f64 = 1e-29;
-/// How far a start that is singular for the frame is moved along each symmetry before Newton's method: none, then numbers that
-/// have nothing to do with one another.
+/// Lengths by which a start is first moved along each symmetry, since it may be singular for the frame: zero, then
+/// unrelated numbers.
 const DETOURS: [f64; 5] = [0.0, 0.7, -1.1, 1.9, -2.3];
-/// A singular value that counts as nothing beside the largest.
+/// Ratio to the largest singular value below which a singular value counts as zero.
 const NOTHING: f64 = 1e-9;
 
-/// Coordinates and speeds of the whole model, moved along the symmetries of a frame to where its pins are zero.
+/// Moves coordinates and speeds of the whole model along the symmetries of a frame until its pins are zero.
 ///
 /// # Errors
-/// [`Error::Stopped`] if no way there is found; [`Error::Request`] if the frame mentions what has no value.
+/// [`Error::Stopped`] if no such motion is found; [`Error::Request`] if the frame mentions a symbol without a value.
 pub fn turned(
     arena: &Arena,
     frame: &Turned,
@@ -62,7 +63,7 @@ struct Turning<'a> {
 }
 
 impl Turning<'_> {
-    /// By Newton's method from a start that is first moved this far along each symmetry.
+    /// Solves for zero pins by Newton's method, from a start that is first moved this far along each symmetry.
     fn to_section(&self, start: &[DoubleDouble], detour: f64) -> Option<Vec<DoubleDouble>> {
         let count = self.count;
         let detours: Vec<f64> = (0..count).map(|at| detour / (1.0 + 0.3 * at as f64)).collect();
@@ -90,7 +91,7 @@ impl Turning<'_> {
         None
     }
 
-    /// The state after a motion this far along each symmetry, all together.
+    /// The state after a motion of these lengths along all symmetries together.
     fn moved(&self, start: &[DoubleDouble], far: &[f64], halvings: usize) -> Option<Vec<DoubleDouble>> {
         if let Some(end) = self.extrapolated(start, far) {
             return Some(end);
@@ -100,8 +101,8 @@ impl Turning<'_> {
         self.moved(&middle, &half, halvings - 1)
     }
 
-    /// That state by W. B. Gragg's modified midpoint rule with 2, 4, 6, … steps and extrapolation in their squares; nothing if it does
-    /// not converge.
+    /// The moved state by W. B. Gragg's modified midpoint rule with 2, 4, 6, … steps and extrapolation in their
+    /// squares. `None` if it does not converge.
     fn extrapolated(&self, start: &[DoubleDouble], far: &[f64]) -> Option<Vec<DoubleDouble>> {
         let mut columns: Vec<Vec<DoubleDouble>> = Vec::new();
         for k in 0..COLUMNS {

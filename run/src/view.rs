@@ -1,4 +1,4 @@
-//! What is seen of a mechanism and its motion: solids, and where they are at each instant. Absent on purpose: how it is drawn.
+//! Solids of a mechanism and their poses during a motion. Rendering is left out on purpose.
 //!
 //! ```
 //! use tripos::{Scene, view::{Motion, View}};
@@ -37,40 +37,41 @@ use guessed::Guess;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::scene::Scene;
 
-/// What is seen of a mechanism at the parameters of a scene.
+/// Solids of a mechanism at the parameters of a scene, with size and directions for drawing.
 #[derive(Clone, Debug)]
 pub struct View {
-    /// Everything that is drawn, in no order that matters.
+    /// All solids; their order has no meaning.
     pub solids: Vec<Solid>,
-    /// Whether the model file says how it looks; else that was made of bodies, points and joints.
+    /// True if the model file gives the shapes. Else they are guessed from bodies, points and joints.
     pub is_stated: bool,
-    /// Which way is up, of length 1: against gravity, or the third inertial axis.
+    /// Upward direction of length 1 in the inertial frame: against gravity, else the third inertial axis.
     pub up: Triple,
-    /// The normal of the plane that all points stay in, if there is one, of length 1.
+    /// Normal of the plane in which all points stay, of length 1; `None` if there is no such plane.
     pub plane: Option<Triple>,
-    /// How large the mechanism is, m: the greatest distance of two points that are seen at one instant.
+    /// Size of the mechanism, m: the greatest distance of two seen points at one instant.
     pub size: f64,
-    /// Points whose ways are worth a look: points of contact, particles, mass centres.
+    /// Points whose paths are worth tracing: points of contact, else particles, else a mass centre.
     pub traced: Vec<usize>,
-    /// Where the axes of each rigid body stand: its frame, and the point of its mass centre.
+    /// Axes of each rigid body: its frame, and the point of its mass centre.
     pub triads: Vec<(usize, usize)>,
 }
 
 impl View {
-    /// A view of these motions, all of one mechanism; the first counts where they differ.
+    /// View of these motions of one mechanism. The first motion gives the size and the plane.
     ///
     /// # Errors
-    /// [`Error::Request`] if a shape has a length that is nothing at the parameters of the scene.
+    /// [`Error::Request`] if a shape has a length that is not positive at the parameters of the scene.
     pub fn new(mechanism: &Mechanism, scene: &Scene, motions: &[&Motion]) -> Result<Self, Error> {
         let at = Configuration { parameters: &scene.parameters, q: &scene.q };
         let motions: Vec<&[Pose]> = motions.iter().map(|motion| motion.poses.as_slice()).collect();
         Self::of_poses(mechanism, at, &motions)
     }
 
-    /// A view of a mechanism that moves through these poses, beginning at a configuration; the first motion counts where they differ.
+    /// View of a mechanism that moves through these poses from a configuration. The first motion gives the size and the
+    /// plane.
     ///
     /// # Errors
-    /// [`Error::Request`] if a shape has a length that is nothing at these parameters.
+    /// [`Error::Request`] if a shape has a length that is not positive at these parameters.
     pub fn of_poses(mechanism: &Mechanism, at: Configuration<'_>, motions: &[&[Pose]]) -> Result<Self, Error> {
         let poses = Poses::new(mechanism)?;
         let stated = stated::solids(mechanism, at.parameters)?;
@@ -97,7 +98,7 @@ impl View {
     }
 }
 
-/// The direction against gravity at the start.
+/// Direction against gravity at the start, of length 1; the third inertial axis without gravity.
 fn up(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Triple, Error> {
     let third = [0.0, 0.0, 1.0];
     let (Some(gravity), Some(pose)) = (&mechanism.gravity, poses.first()) else { return Ok(third) };
@@ -106,7 +107,7 @@ fn up(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Tripl
     Ok(space::unit(fall).map_or(third, |down| down.map(|x| 0.0 - x)))
 }
 
-/// Values of terms in parameters.
+/// Evaluates terms that depend only on parameters.
 fn values(
     mechanism: &Mechanism,
     parameters: &[f64],

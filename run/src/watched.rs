@@ -1,4 +1,4 @@
-//! What is watched in runs of a scene: the domain's conditions and the scene's events, compiled once and bound to a
+//! Watched functions of a scene's runs: the domain's conditions and the scene's events, compiled once and bound to a
 //! problem.
 
 use crate::code::{Code, Ready, code, tape};
@@ -14,30 +14,30 @@ use tripos_derive::{Formulation, Model};
 use tripos_sim::{Direction, Dynamics, Effect, Event, EventFunction, InRanges};
 use tripos_traits::{Enclosure, Lengths, Scalar};
 
-/// What is watched in the runs of a scene, compiled once: expressions, and the force balance that gives reactions,
-/// whichever formulation runs, if one of them mentions a reaction.
+/// Watched functions of a scene's runs, compiled once. If one of them mentions a reaction, the force balance gives it
+/// for any formulation.
 #[derive(Clone)]
 pub struct Balance {
     code: Option<Code>,
-    /// The domain's conditions, then the scene's events.
+    /// Conditions of the domain, then the scene's events.
     watched: Vec<Watched>,
 }
 
 /// An expression in parameters, q, q̇, u and reactions, as it is computed.
 #[derive(Clone)]
 enum Watched {
-    /// From parameters and the integrated state, in numbers and in ranges.
+    /// Function of parameters and the integrated state, in numbers and in ranges.
     OfState { tape: Tape, ranges: Tape<Enclosure> },
-    /// From parameters, q, q̇, u and reactions, which the equations that run and the force balance give.
+    /// Function of parameters, q, q̇, u and reactions. The running equations and the force balance give these.
     OfMotion { tape: Tape, needs_reactions: bool },
 }
 
 impl Balance {
-    /// For what is watched in a scene of this model: the mechanism's own, or a reduced one, which has no reactions
-    /// any more.
+    /// Prepares the watched functions of a scene of this model: the mechanism's own, or a reduced one, which has no
+    /// reactions.
     ///
     /// # Errors
-    /// [`Error::Request`] if a reaction is watched that cannot be had, or what has no value during a run.
+    /// [`Error::Request`] if a watched reaction is not determined, or a symbol has no value during a run.
     pub fn new(mechanism: &Mechanism, model: &Model, scene: &Scene, by: &By) -> Result<Self, Error> {
         let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
         let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
@@ -64,7 +64,7 @@ impl Balance {
             }
             list.push(match of_state(model, scene, by, e) {
                 Ok(tape) => Watched::OfState { ranges: tape.to(), tape },
-                // There is another way to its value, which says what is unknown there, too.
+                // The other way to the value also says which symbol is unknown there.
                 Err(UnknownSymbol(_)) => of_motion(model, e, name)?,
             });
         }
@@ -72,8 +72,8 @@ impl Balance {
     }
 }
 
-/// The expression as a function of parameters and the integrated state: not of reactions, nor of rates where the
-/// equations that run have rates of their own, as printed ones.
+/// The expression as a function of parameters and the integrated state. It may not mention reactions, nor rates if the
+/// running equations have rates of their own, as printed ones do.
 fn of_state(model: &Model, scene: &Scene, by: &By, e: Expr) -> Result<Tape, UnknownSymbol> {
     let mut arena = model.arena.clone();
     let (mut variables, mut steps) = (model.q(), Vec::new());
@@ -109,7 +109,7 @@ fn of_motion(model: &Model, e: Expr, name: &str) -> Result<Watched, Error> {
 }
 
 /// The domain's conditions and the scene's events as functions of the integrated state, in ranges where no reaction is
-/// watched; the scene must have those that `balance` was made for.
+/// watched. The scene must have the same ones as the scene that `balance` was made for.
 #[must_use]
 pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'a>> {
     let Problem { model, scene, .. } = *problem;
@@ -151,7 +151,7 @@ fn watch<'a>(
     }
 }
 
-/// A tape as a function of the rest of its inputs, the first of which are given.
+/// Function of a tape's last inputs, with the first ones given.
 fn of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S]) -> S + '_ {
     let (given, mut scratch) = (inputs.len(), Vec::new());
     move |rest: &[S]| {

@@ -1,7 +1,8 @@
-//! Rest and steady motion in closed form.
+//! Conditions for rest and for steady motion in closed form.
 //!
-//! Truth: formulas of textbooks (Gantmacher, Lectures in Analytical Mechanics, 1970, ch. 5; Landau & Lifshitz, Mechanics, § 14 and 35; Kane & Levinson,
-//! Dynamics, 1985), typed in here as they stand there, and Newton's method in 32 digits.
+//! Truth: formulas of textbooks (Gantmacher, Lectures in Analytical Mechanics, 1970, ch. 5; Landau & Lifshitz,
+//! Mechanics, § 14 and 35; Kane & Levinson, Dynamics, 1985), typed in here as they stand there, and Newton's method in
+//! 32 digits.
 
 use std::path::Path;
 use tripos::Mechanism;
@@ -26,7 +27,7 @@ fn closed(model: &str, wanted: &[&str]) -> ClosedForm {
     conditions(&read(model), &wanted).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Equations and branches, a line each.
+/// Text of the equations and branches, one a line.
 fn told(conditions: &Conditions) -> String {
     let mut lines: Vec<String> = conditions.equations.iter().map(|e| format!("0 = {}", e.text)).collect();
     for branch in &conditions.branches {
@@ -39,7 +40,7 @@ fn told(conditions: &Conditions) -> String {
     lines.join("\n")
 }
 
-/// A formula by numbers, as its text reads; rates without their primes.
+/// Value of a formula at these numbers, read from its text; rates have no primes.
 fn value(formula: &str, given: &[(String, f64)]) -> f64 {
     let mut arena = Arena::new();
     let plain = |text: &str| text.replace('\'', "_dot");
@@ -49,7 +50,7 @@ fn value(formula: &str, given: &[(String, f64)]) -> f64 {
     Tape::new(&arena, &symbols, &[e]).unwrap().evaluate(&numbers)[0]
 }
 
-/// Numbers between 0.4 and 1.6, different for each place and turn.
+/// Numbers between 0.4 and 1.6 that differ for each place and turn.
 fn number(place: usize, turn: usize) -> f64 {
     0.4 + 1.2 * ((place as f64 + 1.0) * 0.754_877_666 + (turn as f64 + 1.0) * 0.569_840_29).fract()
 }
@@ -123,8 +124,9 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-/// Goal: what people read is what a textbook has. Method: snapshots of rest and steady motion of mechanisms whose formulas are known: a bead on a hoop, cos q =
-/// g/(r ω²); a conical pendulum, ω² = g/(l cos θ); a double pendulum, which has four poses of rest.
+/// Goal: formulas read as in a textbook. Method: snapshots of rest and steady motion of mechanisms with known formulas.
+/// They are a bead on a hoop, cos q = g/(r ω²); a conical pendulum, ω² = g/(l cos θ); and a double pendulum, which has
+/// four poses of rest.
 #[test]
 fn closed_forms_are_those_of_the_textbook() {
     let expected = |model: &str, wanted: &[&str], at: usize, expected: expect_test::Expect| {
@@ -227,14 +229,16 @@ fn closed_forms_are_those_of_the_textbook() {
     );
 }
 
-/// Goal: formulas are right for all numbers. Method: they are read as they stand, and put into the equations of textbooks at random numbers: A Ω² cos θ − C n Ω + m g l = 0
-/// of the top with the spin n about its axis; the governor with rods of mass; the moments about the mass centre of a thin disc that rolls (6/4 and 5/4 m r²) or slides (2/4 and 1/4).
+/// Goal: formulas are right for all numbers. Method: they are read from their text and put into the equations of
+/// textbooks at random numbers. These are: A Ω² cos θ − C n Ω + m g l = 0 of the top with the spin n about its axis;
+/// the governor with rods of mass; the moments about the mass centre of a thin disc that rolls (6/4 and 5/4 m r²) or
+/// slides (2/4 and 1/4).
 #[test]
 fn formulas_meet_the_equations_of_the_textbook() {
     for turn in 0..20 {
         let all = numbers(&["m", "l", "I1", "I3", "g", "Omega_q3", "q1", "q2"], turn);
         let [m, l, a, c, g, spin, q1, q2] = [0, 1, 2, 3, 4, 5, 6, 7].map(|at: usize| all[at].1);
-        // Fast enough for two roots.
+        // The spin is fast enough for two roots.
         let all: Vec<_> = all.iter().map(|(n, x)| (n.clone(), if n == "Omega_q3" { 40.0 * x } else { *x })).collect();
         let form = closed_top();
         let cos = q1.cos() * q2.cos();
@@ -243,7 +247,7 @@ fn formulas_meet_the_equations_of_the_textbook() {
             let w = value(&branch.solved[0].value.text, &all);
             let n = 40.0 * spin + w * cos;
             let left = a * w * w * cos - c * n * w + m * g * l;
-            // The slow root is a difference of two numbers that are nearly equal.
+            // The slow root is a difference of two nearly equal numbers.
             let size = (c * n * w).abs().max((c * n).powi(2) / ((a - c) * cos).abs());
             assert!(left.abs() < 1e-12 * size, "{left:e}");
             roots.push(w);
@@ -271,7 +275,7 @@ fn formulas_meet_the_equations_of_the_textbook() {
         let [l, m, mb, ms, g, theta] = [0, 1, 2, 3, 4, 5].map(|at: usize| all[at].1);
         let square =
             &form.list[1].branches[0].solved.iter().find(|told| told.name.text == "psi'^2").unwrap().value.text;
-        // Half of it: the moments of a ball, of two rods and of half the sleeve.
+        // Half of the total: the moments of a ball, of two rods and of half the sleeve.
         let watt = (m + mb / 2.0 + ms / 2.0) * g / ((mb / 2.0 + m / 3.0) * l * theta.cos());
         assert!((value(square, &all) - watt).abs() < 1e-12 * watt, "{square}");
     }
@@ -289,8 +293,8 @@ fn found(model: &str, state: &str, starts: u64) -> (ClosedForm, Asked, Vec<Found
     (conditions(&mechanism, &[]).unwrap_or_else(|e| panic!("{e}")), asked, found)
 }
 
-/// Goal: what Newton's method finds lies on a branch, and the branch says the same to the last digits. Method: mechanisms at random parameters, from states near; each formula of the branch against
-/// the numbers in 32 digits.
+/// Goal: results of Newton's method lie on a branch, and the branch agrees with them to the last digits. Method:
+/// mechanisms at random parameters, from states near; each formula of the branch against the numbers in 32 digits.
 #[test]
 fn what_newton_finds_lies_on_a_branch() {
     let parameters = |names: &[&str], turn: usize| {
@@ -345,7 +349,8 @@ fn what_newton_finds_lies_on_a_branch() {
     assert!(seen > 40, "{seen}");
 }
 
-/// Goal: a motion lies on no branch that says otherwise. Method: a pendulum that stands is not on the branch of one that hangs, and a state off balance on none.
+/// Goal: a motion lies on no branch that contradicts it. Method: a pendulum that stands is not on the branch of one
+/// that hangs, and a state off balance is on no branch.
 #[test]
 fn other_motions_lie_on_no_branch() {
     let (form, asked, list) = found("pendulum", "[state]\ntheta = 3\nomega = 0\n", 0);
@@ -355,8 +360,8 @@ fn other_motions_lie_on_no_branch() {
     assert_eq!(form.branches_at(&asked.parameters, &steady), Some((0, vec![])));
 }
 
-/// Goal: parameters are solved for where they are asked for, what is unknown is refused, and the work has an end. Method: the radius of a hoop, a name that is none,
-/// a model that is driven, and the bicycle, whose equations are too large.
+/// Goal: parameters are solved for on request, unknown names are refused, and the work is limited. Method: the radius
+/// of a hoop, an unknown name, a driven model, and the bicycle, whose equations are too large.
 #[test]
 fn what_is_asked_for_is_told_or_refused() {
     let form = closed(HOOP, &["r"]);
@@ -374,8 +379,8 @@ fn what_is_asked_for_is_told_or_refused() {
     assert!(bicycle.list.iter().all(|c| !c.complete && c.too_large > 0 && c.branches.is_empty()));
 }
 
-/// Goal: loops are among the conditions, and solved where they can be. Method: the four-bar linkage keeps its two loops as conditions beside the balance of moments; the
-/// governor's four are solved.
+/// Goal: loops are among the conditions, and are solved where possible. Method: the four-bar linkage keeps its two
+/// loops as conditions beside the balance of moments; the governor's four are solved.
 #[test]
 fn loops_are_conditions() {
     let four_bar = closed("four_bar", &[]);

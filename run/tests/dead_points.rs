@@ -1,7 +1,8 @@
 //! Linkages through the dead points of their speeds, and starts in such poses.
 //!
-//! Truth: the same linkage as a chain of rods in angles from the horizontal, with the multipliers of its closure by a dense solve, moved back onto the
-//! closure after each step of RK4. It chooses no speeds, so that it has no dead points.
+//! Truth: the same linkage as a chain of rods in angles from the horizontal. A dense solve gives the multipliers of its
+//! closure, and the state is moved back onto the closure after each step of RK4. The chain chooses no speeds, so it has
+//! no dead points.
 
 use crate::driven::{near, run, scene};
 use crate::random_trees::times;
@@ -11,16 +12,16 @@ use tripos::{Overrides, Run, Scene};
 
 const G: f64 = 9.81;
 
-/// How the chain is closed.
+/// Closure of the chain at its end.
 #[derive(Clone, Copy, PartialEq)]
 enum End {
-    /// By a pin at (distance, 0).
+    /// A pin at (distance, 0).
     Pin(f64),
-    /// By a piston of this mass, which slides along the horizontal.
+    /// A piston of this mass, which slides along the horizontal.
     Piston(f64),
 }
 
-/// Rods one after another, the first from the origin; each has its mass and length.
+/// Chain of rods, the first from the origin; each rod has its mass and length.
 #[derive(Clone)]
 struct Chain {
     rods: Vec<(f64, f64)>,
@@ -28,7 +29,7 @@ struct Chain {
 }
 
 impl Chain {
-    /// What turns at the end of a rod, beside half of its own mass: all rods behind it and the piston.
+    /// Mass that the end of a rod carries, apart from half of its own mass: all rods behind it and the piston.
     fn carried(&self, at: usize) -> f64 {
         let piston = if let End::Piston(mass) = self.end { mass } else { 0.0 };
         self.rods[at + 1..].iter().map(|(mass, _)| mass).sum::<f64>() + piston
@@ -41,7 +42,7 @@ impl Chain {
         if i == j { (mass / 3.0 + self.carried(i)) * a * a } else { a * b * (mass / 2.0 + self.carried(j)) }
     }
 
-    /// Rows of the closure along the angles, and the sides that the accelerations meet.
+    /// Rows of the closure along the angles, its right-hand sides for the accelerations, and its gaps.
     fn closure(&self, angles: &[f64], rates: &[f64]) -> (DMatrix<f64>, DVector<f64>, DVector<f64>) {
         let lengths = || self.rods.iter().map(|(_, length)| length).zip(angles).zip(rates);
         let up = lengths().map(|((l, a), _)| l * a.cos());
@@ -102,7 +103,7 @@ impl Chain {
         }
     }
 
-    /// The motion over a time.
+    /// State after a time, from a start.
     fn moved(&self, start: &[f64], time: f64) -> Vec<f64> {
         const STEPS: u32 = 12_000;
         let (n, h) = (start.len() / 2, time / f64::from(STEPS));
@@ -122,7 +123,8 @@ impl Chain {
         y
     }
 
-    /// The model of which the joints in `chosen` have speeds; the piston has one if it is among them, as the last.
+    /// Text of the model in which the joints in `chosen` have speeds. The piston has one if it is among them, as the
+    /// last.
     fn model(&self, chosen: &[usize]) -> String {
         let mut text = "name = \"Chain\"\n[parameters]\ng = \"9.81 m/s^2\"\n".to_owned();
         for (at, (mass, length)) in self.rods.iter().enumerate() {
@@ -163,12 +165,12 @@ impl Chain {
         }
     }
 
-    /// The coordinates of the model, angles from rod to rod, or their rates.
+    /// Coordinates of the model, which are angles from rod to rod, or their rates.
     fn relative(list: &[f64]) -> Vec<f64> {
         (0..list.len()).map(|at| if at == 0 { list[0] } else { list[at] - list[at - 1] }).collect()
     }
 
-    /// A scene from angles and rates on the closure, told by all rates.
+    /// A scene from angles and rates on the closure, given by all rates.
     fn scene(&self, chosen: &[usize], state: &[f64], time: f64, how: &str) -> Scene {
         let n = self.rods.len();
         let mut text = format!("model = \"model.toml\"\nspan = [0, {time}]\n[start]\n");
@@ -179,7 +181,7 @@ impl Chain {
     }
 }
 
-/// Numbers from 0 to 1, always the same.
+/// Pseudorandom numbers from 0 to 1, always the same.
 struct Random(u64);
 
 impl Random {
@@ -193,7 +195,7 @@ impl Random {
     }
 }
 
-/// A chain that turns, on its closure.
+/// A random chain that turns, in a state on its closure.
 fn turning(random: &mut Random, rods: usize, is_pinned: bool) -> (Chain, Vec<f64>) {
     loop {
         let lengths: Vec<f64> = (0..rods).map(|at| if at == 0 { 0.2 } else { random.within(0.45, 0.7) }).collect();
@@ -218,8 +220,9 @@ fn by(scene: &Scene, by: &str) -> Run {
     scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"))
 }
 
-/// Goal: whichever speeds are chosen, a linkage moves the same, by every formulation and method, in as few steps, also where the speeds fail. Method: random
-/// four-bars, slider-cranks and five-bars whose crank turns, by speeds of other joints, which fail in each turn; against the chain without speeds.
+/// Goal: a linkage moves the same whichever speeds are chosen, by every formulation and method, in as few steps, also
+/// where the speeds fail. Method: random four-bars, slider-cranks and five-bars whose crank turns, with speeds of other
+/// joints, which fail in each turn; against the chain without speeds.
 #[test]
 fn random_linkages_go_through_the_dead_points_of_their_speeds() {
     let mut random = Random(44);
@@ -258,8 +261,9 @@ fn random_linkages_go_through_the_dead_points_of_their_speeds() {
     assert!(changed > 15, "{changed} runs changed their speeds");
 }
 
-/// Goal: a start in a dead point works by the rates of the crank, and with the speed alone it is refused with what to state. Method: slider-cranks that begin
-/// with crank and rod in line, by the speed of the piston, which is 0 there, against the chain.
+/// Goal: a start in a dead point works by the rates of the crank. With the speed alone it is refused with advice.
+/// Method: slider-cranks that begin with crank and rod in line, by the speed of the piston, which is 0 there, against
+/// the chain.
 #[test]
 fn a_start_in_a_dead_point_needs_a_rate() {
     let mut random = Random(7);
@@ -277,7 +281,7 @@ fn a_start_in_a_dead_point_needs_a_rate() {
                 near(*run.column(&format!("q{at}")).unwrap().last().unwrap(), *angle, 1e-8, "angle");
             }
         }
-        // One rate is enough: the other follows.
+        // One rate is enough, since the other follows from it.
         let text = format!("model = \"model.toml\"\nspan = [0, 0.4]\n[start]\nq0 = 0\nq1 = 0\n\"q0'\" = {rate:?}\n");
         let part = scene(
             &chain.model(&[2]),
@@ -292,8 +296,8 @@ fn a_start_in_a_dead_point_needs_a_rate() {
     }
 }
 
-/// Goal: any coordinates that determine a pose may be stated, those that a loop eliminated too. Method: poses of random slider-cranks and four-bars, found again
-/// from one of their numbers each, with guesses nearby.
+/// Goal: a start may state any coordinates that determine a pose, also those that a loop eliminated. Method: poses of
+/// random slider-cranks and four-bars, found again from one of their numbers each, with guesses nearby.
 #[test]
 fn a_pose_follows_from_any_number_that_determines_it() {
     let mut random = Random(3);
@@ -317,7 +321,8 @@ fn a_pose_follows_from_any_number_that_determines_it() {
     }
 }
 
-/// Goal: derivatives of a run that changes its speeds are those of the motion, with errors that hold. Method: differences of the chain.
+/// Goal: derivatives of a run that changes its speeds are those of the motion, and the stated errors hold. Method:
+/// differences of the chain.
 #[test]
 fn derivatives_of_runs_that_change_their_speeds_hold() {
     let mut random = Random(12);

@@ -1,4 +1,4 @@
-//! Mechanisms that constraints leave no speed, and what drives them; reactions by the bodies that they act between, by every formulation.
+//! Mechanisms without free speeds and their drives; reactions between bodies, by every formulation.
 //!
 //! Truth: closed forms, virtual power and the equilibrium of each body, by hand.
 
@@ -20,7 +20,7 @@ pub fn run(scene: &Scene, by: &str) -> Run {
     scene.simulate(&Overrides { by, ..Overrides::default() }).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Every sample: time, and what is shown under these names.
+/// Samples of a run: time, and the values under these names.
 pub fn samples(run: &Run, names: &[&str]) -> Vec<(f64, Vec<f64>)> {
     let columns: Vec<Vec<f64>> = names.iter().map(|name| run.column(name).unwrap_or_else(|e| panic!("{e}"))).collect();
     let times = run.samples().map(|(t, _)| t);
@@ -49,8 +49,9 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-/// Goal: the pin force, whichever equations run. Method: the closed form for a uniform rod, m (g cos q + l u²/2) along it and m g sin(q)/4 across,
-/// as output and where an event waits for it to vanish; J. L. Meriam & L. G. Kraige, *Dynamics*, 7th edition (2012), article 6/4.
+/// Goal: the pin force is right by all equations. Method: the closed form for a uniform rod, m (g cos q + l u²/2) along
+/// it and m g sin(q)/4 across, as output and where an event waits for it to vanish; J. L. Meriam & L. G. Kraige,
+/// *Dynamics*, 7th edition (2012), article 6/4.
 #[test]
 fn the_pin_force_of_a_pendulum_is_the_closed_form_by_every_formulation() {
     let scene = scene(
@@ -105,8 +106,8 @@ acceleration = [0, "-g", 0]
 table = { equation = "z = a*sin(w*t)" }
 "#;
 
-/// Goal: a condition of the domain names what bodies exert on one another, or a reaction that was found. Method: the block leaves the table where
-/// g = a ω² sin(ω t).
+/// Goal: a condition of the domain can name a force between bodies, or a reaction that was found. Method: the block
+/// leaves the table where g = a ω² sin(ω t).
 #[test]
 fn a_block_leaves_the_table_where_nothing_pushes_it() {
     let leaves = (G / (0.1 * 144.0)).asin() / 12.0;
@@ -191,7 +192,8 @@ rtol = 1e-10
 atol = 1e-12
 "#;
 
-/// The slider-crank at an instant: the piston, the motor's torque by virtual power, and forces by the equilibrium of piston and rod.
+/// Slider-crank at an instant: the piston, the motor's torque by virtual power, and forces by the equilibrium of piston
+/// and rod.
 struct ByHand {
     x: f64,
     motor: f64,
@@ -221,20 +223,23 @@ fn by_hand(t: f64) -> ByHand {
     let inertia = m2 * b * b / 12.0;
     let all = power(m1, v_crank, a_crank) + power(m2, v_rod, a_rod) + power(m3, v_piston, a_piston);
     let motor = (all + inertia * second * rate) / w;
-    // Piston along axis 1, rod along both, and its moments about the piston's pin.
+    // The equilibrium of the piston along axis 1, of the rod along both axes, and the rod's moments about the piston's
+    // pin.
     let on_piston = m3 * a_piston[0];
     let bx = m2 * a_rod[0] + on_piston;
     let (s, c) = beta.sin_cos();
-    // Σ moments about P: −b (c by − s bx) − (b/2)(c (−m₂ g) ...) = I β″ + r × m₂ a, with r = −b/2 (c, s) from P to the centre.
+    // Σ moments about P: −b (c by − s bx) − (b/2)(c (−m₂ g) ...) = I β″ + r × m₂ a, with r = −b/2 (c, s) from P to the
+    // centre.
     let moment = inertia * second - b / 2.0 * (c * m2 * (a_rod[1] + G) - s * m2 * a_rod[0]);
     let by = (s * bx * b - moment) / (c * b);
-    // The rod pushes the piston by what is left of its own equilibrium.
+    // The rod pushes the piston by the remainder of its own equilibrium.
     let py = by - m2 * (a_rod[1] + G);
     ByHand { x: a * cos + b * beta.cos(), motor, at_crank: [bx, by], on_piston, wall: m3 * G - py }
 }
 
-/// Goal: inverse dynamics, what the motor has to give and what the pins hold. Method: virtual power and equilibrium by hand; a tie of the
-/// rate, a formula that fixes the coordinate, and one that ties two, each by every formulation.
+/// Goal: inverse dynamics gives the torque of the motor and the forces of the pins. Method: virtual power and
+/// equilibrium by hand. The drive is a constrained rate, a formula for the coordinate, or a formula for two; each by
+/// every formulation.
 #[test]
 fn a_driven_slider_crank_shows_what_its_motor_gives() {
     for drive in ["q1 = w*t", "q1' = w", "sin(q1 - w*t) = 0"] {
@@ -264,8 +269,8 @@ fn a_driven_slider_crank_shows_what_its_motor_gives() {
     }
 }
 
-/// Goal: a structure stands, and its pins hold it. Method: two bars under their weights, by the equilibrium of each: the lower one lies level, so
-/// that the upper pushes it with −W l/h along and W/2 up.
+/// Goal: a structure stands, and its pins hold it. Method: two bars under their weights, by the equilibrium of each.
+/// The lower one lies level, so that the upper one pushes it with −W l/h along and W/2 up.
 #[test]
 fn a_bracket_is_held_as_statics_says() {
     let model = r#"
@@ -316,7 +321,8 @@ acceleration = [0, "-g", 0]
     }
 }
 
-/// Goal: what has no speed is refused where speeds are needed, with the reason. Method: every question of the library that is about motions of its own.
+/// Goal: a mechanism without speeds is refused where speeds are needed, with the reason. Method: every function of the
+/// library about motions of its own.
 #[test]
 fn questions_about_motions_of_their_own_are_refused() {
     let driven = scene(BLOCK, "model = \"model.toml\"\nspan = [0, 1]\n[start]\n");
@@ -344,7 +350,8 @@ fn questions_about_motions_of_their_own_are_refused() {
     }
 }
 
-/// A column welded to the ground, an arm pinned to it, and a tip welded to the arm; mass centres lie on the axis of the pin or beside it.
+/// A column welded to the ground, an arm pinned to it, and a tip welded to the arm. Mass centres lie on the axis of the
+/// pin or beside it.
 const COLUMN: &str = r#"
 name = "column"
 [parameters]
@@ -370,8 +377,8 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-/// Goal: what connects bodies is what the file says, also where a body does not move against the ground. Method: the weight of three bodies that hang
-/// at rest, joint by joint, and the torque of a weight beside its joint about this joint.
+/// Goal: bodies are connected as the file says, also where a body does not move against the ground. Method: the weight
+/// of three bodies that hang at rest, joint by joint, and the torque of a weight beside its joint about this joint.
 #[test]
 fn forces_go_through_the_joints_of_the_file() {
     let outputs = [

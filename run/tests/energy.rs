@@ -1,4 +1,5 @@
-//! One energy: kinetic, every potential, and the work of what has none; and the instants of events with their errors.
+//! Energy of a run: kinetic, every potential, and the work of loads without one; and the instants of events with their
+//! errors.
 
 use expect_test::expect;
 use tripos::{Mechanism, Overrides, Scene};
@@ -52,7 +53,7 @@ name = "rest"
 zero = "x - l"
 "#;
 
-/// x − l and ẋ: e^(−γt) (cos ωt + γ/ω sin ωt), and its rate −(ω + γ²/ω) e^(−γt) sin ωt.
+/// Exact x − l and ẋ: e^(−γt) (cos ωt + γ/ω sin ωt), and its rate −(ω + γ²/ω) e^(−γt) sin ωt.
 fn exact(t: f64) -> (f64, f64) {
     let (sin, cos) = (WAVE * t).sin_cos();
     let fading = (-RATE * t).exp();
@@ -96,7 +97,7 @@ fn what_damping_takes_is_accounted_for_at_every_sample_by_every_method_and_kind_
             assert!((run.solution.work_end - (energy(10.0) - energy(0.0))).abs() < allowed, "{what}");
             assert!(run.energy_drift.unwrap() < allowed, "{what}: {:?}", run.energy_drift);
 
-            // tan ωt = −ω/γ at each passage.
+            // Each passage satisfies tan ωt = −ω/γ.
             let digits = run.digits.as_ref().unwrap();
             assert_eq!((run.events().len(), digits.events.len()), (6, 6), "{what}");
             for (at, (event, error)) in run.events().iter().zip(&digits.events).enumerate() {

@@ -1,11 +1,12 @@
-//! Flights between impacts that become far shorter than steps.
+//! Flights between impacts that become far shorter than the steps.
 
 use crate::impacts::{BALL, scene};
 use tripos::Overrides;
 
-/// Goal: no flight is too short for its step. Method: a ball with e = 0.99 dropped from 1 m, until it rests, by every kind of method: all instants
-/// tₖ = √(2 h/g) (1 + 2 (e + … + eᵏ)), rest from √(2 h/g) (1 + e)/(1 − e) on, and the whole energy gone in impacts; and the same thrown up by
-/// 1e-6 m/s from the floor with 30 s to go, so that the first step of a method that follows smoothness is a million times as long as the flight.
+/// Goal: no flight is too short for its step. Method: a ball with e = 0.99 is dropped from 1 m, until it rests, by
+/// every kind of method. Checked are all instants tₖ = √(2 h/g) (1 + 2 (e + … + eᵏ)), rest from √(2 h/g) (1 + e)/(1 −
+/// e) on, and the loss of the whole energy in impacts. The ball is also thrown up by 1e-6 m/s from the floor with 30 s
+/// to go. The first step of a method that follows smoothness is then a million times as long as the flight.
 #[test]
 fn flights_far_shorter_than_steps_are_seen_by_every_method() {
     let (e, fall) = (0.99_f64, 0.2_f64.sqrt());

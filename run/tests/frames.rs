@@ -16,7 +16,7 @@ fn column(scene: &Scene, by: Option<&str>, name: &str) -> Vec<f64> {
     run.column(name).unwrap()
 }
 
-/// Two masses that attract one another; the law is a potential of their distance d and two parameters.
+/// Two masses that attract one another. The law is a potential of their distance d and two parameters.
 fn two_bodies(law: &str) -> String {
     let names = ["x", "y", "z", "X", "Y", "Z"];
     let coordinates: String = names.map(|q| format!("{q} = {{ unit = \"m\" }}\n")).concat();
@@ -50,7 +50,7 @@ between = "{law}"
     )
 }
 
-/// A start of relative place and velocity, drifting as a whole.
+/// A start of relative place and velocity, with a drift of the whole.
 fn start(place: [f64; 3], velocity: [f64; 3]) -> String {
     let mut lines = String::new();
     for (at, (small, large)) in [("x", "X"), ("y", "Y"), ("z", "Z")].into_iter().enumerate() {
@@ -71,7 +71,7 @@ fn two_bodies_move_on_keplers_ellipse() {
     let a: f64 = near / (1.0 - e);
     let strength: f64 = k * (m + big) / (m * big);
     let fastest = (strength * (1.0 + e) / near).sqrt();
-    // Any plane: across the place, in a direction of no axis.
+    // Any plane will do: the velocity is perpendicular to the place, along no axis.
     let (place, velocity) = ([0.48, 0.64, 0.0], [-0.48 * fastest, 0.36 * fastest, 0.8 * fastest]);
     let text = format!(
         "outputs = [{{ name = \"d\", value = \"distance(A, B)\" }}]\nspan = [0, 8]\n[start]\n{}{INTEGRATION}",
@@ -89,7 +89,7 @@ fn two_bodies_move_on_keplers_ellipse() {
     }
 }
 
-/// A start at which the frame is singular is moved away first.
+/// Goal: a start at which the frame is singular is moved away first.
 #[test]
 fn a_start_across_the_section_is_turned() {
     for place in [[0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]] {
@@ -104,8 +104,8 @@ fn a_start_across_the_section_is_turned() {
     }
 }
 
-/// Drag lets no momentum be conserved, and yet all directions are alike: the frame takes one of four states. Damped oscillations
-/// along both axes are the closed form.
+/// Goal: a frame is used without conserved momenta. Drag destroys the momenta, and yet all directions are equivalent:
+/// the frame takes one of four states. Truth: damped oscillations along both axes are the closed form.
 #[test]
 fn a_frame_needs_no_momentum() {
     let model = r#"
@@ -151,7 +151,7 @@ vector = ["-k*x - c*vx", "-k*y - c*vy", 0]
     }
 }
 
-/// What may be asked for that no rotation and no translation changes.
+/// Outputs that rotations and translations leave unchanged, except the fifth.
 const INVARIANTS: [&str; 6] = [
     "distance(A, B)",
     "(X - x)*(vX - vx) + (Y - y)*(vY - vy) + (Z - z)*(vZ - vz)",
@@ -164,8 +164,8 @@ const INVARIANTS: [&str; 6] = [
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    /// Goal: what a frame leaves out changes no number. Method: random starts, laws and outputs, accelerations and energies among
-    /// them; Kane's whole equations to a tenth of the tolerance.
+    /// Goal: the states that a frame leaves out change no number. Method: random starts, laws and outputs,
+    /// accelerations and energies among them; Kane's whole equations to a tenth of the tolerance.
     #[test]
     fn random_motions_are_those_of_the_whole(
         place in prop::array::uniform3(-1.0..1.0_f64),
@@ -187,7 +187,7 @@ proptest! {
         );
         let scene = scene(&two_bodies(law), &text);
         let framed = scene.reduce().unwrap().reduction.frame.is_some();
-        // vx is changed by rotations.
+        // Rotations change vx.
         prop_assert!(framed || asked.contains(&4));
         for at in &asked {
             let name = format!("o{at}");

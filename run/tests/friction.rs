@@ -1,4 +1,4 @@
-//! Coulomb friction at contacts against closed forms and equations written out in the tests themselves.
+//! Coulomb friction at contacts, against closed forms and equations written out in the tests themselves.
 
 use crate::impacts::{PLANE, end, near, run, scene};
 use tripos::{Overrides, Run};
@@ -48,10 +48,10 @@ pub fn on_plane(parameters: &str, (x, vx): (f64, f64), span: f64) -> String {
     )
 }
 
-/// What happened, and when; nothing for what is so from the start.
+/// Name of an event and its instant; `None` for an event that holds from the start.
 type Told<'r> = (&'r str, Option<f64>);
 
-/// What happened in a run.
+/// Events of a run.
 pub fn events(run: &Run) -> Vec<Told<'_>> {
     let of = |event: &tripos_sim::EventRecord| (event.kind != Kind::AtStart).then_some(event.t);
     run.events().iter().map(|event| (event.name.as_str(), of(event))).collect()
@@ -69,7 +69,8 @@ pub fn keeps_energy(run: &Run, within: f64) {
     assert!(run.energy_drift.unwrap() < within, "{:?}", run.energy_drift);
 }
 
-/// Goal: a block slides where tan α > μ, and else stops and stays. Truth: x'' = g (sin α − μ cos α) down the plane; by every kind of equations and method.
+/// Goal: a block slides where tan α > μ, and else stops and stays. Truth: x'' = g (sin α − μ cos α) down the plane; by
+/// every kind of equations and method.
 #[test]
 fn a_block_slides_on_a_steep_plane_and_stops_on_a_flat_one() {
     let (alpha, g) = (0.3_f64, 10.0);
@@ -93,14 +94,15 @@ fn a_block_slides_on_a_steep_plane_and_stops_on_a_flat_one() {
             let stops = go(0.5, 3.0);
             happens(&stops, &[("plane", None), ("plane slips", None), ("plane sticks", Some(-3.0 / along(0.5)))]);
             assert!(near(end(&stops, "x"), -4.5 / along(0.5), 1e-10) && end(&stops, "vx").abs() < 1e-15);
-            // All of what it had, and what it fell by, is the work of friction.
+            // All of its kinetic energy, and that of its fall, becomes work of friction.
             let fallen = 2.0 * g * alpha.sin() * end(&stops, "x");
             assert!(near(stops.solution.work_end, -9.0 - fallen, 1e-9), "{}", stops.solution.work_end);
         }
     }
 }
 
-/// Goal: thrown up a plane, a block stops where friction holds it, and comes back where it does not. Truth: up it slows by g (sin α + μ cos α).
+/// Goal: thrown up a plane, a block stops where friction holds it, and comes back where it does not. Truth: on the way
+/// up it slows by g (sin α + μ cos α).
 #[test]
 fn a_block_thrown_up_stops_or_comes_back() {
     let (alpha, g) = (0.3_f64, 10.0);
@@ -118,7 +120,7 @@ fn a_block_thrown_up_stops_or_comes_back() {
     }
 }
 
-/// Goal: where friction can just bear a force it holds. Truth: μ = tan α, to the rounding of both.
+/// Goal: friction holds where it can just bear a force. Truth: μ = tan α, to the rounding of both.
 #[test]
 fn friction_that_just_suffices_holds() {
     let run = run(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", (0.0, 0.0), 2.0));
@@ -126,8 +128,9 @@ fn friction_that_just_suffices_holds() {
     assert!(end(&run, "x").abs() < 1e-15, "{:?}", run.end);
 }
 
-/// Goal: a spring with Coulomb friction swings less by 2 μ m g/k each half period, and stays where the spring no longer overcomes friction. Truth: half periods of
-/// π √(m/k) about ± μ m g/k (J. P. Den Hartog, *Mechanical Vibrations*, 1956, § 8.2).
+/// Goal: the amplitude of a spring with Coulomb friction shrinks by 2 μ m g/k each half period. It stays where the
+/// spring no longer overcomes friction. Truth: half periods of π √(m/k) about ± μ m g/k (J. P. Den Hartog, *Mechanical
+/// Vibrations*, 1956, § 8.2).
 #[test]
 fn a_spring_with_friction_swings_less_by_equal_parts_and_stays() {
     let (k, mu) = (8.0, 0.1);
@@ -145,8 +148,9 @@ fn a_spring_with_friction_swings_less_by_equal_parts_and_stays() {
     keeps_energy(&run, 1e-9);
 }
 
-/// Goal: a block on a moving belt slips until it goes along, sticks until its spring pulls it off, and the belt's work is accounted for. Truth, with δ = μ m g/k and ω² = k/m:
-/// x = δ (1 − cos ωt) until vb, then at vb until δ, then δ + vb/ω sin ω(t − t₂).
+/// Goal: a block on a moving belt slips until it has the belt's speed, and sticks until its spring pulls it off. The
+/// belt's work is accounted for. Truth, with δ = μ m g/k and ω² = k/m: x = δ (1 − cos ωt) until vb, then at vb until δ,
+/// then δ + vb/ω sin ω(t − t₂).
 #[test]
 fn a_block_on_a_belt_slips_sticks_and_slips_again() {
     let (delta, omega, vb) = (0.5_f64, 2.0_f64, 0.6_f64);
@@ -170,8 +174,9 @@ fn disk(inertia: f64, (vx, om): (f64, f64), span: f64) -> String {
     )
 }
 
-/// Goal: a disk that is thrown with backspin slips, then rolls. Truth: the slip s = v + R ω shrinks by μ g (1 + m R²/I), so that a disk rolls after s/(3 μ g), a sphere
-/// after 2 s/(7 μ g), and v has then lost μ g t; backspin enough brings it back.
+/// Goal: a disk that is thrown with backspin slips, then rolls. Truth: the slip s = v + R ω shrinks by μ g (1 + m
+/// R²/I). So a disk rolls after s/(3 μ g), a sphere after 2 s/(7 μ g), and v has then lost μ g t. Enough backspin
+/// brings it back.
 #[test]
 fn a_disk_with_backspin_slips_then_rolls() {
     for (part, vx, om) in [(0.5, 4.0, 0.0), (0.5, 2.0, 14.0), (0.4, 4.0, 3.0)] {
@@ -196,8 +201,9 @@ fn rod(th: f64, (vx, om): (f64, f64), mu: f64, span: f64) -> String {
     )
 }
 
-/// Goal: the force that friction comes of depends on friction. Truth: a rod that slides on its end, with N (1/m + a² cos θ (cos θ + μ s sin θ)/I) = g − a sin θ ω² from the two laws of motion,
-/// integrated here by equal steps of the classical method of Runge.
+/// Goal: the normal force of a contact depends on its friction. Truth: a rod that slides on its end, with N (1/m + a²
+/// cos θ (cos θ + μ s sin θ)/I) = g − a sin θ ω² from the two laws of motion, integrated here by equal steps of the
+/// classical method of Runge.
 #[test]
 fn a_leaning_rod_slides_as_its_own_equations_have_it() {
     let (m, i, g, mu) = (3.0, 1.0, 9.81, 0.4);
@@ -226,8 +232,9 @@ fn a_leaning_rod_slides_as_its_own_equations_have_it() {
     }
 }
 
-/// Goal: a rod that tips over begins to slip where friction no longer bears what holds its end. Truth: tipped from upright by φ with ω² = 3 g (1 − cos φ)/L, L = 2, the end
-/// needs F = ¾ m g sin φ (3 cos φ − 2) and N = ¼ m g (3 cos φ − 1)² (J. L. Meriam & L. G. Kraige, *Dynamics*, chapter 6).
+/// Goal: a rod that tips over begins to slip where friction can no longer hold its end. Truth: tipped from upright by φ
+/// with ω² = 3 g (1 − cos φ)/L, L = 2, the end needs F = ¾ m g sin φ (3 cos φ − 2) and N = ¼ m g (3 cos φ − 1)² (J. L.
+/// Meriam & L. G. Kraige, *Dynamics*, chapter 6).
 #[test]
 fn a_rod_that_tips_over_begins_to_slip_where_friction_ends() {
     let (mu, tipped) = (0.3, 0.1_f64);
@@ -259,8 +266,9 @@ pub fn falls(th: f64, (vx, om): (f64, f64), of: &str) -> String {
     )
 }
 
-/// Goal: an impact with friction sticks or slips as Coulomb's law for impulses has it. Truth: G = [[1/m + a² c²/I, a² s c/I], [., 1/m + a² s²/I]] in (normal, along) up to
-/// signs; a contact that sticks takes the slip and turns the normal velocity, one that slips has Λt = ∓ μ Λn and turns the normal velocity alone.
+/// Goal: an impact with friction sticks or slips by Coulomb's law for impulses. Truth: G = [[1/m + a² c²/I, a² s c/I],
+/// [., 1/m + a² s²/I]] in (normal, along) up to signs. A contact that sticks takes the slip and turns the normal
+/// velocity. One that slips has Λt = ∓ μ Λn and turns only the normal velocity.
 #[test]
 fn an_impact_with_friction_sticks_or_slips() {
     let (m, i, th, om) = (3.0, 1.0, 0.9_f64, 0.5);
@@ -289,8 +297,9 @@ fn an_impact_with_friction_sticks_or_slips() {
     }
 }
 
-/// Goal: where rigid bodies with friction have no motion, or several, the run stops and says so. Truth: a uniform rod has 1/m + a² c (c − μ s)/I < 0 for tan θ = 2, μ = 2 sliding
-/// towards its lean (P. Painlevé 1895): no force keeps it from the floor at rest, and at a spin that lifts the end it may open or press on.
+/// Goal: the run stops with its reason where rigid bodies with friction have no motion, or several. Truth: a uniform
+/// rod has 1/m + a² c (c − μ s)/I < 0 for tan θ = 2, μ = 2 sliding towards its lean (P. Painlevé 1895). At rest no
+/// force keeps it from the floor. At a spin that lifts the end it may open or press on.
 #[test]
 fn painleves_rod_stops_with_its_reason() {
     let th = 2.0_f64.atan();

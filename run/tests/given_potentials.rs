@@ -1,6 +1,7 @@
 //! Runs of mechanisms whose forces are potentials of the file.
 //!
-//! Truth: the period of x" = -x^3 from 1, Gamma(1/4)^2/sqrt(pi) (P. F. Byrd & M. D. Friedman, Handbook of Elliptic Integrals, 2nd edition (1971), 130.05).
+//! Truth: the period of x" = -x^3 from 1, Gamma(1/4)^2/sqrt(pi) (P. F. Byrd & M. D. Friedman, Handbook of Elliptic
+//! Integrals, 2nd edition (1971), 130.05).
 
 use tripos::{Mechanism, Overrides, Scene};
 use tripos_derive::diagnostic::Source;

@@ -1,4 +1,4 @@
-//! Gradients by sweeps backwards: against closed forms, 32-digit differences, and derivatives carried forwards.
+//! Gradients by sweeps backwards, against closed forms, 32-digit differences, and derivatives carried forwards.
 
 use crate::sensitivity::{FALL, GROUND, SPRING, elliptic, how, near, scene_of, spring};
 use tripos::sensitivity::gradient::Slope;
@@ -15,7 +15,9 @@ fn by(found: &Gradient, name: &str) -> f64 {
     found.by(name).unwrap().value
 }
 
-/// x = x₀ cos ω t + v₀/ω sin ω t with ω = √(k/m), where v₀ = x₀ω is a formula that k and m enter: by everything, directly and through the start. Every method; of those that cannot be swept the run is by DOP853, and says so.
+/// Truth: x = x₀ cos ω t + v₀/ω sin ω t with ω = √(k/m), where v₀ = x₀ω is a formula that k and m enter. Its
+/// derivatives are taken with respect to all numbers, directly and through the start, by every method. Methods without
+/// a sweep run by DOP853, and the result says so.
 #[test]
 fn a_spring_has_the_gradient_of_its_closed_form() {
     let (m, k, x0, t) = (2.0_f64, 8.0_f64, 0.5_f64, 3.0_f64);
@@ -46,7 +48,7 @@ fn a_spring_has_the_gradient_of_its_closed_form() {
             assert!(!of_x.is_total);
         }
     }
-    // What the end depends on by itself: an output that names k, an acceleration, an energy.
+    // Outputs that depend on the end directly: one that names k, an acceleration, an energy.
     let scene = spring("dop853", "");
     let (x, dx) = (x0 * (c + s), x0 * t * (c - s) * dk);
     near(by(&gradient(&scene, "k*x^2/2", &how(None)), "k"), x * x / 2.0 + k * x * dx, 1e-10, "an output");
@@ -54,7 +56,8 @@ fn a_spring_has_the_gradient_of_its_closed_form() {
     near(by(&gradient(&scene, "potential_energy", &how(None)), "x"), k * x * c, 1e-10, "an energy");
 }
 
-/// y = h − g t²/2 meets the ground at t = √(2h/g) with v = −√(2gh): total derivatives of the instant and of the speed; those of the place are zero.
+/// Truth: y = h − g t²/2 meets the ground at t = √(2h/g) with v = −√(2gh). The instant and the speed have total
+/// derivatives; those of the place are zero.
 #[test]
 fn an_event_at_the_end_moves_with_every_number() {
     let (h, g, m) = (3.0_f64, 9.81_f64, 2.0_f64);
@@ -78,7 +81,7 @@ fn an_event_at_the_end_moves_with_every_number() {
     }
 }
 
-/// From rest at θ₀ the lowest point is met at √(l/g) K(sin θ₀/2) with the rate −2 √(g/l) sin θ₀/2.
+/// Truth: from rest at θ₀ the lowest point is met at √(l/g) K(sin θ₀/2) with the rate −2 √(g/l) sin θ₀/2.
 #[test]
 fn a_quarter_of_the_period_of_a_pendulum_has_the_gradient_of_its_closed_form() {
     let model = include_str!("../../models/pendulum/model.toml");
@@ -102,7 +105,9 @@ fn a_quarter_of_the_period_of_a_pendulum_has_the_gradient_of_its_closed_form() {
     near(by(&gradient(&scene, "omega", &how(None)), "l"), k / (pace * l), 1e-11, "the rate there");
 }
 
-/// The disk over its ten seconds, in which it comes near lying flat five times: the truths in 32 digits that derivatives carried forwards are held to. Its derivatives are some 1e8 on the way, of which DOP853 leaves 2e-9.
+/// Goal: the disk over its ten seconds, in which it comes near lying flat five times. Truth: the derivatives in 32
+/// digits that the forward ones are compared with. On the way derivatives reach some 1e8, so DOP853 leaves errors of
+/// 2e-9 at the end.
 #[test]
 fn ten_seconds_of_the_disk_are_swept_to_eight_digits() {
     let model = include_str!("../../models/disk/model.toml");
@@ -121,8 +126,9 @@ fn ten_seconds_of_the_disk_are_swept_to_eight_digits() {
     }
 }
 
-/// Goal: backwards is what forwards is. Method: models with loops, without, that roll, with Euler parameters, in speeds and in rates, with time; one or two numbers at the end of each by all numbers of its scene, to what both state, and to a part
-/// of the largest in relation to what changes.
+/// Goal: backward and forward derivatives agree. Method: models with loops, without, that roll, with Euler parameters,
+/// in speeds and in rates, with time. One or two numbers at the end of each are differentiated by all numbers of its
+/// scene. They agree within the stated errors, and within a part of the largest derivative relative to its number.
 #[test]
 fn library_models_have_the_gradients_that_derivatives_forwards_are() {
     for (folder, scene, span, of, formulation) in [
@@ -151,7 +157,8 @@ fn library_models_have_the_gradients_that_derivatives_forwards_are() {
         };
         for of in of {
             let found = gradient(&scene, of, &how);
-            // Where the start of a loop is not solved for, one number alone takes it off its constraints: forwards that is refused.
+            // If the start of a loop is not solved for, one number alone takes it off its constraints; forwards refuses
+            // that.
             let (slopes, without): (Vec<&Slope>, Vec<&Slope>) = found.slopes.iter().partition(|s| s.missing.is_none());
             assert!(slopes.len() >= 4, "{folder}");
             assert!(without.iter().all(|slope| scene.sensitivities(&[&slope.by], At::End, &how).is_err()), "{folder}");
@@ -173,7 +180,8 @@ fn library_models_have_the_gradients_that_derivatives_forwards_are() {
     }
 }
 
-/// A force that switches at T = d/c: x(t) = x₀ + v₀ t + a/m (−T²/2 − T(t − T) + (t − T)²/2), by all of them; and one that bends there.
+/// Truth: a force that switches at T = d/c: x(t) = x₀ + v₀ t + a/m (−T²/2 − T(t − T) + (t − T)²/2), by all its numbers.
+/// Also a force that bends there.
 #[test]
 fn a_switch_that_moves_counts_in_the_gradient() {
     let model = SPRING
@@ -188,7 +196,7 @@ fn a_switch_that_moves_counts_in_the_gradient() {
     let at = d / c;
     let rest = end - at;
     let place = |t: f64| -t * t / 2.0 - t * (end - t) + (end - t) * (end - t) / 2.0;
-    // d/dT of it: −T − (t − T) + T − (t − T)
+    // Derivative d/dT of it: −T − (t − T) + T − (t − T).
     let by_switch = a / m * (-at - rest + at - rest);
     for method in ["dop853", "ode45"] {
         let scene = scene_of(&model, &text.replace("dop853", method));
@@ -208,7 +216,7 @@ fn a_switch_that_moves_counts_in_the_gradient() {
     let bent = scene_of(&model.replace("a*sign(c*t - d)", "a*abs(c*t - d)"), text);
     let primitive = |s: f64| end * s * s / 2.0 - s * s * s / 3.0;
     near(by(&gradient(&bent, "x", &how(None)), "c"), a / m * (primitive(end) - 2.0 * primitive(at)), 1e-10, "a bend");
-    // At the end of the span the switch moves into it or out: no derivative by what moves it, but by others.
+    // The switch at the end of the span moves into it or out of it. Numbers that move it have no derivative; others do.
     let ends = scene_of(&model, &text.replace("[0, 3]", "[0, 1.25]"));
     let found = ends.gradient("x", &how(None)).unwrap();
     let slope = found.by("c").unwrap();
@@ -222,7 +230,7 @@ fn a_switch_that_moves_counts_in_the_gradient() {
     );
 }
 
-/// Goal: what a scene has set counts. Method: of a spring with another stiffness, by the closed form.
+/// Goal: values that were set in a scene count. Method: a spring with another stiffness, by the closed form.
 #[test]
 fn numbers_that_were_set_are_those_of_the_gradient() {
     let mut scene = spring("dop853", "");
@@ -231,7 +239,7 @@ fn numbers_that_were_set_are_those_of_the_gradient() {
     near(by(&found, "x"), 3.0_f64.cos(), 1e-10, "ω is 1");
 }
 
-/// Goal: what cannot be swept is refused, with what to do.
+/// Goal: scenes that cannot be swept are refused, with advice.
 #[test]
 fn what_has_no_gradient_is_refused() {
     let scene = scene_of(FALL, GROUND);

@@ -1,4 +1,4 @@
-//! Impacts and held contacts against closed forms, textbook impulses and root finding in the tests themselves.
+//! Impacts and held contacts, against closed forms, textbook impulses and root finding in the tests themselves.
 
 use tripos::{Mechanism, Overrides, Run, Scene};
 use tripos_derive::diagnostic::Source;
@@ -28,7 +28,7 @@ acceleration = [0, 0, "-g"]
 zero_at = { z = 0 }
 "#;
 
-/// A body that moves in a plane, with its ends A and B at ± a along its first axis, and h below.
+/// A body that moves in a plane. Its ends A and B are at ± a along its first axis, and h below its centre.
 pub const PLANE: &str = r#"
 name = "Body in a plane"
 [parameters]
@@ -79,12 +79,12 @@ pub fn run(model: &str, text: &str) -> Run {
     run
 }
 
-/// The value of what is shown under a name at the end.
+/// Value of the quantity of this name at the end.
 pub fn end(run: &Run, name: &str) -> f64 {
     run.end[run.names.iter().position(|known| known == name).unwrap()]
 }
 
-/// The sign of a quantity before and after each impact tells nothing: what is after it is the last sample at its instant.
+/// Value of a quantity just after an impact: the last sample at its instant.
 fn after(run: &Run, impact: usize, name: &str) -> f64 {
     let t = run.impacts()[impact].t;
     let at = run.solution.t.iter().position(|sampled| sampled.total_cmp(&t).is_eq()).unwrap();
@@ -97,8 +97,9 @@ pub fn near(a: f64, b: f64, tolerance: f64) -> bool {
 
 const FALL: &str = "span = [0, 1.2]\n[start]\nz = 1\nw = 0\n[impacts.floor]\ngap = \"z\"\nrestitution = \"e\"\n";
 
-/// Goal: by every method and kind of equations a ball bounces when and as high as it must. Truth: from 1 m it meets the floor at t₁ = √(2/g) and then
-/// 2 t₁ eᵏ apart, with a velocity e times smaller each time; T + V less the losses stays.
+/// Goal: by every method and kind of equations a ball bounces at the right instants and to the right heights. Truth:
+/// from 1 m it meets the floor at t₁ = √(2/g), and then at intervals of 2 t₁ eᵏ. Its velocity becomes e times smaller
+/// each time. T + V minus the losses stays constant.
 #[test]
 fn a_ball_bounces_in_geometric_time_by_every_method_and_formulation() {
     let first = 0.2_f64.sqrt();
@@ -118,7 +119,7 @@ fn a_ball_bounces_in_geometric_time_by_every_method_and_formulation() {
                 back *= 0.5;
                 assert!(near(impact.t, t, 1e-12), "{by} {method}: {} for {t}", impact.t);
                 assert!(near(after(&run, k, "w"), back, 1e-11), "{by} {method}: {}", after(&run, k, "w"));
-                // m v (1 + e)/e and m v² (1/e² − 1)/2 of the velocity v after it.
+                // The impulse is m v (1 + e)/e and the loss m v² (1/e² − 1)/2, of the velocity v after the impact.
                 assert!(
                     near(impact.impulses[0].1, 2.0 * back * 3.0, 1e-10) && near(impact.loss, 3.0 * back * back, 1e-10)
                 );
@@ -129,7 +130,8 @@ fn a_ball_bounces_in_geometric_time_by_every_method_and_formulation() {
     }
 }
 
-/// Goal: bounces without end go over to rest on the floor, where they accumulate. Truth: at t₁ (1 + e)/(1 − e); all of m g h is lost.
+/// Goal: bounces without end go over to rest on the floor, where they accumulate. Truth: at t₁ (1 + e)/(1 − e); all of
+/// m g h is lost.
 #[test]
 fn bounces_that_accumulate_become_a_contact_that_is_held() {
     let run = run(BALL, &FALL.replace("1.2", "2"));
@@ -145,7 +147,7 @@ fn bounces_that_accumulate_become_a_contact_that_is_held() {
     assert!(run.digits.as_ref().unwrap().end().unwrap() > 6.0, "{:?}", run.digits.as_ref().map(tripos::Digits::end));
 }
 
-/// Goal: samples at asked instants are of the flight that they are in, by either law. Truth: parabolas between the bounces.
+/// Goal: samples at requested instants belong to their own flight, by either law. Truth: parabolas between the bounces.
 #[test]
 fn asked_instants_are_of_the_flights_that_they_are_in() {
     for law in ["newton", "poisson"] {
@@ -164,7 +166,8 @@ fn asked_instants_are_of_the_flights_that_they_are_in() {
     }
 }
 
-/// Two walls 2 m apart and no gravity: from the middle at 3 m/s, with e at one wall alone, a wall is met every 2/speed s.
+/// Goal: a ball between two walls, 2 m apart, without gravity, loses speed at one wall alone. Truth: from the middle at
+/// 3 m/s, a wall is met every 2/speed s.
 #[test]
 fn a_ball_between_two_walls_loses_speed_at_one_of_them_alone() {
     let text = "span = [0, 3]\n[parameters]\ng = 0\n[start]\nz = 0\nw = 3\n[impacts.top]\ngap = \"L - p(P) @ N [3]\"\nrestitution = 1\n\
@@ -185,8 +188,8 @@ fn a_ball_between_two_walls_loses_speed_at_one_of_them_alone() {
     assert!(found.iter().zip(&truth).all(|(a, b)| near(a.0, b.0, 1e-12) && a.1 == b.1), "{found:?} {truth:?}");
 }
 
-/// Goal: a floor that moves gives its velocity. Truth: parabolas between the roots of z(t) − A sin ωt, found here by bisection on a fine grid, and
-/// w after = s' − e (w before − s') with the floor's velocity s'.
+/// Goal: a moving floor gives its velocity to a ball. Truth: parabolas between the roots of z(t) − A sin ωt, found here
+/// by bisection on a fine grid, and w after = s' − e (w before − s') with the floor's velocity s'.
 #[test]
 fn a_ball_on_a_plate_that_moves_bounces_as_parabolas_and_roots_have_it() {
     let model = BALL.replace("P = {", "S = { from = \"O\", frame = \"N\", position = [0, 0, \"A*sin(k*t)\"] }\nP = {");
@@ -220,14 +223,15 @@ fn a_ball_on_a_plate_that_moves_bounces_as_parabolas_and_roots_have_it() {
         assert!(near(run.impacts()[at].t, *t, 1e-9) && near(after(&run, at, "w"), *w, 1e-8), "{at}: {t}, {w}");
         let (t, before) = (run.impacts()[at].t, &run.impacts()[at].before);
         let (v, v_after) = (before[before.len() - 1], after(&run, at, "w"));
-        // The plate's work and the loss account for the kinetic energy.
+        // The plate's work minus the loss equals the gain of kinetic energy.
         let gained = run.impacts()[at].work - run.impacts()[at].loss;
         assert!(near(gained, v_after * v_after - v * v, 1e-10), "{t}: {gained}");
     }
 }
 
-/// Goal: an impact off the centre turns the body. Truth, by the two laws of impulse (J. L. Meriam & L. G. Kraige, *Dynamics*, chapter 6): a rod at the angle
-/// th that falls with v on its end A at (−a, 0) has J = (1 + e) v / (1/m + a² cos² th / I), vy' = −v + J/m, om' = −J a cos th / I.
+/// Goal: an impact off the centre turns the body. Truth, by the two laws of impulse (J. L. Meriam & L. G. Kraige,
+/// *Dynamics*, chapter 6): a rod at the angle th falls with v on its end A at (−a, 0). Then J = (1 + e) v / (1/m + a²
+/// cos² th / I), vy' = −v + J/m, om' = −J a cos th / I.
 #[test]
 fn a_rod_that_falls_on_its_end_is_turned_by_the_impulse() {
     let (m, i, a, e) = (3.0, 0.5, 1.0, 0.5);
@@ -247,7 +251,8 @@ fn a_rod_that_falls_on_its_end_is_turned_by_the_impulse() {
     }
 }
 
-/// A rod that falls flat on both ends at once: by symmetry it does not turn. Newton's law for both together.
+/// Goal: a rod that falls flat on both ends at once does not turn. Truth: symmetry, and Newton's law for both ends
+/// together.
 #[test]
 fn a_rod_that_falls_flat_bounces_on_both_ends_at_once() {
     let text = format!(
@@ -301,8 +306,9 @@ acceleration = [0, "-g", 0]
 zero_at = { q1 = 0, q2 = 0 }
 "#;
 
-/// Goal: the impulse of a stop between two bodies changes all speeds by the mass matrix, in whichever variables. Truth: the matrix of two equal rods in
-/// (q1', q1' + q2'), M = m l² [[4/3, cos q2 / 2], [., 1/3]], and a moment along (−1, 1) that turns q2' into −e q2'.
+/// Goal: the impulse of a stop between two bodies changes all speeds by the mass matrix, in any variables. Truth: the
+/// matrix of two equal rods in (q1', q1' + q2'), M = m l² [[4/3, cos q2 / 2], [., 1/3]], and a moment along (−1, 1)
+/// that turns q2' into −e q2'.
 #[test]
 fn a_stop_between_two_rods_acts_by_their_mass_matrix() {
     let text = format!(
@@ -346,9 +352,11 @@ pub fn block(theta: f64, span: f64, restitution: f64) -> String {
     )
 }
 
-/// Goal: a block rocks from corner to corner. Truth: G. W. Housner, *The behavior of inverted pendulum structures during earthquakes*, Bull. Seismol. Soc. Am.
-/// 53 (1963) 403–417, eq. (6): the kinetic energy after over that before is r = (1 − 3/2 sin² α)², tan α = b/h, and the time from the angle θ₀ upright, for a slender block
-/// (eq. 3), p T/4 = arcosh 1/(1 − θ₀/α) with p² = 3 g / 4 R; at α = 0.245 rad that is near, so that the time is integrated here, exactly, from the energy.
+/// Goal: a block rocks from corner to corner. Truth: G. W. Housner, *The behavior of inverted pendulum structures
+/// during earthquakes*, Bull. Seismol. Soc. Am. 53 (1963) 403–417, eq. (6). The ratio of the kinetic energies after and
+/// before an impact is r = (1 − 3/2 sin² α)², tan α = b/h. For a slender block the time from the angle θ₀ upright is
+/// (eq. 3) p T/4 = arcosh 1/(1 − θ₀/α) with p² = 3 g / 4 R. At α = 0.245 rad that is only near, so the time is
+/// integrated here, exactly, from the energy.
 #[test]
 fn a_block_rocks_as_housner_has_it() {
     let (b, c, g) = (0.1_f64, 0.4_f64, 9.81);
@@ -357,7 +365,7 @@ fn a_block_rocks_as_housner_has_it() {
     let theta = 0.5 * alpha;
     let run = run(PLANE, &block(theta, 1.2, 0.0));
     let ratio = (1.0 - 1.5 * alpha.sin().powi(2)).powi(2);
-    // θ'² = 2 p² (cos(α − θ₀) − cos(α − θ)) reversed; with θ = θ₀ (1 − s²) nothing is singular at the start.
+    // Here θ'² = 2 p² (cos(α − θ₀) − cos(α − θ)) reversed; with θ = θ₀ (1 − s²) the start is not singular.
     let quarter: f64 = {
         let count = 4000;
         let f = |s: f64| {
@@ -381,7 +389,7 @@ fn a_block_rocks_as_housner_has_it() {
         (0..=count).map(|k| weight(k) * f(f64::from(k) / f64::from(count))).sum::<f64>() / (3.0 * f64::from(count))
     };
     assert!(near(run.impacts()[0].t, quarter, 1e-8), "{} for {quarter}", run.impacts()[0].t);
-    // The slender block of the paper is a percent away.
+    // The slender block of the paper differs by one percent.
     assert!(near(quarter, (1.0 / (1.0 - theta / alpha)).acosh() / p, 0.02 * quarter));
     for (at, impact) in run.impacts().iter().take(3).enumerate() {
         let (before, om) = (impact.before[5], after(&run, at, "om"));
@@ -389,12 +397,12 @@ fn a_block_rocks_as_housner_has_it() {
         // It lands on the other corner each time.
         assert_eq!(impact.impulses.iter().map(|(at, _)| *at).collect::<Vec<_>>(), [at % 2], "{impact:?}");
     }
-    // The free corner stays above the floor, the other one on its place.
+    // The free corner stays above the floor, and the other one stays at its place.
     assert!(run.energy_drift.unwrap() < 1e-9, "{:?}", run.energy_drift);
 }
 
-/// Goal: rocking dies away in finite time, and the block stands. Truth: Housner's ratio takes a part of the energy at each impact, the times between add up,
-/// and at rest all of it is lost.
+/// Goal: rocking dies away in finite time, and the block stands. Truth: Housner's ratio takes a part of the energy at
+/// each impact, the times between impacts add up, and at rest all energy is lost.
 #[test]
 fn a_rocking_block_comes_to_stand() {
     let run = run(PLANE, &block(0.1, 8.0, 0.0));
@@ -407,8 +415,9 @@ fn a_rocking_block_comes_to_stand() {
     assert!(near(lost, 3.0 * 9.81 * lifted, 1e-9), "{lost}");
 }
 
-/// Goal: a contact is held while it is pushed together, opens where its force ends, and closes again. Truth: a ball on a floor under a force
-/// −m g + F t upwards, F t = 2 m g at the end: it leaves at t = 1 s where the force is m g, and is then at (t − 1)³ g/6.
+/// Goal: a contact is held while it is pushed together, opens where its force ends, and closes again. Truth: a ball on
+/// a floor under a force −m g + F t upwards, F t = 2 m g at the end. It leaves at t = 1 s where the force is m g, and
+/// is then at (t − 1)³ g/6.
 #[test]
 fn a_contact_opens_where_its_force_no_longer_pushes() {
     let model = BALL.to_owned() + "[forces.lift]\non = \"ball\"\nframe = \"N\"\nvector = [0, 0, \"m*g*t/T\"]\n";
@@ -426,8 +435,8 @@ fn a_contact_opens_where_its_force_no_longer_pushes() {
     }
 }
 
-/// Goal: a stop in a closed loop turns the whole mechanism, and its loops and their rates stay closed. Truth: with one degree of freedom all rates
-/// turn and are e times as large, and 1 − e² of the kinetic energy is lost.
+/// Goal: a stop in a closed loop turns the whole mechanism, and its loops and their rates stay closed. Truth: with one
+/// degree of freedom all rates turn and are e times as large, and 1 − e² of the kinetic energy is lost.
 #[test]
 fn a_slider_crank_that_hits_a_stop_stays_closed() {
     let model = include_str!("../../models/slider_crank/model.toml");
@@ -444,7 +453,7 @@ fn a_slider_crank_that_hits_a_stop_stays_closed() {
             run.impacts()
         );
         let impact = &run.impacts()[0];
-        // Coordinates, then the speed, or all rates of which that of the crank is the first.
+        // The state has the coordinates, then the speed, or all rates, of which the crank's is the first.
         let coordinates = if by == "lagrange" { impact.before.len() / 2 } else { impact.before.len() - 1 };
         let before = impact.before[coordinates];
         assert!(near(after(&run, 0, "u"), -0.6 * before, 1e-10), "{by}: {} after {before}", after(&run, 0, "u"));
@@ -456,7 +465,7 @@ fn a_slider_crank_that_hits_a_stop_stays_closed() {
     }
 }
 
-/// What cannot be run with impacts says so, and how it can.
+/// Goal: functions that do not support impacts refuse them, with advice.
 #[test]
 fn what_knows_no_impacts_refuses_them() {
     let says = |text: &str, by: Option<&str>, what: &str| {
@@ -472,7 +481,7 @@ fn what_knows_no_impacts_refuses_them() {
     assert!(reference.contains("know no impacts"), "{reference}");
 }
 
-/// A sweep over the restitution is of as many scenes.
+/// Goal: a sweep over the restitution runs one scene for each value.
 #[test]
 fn a_restitution_is_set_like_any_parameter() {
     let mut scene = scene(BALL, FALL);
@@ -482,7 +491,7 @@ fn a_restitution_is_set_like_any_parameter() {
     assert!(scene.set("e", 1.2).unwrap_err().to_string().contains("not from 0 to 1"));
 }
 
-/// Goal: a start that hits, one that overlaps, and one that rests are told apart.
+/// Goal: a start with an impact, one with an overlap, and one at rest are distinguished.
 #[test]
 fn what_touches_at_the_start_hits_rests_or_is_refused() {
     let at = |z: f64, w: f64| FALL.replace("z = 1\nw = 0", &format!("z = {z:?}\nw = {w:?}"));
@@ -521,8 +530,8 @@ frame = "N"
 acceleration = [0, 0, "-g"]
 "#;
 
-/// Goal: bodies that bounce on one another come to rest on one another, however much comes back. Method: two that are dropped end at rest on the floor
-/// and on each other, and have lost the energy that they had.
+/// Goal: bodies that bounce on one another come to rest on one another, whatever the restitution. Method: two dropped
+/// bodies end at rest on the floor and on each other, and have lost all their energy.
 #[test]
 fn what_falls_on_one_another_comes_to_rest_so() {
     for e in [0.3, 0.5, 0.7] {
@@ -542,8 +551,8 @@ fn what_falls_on_one_another_comes_to_rest_so() {
     }
 }
 
-/// Goal: no number stands for a force that is not known. Method: an acceleration is asked for in a scene in which a contact may
-/// be held.
+/// Goal: an unknown force is never shown as a number. Method: an acceleration is requested in a scene in which a
+/// contact may be held.
 #[test]
 fn what_contacts_would_falsify_is_refused() {
     let model = tripos_derive::model::load(&Source::from_text("model.toml", TWO)).unwrap_or_else(|e| panic!("{e}"));

@@ -1,4 +1,4 @@
-//! Inverse dynamics: forces and inputs of given motions; and regressors in numbers.
+//! Inverse dynamics, with forces and inputs of given motions, and regressors in numbers.
 //!
 //! Truth: closed forms; P. I. Corke, *Robotics, Vision and Control* (2011), section 9.1.
 
@@ -65,7 +65,8 @@ other = { on = "rod", frame = "N", vector = [0, 0, "2*more"] }
 
 const SWING: &str = "[motion]\nq = \"sin(3*t)\"\n[times]\nfrom = 0\nto = 2\ncount = 9\n";
 
-/// Goal: the torque of a motion that is given by a formula. Method: m l² q'' + c q' + m g l sin q in closed form, to rounding.
+/// Goal: the torque of a motion that is given by a formula. Method: m l² q'' + c q' + m g l sin q in closed form, to
+/// rounding.
 #[test]
 fn a_driven_pendulum_needs_its_closed_form() {
     for (moving, forces) in run(parse(PENDULUM), SWING, &["tau"]).unwrap() {
@@ -78,7 +79,8 @@ fn a_driven_pendulum_needs_its_closed_form() {
     }
 }
 
-/// Goal: of inputs that are more than freedoms the least is given. Method: τ₁ + 2 τ₂ = f by (f, 2 f)/5.
+/// Goal: if there are more inputs than degrees of freedom, the least inputs are given. Method: τ₁ + 2 τ₂ = f by (f, 2
+/// f)/5.
 #[test]
 fn inputs_that_are_too_many_are_the_least() {
     for (_, forces) in run(parse(PENDULUM), SWING, &[]).unwrap() {
@@ -88,8 +90,8 @@ fn inputs_that_are_too_many_are_the_least() {
     }
 }
 
-/// Goal: a parameter stands for an input where loads are linear in it, and is refused where they are not. Method: the damper's constant
-/// gives what the torque gave; the length does not stand in loads alone.
+/// Goal: a parameter can serve as an input where loads are linear in it, and is refused elsewhere. Method: the damper's
+/// constant gives the effect of the torque; the length does not enter only through loads.
 #[test]
 fn parameters_stand_for_inputs_where_loads_are_linear() {
     let state = "[state]\nq = 0.5\nu = 2\n[accelerations]\n\"u'\" = 0\n";
@@ -99,7 +101,8 @@ fn parameters_stand_for_inputs_where_loads_are_linear() {
     assert_eq!(wrong, "forces are not linear in `l`");
 }
 
-/// Goal: an arm with a motor at each joint weighs what is published. Method: Corke's gravity load of the PUMA 560 in the pose `qn`.
+/// Goal: the gravity load of an arm with a motor at each joint is the published one. Method: Corke's gravity load of
+/// the PUMA 560 in the pose `qn`.
 #[test]
 fn an_arm_at_rest_needs_its_published_gravity_load() {
     let state = "[state]\nq1 = 0\nq2 = \"pi/4\"\nq3 = \"pi\"\nq4 = 0\nq5 = \"pi/4\"\nq6 = 0\nu1 = 0\nu2 = 0\nu3 = 0\nu4 = 0\nu5 = 0\nu6 = 0\n\
@@ -151,8 +154,9 @@ motor = { on = "crank", frame = "N", vector = [0, 0, "tau"] }
 push = { on = "slide", frame = "N", vector = ["F", 0, 0] }
 "#;
 
-/// Goal: dependent coordinates follow the one that is given. Method: crank and slide in closed form, x = a cos q + √(b² − a² sin² q),
-/// with q = t + t²: τ = J q'' + m x'' dx/dq, by differences of the closed form that cancel nothing.
+/// Goal: dependent coordinates follow from the given one. Method: crank and slide in closed form, x = a cos q + √(b² −
+/// a² sin² q), with q = t + t². The torque is τ = J q'' + m x'' dx/dq, by differences of the closed form without
+/// cancellation.
 #[test]
 fn dependent_coordinates_of_a_loop_are_solved_for() {
     let motion = "[motion]\nq = \"t + t^2\"\n[guess]\nr = -0.1\n[times]\nfrom = 0\nto = 3\ncount = 301\n";
@@ -169,8 +173,9 @@ fn dependent_coordinates_of_a_loop_are_solved_for() {
     }
 }
 
-/// Goal: a motion that the inputs cannot give is refused with what is missing, and a motion that says too little with what to add.
-/// Method: a cart that is pushed with a pendulum that is not; a push along a slide where it stands still; a free coordinate.
+/// Goal: a motion that the inputs cannot give is refused with the missing force, and an incomplete motion with the
+/// missing coordinate. Method: a cart that is pushed, with a pendulum that is not; a push along a slide where it stands
+/// still; a free coordinate.
 #[test]
 fn motions_that_inputs_do_not_give_are_refused() {
     let dead = "[motion]\nq = 0\n[guess]\nr = 0\n[times]\nfrom = 0\nto = 0\ncount = 1\n";
@@ -186,11 +191,12 @@ fn motions_that_inputs_do_not_give_are_refused() {
     );
 }
 
-/// Goal: however many coordinates have formulas, a motion is told or refused with the place. Method: each choice among the three angles of a
-/// four-bar linkage, at values that close it (by the law of cosines) and at values that do not.
+/// Goal: however many coordinates have formulas, a motion is computed, or refused with the place of the conflict.
+/// Method: each choice among the three angles of a four-bar linkage, at values that close it (by the law of cosines)
+/// and at values that do not.
 #[test]
 fn formulas_that_contradict_a_loop_are_refused() {
-    // Pins at 0 and d, the crank at q1: the coupler and the rocker meet at the crossing of two circles.
+    // Pins at 0 and d, the crank at q1. The coupler and the rocker meet at the crossing of two circles.
     let (a, b, c, d, q1) = (0.3_f64, 0.8_f64, 0.6_f64, 0.7_f64, 0.4_f64);
     let (px, py) = (a * q1.cos(), a * q1.sin());
     let (dx, dy) = (d - px, -py);
@@ -226,8 +232,9 @@ fn formulas_that_contradict_a_loop_are_refused() {
     }
 }
 
-/// Goal: base parameters do not depend on states that are drawn. Method: a free rigid body has ten, its mass, its first and its second
-/// moments, in angles and in Euler parameters; on a ball joint with a weight nine, without its mass.
+/// Goal: base parameters do not depend on the states that are drawn at random. Method: a free rigid body has ten, its
+/// mass, its first and its second moments, in angles and in Euler parameters. On a ball joint with a weight it has
+/// nine, without its mass.
 #[test]
 fn a_free_body_has_ten_base_parameters() {
     let text = |kind: &str, sequence: &str, gravity: &str| {
@@ -259,8 +266,8 @@ fn states(model: &Mechanism) -> Vec<Moving> {
         .collect()
 }
 
-/// Goal: the regressor with the values of the base parameters gives the forces of the model. Method: M u' − f by Kane's equations at
-/// seeded states in 32 digits; rolling, time, springs, an arm.
+/// Goal: the regressor with the values of the base parameters gives the forces of the model. Method: M u' − f by Kane's
+/// equations at seeded states in 32 digits; rolling, time, springs, an arm.
 #[test]
 fn regressors_give_the_forces_of_the_model_in_32_digits() {
     for name in ["puma560", "pendulum", "driven_pendulum", "rolling_disc", "cart_with_spring", "gimbals"] {
@@ -287,7 +294,8 @@ fn regressors_give_the_forces_of_the_model_in_32_digits() {
     }
 }
 
-/// Goal: a table of samples is read by names, and what is wrong in it is told. Method: columns in another order, and one of each error.
+/// Goal: a table of samples is read by names, and its errors are reported. Method: columns in another order, and one of
+/// each error.
 #[test]
 fn tables_of_samples_are_read_by_names() {
     let model = parse(PENDULUM);
@@ -305,7 +313,7 @@ fn tables_of_samples_are_read_by_names() {
     }
 }
 
-/// Goal: every way to state a motion wrongly is told. Method: one of each.
+/// Goal: every error in a given motion is reported. Method: one of each kind.
 #[test]
 fn wrong_motions_are_refused() {
     for (text, wrong) in [

@@ -84,7 +84,7 @@ fn end_of(run: &Run, name: &str) -> f64 {
     *run.column(name).unwrap().last().unwrap()
 }
 
-/// Exact: x = 0.5 cos(ω t), ω = √(k/m).
+/// Exact solution: x = 0.5 cos(ω t), ω = √(k/m).
 #[test]
 fn a_scene_from_strings_runs_by_every_kind_of_equations_and_meets_its_events() {
     let scene = scene();
@@ -99,7 +99,7 @@ fn a_scene_from_strings_runs_by_every_kind_of_equations_and_meets_its_events() {
     assert!(scene.prove().unwrap().is_equivalent());
 }
 
-/// Exact: x = 0.5 cos(ω t) with ω = 2, so x(1) = 0.5 cos 2.
+/// Exact solution: x = 0.5 cos(ω t) with ω = 2, so x(1) = 0.5 cos 2.
 #[test]
 fn equations_references_and_samples_are_a_call_away() {
     let scene = scene();

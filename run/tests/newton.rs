@@ -1,7 +1,7 @@
-//! What bodies exert on one another, held against Newton's and Euler's laws for each body alone.
+//! Forces between bodies, checked by Newton's and Euler's laws for each body alone.
 //!
-//! Random mechanisms; each body's forces and torques are those of the bodies that the generator connected it with, and of no others; its
-//! accelerations are differences of its velocities in the run.
+//! The mechanisms are random. The forces and torques of each body are those of the bodies to which the generator
+//! connected it, and of no others. Its accelerations are differences of its velocities in the run.
 
 use crate::random_trees::times;
 use std::fmt::Write;
@@ -12,7 +12,7 @@ use tripos_derive::diagnostic::Source;
 const STEP: f64 = 1e-3;
 const G: f64 = 9.81;
 
-/// A small generator of numbers (Knuth's linear congruential one).
+/// Small generator of numbers (Knuth's linear congruential one).
 struct Chance(u64);
 
 impl Chance {
@@ -58,12 +58,12 @@ impl Sampled {
         [column[0], column[column.len() / 2], *column.last().unwrap()]
     }
 
-    /// In the middle.
+    /// Value at the middle sample.
     fn value(&self, name: &str) -> f64 {
         self.column(name)[1]
     }
 
-    /// The rate of change in the middle.
+    /// Rate of change at the middle sample.
     fn rate(&self, name: &str) -> f64 {
         let [before, _, after] = self.column(name);
         (after - before) / (2.0 * STEP)
@@ -74,32 +74,33 @@ impl Sampled {
     }
 }
 
-/// How a body of a stack is said to lie on the one below.
+/// Way in which a model file states that a body of a stack lies on the one below.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Lies {
-    /// It is placed from a point of the lower one.
+    /// The body is placed from a point of the lower one.
     Placed,
-    /// It rubs on it.
+    /// The body rubs on the lower one.
     Rubs,
-    /// Its force is named.
+    /// The contact force is named.
     Named,
-    /// Its height is a coordinate that a named force holds.
+    /// The height is a coordinate that a named force holds.
     Enforced,
-    /// Heights are compared.
+    /// An equation compares the heights.
     Compared,
-    /// Heights are compared by an equation that names the lower one first.
+    /// An equation compares the heights and names the lower body first.
     Turned,
-    /// Heights are coordinates, which an equation compares.
+    /// The heights are coordinates, which an equation compares.
     Related,
     /// Its height is named, and compared with a coordinate.
     Mixed,
-    /// It rolls, its height a coordinate.
+    /// The body rolls, and its height is a coordinate.
     Rolls,
-    /// It rolls, its height built in.
+    /// The body rolls, and its height is built in.
     RollsBuiltIn,
 }
 
-/// A body of a stack: what it lies on, and how; whether it is placed from the origin. `rank` tells its place among the bodies of the file.
+/// Body of a stack: the body below, the way it is stated, and true if it is placed from the origin. `rank` is its index
+/// among the bodies of the file.
 struct Layer {
     on: Option<usize>,
     lies: Lies,
@@ -113,7 +114,7 @@ impl Layer {
         matches!(self.lies, Lies::Rolls | Lies::RollsBuiltIn)
     }
 
-    /// Whether an equation compares its height with that of the lower one.
+    /// True if an equation compares its height with that of the lower one.
     fn is_compared(&self) -> bool {
         matches!(self.lies, Lies::Compared | Lies::Turned | Lies::Related | Lies::Mixed)
     }
@@ -236,16 +237,17 @@ fn stack_text(layers: &[Layer], push: &[f64]) -> String {
     )
 }
 
-/// The rub of a body on the one below, N along n1.
+/// Friction force of a body on the one below, N along n1.
 fn rub(run: &Sampled, layers: &[Layer], at: usize) -> f64 {
     let (Layer { lies: Lies::Rubs, .. }, Some(on)) = (&layers[at], layers[at].on) else { return 0.0 };
     let slip = run.value(&format!("v(P{at}) @ N [1]")) - run.value(&format!("v(P{on}) @ N [1]"));
     -0.6 * slip / slip.hypot(0.3)
 }
 
-/// Goal: each body rests on what the file says it rests on, and the ground carries the lowest alone. Method: random stacks of boards and
-/// balls whose contacts are stated in ten ways, placed from the origin or from one another, in the file in any order; for each body the sum of what the generator's own
-/// neighbours exert, with what rubs, against m a and I α.
+/// Goal: each body rests on the body that the file names, and the ground carries only the lowest one. Method: random
+/// stacks of boards and balls whose contacts are stated in ten ways, placed from the origin or from one another, in
+/// any order in the file. For each body the forces of its neighbours in the generator are added up, with friction, and
+/// compared with m a and I α.
 #[test]
 fn stacks_rest_on_what_is_below() {
     let mut chance = Chance(11);
@@ -309,8 +311,9 @@ fn stacks_rest_on_what_is_below() {
     }
 }
 
-/// Goal: what a rope ties does not rest on one another: pulleys on the ground carry what it pulls. Method: two blocks on tracks along axes of
-/// two frames, the rope stated by coordinates, places, rates or a speed; the ground's force on each against m (a − g).
+/// Goal: blocks that a rope ties do not rest on one another: pulleys on the ground carry what it pulls. Method: two
+/// blocks on tracks along axes of two frames, the rope stated by coordinates, places, rates or a speed. The ground's
+/// force on each block is compared with m (a − g).
 #[test]
 fn pulleys_carry_what_a_rope_ties() {
     let mut chance = Chance(17);
@@ -367,8 +370,8 @@ fn pulleys_carry_what_a_rope_ties() {
     }
 }
 
-/// Goal: a board rests on the one from which it is placed, not on one further below. Truth: the middle one of three carries the upper
-/// one's weight, 3 g, and the lower one nothing of it directly.
+/// Goal: a board rests on the one from which it is placed, not on one further below. Truth: the middle one of three
+/// carries the upper one's weight, 3 g, and the lower one carries none of that directly.
 #[test]
 fn a_board_rests_on_the_nearest_from_which_it_is_placed() {
     let layer = |at: usize| Layer {
@@ -388,8 +391,9 @@ fn a_board_rests_on_the_nearest_from_which_it_is_placed() {
     assert!(message.contains("no reaction acts between `b0` and `b2`"), "{message}");
 }
 
-/// Goal: what joints carry balances each body, screws among them. Method: random chains of pins, sliders, screws, cylinders and universal
-/// joints in space; m a and dH/dt about each mass centre against what the joints at both ends exert.
+/// Goal: the joint forces balance each body, screws among them. Method: random chains of pins, sliders, screws,
+/// cylinders and universal joints in space. m a and dH/dt about each mass centre are compared with the forces and
+/// torques of the joints at both ends.
 #[test]
 fn joints_balance_each_body() {
     let mut chance = Chance(3);

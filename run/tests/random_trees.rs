@@ -5,22 +5,22 @@ use crate::tree::{Tree, scene};
 use tripos::{Mechanism, Overrides, Run, Scene};
 use tripos_derive::diagnostic::Source;
 
-/// Until when trees run, s, and in how many steps of the reference: its error is below 1e-12.
+/// Length of the runs of trees, s, and number of steps of the reference, whose error is below 1e-12.
 const SPAN: (f64, u32) = (0.1, 400);
-/// Errors that paths may make, relative to the largest state: tolerances are 1e-12.
+/// Greatest error of a path, relative to the largest state; tolerances are 1e-12.
 const TOLERANCE: f64 = 1e-9;
 
-/// How many times as many random mechanisms of other kinds are tried as every change waits for: `TRIPOS_RANDOM_TIMES`.
+/// Factor on the number of random mechanisms that are tried, from `TRIPOS_RANDOM_TIMES`; 1 by default.
 pub fn times() -> usize {
     std::env::var("TRIPOS_RANDOM_TIMES").ok().and_then(|text| text.parse().ok()).unwrap_or(1)
 }
 
-/// Trees that are run: `TRIPOS_RANDOM_RUNS`, else as many as every change waits for.
+/// Number of trees that are run, from `TRIPOS_RANDOM_RUNS`; 8 by default.
 fn count() -> u64 {
     std::env::var("TRIPOS_RANDOM_RUNS").ok().and_then(|text| text.parse().ok()).unwrap_or(8)
 }
 
-/// Equations, method and solve; nothing stands for the default.
+/// Equations, method and solve of each path; `None` is the default.
 const PATHS: [(Option<&str>, Option<&str>, Option<&str>); 8] = [
     (None, None, None),
     (Some("kane"), None, None),
@@ -32,8 +32,8 @@ const PATHS: [(Option<&str>, Option<&str>, Option<&str>); 8] = [
     (Some("newton-euler"), None, None),
 ];
 
-/// Goal: no default and no option leads to another motion. Method: for each tree and path the state at the end, against an
-/// integration by the classical Runge-Kutta method of accelerations that share nothing with Tripos.
+/// Goal: no default and no option leads to another motion. Method: for each tree and path, the state at the end is
+/// compared with an integration by the classical Runge-Kutta method, whose accelerations share nothing with Tripos.
 #[test]
 fn runs_of_random_trees_are_those_of_first_principles() {
     let (mut runs, mut numbers) = (0, 0);
@@ -64,7 +64,7 @@ fn runs_of_random_trees_are_those_of_first_principles() {
     println!("{runs} runs, {numbers} numbers");
 }
 
-/// Each value with the name that it has in the scene.
+/// Names of the values in the scene, each with its value.
 fn ends<'a>(letter: &'a str, values: &'a [f64]) -> impl Iterator<Item = (String, f64)> + 'a {
     values.iter().enumerate().map(move |(at, value)| (format!("{letter}{at}"), *value))
 }

@@ -21,8 +21,10 @@ pivot = { kind = "pin", axis = 3, body = "upper", to = "cart", centre = [0, "-l/
 hook = { kind = "pin", axis = AXIS, body = "lower", to = "upper", at = [0, "-l/2", 0], centre = [0, "-l/2", 0], coordinates = ["b"], speeds = ["z"] }
 "#;
 
-/// Goal: a reaction has its value in every pose. Method: in planes along and across one another, at poses where sines and cosines are 0 and at one where none is, each
-/// component between the bodies by the scene's own equations, beside Kane's with the balances solved in numbers; hanging at rest, weight.
+/// Goal: a reaction has its value in every pose. Method: each component between the bodies by the scene's own
+/// equations, in planes along and across one another. Poses are those where sines and cosines are 0, and one where none
+/// is. Compared are Kane's equations with the balances solved in numbers. At rest, hanging, the reactions are the
+/// weights.
 #[test]
 fn reactions_of_a_scenes_own_equations_have_values_in_every_pose() {
     let components = ["cart on upper", "upper on lower"]

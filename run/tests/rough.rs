@@ -1,11 +1,11 @@
-//! Contacts with friction that open, share a slip, jam, or have no friction; and what knows none.
+//! Contacts with friction that open, share a slip, jam or have no friction, and features that do not support friction.
 
 use crate::friction::{BLOCK, FINE, events, falls, happens, keeps_energy, on_plane};
 use crate::impacts::{PLANE, end, near, run, scene};
 use tripos::Overrides;
 
-/// Goal: what slips opens where nothing presses it. Truth: under a lift m g t/T, T = 1 s, the force is m g (1 − t): the slip is v − μ g (t − t²/2) until 1 s, then stays, and the block
-/// rises by g (t − 1)³/6.
+/// Goal: a slipping contact opens where nothing presses it. Truth: under a lift m g t/T, T = 1 s, the force is m g (1 −
+/// t). The slip is v − μ g (t − t²/2) until 1 s, then stays, and the block rises by g (t − 1)³/6.
 #[test]
 fn a_block_that_is_lifted_slips_less_and_less_and_opens() {
     let model = BLOCK.to_owned() + "[forces.lift]\non = \"block\"\nframe = \"N\"\nvector = [0, 0, \"m*g*t/T\"]\n";
@@ -14,7 +14,7 @@ fn a_block_that_is_lifted_slips_less_and_less_and_opens() {
     happens(&run, &[("plane", None), ("plane slips", None), ("plane opens", Some(1.0))]);
     assert!(near(end(&run, "vx"), 2.5, 1e-10) && near(end(&run, "z"), 10.0 / 6.0, 1e-9), "{:?}", run.end);
     keeps_energy(&run, 1e-9);
-    // A force that ends is not one that grows beyond bounds, whatever rounding leaves at that instant.
+    // The end of a force is not unbounded growth, whatever rounding leaves at that instant.
     for end in [0.998, 0.999_023, 1.002, 1.3] {
         let model = model.replace("value = 1 }\ne", &format!("value = {end:?} }}\ne"));
         let run = crate::impacts::run(&model, &on_plane("mu = 0.3", (0.0, 4.0), 2.0));
@@ -22,7 +22,8 @@ fn a_block_that_is_lifted_slips_less_and_less_and_opens() {
     }
 }
 
-/// Goal: at the limit of friction what comes next decides. Truth: a pull of m g (μ + t/T) from rest just reaches the limit at the start, and moves the block by g t³/(6 T).
+/// Goal: at the limit of friction the next instants decide. Truth: a pull of m g (μ + t/T) from rest just reaches the
+/// limit at the start, and moves the block by g t³/(6 T).
 #[test]
 fn a_pull_that_grows_from_the_limit_of_friction_moves_a_block() {
     let model =
@@ -50,7 +51,8 @@ pub fn feet(mu: f64, vx: f64, span: f64) -> (String, String) {
     (model, text)
 }
 
-/// Goal: two feet of a block, which slip at one velocity, slip, stop and stick as one. Truth: those of a point mass, though the lower foot bears more.
+/// Goal: two feet of a block, which slip at one velocity, slip, stop and stick together. Truth: a point mass moves
+/// alike, though the lower foot bears more.
 #[test]
 fn a_block_on_two_feet_slides_and_stops_as_a_point_does() {
     let (alpha, g) = (0.3_f64, 9.81);
@@ -99,8 +101,9 @@ frame = "N"
 acceleration = [0, 0, "-g"]
 "#;
 
-/// Goal: where friction presses as much as it comes of, the run ends with its reason, however smooth the motion is. Truth: a bar at the angle θ that a belt draws under it has
-/// λ (sin θ − μ cos θ) = m g sin θ + …, beyond bounds at tan θ = μ: there h + r t = L cos θ.
+/// Goal: the run ends with its reason where friction increases the normal force without bound, even if the motion is
+/// smooth. Truth: a bar at the angle θ that a belt draws under it has λ (sin θ − μ cos θ) = m g sin θ + …, which is
+/// unbounded at tan θ = μ. There h + r t = L cos θ.
 #[test]
 fn a_bar_jams_on_a_belt_where_friction_feeds_itself() {
     let mu = 0.8_f64;
@@ -115,7 +118,8 @@ fn a_bar_jams_on_a_belt_where_friction_feeds_itself() {
     assert!(near(run.solution.t_end, jams, 1e-6), "{} for {jams}", run.solution.t_end);
 }
 
-/// Goal: a coefficient of 0 is a smooth contact. Truth: it slides by g sin α, and lies where nothing pulls it.
+/// Goal: a coefficient of 0 gives a smooth contact. Truth: the block slides by g sin α, and lies still where nothing
+/// pulls it.
 #[test]
 fn without_a_coefficient_a_contact_is_smooth() {
     let slides = run(BLOCK, &on_plane("mu = 0\nalpha = 0.3", (0.0, -1.0), 1.0));
@@ -125,7 +129,8 @@ fn without_a_coefficient_a_contact_is_smooth() {
     assert!(end(&lies, "x").abs() < 1e-15 && lies.events().len() == 2, "{:?}", lies.events());
 }
 
-/// Goal: Newton's law with friction may create energy, which ends the run. Truth: sticking, it gives ½ Λ (v⁻ + v⁺) = 0.3 J here, by G of the rod.
+/// Goal: the run ends where Newton's law with friction creates energy, as it may. Truth: sticking, it gives ½ Λ (v⁻ +
+/// v⁺) = 0.3 J here, by G of the rod.
 #[test]
 fn an_impact_with_friction_that_creates_energy_is_refused() {
     let text = falls(0.9, (1.0, 0.0), "restitution = 0.9\nfriction = 0.9");
@@ -137,8 +142,8 @@ fn an_impact_with_friction_that_creates_energy_is_refused() {
     assert!(run.failure().is_none() && run.impacts()[0].loss > 0.0, "{:?}", run.objections());
 }
 
-/// Goal: a ball that bounces ever shorter while it spins ends up rolling. Truth: the slip lost in all is that of one long contact, as friction follows the normal impulses: v after is
-/// v − s/3 of the slip s for a disk.
+/// Goal: a disk that bounces ever shorter while it spins ends up rolling. Truth: the total loss of slip equals that of
+/// one long contact, as friction follows the normal impulses. For a disk, v after is v − s/3 of the slip s.
 #[test]
 fn a_disk_that_bounces_ends_up_rolling() {
     let text = format!(
@@ -151,7 +156,7 @@ fn a_disk_that_bounces_ends_up_rolling() {
     keeps_energy(&run, 1e-9);
 }
 
-/// Goal: a coefficient is set and swept as any parameter, and derivatives are refused with what to do.
+/// Goal: a coefficient can be set like any parameter, and a negative one is refused.
 #[test]
 fn a_coefficient_is_set_like_any_parameter() {
     let mut scene = scene(BLOCK, &on_plane("alpha = 0.3", (0.0, 0.0), 1.0));

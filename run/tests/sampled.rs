@@ -1,7 +1,8 @@
 //! Inputs that are held between instants, and controllers in the loop.
 //!
-//! Truth: sampled-data systems in closed form. A linear oscillator under a held force turns about k⁻¹F by the angle ω h in its phase plane
-//! (K. J. Åström & B. Wittenmark, *Computer-Controlled Systems*, 3rd edition (1997), § 2.3), whatever decides on the force.
+//! Truth: sampled-data systems in closed form. Under a held force a linear oscillator turns about k⁻¹F by the angle ω h
+//! in its phase plane, for any rule that decides the force (K. J. Åström & B. Wittenmark, *Computer-Controlled
+//! Systems*, 3rd edition (1997), § 2.3).
 
 use std::cell::Cell;
 use tripos::{Held, Mechanism, Overrides, Sample, SampledRun, Scene};
@@ -40,7 +41,7 @@ fn scene(more: &str) -> Scene {
     Scene::parse(Mechanism::new(model), &format!("{SCENE}{more}")).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The state after `h` seconds under a force that is held.
+/// State after `h` seconds under a held force.
 fn turned([x, v]: [f64; 2], force: f64, h: f64) -> [f64; 2] {
     let (rest, (sin, cos)) = (force / 8.0, (2.0 * h).sin_cos());
     let away = x - rest;
@@ -51,12 +52,12 @@ fn feedback([x, v]: [f64; 2]) -> f64 {
     -3.0 * x - 2.5 * v
 }
 
-/// Every tenth of a second from 0.05 s on, which no power of two measures.
+/// Instants every tenth of a second from 0.05 s on, which are not sums of powers of two.
 fn instants() -> Vec<f64> {
     (0..29).map(|k| 0.05 + f64::from(k) * 0.1).collect()
 }
 
-/// States at the instants and at the end.
+/// Exact states at the instants and at the end.
 fn exact() -> Vec<[f64; 2]> {
     let (mut y, mut t, mut force) = ([0.1, 0.3], 0.0, 0.5);
     let mut list = Vec::new();
@@ -103,7 +104,7 @@ fn a_closed_loop_is_the_sampled_data_system_of_the_textbook_by_every_method() {
     }
 }
 
-/// Goal: the errors that are told are there. Method: loose tolerances, against the exact motion.
+/// Goal: the stated errors are given. Method: loose tolerances, against the exact motion.
 #[test]
 fn told_errors_are_of_the_size_of_true_ones() {
     for (method, rtol) in [("ode45", 1e-3), ("dop853", 1e-3), ("dopri5", 1e-5), ("gauss6", 1e-4)] {
@@ -133,8 +134,8 @@ fn the_same_controller_gives_the_same_bits() {
     assert_eq!(bits(&a), bits(&b));
 }
 
-/// Goal: a relay that sees the errors of its own run. Method: its decisions hang on the sign of a state that is rounding alone: the
-/// second run decides otherwise, and the told error holds what that makes.
+/// Goal: a relay sees the errors of its own run. Method: its decisions depend on the sign of a state that is rounding
+/// alone. The second run decides differently, and the stated error contains the effect.
 #[test]
 fn the_second_run_decides_by_itself() {
     let made = Cell::new(0);
@@ -161,7 +162,7 @@ fn recorded_signals_are_held_and_the_scene_has_its_value_before_them() {
         y = turned(y, force, h);
     }
     assert!((run.end[0] - y[0]).abs() < 1e-10 && (run.end[1] - y[1]).abs() < 1e-10, "{:?} {y:?}", run.end);
-    // At the very start, and at the end, where nothing follows it.
+    // The instants are the very start, and the end, after which nothing follows.
     let run = scene("")
         .simulate_held(&[Held { input: "F", instants: &[0.0, 3.0], values: &[8.0, 9.0] }], &Overrides::default());
     let run = run.unwrap();

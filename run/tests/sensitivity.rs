@@ -100,8 +100,8 @@ pub fn near(found: f64, truth: f64, tolerance: f64, what: &str) {
     assert!(off <= tolerance, "{what}: {found:e}, not {truth:e}, off by {off:.1e}");
 }
 
-/// x = x₀ (cos ω t + sin ω t) with ω = √(k/m), of which the start states v by ω: by k, directly and through the start, by x₀ where v
-/// stays, and by nothing. Every method, Kane and Lagrange.
+/// Truth: x = x₀ (cos ω t + sin ω t) with ω = √(k/m), where the start states v by ω. Derivatives are by k, directly and
+/// through the start, by x₀ at constant v, and by numbers without effect. Every method, Kane and Lagrange.
 #[test]
 fn a_spring_has_the_derivatives_of_its_closed_form() {
     let (m, k, x0, t) = (2.0_f64, 8.0_f64, 0.5_f64, 3.0_f64);
@@ -109,7 +109,7 @@ fn a_spring_has_the_derivatives_of_its_closed_form() {
     let (s, c) = (w * t).sin_cos();
     for method in Method::ALL {
         let more = if method == Method::Rk4 { "step = 1e-3" } else { "" };
-        // Implicit methods of order 5 and 6, at tolerances for which they take no more than some thousand steps.
+        // Implicit methods of order 5 and 6 run at tolerances for which they take at most a few thousand steps.
         let tolerance = match method {
             Method::Rk4 => 1e-10,
             Method::Radau5 => 1e-7,
@@ -121,7 +121,7 @@ fn a_spring_has_the_derivatives_of_its_closed_form() {
                 near(found.of(name, by).unwrap(), truth, tolerance, &format!("{}, d({name})/d({by})", method.name()));
             };
             let dw = w / (2.0 * k);
-            // dx/dk = x₀ t (cos ω t − sin ω t) dω/dk
+            // Derivative dx/dk = x₀ t (cos ω t − sin ω t) dω/dk.
             let (x, dx) = (x0 * (c + s), x0 * t * (c - s) * dw);
             check("x", "k", dx);
             check("v", "k", x0 * (c - s) * dw - x0 * w * t * (c + s) * dw);
@@ -141,7 +141,8 @@ fn a_spring_has_the_derivatives_of_its_closed_form() {
     }
 }
 
-/// y = h − g t²/2: the ground is met at t = √(2h/g) with v = −√(2gh); the place of the impact changes with nothing.
+/// Truth: y = h − g t²/2, so the ground is met at t = √(2h/g) with v = −√(2gh). The place of the impact depends on no
+/// number.
 #[test]
 fn an_impact_has_the_total_derivatives_of_its_instant_and_speed() {
     let (h, g, m) = (3.0_f64, 9.81_f64, 2.0_f64);
@@ -163,7 +164,7 @@ fn an_impact_has_the_total_derivatives_of_its_instant_and_speed() {
     }
 }
 
-/// K(k) and E(k) by arithmetic and geometric means. M. Abramowitz & I. A. Stegun (1964), §17.6.
+/// Elliptic integrals K(k) and E(k) by arithmetic and geometric means. M. Abramowitz & I. A. Stegun (1964), §17.6.
 pub fn elliptic(k: f64) -> (f64, f64) {
     let (mut a, mut b, mut c, mut sum, mut power) = (1.0_f64, (1.0 - k * k).sqrt(), k, k * k / 2.0, 0.5);
     while c.abs() > 1e-17 {
@@ -175,7 +176,8 @@ pub fn elliptic(k: f64) -> (f64, f64) {
     (whole, whole * (1.0 - sum))
 }
 
-/// The n-th passage of the lowest point is at (2n + 1) √(l/g) K(sin θ₀/2): its derivatives, of events that end nothing.
+/// Truth: the n-th passage of the lowest point is at (2n + 1) √(l/g) K(sin θ₀/2). Its derivatives belong to events that
+/// do not end the run.
 #[test]
 fn the_period_of_a_pendulum_has_the_derivatives_of_its_closed_form() {
     let model = include_str!("../../models/pendulum/model.toml");
@@ -195,7 +197,7 @@ fn the_period_of_a_pendulum_has_the_derivatives_of_its_closed_form() {
     }
 }
 
-/// What a scene shows at its end in 32 digits, by Kane's equations and DOP853.
+/// Shown values of a scene at its end in 32 digits, by Kane's equations and DOP853.
 fn end(scene: &Scene, tolerance: f64) -> Vec<DoubleDouble> {
     let by = Formulation::Kane.into();
     let code = code(scene.mechanism(), &by, None, Ready::Solved).unwrap();
@@ -209,16 +211,16 @@ fn end(scene: &Scene, tolerance: f64) -> Vec<DoubleDouble> {
     problem.extended_state(&p, span.1, &solution.y_end)
 }
 
-/// The derivatives of the states at the end by a number, which is `value`, as differences of order 4 with steps of 2⁻ᵇ.
+/// Derivatives of the states at the end by a number with this `value`, as differences of order 4 with steps of 2⁻ᵇ.
 fn differences(scene: &Scene, (name, value): (&str, f64), step: f64, tolerance: f64) -> Vec<f64> {
     let at = |place: f64| {
         let mut scene = scene.clone();
-        // The decimal number itself, not what doubles make of the sum.
+        // The decimal number itself is set, not the double nearest to the sum.
         scene.set(name, format!("{:.12e}", value + place * step).parse().unwrap()).unwrap();
         end(&scene, tolerance)
     };
     let list: Vec<_> = [(-2.0, 1), (-1.0, -8), (1.0, 8), (2.0, -1)].map(|(place, weight)| (at(place), weight)).into();
-    // What is set is a decimal number: the step is one as well.
+    // The set value is a decimal number, so the step is one as well.
     let twelve = DoubleDouble::decimal(&format!("{step:e}")) * DoubleDouble::int(12);
     let sum = |at: usize| {
         let terms = list.iter().map(|(values, weight)| values[at] * DoubleDouble::int(*weight));
@@ -227,7 +229,8 @@ fn differences(scene: &Scene, (name, value): (&str, f64), step: f64, tolerance: 
     (0..list[0].0.len()).map(|at| (sum(at) / twelve).to_f64()).collect()
 }
 
-/// The largest error of derivatives by the largest of their size and 1, against differences of 32-digit runs.
+/// Largest error of derivatives, relative to their size or 1, whichever is larger, against differences of 32-digit
+/// runs.
 fn against_differences(scene: &Scene, numbers: &[(&str, f64)], step: f64, by: Option<&str>) -> f64 {
     let names: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
     let found: Sensitivities = scene.sensitivities(&names, At::End, &how(by)).unwrap();
@@ -246,11 +249,11 @@ fn against_differences(scene: &Scene, numbers: &[(&str, f64)], step: f64, by: Op
     worst
 }
 
-/// The disk of the report over its ten seconds, in which it comes near lying flat five times: by its radius, which its start does not
-/// mention, and by the rate of its lean.
+/// Goal: the disk of the report over its ten seconds, in which it comes near lying flat five times. Derivatives are by
+/// its radius, which its start does not mention, and by the rate of its lean.
 ///
-/// On the way the derivatives of the contact point are some 1e8, of which doubles leave a millionth at the end; what is off is held to
-/// what is stated. The lean is differentiated to nine digits.
+/// On the way the derivatives of the contact point reach some 1e8, of which doubles leave a millionth at the end. The
+/// error is compared with the stated one. The lean is differentiated to nine digits.
 #[test]
 fn ten_seconds_of_the_disk_are_differentiated_as_well_as_is_stated() {
     let model = include_str!("../../models/disk/model.toml");
@@ -267,7 +270,8 @@ fn ten_seconds_of_the_disk_are_differentiated_as_well_as_is_stated() {
     }
 }
 
-/// A closed loop, whose start is solved for: by a length, a mass and the angle of the crank; by equations in speeds and in rates.
+/// Goal: a closed loop, whose start is solved for, by a length, a mass and the angle of the crank, by equations in
+/// speeds and in rates.
 #[test]
 fn a_four_bar_linkage_is_differentiated_on_its_loop() {
     let model = include_str!("../../models/four_bar/model.toml");
@@ -281,7 +285,7 @@ fn a_four_bar_linkage_is_differentiated_on_its_loop() {
     }
 }
 
-/// Attitude by Euler parameters, kept at length 1.
+/// Goal: attitude by Euler parameters, kept at length 1.
 #[test]
 fn a_satellite_is_differentiated_with_euler_parameters() {
     let model = include_str!("../../models/satellite/model.toml");
@@ -292,7 +296,7 @@ fn a_satellite_is_differentiated_with_euler_parameters() {
     assert!(worst < 1e-10, "{worst:e}");
 }
 
-/// Explicit time: by the frequency and the amplitude of the drive.
+/// Goal: explicit time is differentiated, by the frequency and the amplitude of the drive.
 #[test]
 fn a_driven_pendulum_is_differentiated_by_its_drive() {
     let model = include_str!("../../models/driven_pendulum/model.toml");
@@ -300,12 +304,12 @@ fn a_driven_pendulum_is_differentiated_by_its_drive() {
     let text = text.replace("rtol = 1e-10\natol = 1e-12", "rtol = 1e-13\natol = 1e-14").replace("[0, 5]", "[0, 1]");
     let scene = scene_of(model, &text.replace("\"175*deg\"", "3"));
     let worst = against_differences(&scene, &[("w", 200.0), ("a", 0.02), ("q", 3.0)], 1e-6, None);
-    // Steps follow the errors of states alone, and a number that sets a pace moves them the more the later it is.
+    // Steps follow only the errors of states. A number that sets a pace changes the states more, the later it is.
     assert!(worst < 1e-9, "{worst:e}");
 }
 
-/// Goal: looking at derivatives changes nothing. Method: all samples of the same run, bit by bit; six numbers at once, which take two
-/// passes, against each alone.
+/// Goal: derivatives do not change the run. Method: all samples of the same run, bit by bit. Six numbers at once, which
+/// take two passes, are compared with each alone.
 #[test]
 fn a_run_with_derivatives_is_the_run_without_and_each_is_what_it_is_alone() {
     let model = include_str!("../../models/four_bar/model.toml");
@@ -329,7 +333,7 @@ fn a_run_with_derivatives_is_the_run_without_and_each_is_what_it_is_alone() {
     }
 }
 
-/// Goal: what cannot be differentiated is refused, with what to do.
+/// Goal: scenes that cannot be differentiated are refused, with advice.
 #[test]
 fn what_cannot_be_differentiated_is_refused() {
     let scene = scene_of(FALL, GROUND);

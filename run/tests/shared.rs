@@ -7,9 +7,9 @@ use tripos_derive::diagnostic::Source;
 
 const MODEL: &str = include_str!("../../models/disk/model.toml");
 
-/// Goal: who comes while another thread computes gets the same numbers, and waits for nobody. Method: four threads
-/// evaluate one set of interpreted equations at states of their own, each against the numbers of a thread alone, to the
-/// bit.
+/// Goal: a thread that computes while another one does gets the same numbers, and waits for nobody. Method: four
+/// threads evaluate one set of interpreted equations at states of their own. Each is compared with the numbers of a
+/// thread alone, to the bit.
 #[test]
 fn interpreted_equations_are_shared_by_threads() {
     let model = tripos_derive::model::load(&Source::from_text("model.toml", MODEL)).unwrap_or_else(|e| panic!("{e}"));

@@ -1,4 +1,4 @@
-//! Sketches, against closed forms, and what holds of every one.
+//! Sketches, against closed forms and against properties of every sketch.
 
 use std::path::{Path, PathBuf};
 use tripos::sketch::{Label, Mark, Paint, Part, Role, Sketch, Spot, Word};
@@ -11,7 +11,7 @@ fn mechanism(name: &str) -> Mechanism {
     Mechanism::read(&Path::new("../models").join(name).join("model.toml")).unwrap()
 }
 
-/// A model of the library in a state.
+/// Sketch of a model of the library in a state.
 fn at_state(name: &str, state: &str) -> Sketch {
     let mut mechanism = mechanism(name);
     let state = load_state(&Source::from_text("state.toml", state), &mut mechanism.model).unwrap();
@@ -33,7 +33,7 @@ fn scenes(model: &Path) -> Vec<Scene> {
     all.iter().map(|path| Scene::read(path).unwrap()).collect()
 }
 
-/// What is of a role and drawn in a way.
+/// Marks with this role and this paint.
 fn of(sketch: &Sketch, role: Role, paint: Paint) -> Vec<&Mark> {
     sketch.marks.iter().filter(|mark| mark.role == role && mark.paint == paint).collect()
 }
@@ -61,8 +61,9 @@ fn basis(frame: &str, axis: usize) -> Word {
     Word::Basis(frame.to_owned(), axis)
 }
 
-/// Goal: what is drawn is where geometry has it. Method: a pendulum at θ: the bob is in the direction (sin θ, cos θ) to the right and down from
-/// the pin, and the arc of θ goes from straight down to the rod, in its plane the way that θ grows.
+/// Goal: marks are where geometry puts them. Method: a pendulum at θ. The bob is in the direction (sin θ, cos θ) to the
+/// right and down from the pin. The arc of θ goes from straight down to the rod, in its plane and in the sense in which
+/// θ grows.
 #[test]
 fn a_pendulum_hangs_at_its_angle_and_the_arc_leads_to_it() {
     for theta in [0.7_f64, -1.1, 2.4] {
@@ -74,15 +75,15 @@ fn a_pendulum_hangs_at_its_angle_and_the_arc_leads_to_it() {
         let arc = of(&sketch, Role::Coordinate, Paint::Line)[0];
         let of_arc = |spot: Spot| (spot[0] - pin[0]).atan2(spot[1] - pin[1]);
         assert!(of_arc(arc.path.from).abs() < 1e-3 && (of_arc(end(arc)) - theta).abs() < 1e-3, "{theta}");
-        // On a circle about the pin, all along.
+        // All spots of the arc are on a circle about the pin.
         let radii: Vec<f64> = arc.path.spots(1.0).iter().map(|at| (at[0] - pin[0]).hypot(at[1] - pin[1])).collect();
         assert!(radii.iter().all(|r| (r - radii[0]).abs() < 0.05), "{radii:?}");
         assert!(sketch.changed.is_empty());
     }
 }
 
-/// Goal: lengths are told by their ends, and in their ratio. Method: a pendulum in Cartesian coordinates at (0.6, −0.8): the two dimension lines are
-/// 3 to 4, one level and one upright.
+/// Goal: dimension lines have the right ends and ratio. Method: a pendulum in Cartesian coordinates at (0.6, −0.8). The
+/// two dimension lines are in the ratio 3 to 4, one level and one upright.
 #[test]
 fn lengths_are_measured_by_lines_as_long_as_they_are() {
     let sketch = at_state("elastic_pendulum", "[state]\nx = 0.6\ny = -0.8\nu = 0\nv = 0\n");
@@ -93,7 +94,7 @@ fn lengths_are_measured_by_lines_as_long_as_they_are() {
     assert!((long[0][0] / long[1][1] - 0.75).abs() < 1e-9, "{long:?}");
 }
 
-/// Where the names of the inertial axes stand from that of the origin.
+/// Spots of the names of the inertial axes, relative to that of the origin.
 fn axes(name: &str) -> [Spot; 3] {
     let folder = Path::new("../models").join(name);
     let scene = &scenes(&folder)[0];
@@ -102,14 +103,15 @@ fn axes(name: &str) -> [Spot; 3] {
     let from = |label: &Label| [label.at[0] - origin[0], label.at[1] - origin[1]];
     [0, 1, 2].map(|axis| {
         let words = [basis(&scene.mechanism().frames[0].name, axis)];
-        // Lines of reference elsewhere may have the same name.
+        // Reference lines elsewhere may have the same name.
         let all = sketch.labels.iter().filter(|label| label.words == words).map(from);
         all.min_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1]))).unwrap()
     })
 }
 
-/// Goal: oblique views are right-handed and show up as up. Method: where the names of the inertial axes of a disk stand, the third against gravity, so that
-/// from above the turn from the first to the second is counterclockwise; and of a bicycle, whose third axis points down: clockwise.
+/// Goal: oblique views are right-handed and show upwards as up. Method: the places of the names of a disk's inertial
+/// axes. The third points against gravity, so from above the turn from the first to the second is counterclockwise. For
+/// a bicycle, whose third axis points down, it is clockwise.
 #[test]
 fn axes_are_right_handed_and_up_is_up() {
     let turn = |a: Spot, b: Spot| a[0] * b[1] - a[1] * b[0];
@@ -119,8 +121,8 @@ fn axes_are_right_handed_and_up_is_up() {
     assert!(n3[1] > n1[1].max(n2[1]) && turn(n1, n2) > 0.0, "{n1:?} {n2:?} {n3:?}");
 }
 
-/// What is right of any sketch: everything has a place on its sheet, every coordinate its name, no label lies on another, and all again is
-/// the same.
+/// Checks properties of any sketch: everything lies on its sheet, every coordinate has its name, and no label lies on
+/// another.
 fn check(name: &str, mechanism: &Mechanism, sketch: &Sketch) {
     let inside =
         |spot: Spot, half: Spot| (0..2).all(|i| spot[i] - half[i] >= 0.0 && spot[i] + half[i] <= sketch.size[i]);
@@ -156,7 +158,7 @@ fn check(name: &str, mechanism: &Mechanism, sketch: &Sketch) {
     assert!(mechanism.gravity.is_none() || has_gravity || sketch.about.contains("away from who looks"), "{name}");
 }
 
-/// Goal: a sketch of any mechanism is whole. Method: every scene of the library, and every model by itself.
+/// Goal: a sketch of any mechanism is complete. Method: every scene of the library, and every model by itself.
 #[test]
 fn every_sketch_of_the_library_is_whole_and_the_same_each_time() {
     for folder in library() {
@@ -178,8 +180,8 @@ fn every_sketch_of_the_library_is_whole_and_the_same_each_time() {
     }
 }
 
-/// Goal: nobody takes a value that was chosen for the start's. Method: the words of a disk that stands upright with all angles near 0, and of a
-/// linkage, of which nothing is chosen.
+/// Goal: nobody takes a chosen value for the value at the start. Method: the words of a pendulum without a scene, whose
+/// angle is chosen, and of a linkage, for which no value is chosen.
 #[test]
 fn what_is_drawn_otherwise_than_the_start_is_said() {
     let pendulum = mechanism("pendulum");
@@ -191,7 +193,7 @@ fn what_is_drawn_otherwise_than_the_start_is_said() {
     assert!(sketch.changed.is_empty() && sketch.drawn.ends_with(": the start of crossed.toml."), "{}", sketch.drawn);
 }
 
-/// Goal: no number is made up. Method: a model whose parameter has no value, and no scene.
+/// Goal: no number is invented. Method: a model whose parameter has no value, and no scene.
 #[test]
 fn a_parameter_without_a_value_is_refused() {
     let text = std::fs::read_to_string("../models/pendulum/model.toml").unwrap();

@@ -1,6 +1,7 @@
-//! Eigenvalues that coincide, growth like powers of t, and what is said of stability.
+//! Eigenvalues that coincide, growth like powers of t, and statements on stability.
 //!
-//! Truth: matrices with a planted Jordan form, in whole numbers; the growth of their exponentials; equations of motion written down here.
+//! Truth: matrices with a planted Jordan form, in whole numbers; the growth of their exponentials; equations of motion
+//! written down here.
 
 use crate::random_trees::times;
 use nalgebra::DMatrix;
@@ -32,7 +33,7 @@ impl Random {
     }
 }
 
-/// A Jordan block that was planted: its eigenvalue, in halves, and its rows.
+/// Planted Jordan block: its eigenvalue, in halves, and its number of rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Block {
     re: i64,
@@ -40,7 +41,7 @@ struct Block {
     rows: usize,
 }
 
-/// A real Jordan form with these blocks, times two: whole numbers.
+/// Real Jordan form with these blocks, times two, so that all numbers are whole.
 fn form(blocks: &[Block]) -> DMatrix<i64> {
     let size: usize = blocks.iter().map(|b| if b.im == 0 { b.rows } else { 2 * b.rows }).sum();
     let mut form = DMatrix::zeros(size, size);
@@ -64,7 +65,8 @@ fn form(blocks: &[Block]) -> DMatrix<i64> {
     form
 }
 
-/// S form S⁻¹ with a random S of determinant 1 in whole numbers: rows and columns are added to one another.
+/// Similar matrix S form S⁻¹ with a random S of determinant 1 in whole numbers: rows and columns are added to one
+/// another.
 fn mixed(random: &mut Random, form: DMatrix<i64>) -> DMatrix<i64> {
     let mut a = form;
     let size = a.nrows();
@@ -75,7 +77,7 @@ fn mixed(random: &mut Random, form: DMatrix<i64>) -> DMatrix<i64> {
         if i == j || k == 0 {
             continue;
         }
-        // Row i + k row j, then column j − k column i.
+        // Adds k times row j to row i, then subtracts k times column i from column j.
         for column in 0..size {
             let add = k * a[(j, column)];
             a[(i, column)] += add;
@@ -108,10 +110,10 @@ fn draw(random: &mut Random) -> Vec<Block> {
     (0..count).map(|_| block(random)).collect()
 }
 
-/// The power of t like which the exponential of a matrix grows, from its size at two late times: by squaring, in 32 digits, since doubles take
-/// blocks of four rows apart by 1e-4.
+/// Power of t with which the exponential of a matrix grows, from its size at two late times. It is found by squaring,
+/// in 32 digits, since doubles would separate blocks of four rows by 1e-4.
 fn grown(a: &Wide) -> f64 {
-    // exp(A/2^k) by its series, then squared: late enough for the highest power to be the largest term.
+    // The series gives exp(A/2^k), which is then squared until the highest power is the largest term.
     let n = a.rows.len();
     let times = |a: &Wide, b: &Wide| Wide::zeros(n, n).plus(1.0, a, b);
     let mut term = Wide::zeros(n, n);
@@ -145,8 +147,9 @@ fn growth(list: &[Mode]) -> (bool, Option<usize>) {
     (list.iter().any(Mode::grows), neutral.iter().map(|mode| mode.power).max())
 }
 
-/// Goal: Jordan blocks are told, at 0 and elsewhere, and what coincides is one value. Method: random matrices in whole numbers, similar to a
-/// planted Jordan form; each eigenvalue with its multiplicity, its vectors and its largest block; the growth of the exponential.
+/// Goal: Jordan blocks are recognized, at 0 and elsewhere, and coinciding eigenvalues are one value. Method: random
+/// matrices in whole numbers, similar to a planted Jordan form. Each eigenvalue is checked with its multiplicity, its
+/// vectors and its largest block, and the growth of the exponential.
 #[test]
 fn planted_jordan_blocks_are_found() {
     let mut random = Random(0x5EED_1234);
@@ -183,9 +186,9 @@ fn planted_jordan_blocks_are_found() {
     assert!(compared > 30 && defective > 25, "{compared} {defective}");
 }
 
-/// Goal: what coincides to fewer digits than are known is not taken for one, and what is not told is said to be undecided. Method: pairs
-/// beside a Jordan block of two rows: at distances that are seen, and at one that rounding makes as well; an eigenvalue beside the
-/// imaginary axis likewise.
+/// Goal: eigenvalues that coincide to fewer digits than are known are not merged, and undecided cases are reported.
+/// Method: pairs beside a Jordan block of two rows, at distances that can be resolved, and at one that rounding also
+/// causes. Likewise an eigenvalue beside the imaginary axis.
 #[test]
 fn what_digits_do_not_tell_is_undecided() {
     let pair = |square: f64| {
@@ -249,7 +252,8 @@ frame = "B"
 vector = [0, "F", 0]
 "#;
 
-/// Goal: what grows like a power of t is not called stable. Method: a plate that hovers, vx = −5 w t²; with its place kept, x = −5 w t³/3.
+/// Goal: growth like a power of t is not called stable. Method: a plate that hovers, vx = −5 w t²; with its place kept,
+/// x = −5 w t³/3.
 #[test]
 fn a_plate_that_hovers_grows_like_a_power() {
     let state = "[state]\nx = 0\ny = 0\nth = 0\nvx = 0\nvy = 0\nw = 0\n";
@@ -261,10 +265,11 @@ fn a_plate_that_hovers_grows_like_a_power() {
     }
 }
 
-/// Particles on a line, their places whole combinations of the coordinates, with springs between some of them and to the ground.
+/// Particles on a line, whose places are whole combinations of the coordinates, with springs between some of them and
+/// to the ground.
 struct Carts {
     mass: Vec<f64>,
-    /// Which two, or which one and the ground, and how stiff.
+    /// Springs: the first particle, the second or `None` for the ground, and the stiffness.
     springs: Vec<(usize, Option<usize>, f64)>,
     mixing: DMatrix<i64>,
 }
@@ -326,7 +331,7 @@ impl Carts {
         if self.springs.is_empty() { out.replace("[potentials]\n", "") } else { out }
     }
 
-    /// x' = A x of all places and velocities, by hand.
+    /// Matrix A of x' = A x for all places and velocities, by hand.
     fn matrix(&self) -> DMatrix<f64> {
         let n = self.mass.len();
         let mut a = DMatrix::zeros(2 * n, 2 * n);
@@ -343,8 +348,9 @@ impl Carts {
     }
 }
 
-/// Goal: mechanisms with parts that nothing holds grow like t where their places are kept, and are at a minimum of the energy where all are
-/// held. Method: carts with random springs, in mixed coordinates, against the exponential of the matrix written down by hand.
+/// Goal: free parts of a mechanism grow like t if their places are kept; a mechanism whose parts are all held is at a
+/// minimum of the energy. Method: carts with random springs, in mixed coordinates, against the exponential of the
+/// matrix written down by hand.
 #[test]
 fn carts_that_nothing_holds_grow_like_t() {
     let mut random = Random(77);
@@ -368,15 +374,16 @@ fn carts_that_nothing_holds_grow_like_t() {
             held += 1;
         }
         let zeros = found.modes.iter().filter(|mode| mode.value == [0.0, 0.0]).count();
-        // Two for each direction that no spring resists.
+        // There are two zeros for each direction that no spring resists.
         let of_hand = 2 * (n - by_hand.view((n, 0), (n, n)).rank(1e-9));
         assert_eq!(zeros, of_hand, "{what}");
     }
     assert!(floating > 4 && held > 2, "{floating} {held}");
 }
 
-/// Goal: a Jordan block on the imaginary axis away from 0. Method: a free particle in a frame that turns at w keeps ±w i, twice, with a block
-/// each; held by a spring k = m w² in that frame it has 0 twice and ±2 w i, as Foucault's pendulum without its weight.
+/// Goal: a Jordan block on the imaginary axis away from 0 is found. Method: a free particle in a frame that turns at w
+/// keeps ±w i, twice, with a block each. Held by a spring k = m w² in that frame it has 0 twice and ±2 w i, as
+/// Foucault's pendulum without its weight.
 #[test]
 fn a_free_particle_in_a_turning_frame_grows_like_t() {
     let text = |k: &str| {
@@ -422,7 +429,7 @@ vector = ["-k*x", "-k*y", 0]
     assert_eq!(held.stability, Stability::FirstOrder);
 }
 
-/// A block that a damper and a force of the place act on: u' = −c u + force.
+/// Block on which a damper and a force of the place act: u' = −c u + force.
 fn damped(force: &str) -> String {
     format!(
         r#"
@@ -450,8 +457,9 @@ vector = ["-c*u + {force}", 0, 0]
     )
 }
 
-/// Goal: a family of motions is claimed only where there is one. Method: u' = −2 u ± 3 q³ has the eigenvalues 0 and −2 at q = 0, where it is
-/// stable for the lower sign alone: to first order that is open. Without the cube, shifted coordinates kept, there is rest at every q.
+/// Goal: a family of motions is claimed only where there is one. Method: u' = −2 u ± 3 q³ has the eigenvalues 0 and −2
+/// at q = 0, where it is stable for the lower sign alone, so to first order stability is open. Without the cube, with
+/// shifted coordinates kept, there is rest at every q.
 #[test]
 fn a_family_is_claimed_where_there_is_one() {
     for force in ["k*q^3", "-k*q^3"] {

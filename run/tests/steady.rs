@@ -1,7 +1,7 @@
 //! Equilibria, steady motions and linear systems near them.
 //!
-//! Truth: J. P. Meijaard, J. M. Papadopoulos, A. Ruina & A. L. Schwab, Proc. R. Soc. A 463 (2007) 1955-1982, recomputed with more
-//! digits than it prints; closed forms.
+//! Truth: J. P. Meijaard, J. M. Papadopoulos, A. Ruina & A. L. Schwab, Proc. R. Soc. A 463 (2007) 1955-1982, recomputed
+//! with more digits than printed; closed forms.
 
 use std::path::Path;
 use tripos::Mechanism;
@@ -37,7 +37,7 @@ fn values(found: &About) -> Vec<[f64; 2]> {
     found.modes.iter().map(|mode| mode.value).collect()
 }
 
-/// Whether each of these is among the eigenvalues.
+/// Checks that each of these is among the eigenvalues.
 fn are_among(found: &About, wanted: &[[f64; 2]], tolerance: f64) {
     let all = values(found);
     for [re, im] in wanted {
@@ -48,8 +48,8 @@ fn are_among(found: &About, wanted: &[[f64; 2]], tolerance: f64) {
 
 const BICYCLE: &str = include_str!("../../models/whipple_bicycle/steady/v5.toml");
 
-/// Goal: a nonholonomic mechanism with a loop is linearised about a steady motion as published. Method: the four eigenvalues of
-/// lean and steer from 1 to 10 m/s; beside them stands that of the family of speeds, 0.
+/// Goal: a nonholonomic mechanism with a loop is linearised about a steady motion as published. Method: the four
+/// eigenvalues of lean and steer from 1 to 10 m/s, and the eigenvalue 0 of the family of speeds.
 #[test]
 fn eigenvalues_of_the_bicycle_are_the_published_ones() {
     type Row = (f64, [[f64; 2]; 4]);
@@ -104,8 +104,8 @@ fn eigenvalues_of_the_bicycle_are_the_published_ones() {
     }
 }
 
-/// Goal: which speeds are dependent changes no eigenvalue. Method: the heading's, or the front wheel's, in the stead of the rear
-/// wheel's: another description of the same steady motion.
+/// Goal: the choice of dependent speeds changes no eigenvalue. Method: the heading's, or the front wheel's, in place of
+/// the rear wheel's: another description of the same steady motion.
 #[test]
 fn eigenvalues_do_not_depend_on_the_choice_of_speeds() {
     let text = include_str!("../../models/whipple_bicycle/model.toml");
@@ -118,8 +118,8 @@ fn eigenvalues_do_not_depend_on_the_choice_of_speeds() {
     are_among(&found, &[complex, [-0.322_866_429_004_087_1, 0.0], [-14.078_389_692_798_247, 0.0]], 1e-14);
 }
 
-/// Goal: the linear equations hold for every speed. Method: with v a letter, A is polynomial in v, as published: constants and
-/// squares for lean and steer, multiples of v for their rates; at 7 m/s it is the numeric one.
+/// Goal: the linear equations hold for every speed. Method: with v as a letter, A is polynomial in v, as published:
+/// constants and squares for lean and steer, multiples of v for their rates. At 7 m/s it equals the numeric one.
 #[test]
 fn the_bicycle_is_linearised_with_its_speed_as_a_letter() {
     let mut model = read("whipple_bicycle");
@@ -141,7 +141,8 @@ fn the_bicycle_is_linearised_with_its_speed_as_a_letter() {
     assert_eq!((powers(2, 0), powers(2, 1), powers(3, 2), powers(3, 3)), (vec![0], vec![0, 2], vec![1], vec![1]));
 }
 
-/// Goal: speeds where stability changes are found to the digits that they have. Method: the published weave and capsize speeds.
+/// Goal: speeds at which stability changes are found to all their digits. Method: the published weave and capsize
+/// speeds.
 #[test]
 fn weave_and_capsize_speeds_are_found() {
     let course = over("whipple_bicycle", BICYCLE, "v", &[3.0, 4.0, 5.0, 6.0, 7.0]);
@@ -159,8 +160,8 @@ fn disc(lean: &str, u: [&str; 3], guess: &str) -> String {
     )
 }
 
-/// Goal: limits of a rolling disc are found from its model. Method: closed forms: rolling straight it is stable above a spin of
-/// sqrt(g/(3 r)); a steady turn is found from a rough guess, with its rate of growth.
+/// Goal: limits of a rolling disc are found from its model. Method: closed forms. Rolling straight it is stable above a
+/// spin of sqrt(g/(3 r)). A steady turn is found from a rough guess, with its rate of growth.
 #[test]
 fn a_rolling_disc_turns_and_falls_as_in_closed_form() {
     let straight = disc("q2 = 0", ["u1 = 0", "u2 = 3", "u3 = 0"], "");
@@ -179,7 +180,7 @@ fn a_rolling_disc_turns_and_falls_as_in_closed_form() {
     assert_eq!((turn.stability, turn.family.len()), (Stability::Unstable, 2));
 }
 
-/// Goal: all rest positions are found, and those that are stable are told. Method: a pendulum hangs or stands.
+/// Goal: all rest positions are found, and the stable ones are marked. Method: a pendulum hangs or stands.
 #[test]
 fn a_pendulum_hangs_or_stands() {
     let mut model = read("pendulum");
@@ -197,7 +198,7 @@ fn a_pendulum_hangs_or_stands() {
     assert!(told.contains(&(1.0, Stability::Energy)) && told.contains(&(-1.0, Stability::Unstable)), "{told:?}");
 }
 
-/// Goal: what is no equilibrium is refused with what is not balanced. Method: a pendulum held aside.
+/// Goal: a state that is no equilibrium is refused with the unbalanced force. Method: a pendulum held aside.
 #[test]
 fn what_is_not_balanced_is_said() {
     let mut model = read("pendulum");
@@ -209,9 +210,9 @@ fn what_is_not_balanced_is_said() {
     assert!(linearise(&model, &state, &as_is).is_ok());
 }
 
-/// Goal: limits of a sliding disc and its steady turns. Method: closed forms for M = R = 1: upright it spins in place stably above
-/// n² = g/R, turns about its diameter stably above Ω² = 4 g/R, and leaning by θ it turns about the vertical through its mass centre
-/// with A Ω² sin θ cos θ − C n Ω cos θ = M g R sin θ (signs of n as of the model).
+/// Goal: limits of a sliding disc and its steady turns. Method: closed forms for M = R = 1. Upright it spins in place
+/// stably above n² = g/R, and turns about its diameter stably above Ω² = 4 g/R. Leaning by θ it turns about the
+/// vertical through its mass centre with A Ω² sin θ cos θ − C n Ω cos θ = M g R sin θ (signs of n as in the model).
 #[test]
 fn the_sliding_disk_has_its_limits_and_its_steady_turns() {
     let text = |rates: &str, guess: &str| {
@@ -227,7 +228,7 @@ fn the_sliding_disk_has_its_limits_and_its_steady_turns() {
         let course = over("disk", &start, name, &values);
         assert!(course.crossings.iter().any(|c| (c.value - limit).abs() < 1e-11), "{:?} {limit}", course.crossings);
     }
-    // Leaning, with the mass centre at rest: the contact point goes around below it.
+    // The disc leans with its mass centre at rest; the contact point goes around below it.
     let (theta, turn) = (0.4_f64, 7.0_f64);
     let leaning =
         text(&format!("q2 = {theta}\nu1 = 0\nu2 = {:?}", turn * theta.cos()), "[guess]\nu3 = 1\nu4 = 0\nu5 = 0\n");
@@ -239,8 +240,9 @@ fn the_sliding_disk_has_its_limits_and_its_steady_turns() {
     assert!(found.steady.is_steady() && !found.steady.is_rest());
 }
 
-/// Goal: a sleeping top stays up if it spins fast enough, and wakes as it does. Method: I₃² ω₃² = 4 m g l I₁; s = i (I₃ ω₃ ±
-/// sqrt(I₃² ω₃² − 4 m g l I₁))/(2 I₁) in a frame that does not turn, whose real part is the rate of growth below the threshold.
+/// Goal: a sleeping top stays up if it spins fast enough, and wakes at the right rate. Method: I₃² ω₃² = 4 m g l I₁; s
+/// = i (I₃ ω₃ ± sqrt(I₃² ω₃² − 4 m g l I₁))/(2 I₁) in a frame that does not turn, whose real part is the rate of growth
+/// below the threshold.
 #[test]
 fn a_sleeping_top_wakes_below_its_threshold() {
     let state = "[state]\nq1 = 0\nq2 = 0\nq3 = 0\nu1 = 0\nu2 = 0\nu3 = 55\n";
@@ -258,7 +260,8 @@ fn a_sleeping_top_wakes_below_its_threshold() {
     }
 }
 
-/// Goal: inputs, outputs and what they reach are those of the textbook. Method: a pendulum on a cart pushed by a force.
+/// Goal: inputs, outputs and the reachable directions are those of the textbook. Method: a pendulum on a cart pushed by
+/// a force.
 #[test]
 fn a_cart_with_a_pendulum_is_controlled_by_its_force() {
     let mut model = read("cart_pendulum_3");
@@ -271,8 +274,9 @@ fn a_cart_with_a_pendulum_is_controlled_by_its_force() {
     assert_eq!((found.controllable, found.system.b.rows.len()), (n, n), "{:?}", found.system.kept);
 }
 
-/// Goal: what closes loops follows inputs that the loops depend on. Method: a bob that hangs in Cartesian coordinates on a rod whose length is the
-/// input: it hangs lower by as much as the rod is longer, in numbers and with g kept as a letter; and swings as before.
+/// Goal: the closure of loops follows the inputs on which it depends. Method: a bob hangs in Cartesian coordinates on a
+/// rod whose length is the input. It hangs lower by as much as the rod is longer, in numbers and with g kept as a
+/// letter, and swings as before.
 #[test]
 fn what_closes_loops_follows_inputs() {
     let mut model = read("cartesian_pendulum");
@@ -287,8 +291,8 @@ fn what_closes_loops_follows_inputs() {
     assert_eq!((d.as_slice(), letters.matrices[1].iter().flatten().all(Entry::is_zero)), (&[-1.0][..], true));
 }
 
-/// Goal: rest is found where loops close and nothing is said of what is sought, and a start of a scene serves as a guess. Method: a
-/// four-bar hangs where its potential is least: what turns it a little either way raises it.
+/// Goal: rest is found where loops close without a list of the unknowns, and a start of a scene serves as a guess.
+/// Method: a four-bar hangs where its potential is least: a small turn either way raises it.
 #[test]
 fn a_linkage_that_swings_is_found_at_rest() {
     let mut model = read("four_bar");

@@ -1,4 +1,5 @@
-//! Equilibria and linear systems of mechanisms that drives turn, with inputs that are formulas, at poles and in redundant loops.
+//! Equilibria and linear systems of mechanisms with turning drives, with inputs that are formulas, at poles and in
+//! redundant loops.
 //!
 //! Truth: closed forms, and equations of motion written down here.
 
@@ -69,8 +70,9 @@ acceleration = [0, 0, "-g"]
     )
 }
 
-/// Goal: what is driven at a constant rate has equilibria, as its equations do not depend on time though the file does. Method: the bead rests
-/// at cos θ = g/(R w²) and swings there with w sin θ, in closed form too; driven unevenly it is refused with what depends on time.
+/// Goal: a mechanism driven at a constant rate has equilibria, since its equations do not depend on time, though the
+/// file does. Method: the bead rests at cos θ = g/(R w²) and swings there with w sin θ, in closed form too. Driven
+/// unevenly it is refused, with the speed whose rate depends on time.
 #[test]
 fn a_bead_rests_on_a_hoop_that_turns() {
     for (radius, turn) in [(0.05_f64, 16.0_f64), (0.4, 7.5), (1.0, 4.0)] {
@@ -99,8 +101,9 @@ fn a_bead_rests_on_a_hoop_that_turns() {
     assert!(uneven.contains("u' depends on the time t explicitly"), "{uneven}");
 }
 
-/// Goal: Jacobi's integral stands for the energy where a drive works, and only there. Method: m R² (u² − w² sin² θ)/2 − m g R cos θ of the bead by
-/// its text, at states; driven unevenly there is none, and on a hoop that stands the energy alone.
+/// Goal: Jacobi's integral replaces the energy where a drive works, and only there. Method: m R² (u² − w² sin² θ)/2 − m
+/// g R cos θ of the bead by its text, at states. Driven unevenly there is none, and on a hoop that stands there is only
+/// the energy.
 #[test]
 fn jacobis_integral_stands_for_the_energy_of_what_is_driven() {
     let of = |angle: &str| {
@@ -130,7 +133,7 @@ fn jacobis_integral_stands_for_the_energy_of_what_is_driven() {
     assert!(standing.len() == 1 && standing[0].0 == [IntegralKind::Energy], "{standing:?}");
 }
 
-/// A cart that a force pushes, with a pole on it.
+/// Model of a cart that a force pushes, with a pole on it.
 fn cart(force: &str) -> String {
     format!(
         r#"
@@ -163,8 +166,9 @@ push = {{ on = "cart", frame = "N", vector = ["F",0,0] }}
 
 const UP: &str = "[state]\nx = 0\nv = 0\nq = 0\nu = 0\n";
 
-/// Goal: an input beside a letter has its value. Method: the upright pole: u'/q = 6 g (M + m)/(l (4 M + m)), v'/q = −3 m g/(4 M + m), and by
-/// the force 4/(4 M + m) and 6/(l (4 M + m)) with the signs of the model, at four masses.
+/// Goal: linearisation with a mass as a letter and an input gives the right entries. Method: the upright pole: u'/q = 6
+/// g (M + m)/(l (4 M + m)), v'/q = −3 m g/(4 M + m), and by the force 4/(4 M + m) and 6/(l (4 M + m)) with the signs of
+/// the model, at four masses.
 #[test]
 fn a_mass_stays_a_letter_beside_an_input() {
     let mut model = model(&cart("0"));
@@ -202,8 +206,8 @@ fn a_mass_stays_a_letter_beside_an_input() {
     assert!(!matches!(letters.matrices[0][row("u")][row("q")], Entry::Polynomial(_)));
 }
 
-/// Goal: an input whose default is a formula is an input like others. Method: B of the cart is that of a number, and A has the slopes that a
-/// formula of the place brings.
+/// Goal: an input whose default is a formula is treated like other inputs. Method: B of the cart equals that of a
+/// number, and A has the slopes that a formula of the place brings.
 #[test]
 fn an_input_that_is_a_formula_has_its_column() {
     let number = about(&cart("0"), UP, &["F"]).unwrap();
@@ -256,8 +260,9 @@ spring = { on = "slider", frame = "N", vector = ["-k*s", 0, 0] }
 rod = { equation = "distance(S, P) = L" }
 "#;
 
-/// Goal: no linear system is given where the speeds do not tell the rates of the coordinates. Method: a bob by its height, which has no rate
-/// where it hangs; by its place it hangs well, s'' and x'' as of a pendulum on a slider. A speed q' cos q at q = 90° likewise.
+/// Goal: no linear system is given where the speeds do not determine the rates of the coordinates. Method: a bob by its
+/// height, which has no rate where it hangs. By its place it hangs well, s'' and x'' as of a pendulum on a slider.
+/// Likewise a speed q' cos q at q = 90°.
 #[test]
 fn poles_are_refused_by_name() {
     let state = "[state]\nw = 0\nvy = 0\n[guess]\nx = 0.2\ny = -0.8\ns = 0.1\n";
@@ -265,7 +270,7 @@ fn poles_are_refused_by_name() {
     assert!(refused.contains("they divide by") && refused.contains('x') && refused.contains('s'), "{refused}");
     let by_place = BOB.replace("vy = \"y'\"", "vx = \"x'\"");
     let found = about(&by_place, &state.replace("vy", "vx"), &[]).unwrap_or_else(|e| panic!("{e}"));
-    // With d = x − s: m d'' and M s'' from gravity m g d/L on both and the spring.
+    // With d = x − s, both m d'' and M s'' follow from gravity, m g d/L on each, and the spring.
     let (m, big, l, g, k) = (1.3, 2.0, 0.9, 9.81, 7.0);
     let (a, b, c) = (1.0, (k / big) + g * (m + big) / (big * l), k * g / (big * l));
     let root = f64::sqrt(b * b - 4.0 * a * c);
@@ -280,7 +285,8 @@ fn poles_are_refused_by_name() {
     assert!(refused.contains("cos(th)"), "{refused}");
 }
 
-/// Two bodies on one hinge that a second pin ties: the loop closes in one relative pose, by equations of which one follows from the other.
+/// Two bodies on one hinge that a second pin ties. The loop closes in one relative pose, by equations one of which
+/// follows from the other.
 const TIED: &str = r#"
 name = "Two bodies on one hinge, tied"
 [parameters]
@@ -309,8 +315,9 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-/// Goal: rest positions close all loops, those that follow from others among them, and all are found. Method: the tied bodies rest where the
-/// first stands or hangs, the second turned against it by the angle from (c, d) to (a, b): two positions, one of them stable.
+/// Goal: rest positions close all loops, redundant ones among them, and all are found. Method: the tied bodies rest
+/// where the first stands or hangs, the second turned against it by the angle from (c, d) to (a, b): two positions, one
+/// of them stable.
 #[test]
 fn rests_of_a_redundant_loop_close_it() {
     let names = { model(TIED).speeds.iter().map(|s| s.name.clone()).collect::<Vec<_>>() };
@@ -336,7 +343,7 @@ fn rests_of_a_redundant_loop_close_it() {
     }
 }
 
-/// A body on a ball joint, its turns by this sequence, with a disc on it and a bead that slides along it.
+/// Body on a ball joint, turned by this sequence, with a disc on it and a bead that slides along it.
 fn hung(sequence: &str) -> String {
     format!(
         r#"
@@ -371,8 +378,9 @@ acceleration = [0, 0, "-g"]
     )
 }
 
-/// Goal: eigenvalues do not depend on the coordinates, and zeros are 0 where a norm and a symmetry are taken out. Method: a hung body with a
-/// slider and a pendulum on it, by Euler parameters and by angles: each rest of the one has the eigenvalues of a rest of the other.
+/// Goal: eigenvalues do not depend on the coordinates, and zeros are 0 where a norm and a symmetry are taken out.
+/// Method: a hung body with a slider and a pendulum on it, by Euler parameters and by angles. Each rest by one
+/// description has the eigenvalues of a rest by the other.
 #[test]
 fn euler_parameters_have_the_eigenvalues_of_angles() {
     let spectra = |sequence: &str, places: &[&str], starts: u64| -> Vec<Vec<[f64; 2]>> {
@@ -399,8 +407,8 @@ fn euler_parameters_have_the_eigenvalues_of_angles() {
     assert!(found.iter().flatten().all(|x| x.abs() <= 0.0 || x.abs() > 1e-3), "{found:?}");
 }
 
-/// Goal: a transfer function is not left out where equal carts repeat eigenvalues. Truth: two carts of 0.5 kg on a spring of 15 N/m, one of
-/// them pushed, beside one on a spring of 12.5 N/m: 60 (s² + 25) over s² (s² + 60) (s² + 25).
+/// Goal: a transfer function is not left out where equal carts repeat eigenvalues. Truth: two carts of 0.5 kg on a
+/// spring of 15 N/m, one of them pushed, beside one on a spring of 12.5 N/m: 60 (s² + 25) over s² (s² + 60) (s² + 25).
 #[test]
 fn equal_carts_have_their_transfer_functions() {
     let carts = r#"

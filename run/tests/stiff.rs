@@ -1,8 +1,8 @@
-//! Stiff mechanisms by Radau's method, and what explicit methods say of them.
+//! Stiff mechanisms by Radau's method, and the advice of explicit methods on them.
 
 use tripos::{Overrides, Run, Scene};
 
-/// IFToMM's stiff governor, problem A05: couplers of 8e5 N/m and 4e4 N s/m.
+/// The stiff governor of IFToMM's problem A05: couplers of 8e5 N/m and 4e4 N s/m.
 fn governor() -> Scene {
     Scene::read("../tests/data/stiff_governor/s.toml").unwrap_or_else(|e| panic!("{e}"))
 }
@@ -40,8 +40,8 @@ fn a_stiff_governor_is_solved_to_eight_digits() {
     }
 }
 
-/// Goal: what is said is measured, at the tolerances of the run. Method: the run that is named, made. Without damping the
-/// couplers ring, and to follow that takes short steps by any method: nothing is said.
+/// Goal: the advice is measured, at the tolerances of the run. Method: the run that the advice names is made. Without
+/// damping the couplers ring. Following that takes short steps by any method, so there is no advice.
 #[test]
 fn what_is_said_of_the_implicit_method_is_what_it_takes() {
     let mut scene = governor();

@@ -1,11 +1,12 @@
-//! Motions that are told: angles that are formulas of time, and potentials of coordinates that a constraint prescribes.
+//! Prescribed motions: angles that are formulas of time, and potentials of coordinates that a constraint prescribes.
 //!
 //! Truth: closed forms, and Lagrange's equations of the coordinate that is prescribed, derived by SymPy.
 
 use crate::driven::{G, PENDULUM, near, run, samples, scene};
 
-/// Goal: an angle that is told by a formula of time is a motion like one that a constraint prescribes. Method: a rod at φ = w t + b t²/2: its mass centre, and
-/// the closed forms of what holds and drives it, J φ" + m g l/2 cos φ with J = m l²/3, m (a + g) in all.
+/// Goal: an angle given as a formula of time moves like one that a constraint prescribes. Method: a rod at φ = w t + b
+/// t²/2. Its mass centre, and the closed forms of its support and drive: J φ" + m g l/2 cos φ with J = m l²/3, and m (a
+/// + g) in total.
 #[test]
 fn a_rod_whose_angle_is_told_shows_what_drives_it() {
     let told = PENDULUM.replace(
@@ -36,8 +37,9 @@ fn a_rod_whose_angle_is_told_shows_what_drives_it() {
     }
 }
 
-/// Goal: a potential of an angle that is prescribed loads its motor. Method: two rods, the first turned at q1 = w t, with V = k (q1 + q2)²/2 + k q1²/4;
-/// what the motor gives at the start by Lagrange's equations for q1, derived by SymPy. And one rod alone, in closed form: k w t + m g l/2 cos(w t).
+/// Goal: a potential of a prescribed angle loads its motor. Method: two rods, the first turned at q1 = w t, with V = k
+/// (q1 + q2)²/2 + k q1²/4. The motor's torque at the start is found by Lagrange's equations for q1, derived by SymPy.
+/// Also one rod alone, in closed form: k w t + m g l/2 cos(w t).
 #[test]
 fn a_potential_of_a_prescribed_angle_loads_its_motor() {
     let pin = |name: &str, body: &str, to: &str, q: &str| {

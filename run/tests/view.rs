@@ -1,4 +1,4 @@
-//! What is seen of motions, against closed forms.
+//! Views of motions, against closed forms.
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
@@ -29,7 +29,7 @@ fn value(scene: &Scene, parameter: &str) -> f64 {
     scene.description().parameters[at]
 }
 
-/// Goal: a bob is where geometry has it. Method: (l sin θ, −l cos θ, 0), with θ of the same run.
+/// Goal: a bob is where geometry puts it. Method: (l sin θ, −l cos θ, 0), with θ of the same run.
 #[test]
 fn the_bob_of_a_pendulum_is_on_its_circle() {
     let scene = scene("pendulum/scenes/over.toml");
@@ -47,8 +47,8 @@ fn the_bob_of_a_pendulum_is_on_its_circle() {
     assert_eq!((view.traced, view.plane, view.up), (vec![bob], Some([0.0, 0.0, 1.0]), [0.0, 1.0, 0.0]));
 }
 
-/// Goal: a body on an axle reaches from it by one rod. Method: the pendulum of Furuta's, which turns about the line of its arm: all points of
-/// that rest in it, and the nearest is the joint.
+/// Goal: a body on an axle is joined to it by one rod. Method: Furuta's pendulum, which turns about the line of its
+/// arm. All points of the arm rest in it, and the nearest is the joint.
 #[test]
 fn a_body_on_an_axle_has_one_rod_to_it() {
     let scene = scene("furuta/scenes/swing.toml");
@@ -66,8 +66,8 @@ fn a_body_on_an_axle_has_one_rod_to_it() {
     assert_eq!(rods, [ends]);
 }
 
-/// Goal: a wheel stands on the ground at every instant. Method: the height of its point of contact, the distance of that from the
-/// centre, and the rim's lowest material, R (1 − |sin|) below it, of the cylinder that is drawn.
+/// Goal: a wheel stands on the ground at every instant. Method: the height of its point of contact, the distance of
+/// that from the centre, and the lowest material of the rim, R (1 − |sin|) below it, of the drawn cylinder.
 #[test]
 fn a_rolling_disc_is_a_disc_whose_lowest_point_is_on_the_ground() {
     let scene = scene("rolling_disc/scenes/roll.toml");
@@ -79,7 +79,7 @@ fn a_rolling_disc_is_a_disc_whose_lowest_point_is_on_the_ground() {
     assert!(view.traced.contains(&contact));
     for pose in &motion.poses {
         let axis = axis_of(pose, at.frame, at.turned);
-        // The lowest point of a rim of radius r about this axis: r √(1 − a₃²) below the centre.
+        // The lowest point of a rim of radius r about this axis is r √(1 − a₃²) below the centre.
         let lowest = pose.points[centre][2] - r * (1.0 - axis[2] * axis[2]).sqrt();
         assert!(lowest.abs() < 1e-9 && pose.points[contact][2].abs() < 1e-12, "{lowest}");
         assert!((apart(pose.points[contact], pose.points[centre]) - r).abs() < 1e-12);
@@ -97,7 +97,8 @@ fn axis_of(pose: &Pose, frame: usize, [w, x, y, z]: [f64; 4]) -> Triple {
     pose.rotations[frame].map(|row| (0..3).map(|i| row[i] * own[i]).sum())
 }
 
-/// Goal: what is closed is seen closed. Method: the two points of each closing pin, at all samples, and bars as long as the model says.
+/// Goal: closed loops are seen closed. Method: the two points of each closing pin, at all samples, and bars as long as
+/// in the model.
 #[test]
 fn the_pins_of_loops_coincide_at_all_samples() {
     let four_bar = scene("four_bar/scenes/turning.toml");
@@ -105,7 +106,7 @@ fn the_pins_of_loops_coincide_at_all_samples() {
     let (q, r) = (point(&four_bar, "Q"), point(&four_bar, "R"));
     let worst = motion.poses.iter().map(|pose| apart(pose.points[q], pose.points[r])).fold(0.0, f64::max);
     assert!(worst < 1e-9, "{worst}");
-    // Uniform bars look as long as they are.
+    // Uniform bars have their length from the model.
     for (label, length) in [("crank", "a"), ("coupler", "b"), ("rocker", "c")] {
         let is_bar = |form: &Form| matches!(form, Form::Cylinder { length: long, .. } if (long - value(&four_bar, length)).abs() < 1e-9);
         assert!(
@@ -116,7 +117,8 @@ fn the_pins_of_loops_coincide_at_all_samples() {
     }
 }
 
-/// Goal: leaving instants out is not seen. Method: places on straight ways between those that stay, against the ones that were left out.
+/// Goal: left-out instants cannot be noticed. Method: places on straight paths between the kept instants, against the
+/// left-out ones.
 #[test]
 fn what_is_left_out_of_a_motion_lies_on_the_way() {
     let scene = scene("pendulum/scenes/over.toml");
@@ -143,14 +145,15 @@ fn what_is_left_out_of_a_motion_lies_on_the_way() {
     assert!(few.t.len() <= 21 && looser > 1.0 && few.t.last() == motion.t.last(), "{}", few.t.len());
 }
 
-/// Goal: a warning of untrue turning is right. Method: a wheel at a constant rate, whose even turns are true as long as no two pictures are half a turn
-/// apart, however few there are; and one that no 6000 instants follow.
+/// Goal: the warning about turning that looks wrong is right. Method: a wheel at a constant rate, whose even turns are
+/// right while no two pictures are half a turn apart, however few there are. Also a wheel that 6000 instants cannot
+/// follow.
 #[test]
 fn turning_is_true_where_even_turns_between_pictures_are() {
     let wheel = "name = \"Wheel\"\n[parameters]\nJ = \"1 kg*m^2\"\n[coordinates]\nq = { unit = \"rad\" }\n[speeds]\nw = \"q'\"\n[inertial]\nframe = \"N\"\n\
                  origin = \"O\"\n[frames]\nB = { from = \"N\", axis = 3, angle = \"q\" }\n[bodies.d]\nframe = \"B\"\ncentre = \"O\"\nmass = 0\ninertia = \"J\"\n";
     let spun = |rate: f64| motion_of(wheel, &format!("span = [0, 7]\nstart = {{ q = 0, w = {rate} }}\n")).1;
-    // 350 rad: 111 half turns.
+    // The wheel turns by 350 rad, which is 111 half turns.
     let slow = spun(50.0);
     for (most, is_true) in [(100_000, true), (150, true), (90, false), (20, false)] {
         let (thin, _) = slow.thinned(1.0, most);
@@ -160,7 +163,8 @@ fn turning_is_true_where_even_turns_between_pictures_are() {
     assert!(!fast.turns_truly(&fast), "2.3 rad from one instant to the next");
 }
 
-/// Goal: nor is what forces do meanwhile. Method: a force that swings while nothing moves, at all instants that were left out.
+/// Goal: the change of forces at left-out instants cannot be noticed either. Method: a force that swings while nothing
+/// moves, at all left-out instants.
 #[test]
 fn forces_between_the_instants_that_stay_are_on_the_way() {
     let model =
@@ -181,8 +185,9 @@ fn forces_between_the_instants_that_stay_are_on_the_way() {
     }
 }
 
-/// Goal: every model of the library can be seen in every scene's first second or less, its bodies all. Method: each body has a solid,
-/// every number is one, and every model has a size that its points have.
+/// Goal: every model of the library can be seen in the first second or less of every scene, with all its bodies.
+/// Method: each body has a solid, every number is finite, and every model has a size that its solids do not exceed by
+/// much.
 #[test]
 fn every_model_of_the_library_is_seen() {
     let mut folders: Vec<_> = std::fs::read_dir("../models").unwrap().map(|entry| entry.unwrap().path()).collect();
@@ -221,8 +226,8 @@ fn told(motion: &Motion) -> Vec<(ArrowKind, &str, usize, bool)> {
     motion.forces.list.iter().map(|a| (a.kind, a.name.as_str(), a.point, a.is_opposite)).collect()
 }
 
-/// Goal: arrows are the forces. Method: a bob on a spring at every instant of a run: its weight (0, −m g, 0), and the pull k (r − l) along the
-/// way to the support, both at the bob.
+/// Goal: arrows show the forces. Method: a bob on a spring at every instant of a run: its weight (0, −m g, 0), and the
+/// pull k (r − l) along the line to the support, both at the bob.
 #[test]
 fn arrows_are_the_weight_and_the_pull_of_the_spring() {
     let scene = scene("elastic_pendulum/scenes/bouncing.toml");
@@ -270,8 +275,8 @@ frame = "B"
 vector = [0, "-c*l*q'", 0]
 "#;
 
-/// Goal: components in a frame that turns, rates where speeds are not rates, and opposites. Method: a drag along b2 = (−sin q, cos q, 0), of
-/// which q' = w/2, and minus that on the other body, at the start q = 0.7, w = 4.
+/// Goal: components in a turning frame, rates where speeds are not rates, and opposites are right. Method: a drag along
+/// b2 = (−sin q, cos q, 0), with q' = w/2, and its opposite on the other body, at the start q = 0.7, w = 4.
 #[test]
 fn arrows_turn_with_their_frame_and_have_opposites() {
     let start = "span = [0, 0.5]\nparameters = { m = 2, c = 3, l = 0.5 }\nstart = { q = 0.7, x = 1, w = 4, v = 0.3 }\n";
@@ -287,8 +292,8 @@ fn arrows_turn_with_their_frame_and_have_opposites() {
     }
 }
 
-/// Goal: reactions are there, with their sign, and nothing else acts. Method: Newton's law for a body on which everything that acts is an arrow:
-/// their sum is m a of its mass centre, by second differences of its places.
+/// Goal: reactions are shown with their sign, and no other force acts. Method: Newton's law for a body whose forces are
+/// all arrows: their sum is m a of its mass centre, by second differences of its places.
 #[test]
 fn arrows_on_a_body_add_up_to_its_mass_times_acceleration() {
     let scenes = [
@@ -325,7 +330,8 @@ fn arrows_on_a_body_add_up_to_its_mass_times_acceleration() {
 
 const MEETS: &str = "[impacts.floor]\ngap = \"p(P) @ N [2] + 2\"\nrestitution = 0.5\n";
 
-/// Goal: what holds a contact is no arrow, and is said to be none. Method: a pendulum that meets a floor has its weight alone.
+/// Goal: the force in a closed contact has no arrow, and the view says so. Method: a pendulum that meets a floor has
+/// only its weight.
 #[test]
 fn reactions_of_scenes_with_impacts_are_said_to_be_missing() {
     let scene = scene("pendulum/scenes/over.toml");
@@ -364,8 +370,8 @@ inertia = "m*r^2"
 wheel = { kind = "disk", body = "arm", axis = 1, radius = "2*w", position = [0, "r", 0] }
 "#;
 
-/// Goal: stated shapes stand in the stead of all that is made, at the scene's parameters. Method: a disk about axis 1 of a frame that
-/// has turned by a right angle, whose axis is then along n2.
+/// Goal: stated shapes replace all guessed solids, at the scene's parameters. Method: a disk about axis 1 of a frame
+/// that has turned by a right angle, whose axis is then along n2.
 #[test]
 fn stated_shapes_are_drawn_at_the_parameters_of_the_scene() {
     let source = tripos_derive::diagnostic::Source::from_text("model.toml", SHAPED);
@@ -380,7 +386,7 @@ fn stated_shapes_are_drawn_at_the_parameters_of_the_scene() {
     let end = motion.poses.last().unwrap();
     assert!(apart(axis_of(end, at.frame, at.turned), [FRAC_PI_2.cos(), FRAC_PI_2.sin(), 0.0]) < 1e-8);
 
-    // What is nothing at the parameters of a scene is refused.
+    // A length that is zero at the parameters of a scene is refused.
     let mut flat = scene.clone();
     flat.set("w", 0.0).unwrap();
     let motion = Motion::of_scene(flat.mechanism(), flat.description(), None).unwrap();
@@ -391,7 +397,7 @@ fn stated_shapes_are_drawn_at_the_parameters_of_the_scene() {
     );
 }
 
-/// A run that shows outputs of its own alone has no poses, and says so.
+/// Goal: a run that shows only outputs of its own has no poses, and says so.
 #[test]
 fn a_reduced_run_is_refused_with_a_way_out() {
     let scene = scene("disk/scenes/lean.toml");

@@ -1,4 +1,4 @@
-//! Events of scenes: all are found, whatever the equations are integrated in.
+//! Events of scenes are all found, in any integration variables.
 
 use tripos::{Mechanism, Overrides, Run, Scene};
 use tripos_derive::diagnostic::Source;
@@ -38,7 +38,7 @@ fn scene(force: f64, events: &str) -> Scene {
     Scene::parse(Mechanism::new(model), &text).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Every kind of equations, and every method, as few steps as it takes.
+/// Runs by every kind of equations and every method, in as few steps as possible.
 fn runs(scene: &Scene) -> Vec<(String, Run)> {
     let methods = ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"];
     let all = [None, Some("kane"), Some("lagrange")].into_iter().flat_map(|by| methods.map(|method| (by, method)));
@@ -54,7 +54,7 @@ fn runs(scene: &Scene) -> Vec<(String, Run)> {
     all.map(run).collect()
 }
 
-/// x = t: a gate as wide as a sixth of a second is crossed twice in one step, sin 10x 31 times in 10 s.
+/// Truth: x = t. A gate as wide as a sixth of a second is crossed twice in one step, sin 10x 31 times in 10 s.
 #[test]
 fn a_gate_within_a_step_ends_the_run_and_every_tick_is_heard() {
     let gate = "[[events]]\nname = \"gate\"\nzero = \"exp(-((x/L-3)*10)^2)-0.5\"\nterminal = true\n";
@@ -73,12 +73,13 @@ fn a_gate_within_a_step_ends_the_run_and_every_tick_is_heard() {
     }
 }
 
-/// x' = t by a constant force: gates in the rate and in the speed, which are functions of the state in other variables.
+/// Truth: x' = t by a constant force. Gates are in the rate and in the speed, which are functions of the state in other
+/// variables.
 #[test]
 fn rates_and_speeds_are_watched_in_the_variables_that_are_integrated() {
     let gate = |of: &str| format!("[[events]]\nname = \"gate\"\nzero = \"exp(-(({of} - 3*L/T)*T/L*10)^2)-0.5\"\n");
     let far = 0.1 * 2_f64.ln().sqrt();
-    // x = t²/2, so that w = 2 t + t²/2 is 3 at t = √10 − 2.
+    // Here x = t²/2, so that w = 2 t + t²/2 is 3 at t = √10 − 2.
     let at_speed = |w: f64| (4.0 + 2.0 * w).sqrt() - 2.0;
     for (of, expected) in [("x'", [3.0 - far, 3.0 + far]), ("w", [at_speed(3.0 - far), at_speed(3.0 + far)])] {
         for (what, run) in runs(&scene(1.0, &gate(of))) {
@@ -92,7 +93,7 @@ fn rates_and_speeds_are_watched_in_the_variables_that_are_integrated() {
     }
 }
 
-/// q2 of the disk, integrated as its distance from 90°.
+/// Goal: q2 of the disk is watched, which is integrated as its distance from 90°.
 #[test]
 fn a_coordinate_is_watched_that_is_integrated_as_a_distance() {
     let model = include_str!("../../models/disk/model.toml");

@@ -51,7 +51,7 @@ impl Finite {
         }
     }
 
-    /// Whether all of them were finite.
+    /// True if every number noted so far is finite.
     #[inline]
     pub(crate) fn all(self) -> bool {
         !self.0.into_iter().sum::<f64>().is_nan()

@@ -15,25 +15,24 @@ pub(crate) fn smallest(t: f64) -> f64 {
     16.0 * ulp(t)
 }
 
-/// How the sizes of steps follow from their errors.
+/// Rules by which step sizes follow from errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rules {
-    /// Those of `ode45`: L. F. Shampine & M. W. Reichelt, "The MATLAB ODE Suite", SIAM J. Sci. Comput. 18 (1997)
-    /// 1–22.
+    /// Rules of `ode45`: L. F. Shampine & M. W. Reichelt, "The MATLAB ODE Suite", SIAM J. Sci. Comput. 18 (1997) 1–22.
     Ode45 {
         /// Sizes follow the root of this degree.
         order: u32,
     },
     /// The method proposes each size; a step that fails is halved.
     Proposed,
-    /// Those of `dopri5` and `dop853`, with the stabilization of Lund and Gustafsson: E. Hairer, S. P. Nørsett & G.
+    /// Rules of `dopri5` and `dop853`, with the stabilization of Lund and Gustafsson: E. Hairer, S. P. Nørsett & G.
     /// Wanner, *Solving Ordinary Differential Equations I* (1993), §II.4 and §IV.2 of volume II.
     Hairer {
         /// Degree of the root in the choice of the first step.
         order: u32,
         /// The size is divided by this power of the error.
         exponent: f64,
-        /// What the step before does to that.
+        /// Effect of the step before on that size.
         earlier: Earlier,
         /// A step shrinks at most by this factor.
         shrink: f64,
@@ -42,17 +41,17 @@ pub(crate) enum Rules {
     },
 }
 
-/// What the step before has to do with the size of the next one.
+/// Effect of the step before on the size of the next one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Earlier {
-    /// Nothing.
+    /// The step before has no effect.
     Forgotten,
     /// The size is multiplied by this power of its error: errors that rise and fall in turn are damped.
     Damps(f64),
-    /// What was the wrong size there is taken to be wrong likewise here, if it was too large: K. Gustafsson, "Control-theoretic
-    /// techniques for stepsize selection in implicit Runge–Kutta methods", ACM Trans. Math. Software 20 (1994) 496–517;
-    /// Hairer & Wanner, *Solving Ordinary Differential Equations II*, §IV.8. A size that would grow by a fifth or
-    /// less stays, since matrices are factored anew for another one.
+    /// The error is predicted to grow once more as it did last, where that asks for a smaller size: K. Gustafsson,
+    /// "Control-theoretic techniques for stepsize selection in implicit Runge–Kutta methods", ACM Trans. Math. Software
+    /// 20 (1994) 496–517; Hairer & Wanner, *Solving Ordinary Differential Equations II*, §IV.8. A size that would grow
+    /// by a fifth or less stays, since matrices are factored anew for another one.
     Predicts,
 }
 
@@ -64,7 +63,7 @@ const WORTH_A_CHANGE: f64 = 1.2;
 const MARGIN: f64 = 1.0 / 0.9;
 
 impl Earlier {
-    /// What an error counts for at least.
+    /// Lower bound on the error that is remembered of a step.
     fn least(self) -> f64 {
         if self == Self::Predicts { 1e-2 } else { 1e-4 }
     }
@@ -89,17 +88,17 @@ impl Rules {
     }
 }
 
-/// Rules and what they remember of earlier steps.
+/// Rules of step sizes, with their memory of earlier steps.
 #[derive(Clone, Debug)]
 pub(crate) struct Control {
     rules: Rules,
     tolerance: f64,
-    /// Whether the step being tried failed before.
+    /// True if the step being tried failed before.
     failed: bool,
     /// Hairer: the error of the step before, at least 1e-4, or 1e-2 where it predicts; and the size of that step.
     previous: f64,
     previous_size: Option<f64>,
-    /// Hairer: what part of the size that the error allows is taken, at most 1.
+    /// Hairer: part taken of the size that the error allows, at most 1.
     pub(crate) margin: f64,
 }
 
@@ -133,7 +132,7 @@ impl Control {
         }
     }
 
-    /// What the size is divided by where the error goes on to grow as it did from the step before to this one.
+    /// Divisor of the size if the error grows again as it did from the step before to this one; 0 after a first step.
     fn predicted(&self, size: f64, error: f64, exponent: f64) -> f64 {
         let Some(before) = self.previous_size else { return 0.0 };
         (before / size) * power(error * error / self.previous, exponent) * MARGIN
@@ -243,8 +242,9 @@ mod tests {
         assert_eq!(control.after_success(1.0, 1e-9), 1.0);
     }
 
-    /// Errors of 1, then of 1 at nine tenths of the size: 0.9 for the size, and again for the error that had not shrunk with
-    /// it. What would grow by a sixth stays, and what was hard to solve takes its part.
+    /// An error of 1 at size 1, then again at 0.9: the size shrinks to 0.9 for safety, and by 0.9 again because the
+    /// error did not shrink with the size. A size that would grow by 15 % stays. The margin of 0.75 of a step that was
+    /// hard to solve multiplies the size.
     #[test]
     fn a_size_that_was_too_large_is_foreseen_to_be_so_again() {
         let rules = Rules::Hairer { order: 5, exponent: 0.25, earlier: Earlier::Predicts, shrink: 0.2, grow: 8.0 };

@@ -1,7 +1,9 @@
-//! Instants at which a right-hand side has a corner or a jump in time: steps end there, and each step sees the side that it is on.
+//! Instants at which a right-hand side has a corner or a jump in time. Steps end there, and each step sees its own
+//! side.
 //!
-//! Where such an instant depends on what slopes are along, those of the state jump there: before and after it the state is y(t, p), so that with a right-hand
-//! side that jumps from f⁻ to f⁺ at t(p) they change by (f⁻ − f⁺) dt/dp. Slopes of a right-hand side that only bends are those of the side that a step is on.
+//! If such an instant depends on a variable along which slopes are taken, the slopes of the state jump there. Before
+//! and after it the state is y(t, p). With a right-hand side that jumps from f⁻ to f⁺ at t(p), the slopes change by (f⁻
+//! − f⁺) dt/dp. Slopes of a right-hand side that only bends are those of the side of the step.
 
 use crate::control::smallest;
 use crate::error::Failure;
@@ -11,15 +13,15 @@ use tripos_traits::Real;
 /// An instant at which a right-hand side is not smooth in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
-    /// When, in s.
+    /// Time of the corner, s.
     pub at: f64,
-    /// Whether it jumps there: steps to and from it see the side that they are on, at 8 ulp of t from it.
+    /// True if the right-hand side jumps there: steps to and from it see their own side, at 8 ulp of t from it.
     pub jumps: bool,
-    /// How the instant moves along each direction of which the state carries slopes.
+    /// Derivative of the instant along each direction along which the state carries slopes.
     pub moves: [f64; DIRECTIONS],
 }
 
-/// As many directions a state carries slopes along at most.
+/// Largest number of directions along which a state carries slopes.
 pub const DIRECTIONS: usize = 4;
 
 impl Corner {
@@ -30,12 +32,13 @@ impl Corner {
     }
 }
 
-/// Between which instants a right-hand side is one function.
+/// Intervals of time in which a right-hand side is one function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sides {
-    /// Just inside the jumps around.
+    /// Interval between the neighbouring jumps, its ends just inside.
     pub(crate) values: (f64, f64),
-    /// Just inside all corners around: between these its slopes are one function, too.
+    /// Interval between the neighbouring corners of any kind, its ends just inside: there the slopes are one function,
+    /// too.
     pub(crate) slopes: (f64, f64),
 }
 
@@ -58,14 +61,15 @@ impl Corners {
         Self { all, toward, end: t1, behind: 0 }
     }
 
-    /// Leaves behind what lies at `t` or before it, but for less than a step may be; says, if something did, how the instant of a jump among it moves.
+    /// Passes all corners before `t`, at it, or beyond it by less than the smallest step. `None` if there are none;
+    /// else the derivatives of the instant of a jump among them, zeros if no jump moves.
     pub(crate) fn pass(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
         let passed = self.passed(t);
         let moved = passed.iter().find(|corner| corner.jumps && corner.moves.iter().any(|by| *by != 0.0));
         (!passed.is_empty()).then(|| moved.map_or([0.0; DIRECTIONS], |corner| corner.moves))
     }
 
-    /// Leaves behind what lies at `t` or before it, likewise, and gives it.
+    /// Passes the same corners as [`Self::pass`], and returns them.
     pub(crate) fn passed(&mut self, t: f64) -> &[Corner] {
         let before = self.behind;
         let least = smallest(t);
@@ -75,18 +79,18 @@ impl Corners {
         &self.all[before..self.behind]
     }
 
-    /// The next one before the end of the run.
+    /// Time of the next corner before the end of the run, s.
     pub(crate) fn next(&self) -> Option<f64> {
         let next = self.all.get(self.behind).map(|corner| corner.at);
         next.filter(|corner| self.toward * (self.end - corner) >= smallest(self.end))
     }
 
-    /// Between which instants the right-hand side is one function.
+    /// Intervals between the neighbouring jumps and between the neighbouring corners.
     pub(crate) fn sides(&self) -> Sides {
         Sides { values: self.between(|corner| corner.jumps), slopes: self.between(|_| true) }
     }
 
-    /// Just inside those of the corners around that are meant.
+    /// Interval between the neighbouring corners that satisfy `is_meant`, its ends half the smallest step inside.
     fn between(&self, is_meant: impl Fn(&Corner) -> bool) -> (f64, f64) {
         // Beyond what an argument such as `k*t - a` rounds to.
         let beside = |corner: &Corner, toward: f64| corner.at + toward * smallest(corner.at) / 2.0;
@@ -98,7 +102,7 @@ impl Corners {
     }
 }
 
-/// A right-hand side between two corners: at the jumps themselves it is what it is just inside, and at bends its slopes are.
+/// A right-hand side between two corners. At a jump it has the value just inside, at a bend the slopes just inside.
 pub(crate) struct Between<'a, R, S> {
     rhs: &'a mut R,
     /// The component of the state that is the time.
@@ -115,7 +119,7 @@ impl<'a, R, S: Real> Between<'a, R, S> {
         Self { rhs, clock, sides, state: Vec::new(), beside: Vec::new() }
     }
 
-    /// Goes on between other corners.
+    /// Continues between other corners.
     pub(crate) fn go_on(&mut self, sides: Sides) {
         self.sides = sides;
     }
@@ -145,7 +149,8 @@ impl<'a, R, S: Real> Between<'a, R, S> {
         question(self.rhs, inside, &self.state)
     }
 
-    /// Gives values, computed at t or at the instant that the state tells, the slopes that they have on this side of a corner there.
+    /// Gives values the slopes of this side of a corner, if they were computed at one: at `t`, or at the time in the
+    /// state.
     #[inline]
     fn turn(&mut self, t: f64, y: &[S], values: &mut [S], again: impl FnOnce(&mut R, f64, &[S], &mut [S])) {
         let (low, high) = self.sides.slopes;
@@ -163,7 +168,7 @@ impl<'a, R, S: Real> Between<'a, R, S> {
 }
 
 impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
-    /// Goes on between other corners from a state at `t`, of which the slopes change as the jump between moves.
+    /// Continues between other corners from a state at `t`, of which the slopes change if the jump between moves.
     pub(crate) fn enter(&mut self, sides: Sides, (t, y): (f64, &mut [S]), moves: &[f64; DIRECTIONS]) {
         let is_moved = S::SLOPES > 0 && moves.iter().any(|by| *by != 0.0);
         let before = is_moved.then(|| self.rates(t, y));
@@ -178,7 +183,7 @@ impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
         }
     }
 
-    /// y′ in doubles, not a number where it has no value.
+    /// Computes y′ in doubles; not a number where f has no value.
     fn rates(&mut self, t: f64, y: &[S]) -> Vec<f64> {
         let mut rates = vec![S::from_f64(0.0); y.len()];
         match self.rhs(t, y, &mut rates) {

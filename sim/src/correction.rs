@@ -1,8 +1,9 @@
-//! What to take from (q, q̇) to meet constraints, in the metric of a mass matrix: M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ drift of coordinates, by the constraints between
-//! them, then of their rates, by the others, whose drift the first has changed.
+//! Corrections of (q, q̇) that make constraints zero, in the metric of a mass matrix. The coordinates are corrected
+//! first, by M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ drift with the constraints between them. The rates follow, by the other constraints,
+//! whose drift the first correction has changed.
 //!
-//! Made ready at a state it serves for any drift there, and next to it. It is made once and set again for each state: nothing is allocated then. What is
-//! factored for the coordinates is not factored again for their rates where it is the same.
+//! A correction that is set at a state serves for any drift there and next to it. It is made once and set again for
+//! each state, without an allocation. The factors for coordinates are used again for rates where both are the same.
 
 use crate::metric::{Conditions, DEPENDENT, Metric, dot};
 
@@ -14,12 +15,13 @@ pub(crate) struct Least {
 }
 
 impl Least {
-    /// In no metric yet.
+    /// Creates one that has no metric yet.
     pub(crate) const fn new() -> Self {
         Self { metric: Metric::new(), conditions: Conditions::new() }
     }
 
-    /// In that of a mass matrix, row by row, for vectors of this length; says no if it is not definite on what the rows leave.
+    /// Sets the metric of a mass matrix, row by row, for vectors of this length. False if the matrix is not definite on
+    /// the vectors that the rows leave free.
     pub(crate) fn set(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
         let is_definite = self.metric.set_inertia(inertia, length, rows);
         if is_definite {
@@ -28,8 +30,8 @@ impl Least {
         is_definite
     }
 
-    /// In that of a mass matrix to which inertia is added along the rows: [`Metric::set_heavier`]. How far rows are from following from one another is
-    /// then told alike at all states.
+    /// Sets the metric of a mass matrix to which inertia is added along the rows: [`Metric::set_heavier`]. The measure
+    /// of dependence among rows then means the same at all states.
     pub(crate) fn set_heavier(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
         let is_definite = self.metric.set_heavier(inertia, length, rows);
         if is_definite {
@@ -38,7 +40,7 @@ impl Least {
         is_definite
     }
 
-    /// Writes the vector that meets them with these right-hand sides.
+    /// Writes the least vector that meets the conditions with these right-hand sides.
     pub(crate) fn write(&mut self, sides: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         self.conditions.add_least(sides, out);
@@ -61,7 +63,7 @@ pub(crate) struct Correction {
     inertia: Vec<f64>,
     by_places: Least,
     by_rates: Least,
-    /// Whether the slopes along rates are those along coordinates, in one metric: the second is then not set.
+    /// True if the slopes along rates equal those along coordinates, in one metric: `by_rates` is then not set.
     are_same: bool,
     sides: Vec<f64>,
     q: Vec<f64>,
@@ -70,7 +72,7 @@ pub(crate) struct Correction {
 }
 
 impl Correction {
-    /// At no state yet.
+    /// Creates one that is set at no state yet.
     pub(crate) const fn new() -> Self {
         Self {
             moved: Vec::new(),
@@ -90,8 +92,9 @@ impl Correction {
         }
     }
 
-    /// Makes it ready at a state with this mass matrix and these gradients of constraints, 2n entries each, row by row. `clock` is the coordinate that stays.
-    /// Says no if the mass matrix is not definite on what the constraints leave.
+    /// Prepares corrections at a state with this mass matrix and these gradients of constraints, 2n entries each, row
+    /// by row. The coordinate `clock` stays. False if the mass matrix is not definite on the motions that the
+    /// constraints leave.
     pub(crate) fn set(&mut self, inertia: &[f64], gradients: &[f64], n: usize, clock: Option<usize>) -> bool {
         self.moved.clear();
         self.moved.extend((0..n).filter(|i| Some(*i) != clock));
@@ -108,7 +111,7 @@ impl Correction {
         self.are_same || self.by_rates.set(&self.inertia, length, &self.rates)
     }
 
-    /// Tells the constraints between coordinates from those of rates, and picks their slopes.
+    /// Separates the constraints between coordinates from those of rates, and picks their slopes.
     fn sort(&mut self, gradients: &[f64], n: usize) {
         let Self { moved, of_places, of_rates, places, rates, coupling, .. } = self;
         for list in [&mut *of_places, &mut *of_rates] {
@@ -130,7 +133,7 @@ impl Correction {
         }
     }
 
-    /// What to take from the state, 2n entries, where the constraints are open by so much.
+    /// Correction to subtract from the state, 2n entries, where the constraints are open by `drift`.
     pub(crate) fn of(&mut self, drift: &[f64], n: usize) -> &[f64] {
         let length = self.moved.len();
         self.q.resize(length, 0.0);

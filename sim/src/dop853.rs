@@ -1,8 +1,9 @@
 //! One step of DOP853: Dormand–Prince 8(5,3) with a dense output of order 7.
 //!
-//! Invariant: `k[b][0]` is the derivative at (t, y), block b of it; after a trial step that passed the test `k[b][12]`
-//! is the one at its end; where the state is moved there before the next step, only once something looks inside. A step allocates nothing. The formulae are those of E. Hairer, S. P. Nørsett & G. Wanner,
-//! *Solving Ordinary Differential Equations I* (1993), §II.5 (error) and §II.6 (dense output).
+//! Invariant: `k[b][0]` is the derivative at (t, y), block b of it. After a trial step that passed the test `k[b][12]`
+//! is the one at its end; if the state is moved there before the next step, only once something looks inside. A step
+//! allocates nothing. The formulae are those of E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
+//! Equations I* (1993), §II.5 (error) and §II.6 (dense output).
 
 use std::array::from_fn;
 
@@ -20,7 +21,7 @@ pub(crate) const STAGES: usize = 16;
 /// The row of the new point, and the stage that is evaluated there.
 pub(crate) const END: usize = 12;
 
-/// Which stages a row uses, known at compile time, so that the others cost nothing.
+/// Stages that each row uses, known at compile time, so that the others cost nothing.
 pub(crate) const USED: [[bool; STAGES]; STAGES] = {
     let mut used = [[false; STAGES]; STAGES];
     let mut i = 0;
@@ -80,7 +81,7 @@ pub(crate) struct Dop853<S> {
     y: Blocks<S>,
     /// The point at which a stage is evaluated; in the end, the new point.
     y_new: Blocks<S>,
-    /// What the right-hand side wrote last.
+    /// Last output of the right-hand side.
     f: Blocks<S>,
     k: Vec<[Block<S>; STAGES]>,
     /// The last five coefficients of the dense output, and the point it needs for its stages.
@@ -89,9 +90,9 @@ pub(crate) struct Dop853<S> {
     /// Differences from the solutions of order 5 and 3 over their weights. They pass through memory, since the
     /// compiler makes vector instructions of what ends in stores.
     quotients: Vec<[Block<f64>; 2]>,
-    /// Whether each step is followed by another state, which alone then needs a derivative.
+    /// True if the state may be moved after each step: only the moved state then needs a derivative.
     moves: bool,
-    /// Whether that at the end of the step last tried is known.
+    /// True if the derivative at the end of the step last tried is known.
     has_end: bool,
     evaluations: u64,
 }
@@ -149,7 +150,7 @@ impl<S: Real> Dop853<S> {
         self.keep(stage)
     }
 
-    /// Takes what the right-hand side wrote as a stage.
+    /// Stores the last output of the right-hand side as a stage.
     fn keep(&mut self, stage: usize) -> Result<(), Trouble> {
         let mut finite = Finite::new();
         for (k, f) in self.k.iter_mut().zip(&self.f.blocks) {
@@ -159,7 +160,7 @@ impl<S: Real> Dop853<S> {
         if finite.all() { Ok(()) } else { Err(self.not_finite(&self.y_new)) }
     }
 
-    /// What is not finite: the derivative evaluated last, or else the point that follows from it.
+    /// Error for a number that is not finite: of the derivative evaluated last, or else of the point computed from it.
     #[cold]
     fn not_finite(&self, point: &Blocks<S>) -> Trouble {
         let checks = check_finite(self.f.components()).and_then(|()| check_finite(point.components()));

@@ -87,7 +87,7 @@ impl Doubts {
         }
     }
 
-    /// What the caller should know.
+    /// Warnings that the signs justify: tolerance below rounding, f not smooth, and a coarse solution inside a step.
     pub(crate) fn warnings<S: Real>(self) -> impl Iterator<Item = Warning> {
         let below = self.below.filter(|below| below.attempts >= ENOUGH);
         let below = below.map(|Below { component, t, size, allowed, attempts }| {

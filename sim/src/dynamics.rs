@@ -75,7 +75,7 @@ impl<'a> Dynamics<'a> {
         Ok([q, v].concat())
     }
 
-    /// (q, v) of a state; a state of the wrong length gives what there is.
+    /// Splits a state into (q, v). In a state that is too short the entries that exist fill q first, then v.
     #[must_use]
     pub fn split<'y>(&self, y: &'y [f64]) -> (&'y [f64], &'y [f64]) {
         y.split_at(self.system.lengths().coordinates.min(y.len()))
@@ -96,8 +96,8 @@ impl<'a> Dynamics<'a> {
         }
     }
 
-    /// How far the matrix A(q, v) is from a singular one, see [`linear::reciprocal_condition`]; 0
-    /// also for lengths that are not the system's.
+    /// Reciprocal condition number of the matrix A(q, v), see [`linear::reciprocal_condition`]: 0 if it is singular,
+    /// and for lengths that are not the system's.
     pub fn reciprocal_condition(&mut self, q: &[f64], v: &[f64]) -> f64 {
         if self.check_lengths(q, v).is_err() {
             return 0.0;

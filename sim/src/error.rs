@@ -1,4 +1,4 @@
-//! What can be wrong with a question put to the simulator, and what a right-hand side may answer.
+//! Errors of the simulator: questions that make no sense, and right-hand sides that have no value.
 //!
 //! Two kinds, kept apart: [`SimError`] is a question that makes no sense (nothing ran);
 //! [`Failure`] is a right-hand side that has no value at some state. The second is part of a run:
@@ -11,7 +11,7 @@ use std::fmt;
 pub enum SimError {
     /// A slice has the wrong length.
     Length {
-        /// What the slice holds.
+        /// Content of the slice, in words.
         what: &'static str,
         /// The length it must have.
         expected: usize,
@@ -20,7 +20,7 @@ pub enum SimError {
     },
     /// A number that must be finite is not.
     NotFinite {
-        /// What the number is.
+        /// Name of the number.
         what: String,
     },
     /// The run would end where it starts.
@@ -30,14 +30,14 @@ pub enum SimError {
     },
     /// A tolerance is negative, not a number, or leaves a component without any tolerance.
     Tolerance {
-        /// What is wrong with it.
+        /// Description of the mistake, for people.
         what: String,
     },
     /// An option has a value outside its range.
     Option {
         /// The option's name.
         name: &'static str,
-        /// What it must be.
+        /// Condition that the value must meet, in words.
         must: &'static str,
     },
     /// A method without an error estimate is to choose its steps.
@@ -54,7 +54,7 @@ pub enum SimError {
     Trajectory {
         /// Its position in the list, from 0.
         index: usize,
-        /// What is wrong with it.
+        /// Error of this trajectory.
         error: Box<SimError>,
     },
     /// A method that needs Taylor coefficients is to run a right-hand side that has none.
@@ -62,7 +62,7 @@ pub enum SimError {
         /// The method's name.
         method: &'static str,
     },
-    /// A method that is not had in lanes, or not for these equations, is to run a batch.
+    /// A batch asks for a method that does not run in lanes, or not with these equations.
     NoLanes {
         /// The method's name.
         method: &'static str,
@@ -118,12 +118,12 @@ impl fmt::Display for SimError {
 
 impl std::error::Error for SimError {}
 
-/// Why a right-hand side has no value at some state.
+/// Reason why a right-hand side has no value at some state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
     /// A short stable word for programs, such as `"singular"`.
     pub code: &'static str,
-    /// A sentence for people: what has no value, and where.
+    /// A sentence for people: the value that does not exist, and where.
     pub message: String,
 }
 

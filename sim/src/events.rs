@@ -27,15 +27,15 @@
 //! there, too: once a step. It never ends a run, but a run that it might have ended warns.
 //!
 //! Without ranges, as with a closure alone, and in runs by quadrature, whose steps are no polynomials in time, the
-//! function is sampled at every eighth of a step. Where the polynomial through the samples has extrema between them,
-//! it is sampled there too, and a minimum of |g| that might reach zero is sought. Two crossings, or a touch, between
-//! samples are therefore mostly found. What can be missed is three crossings within a sixteenth of a step, or a function
-//! with a much shorter wavelength than the solution; `max_step` helps there.
+//! function is sampled at every eighth of a step. Where the polynomial through the samples has extrema between them, it
+//! is sampled there too, and a minimum of |g| that might reach zero is sought. Two crossings, or a touch, between
+//! samples are therefore mostly found. Three crossings within a sixteenth of a step can be missed, and so can a
+//! function with a much shorter wavelength than the solution; `max_step` helps there.
 
 use std::fmt;
 use tripos_traits::{Direction, Enclosure};
 
-/// What a crossing does to the run.
+/// Effect of a crossing on the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Effect {
     /// It is recorded, and the run goes on.
@@ -63,7 +63,7 @@ pub struct InRanges<'a> {
     pub components: Option<Vec<usize>>,
 }
 
-/// A function of time and state, and what its zeros mean.
+/// A function of time and state, and the meaning of its zeros.
 pub struct Event<'a> {
     /// The name by which it is reported.
     pub name: String,
@@ -72,9 +72,9 @@ pub struct Event<'a> {
     pub function: EventFunction<'a>,
     /// Its ranges, if they can be had; without them the function is sampled.
     pub ranges: Option<InRanges<'a>>,
-    /// Which crossings count.
+    /// Direction of the crossings that count.
     pub direction: Direction,
-    /// What they do.
+    /// Effect of these crossings on the run.
     pub effect: Effect,
 }
 
@@ -136,7 +136,7 @@ impl fmt::Debug for Event<'_> {
     }
 }
 
-/// What a function did at the time of a record.
+/// Behaviour of an event function at the time of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// It went from negative to positive.
@@ -165,8 +165,8 @@ pub struct EventRecord {
     pub t: f64,
     /// State at that time, from the dense output.
     pub y: Vec<f64>,
-    /// What happened.
+    /// Behaviour of the function at that time.
     pub kind: Kind,
-    /// Whether it ended the run.
+    /// True if the event ended the run.
     pub terminal: bool,
 }

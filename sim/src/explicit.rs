@@ -11,7 +11,7 @@ use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluat
 use crate::tableau::{Coefficients, Tableau};
 use crate::tolerance::ErrorTest;
 
-/// Which length multiplies the derivatives.
+/// Step length that multiplies the derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Length {
     /// The step as it was chosen, before t + h was rounded, as in `ode45`. A scalar wider than `f64` takes the

@@ -89,12 +89,12 @@ pub(crate) struct Gauss6<S> {
     t_new: f64,
     y: Vec<S>,
     y_new: Vec<S>,
-    /// What rounding cut off `y`, and off `y_new`.
+    /// Parts that rounding cut off `y` and, in `carry_new`, off `y_new`.
     carry: Vec<S>,
     carry_new: Vec<S>,
     /// Derivatives at the nodes, all components of the first node first.
     k: Vec<S>,
-    /// Those of the step before, and its length.
+    /// Derivatives at the nodes of the step before, and its length.
     k_before: Vec<S>,
     h_before: Option<S>,
     /// f at the ends of the step; the second one only with a test.
@@ -106,7 +106,7 @@ pub(crate) struct Gauss6<S> {
     newton: Lu<S>,
     residual: Vec<S>,
     point: Vec<S>,
-    /// The largest size of each component so far: what rounding is measured by.
+    /// The largest size of each component so far, by which rounding is measured.
     magnitudes: Vec<f64>,
     scales: Vec<f64>,
     evaluations: u64,
@@ -233,8 +233,8 @@ impl<S: Real> Gauss6<S> {
         Ok(())
     }
 
-    /// What a change of each component is compared with: its largest size so far, or what the step adds to it; the
-    /// largest of all for a component that never moved.
+    /// Sets the scale of each component, with which its changes are compared. The scale is the largest size so far, or
+    /// the change in the step if larger; for a component that never moved, the largest scale of all.
     fn set_scales(&mut self, h: S) {
         let middle = &self.k[self.y.len()..];
         for ((scale, magnitude), k) in self.scales.iter_mut().zip(&self.magnitudes).zip(middle) {
@@ -247,7 +247,7 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// y + h (5 k₁ + 8 k₂ + 5 k₃) / 18, with what the rounding of the sum cuts off.
+    /// Computes y + h (5 k₁ + 8 k₂ + 5 k₃) / 18, and the rounding error of this sum.
     fn finish(&mut self, h: S) {
         let n = self.y.len();
         for i in 0..n {

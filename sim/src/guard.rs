@@ -1,12 +1,13 @@
-//! Watches what the equations divide by, so that no step leads across a place where they have no value.
+//! Watches the divisors of the equations, so that no step leads across a place where they have no value.
 //!
 //! Invariant: the steps are those of a run that nobody watches, up to where one changes the sign of a divisor. The
 //! divisors are looked at once an accepted step; what may have happened inside is found on the dense output.
 //!
-//! A divisor may touch zero without a change of its sign, as the distance of two points that meet. It ends a run where f jumps there, as a
-//! force along the way from one point to the other does; where f goes on as it was, so does the run.
+//! A divisor may touch zero without a change of sign, such as the distance of two points that meet. The run ends there
+//! if f jumps, as a force along the line between the points does. It goes on if f is continuous.
 //!
-//! What can be missed is a divisor that reaches zero and turns back within a step towards which it did not move before.
+//! A divisor can be missed that reaches zero and turns back within a step, if it did not move towards zero in the step
+//! before.
 
 use tripos_traits::{Real, larger};
 
@@ -23,22 +24,24 @@ pub(crate) struct Zero {
     pub(crate) theta: f64,
 }
 
-/// How near a zero f is looked at, in fractions of a step.
+/// Distances from a zero at which f is checked, as fractions of a step.
 const NEAR: [f64; 3] = [1e-4, 1e-8, 1e-12];
-/// Where f is compared on both sides of a zero, in fractions of a step: a jump does not shrink from one to the next.
+/// Distances from a zero at which f is compared on both sides, as fractions of a step: a jump does not shrink from one
+/// to the next.
 const SIDES: [f64; 2] = [1e-4, 1e-6];
-/// What a divisor that only touches zero may have left there, over what it is at the ends of the step: it may be a square.
+/// Largest divisor that counts as touching zero, over its size at the ends of the step; the divisor may be a square.
 const TOUCHED: f64 = 1e-12;
-/// The least jump of f there that is one, over the largest component of f: below it is what rounding is divided to.
+/// Least change of f across a zero that counts as a jump, over the largest component of f; divided rounding errors stay
+/// below it.
 const JUMP: f64 = 1e-7;
-/// How many times as large f may be there as elsewhere.
+/// Factor by which f may be larger next to a zero than elsewhere in the step.
 const LARGE: f64 = 100.0;
 /// A component of f that is smaller than this part of the largest is as large as that.
 const SMALL: f64 = 1e-9;
 
 /// The divisors of a run.
 pub(crate) struct Guard<S> {
-    /// At the start of the step before, at that of this step, and at its end.
+    /// Divisors at the start of the step before, at the start of this step, and at its end.
     values: [Vec<f64>; 3],
     /// The length of the step before, s; none before the first.
     before: Option<f64>,
@@ -59,12 +62,12 @@ impl<S: Real> Guard<S> {
         guard
     }
 
-    /// Whether nothing is watched.
+    /// True if there are no divisors to watch.
     pub(crate) fn is_empty(&self) -> bool {
         self.out.is_empty()
     }
 
-    /// Looks at the end of an accepted step; says whether a divisor may have been zero inside.
+    /// Evaluates the divisors at the end of an accepted step. True if one may have been zero inside.
     pub(crate) fn suspects<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>) -> bool {
         let (t, t_new) = step.span();
         self.y.copy_from_slice(step.ends().1);
@@ -89,7 +92,7 @@ impl<S: Real> Guard<S> {
         self.before = Some(length);
     }
 
-    /// Whether a divisor changed its sign over the step, or would have if it had gone on as in the step before.
+    /// True if a divisor changed its sign over the step, or would have if it had gone on as in the step before.
     fn is_suspect(&self, at: usize, length: f64) -> bool {
         let [before, start, end] = [0, 1, 2].map(|k| self.values[k][at]);
         if start == 0.0 || start.is_nan() || end.is_nan() {
@@ -131,9 +134,9 @@ impl<S: Real> Guard<S> {
         (there <= start.abs().max(end.abs()) || there.is_nan()).then_some(theta)
     }
 
-    /// Whether f stays as large next to a zero of a divisor as it is elsewhere in the step, and does not jump there: what is divided is zero,
-    /// too, and the motion passes. That needs exact zeros, as of a speed that no force changes: errors of any size would be
-    /// divided as well.
+    /// True if f stays as large next to a zero of a divisor as it is elsewhere in the step, and does not jump there.
+    /// The dividend is then zero, too, and the motion passes. That needs exact zeros, such as a speed that no force
+    /// changes: errors of any size would be divided as well.
     fn is_passed<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, zero: f64) -> bool {
         let (t, t_new) = step.span();
         let mut rates = |theta: f64| {
@@ -236,8 +239,8 @@ mod tests {
             assert_eq!(run.stop == Stop::End, passes, "{:?}", run.stop);
         }
     }
-    /// A mass on a track is pulled by k (d − l) towards a point of it, at the distance d = |x| that is divided by: the force jumps where it comes
-    /// to the point, and every method says so. With l = 0 it goes through.
+    /// A mass is pulled by k (d − l) towards a point at the distance d, which is a divisor. The force jumps where the
+    /// mass comes to the point, and every method reports it. With l = 0 the mass passes through.
     #[test]
     fn a_force_along_a_distance_that_vanishes_ends_the_run() {
         struct Spring(f64);

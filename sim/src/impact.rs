@@ -1,23 +1,24 @@
 //! Impulses and forces of contacts that push and never pull.
 //!
-//! Rows w of contacts are the velocities at which they open, w u, and those at which they slip, as linear forms in independent speeds
-//! u of which the kinetic energy has the matrix M. Impulses Λ along them change u by M⁻¹ Wᵀ Λ and the velocities of contacts by G Λ,
-//! G = W M⁻¹ Wᵀ. Of contacts that are closed together all impulses follow at once from one complementarity: each pushes, or opens faster than
-//! its law asks for, never both. Friedrich Pfeiffer & Christoph Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), chapter 8; for Newton's
-//! law in this form J. J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics* (1988), §§ 3 and 5.
+//! Rows w of contacts are linear forms in the independent speeds u: w u is the velocity at which a contact opens, or
+//! the one at which it slips. The kinetic energy has the matrix M in u. Impulses Λ along the rows change u by M⁻¹ Wᵀ Λ
+//! and the velocities of contacts by G Λ, G = W M⁻¹ Wᵀ. One complementarity gives the impulses of all contacts that are
+//! closed together: each contact pushes, or opens faster than its law asks for, never both. Friedrich Pfeiffer &
+//! Christoph Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), chapter 8; for Newton's law in this form J.
+//! J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics* (1988), §§ 3 and 5.
 //!
 //! Absent on purpose: any knowledge of time, of steps and of models.
 
 use crate::friction::{Found, Mode, Touch, Trial, Undecided, one_motion};
 use nalgebra::{DMatrix, DVector};
 
-/// What counts as nothing, over the largest of its kind.
+/// Size below which a number counts as zero, over the largest of its kind.
 const NOTHING: f64 = 1e-10;
 
-/// What an impact did.
+/// Record of one impact: its impulses, and the energy that it took.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactRecord {
-    /// When, s.
+    /// Time of the impact, s.
     pub t: f64,
     /// The contacts that had an impulse, by their places, each with its normal impulse: in N s where the gap is in m.
     pub impulses: Vec<(usize, f64)>,
@@ -31,7 +32,7 @@ pub struct ImpactRecord {
     pub held: Vec<usize>,
 }
 
-/// What one of the contacts that are closed at one instant does.
+/// Behaviour of one of the contacts that are closed at one instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Share {
     /// It pushes.
@@ -54,8 +55,8 @@ pub struct Closed {
 }
 
 impl Closed {
-    /// Newton's law: the impulses of all rows, from the velocities before, a coefficient of restitution for each contact. What opens before gives
-    /// nothing back.
+    /// Computes the impulses of all rows by Newton's law, from the velocities before and a coefficient of restitution
+    /// for each contact. A contact that opens before gives nothing back.
     ///
     /// # Errors
     /// [`Undecided`] if no impulses part the bodies, or different ones would by Coulomb's law.
@@ -69,8 +70,9 @@ impl Closed {
         self.push(&wanted)
     }
 
-    /// Poisson's law, likewise: a compression that stops what closes, then an expansion with e times its impulses, or more where
-    /// that leaves something closing. Friction is Coulomb's with the impulses of each of the two, and the slip at its end.
+    /// Computes the impulses of all rows by Poisson's law. A compression stops the contacts that close. An expansion
+    /// follows with e times its impulses, or more where a contact would still close. Friction is Coulomb's with the
+    /// impulses of each of the two, and the slip at its end.
     ///
     /// # Errors
     /// As [`Closed::newton`].
@@ -85,8 +87,9 @@ impl Closed {
         Ok(both + first(more))
     }
 
-    /// Λ with Λ ≥ 0 and G Λ + c ≥ 0 along gaps, one of them 0 at each contact, and G Λ + c = 0 along the slips of those that push; with friction, Coulomb's
-    /// law for what slips at G Λ + c. With accelerations for velocities these are forces of contacts that do not slip yet.
+    /// Finds Λ with Λ ≥ 0 and G Λ + c ≥ 0 along gaps, one of them 0 at each contact. Along the slips of contacts that
+    /// push, G Λ + c = 0; with friction Coulomb's law holds for the slip G Λ + c. If c are accelerations in place of
+    /// velocities, Λ are forces of contacts that do not slip yet.
     ///
     /// # Errors
     /// [`Undecided`] if there are none, or several that move differently.
@@ -95,8 +98,8 @@ impl Closed {
         Ok(first(self.tried(c, &vec![None; count], &vec![0.0; count])?))
     }
 
-    /// All modes that contacts can have together under accelerations c, and their forces, the firmest first: they move alike. `slips` has the
-    /// signs of the velocities of those that slip.
+    /// Finds all modes that contacts can have together under accelerations c, and their forces, the firmest first; all
+    /// give one motion. `slips` has the signs of the velocities of those that slip.
     ///
     /// # Errors
     /// As [`Closed::push`].
@@ -104,7 +107,7 @@ impl Closed {
         self.tried(c, slips, &vec![0.0; slips.len()])
     }
 
-    /// Whether contacts can have these modes together under accelerations c.
+    /// True if contacts can have these modes together under accelerations c.
     #[must_use]
     pub fn allows(&self, c: &DVector<f64>, slips: &[Option<f64>], modes: &[Mode]) -> bool {
         let (scaled, unit) = self.scaled();
@@ -112,8 +115,8 @@ impl Closed {
         self.trial((&scaled, &unit), slips, &vec![0.0; slips.len()]).holds(&c, modes, NOTHING * c.amax())
     }
 
-    /// The determinant of the linear system that the forces of these modes follow from, in units in which all rows are alike. Without slipping it is
-    /// not below 0; where it is, contacts that slip have no forces, or several.
+    /// Determinant of the linear system for the forces of these modes, in units in which all rows are alike. Without
+    /// slip it is at least 0. Where it is negative, contacts that slip have no forces, or several.
     #[must_use]
     pub fn determinant(&self, modes: &[Mode]) -> f64 {
         let (scaled, unit) = self.scaled();
@@ -121,7 +124,8 @@ impl Closed {
         self.trial((&scaled, &unit), &none.0, &none.1).determinant(modes)
     }
 
-    /// [`Closed::ways`], with impulses along gaps that are given, of which there is friction too, beside those that are sought.
+    /// Finds modes and forces like [`Closed::ways`], with given impulses along gaps in addition to the wanted ones.
+    /// Friction acts on the sum.
     ///
     /// # Errors
     /// As [`Closed::push`].
@@ -155,7 +159,7 @@ impl Closed {
         Trial { g: scaled, touches: (0..self.rows.len()).map(touch).collect() }
     }
 
-    /// What each contact does by impulses that [`Closed::push`] found for these velocities.
+    /// Behaviour of each contact under impulses that [`Closed::push`] found for these velocities.
     #[must_use]
     pub fn shares(&self, c: &DVector<f64>, impulses: &DVector<f64>) -> Vec<Share> {
         let (scaled, unit) = self.scaled();
@@ -171,8 +175,9 @@ impl Closed {
         self.rows.iter().map(share).collect()
     }
 
-    /// Λ with G Λ + c = 0 along the rows that contacts in these modes hold, and the friction of those that slip; where rows depend on one another, of least size,
-    /// or as friction can bear it. `None` if it is not finite.
+    /// Finds Λ with G Λ + c = 0 along the rows that contacts in these modes hold, and the friction of those that slip.
+    /// If rows depend on one another, Λ is the one of least size, or the one that friction can bear. `None` if it is
+    /// not finite.
     #[must_use]
     pub fn hold(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
         let (scaled, unit) = self.scaled();
@@ -216,8 +221,9 @@ mod tests {
         assert_eq!(one.newton(&-before, &[0.5]).unwrap()[0], 0.0, "what opens is left alone");
     }
 
-    /// Truth: of three equal masses in a row the first comes at 1 and the third leaves the second at 0.4: it is met all the same, and the first two share the velocity of the first.
-    /// Newton's law asks nothing back of what opens, which a bound of −e γ⁻ below 0 would drive in.
+    /// Truth: of three equal masses in a row the first comes at 1, and the third leaves the second at 0.4. The second
+    /// meets the third all the same, and all three share one velocity. Newton's law asks nothing back of a contact that
+    /// opens before; a bound of −e γ⁻ below 0 would drive it in.
     #[test]
     fn what_opens_before_an_impact_is_not_driven_in() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
@@ -226,9 +232,9 @@ mod tests {
         assert!(after[0].abs() < 1e-14 && after[1].abs() < 1e-14, "{after}");
     }
 
-    /// Truth: three equal masses in a row, the first at 1, with e = 1. Contacts 12 and 23 are closed: g₁' = u₂ − u₁ = −1, g₂' = 0, G = [[2, −1],
-    /// [−1, 2]]. Newton's law in one: ξ₁ = 0 and ξ₂ = 0 give G Λ = (2, 0), Λ = (4/3, 2/3), so u = (−1/3, 2/3, 2/3): energy is kept. Poisson's: compression
-    /// Λ = (2/3, 1/3), doubled the same.
+    /// Truth: three equal masses in a row, the first at 1, with e = 1. Contacts 12 and 23 are closed: g₁' = u₂ − u₁ =
+    /// −1, g₂' = 0, G = [[2, −1], [−1, 2]]. Newton's law: ξ₁ = 0 and ξ₂ = 0 give G Λ = (2, 0), Λ = (4/3, 2/3), so u =
+    /// (−1/3, 2/3, 2/3): energy is kept. Poisson's law: compression Λ = (2/3, 1/3), which doubled is the same.
     #[test]
     fn three_masses_in_a_row_share_an_impact_as_moreau_has_it() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
@@ -238,8 +244,9 @@ mod tests {
         }
     }
 
-    /// Truth: with e = 1 at the contact that is hit and e = 0 at the other, Newton's law asks g₂' = 0 only, Poisson's lets the second go on with half of it:
-    /// compression (2/3, 1/3), expansion (2/3, 0): G (4/3, 1/3) + (−1, 0) = (4/3, −2/3): the second still closes, and pushes 1/3 more.
+    /// Truth: e = 1 at the contact that is hit, e = 0 at the other. Newton's law asks g₂' = 0 only. Poisson's lets the
+    /// second contact go on with half of it: compression (2/3, 1/3), expansion (2/3, 0), G (4/3, 1/3) + (−1, 0) = (4/3,
+    /// −2/3). The second still closes, and pushes 1/3 more.
     #[test]
     fn poisson_pushes_again_where_expansion_leaves_something_closing() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
@@ -248,7 +255,8 @@ mod tests {
         assert!((impulses[0] - 4.0 / 3.0).abs() < 1e-14 && (impulses[1] - 2.0 / 3.0).abs() < 1e-14, "{impulses}");
     }
 
-    /// Truth: the masses of before; with the second at rest apart from the first it neither pushes nor opens, and what opens parts.
+    /// Truth: with the masses of the tests before, a second contact that opens at 0.5 neither pushes nor opens after.
+    /// If it opens faster before, it opens after, too.
     #[test]
     fn contacts_share_in_an_impact_by_pushing_or_parting_or_neither() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);

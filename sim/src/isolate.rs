@@ -1,4 +1,4 @@
-//! Parts of a step on each of which ranges tell what an event function does.
+//! Parts of a step on each of which ranges tell the behaviour of an event function.
 //!
 //! A part is halved until its range excludes 0, so that nothing happens in it; or the range of its slope does, so that
 //! at most one zero is in it; or it is as narrow as [`resolution`] says; or its range is no wider than rounding makes
@@ -17,20 +17,20 @@ const MOST: u32 = 4096;
 /// Ranges after which a function that is zero within rounding wherever it is looked at is taken for one that stays so.
 const ENOUGH: u32 = 128;
 
-/// What is known of a part.
+/// Behaviour of the function on a part, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Known {
     /// The function is on this side of zero.
     Clear(Sign),
     /// It is finite and rises or falls: one zero where its signs at the ends differ, none where they do not.
     Monotone,
-    /// Nothing, and no narrower part would tell more.
+    /// Unknown: no narrower part would tell more.
     Unknown,
-    /// Nothing yet.
+    /// Undecided so far: the part is to be halved.
     Open,
 }
 
-/// From one fraction of a step to another.
+/// Part of a step, from one fraction of it to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Part {
     pub(crate) from: f64,
@@ -53,7 +53,7 @@ impl Ranges<'_, '_> {
         (self.function)(self.polynomial.time(from, to), self.y)
     }
 
-    /// How far rounding alone spreads the function at a fraction of the step.
+    /// Spread of the function by rounding alone at a fraction of the step; 0 if it is infinite.
     pub(crate) fn spread(&mut self, theta: f64) -> f64 {
         let width = self.over(theta, theta).value.width();
         if width.is_finite() { width } else { 0.0 }
@@ -67,7 +67,7 @@ pub(crate) struct Isolation {
 }
 
 impl Isolation {
-    /// Where parts begin and end, in order, as far as the function has a value.
+    /// Ends of the parts, in order, up to where the function has no value.
     pub(crate) fn ends(&self) -> impl Iterator<Item = f64> {
         let ends = self.parts.first().map(|part| part.from).into_iter().chain(self.parts.iter().map(|part| part.to));
         ends.filter(|theta| self.cut.is_none_or(|cut| *theta < cut))
@@ -87,7 +87,7 @@ pub(crate) fn resolution((start, end): (f64, f64)) -> f64 {
     NARROW.max(8.0 * f64::EPSILON * start.abs().max(end.abs()) / (end - start).abs())
 }
 
-/// Parts a step.
+/// Divides a step into parts.
 pub(crate) fn isolate(probe: &mut Probe<'_>, ranges: &mut Ranges<'_, '_>) -> Isolation {
     let narrow = resolution(probe.step.times());
     let mut search = Search { probe, ranges, narrow, spent: 0, cut: f64::INFINITY, steady: false };
@@ -100,7 +100,7 @@ pub(crate) fn isolate(probe: &mut Probe<'_>, ranges: &mut Ranges<'_, '_>) -> Iso
     Isolation { parts: joined(&parts), cut: cut.is_finite().then_some(cut) }
 }
 
-/// Neighbours of which the same is known are one part, but monotone and open ones.
+/// Joins neighbouring parts of which the same is known, except monotone and open ones.
 fn joined(parts: &[Part]) -> Vec<Part> {
     let mut list: Vec<Part> = Vec::new();
     for part in parts {
@@ -118,11 +118,11 @@ struct Search<'s, 'p, 'r, 'q, 'f> {
     probe: &'s mut Probe<'p>,
     ranges: &'r mut Ranges<'q, 'f>,
     narrow: f64,
-    /// Ranges so far.
+    /// Number of ranges so far.
     spent: u32,
     /// The first fraction at which the function was seen to have no value.
     cut: f64,
-    /// Whether it was looked for a function that stays at zero.
+    /// True once a function that stays at zero has been looked for.
     steady: bool,
 }
 
@@ -140,7 +140,8 @@ impl Search<'_, '_, '_, '_, '_> {
         Part { from, to, known }
     }
 
-    /// By g(x) = g(m) + g'(ξ) (x − m) with the middle m, whose range grows with the square of the width only.
+    /// Judges a part by g(x) = g(m) + g'(ξ) (x − m) with the middle m; its overestimate falls with the square of the
+    /// width.
     fn judge_about_middle(&mut self, from: f64, to: f64, over: Enclosure) -> Known {
         let middle = f64::midpoint(from, to);
         if over.value.is_undefined() && self.probe.at(middle).is_nan() {
@@ -179,7 +180,7 @@ impl Search<'_, '_, '_, '_, '_> {
         finer
     }
 
-    /// Whether more ranges are not worth their cost.
+    /// True if more ranges are not worth their cost.
     fn gives_up(&mut self, parts: &[Part]) -> bool {
         if self.spent >= ENOUGH && !self.steady {
             self.steady = true;

@@ -26,8 +26,9 @@
 //! - The same question gives the same bits.
 //!
 //! Methods ([`Method`]): `ode45` and `dopri5` (order 5), `dop853` (order 8), `gauss6` (order 6, implicit, conserving),
-//! `radau5` (order 5, implicit, for stiff equations) and `taylor` (of the order that the tolerance asks for) choose their steps by the error; each of them and `rk4` also
-//! takes equal steps ([`Options::step`]). The state may be of any [`tripos_traits::Real`].
+//! `radau5` (order 5, implicit, for stiff equations) and `taylor` (of the order that the tolerance asks for) choose
+//! their steps by the error; each of them and `rk4` also takes equal steps ([`Options::step`]). The state may be of any
+//! [`tripos_traits::Real`].
 //!
 //! Many trajectories of one set of equations are integrated faster together: [`batch`].
 //!

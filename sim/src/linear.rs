@@ -6,17 +6,17 @@
 use nalgebra::{Const, DMatrix, DVector, DimMin, SMatrix, SVector};
 use tripos_traits::largest;
 
-/// What is known about a matrix before it is factored.
+/// Shape of a matrix, as known before it is factored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shape {
     /// Symmetric, and positive definite unless nearly singular: Cholesky's factorization is tried
     /// first, then LU (far from singular, only an indefinite matrix needs it).
     Symmetric,
-    /// Nothing: LU with partial pivoting.
+    /// Any matrix: LU with partial pivoting.
     General,
 }
 
-/// Why a system has no solution.
+/// Reason why a system has no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unsolvable {
     /// The matrix or the right-hand side holds an infinity or a "not a number".

@@ -10,9 +10,9 @@ use tripos_traits::Real;
 pub(crate) trait Entry:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// 0.
+    /// Returns the zero of the field.
     fn zero() -> Self;
-    /// How large it is: a norm of the number, rounded.
+    /// Size of the number: its norm, rounded.
     fn size(self) -> f64;
 }
 

@@ -1,10 +1,10 @@
-//! What the steps of each method are chosen by.
+//! Step size rules and error norm of each method.
 
 use crate::control::{Earlier, Rules};
 use crate::tolerance::Norm;
 use tripos_traits::Method;
 
-/// How step sizes follow from errors; `None` for a method that estimates no error.
+/// Step size rules of a method; `None` if it estimates no error.
 pub(crate) fn rules(method: Method) -> Option<Rules> {
     match method {
         Method::Rk4 => None,
@@ -33,7 +33,7 @@ pub(crate) fn rules(method: Method) -> Option<Rules> {
     }
 }
 
-/// How the errors of components become one number.
+/// Norm by which a method joins the errors of components into one number.
 pub(crate) fn norm(method: Method) -> Norm {
     match method {
         Method::Ode45 | Method::Taylor => Norm::Largest,

@@ -1,29 +1,30 @@
-//! Linear conditions in a metric: the least vector that meets them, what they leave of another, and which of them follow from
-//! others.
+//! Linear conditions in a metric: the least vector that meets them, the part of another vector that they leave free,
+//! and the conditions that depend on others.
 //!
-//! A metric M = L Lᵀ makes x into z = Lᵀ x, of which the length is that of x. Rows G of conditions G x = d are then the
-//! columns of L⁻¹ Gᵀ; orthonormal axes for them are found by Gram and Schmidt, always next the row of which, by its own length, most is left
-//! (P. Businger & G. H. Golub, Numer. Math. 7 (1965) 269–276). So no unit of a row matters, and what is left of a row tells how far it is from following
-//! from those before it.
+//! A metric M = L Lᵀ makes x into z = Lᵀ x, whose plain length is that of x in the metric. Rows G of conditions G x = d
+//! become the columns of L⁻¹ Gᵀ. Gram and Schmidt's method finds orthonormal axes for them. It takes the rows in the
+//! order of their relative remainders, the largest first (P. Businger & G. H. Golub, Numer. Math. 7 (1965) 269–276). So
+//! the units of rows do not matter, and the remainder of a row tells how far it is from depending on those before it.
 //!
-//! Both are made once and set again for each state: nothing is allocated then. Every vector lies in a row, one after another.
+//! Metric and conditions are made once and set again for each state, without an allocation. Vectors lie in one list,
+//! one after another.
 
-/// What is left of a row of length 1, if it counts as following from others.
+/// Remainder of a row of length 1 up to which the row counts as depending on others.
 pub(crate) const DEPENDENT: f64 = 1e-8;
 
-/// What must be left of a diagonal entry of a mass matrix that is definite.
+/// Least remainder of a diagonal entry in the factors of a definite mass matrix, over the entry.
 const CLEAR: f64 = 1e-13;
 
-/// Which metric it is.
+/// Kind of a metric: by weights, or by a mass matrix.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// By components, each over its weight.
+    /// Components count over their weights.
     Weights,
-    /// By a mass matrix, factored; with inertia added or as it is.
+    /// A factored mass matrix gives lengths, with or without added inertia.
     Inertia { is_plain: bool },
 }
 
-/// How long vectors are.
+/// Metric that defines the length of vectors.
 #[derive(Clone)]
 pub(crate) struct Metric {
     kind: Kind,
@@ -35,12 +36,12 @@ pub(crate) struct Metric {
 }
 
 impl Metric {
-    /// No metric yet.
+    /// Creates one that is not set yet.
     pub(crate) const fn new() -> Self {
         Self { kind: Kind::Weights, length: 0, entries: Vec::new(), heavier: Vec::new() }
     }
 
-    /// By components, each over its weight.
+    /// Sets the metric by components, each over its weight.
     pub(crate) fn set_weights(&mut self, weights: impl Iterator<Item = f64>) {
         self.kind = Kind::Weights;
         self.entries.clear();
@@ -48,8 +49,9 @@ impl Metric {
         self.length = self.entries.len();
     }
 
-    /// By a mass matrix, row by row, for vectors of this length; it need not resist what the rows prevent: massless links are given an inertia there, which
-    /// changes nothing of what the rows let move. Says no if something that they let move has none.
+    /// Sets the metric of a mass matrix, row by row, for vectors of this length. The matrix may be singular along
+    /// motions that the rows prevent: massless links are given an inertia there, which changes no motion that the rows
+    /// allow. False if a motion that they allow has no inertia.
     pub(crate) fn set_inertia(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: true };
@@ -59,8 +61,9 @@ impl Metric {
         self.set_heavier(matrix, length, rows)
     }
 
-    /// By a mass matrix, row by row, to which inertia is added along the rows, whether it needs that or not: what constraints let move has the inertia that it
-    /// has, and lengths of rows stay bounded where what they prevent has none. Says no if something that they let move has none.
+    /// Sets the metric of a mass matrix, row by row, with inertia added along the rows in any case. Motions that the
+    /// rows allow keep their inertia, and lengths of rows stay bounded where the prevented motions have none. False if
+    /// a motion that the rows allow has no inertia.
     pub(crate) fn set_heavier(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: false };
@@ -78,7 +81,7 @@ impl Metric {
         factor(&self.heavier, length, &mut self.entries)
     }
 
-    /// Whether it depends on no rows.
+    /// True if the metric depends on no rows.
     pub(crate) fn is_plain(&self) -> bool {
         self.kind != Kind::Inertia { is_plain: false }
     }
@@ -106,7 +109,8 @@ impl Metric {
     }
 }
 
-/// L of a matrix that is definite by more than rounding, row by row, with the reciprocals of its diagonal; says whether it is.
+/// Computes L of a matrix, row by row, with the reciprocals of its diagonal. False if the matrix is not definite by
+/// more than rounding.
 fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
     lower.clear();
     lower.extend_from_slice(matrix);
@@ -131,7 +135,7 @@ fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
 #[derive(Clone)]
 pub(crate) struct Conditions {
     length: usize,
-    /// L⁻¹ times each row, and what is left of it beside those taken before.
+    /// L⁻¹ times each row, and its remainder beside the rows taken before.
     forms: Vec<f64>,
     rest: Vec<f64>,
     /// Orthonormal, one for each row that is kept.
@@ -144,12 +148,12 @@ pub(crate) struct Conditions {
     shares: Vec<f64>,
     /// The length of each row.
     pub(crate) sizes: Vec<f64>,
-    /// What is left of each row beside those taken before it.
+    /// Length of the remainder of each row beside those taken before it.
     pub(crate) left: Vec<f64>,
 }
 
 impl Conditions {
-    /// No conditions yet.
+    /// Creates a set without conditions.
     pub(crate) const fn new() -> Self {
         Self {
             length: 0,
@@ -165,7 +169,8 @@ impl Conditions {
         }
     }
 
-    /// These rows, one after another; those of which no more than `dependent` is left are not kept.
+    /// Sets these rows, one after another. A row is not kept if no more than the part `dependent` of its length is
+    /// left.
     pub(crate) fn set(&mut self, metric: &Metric, rows: &[f64], dependent: f64) {
         self.length = metric.length.max(1);
         self.forms.clear();
@@ -188,7 +193,7 @@ impl Conditions {
         }
     }
 
-    /// The place among the open rows of that of which most is left; none if that is too little.
+    /// Place among the open rows of the one with the largest relative remainder; `None` if that is too small.
     fn clearest(&self, dependent: f64) -> Option<usize> {
         // A row of zeros is no condition.
         let part = |row: usize| if self.sizes[row] > 0.0 { self.left[row] / self.sizes[row] } else { 0.0 };
@@ -196,7 +201,7 @@ impl Conditions {
         parts.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, most)| *most > dependent).map(|(place, _)| place)
     }
 
-    /// Makes an axis of what is left of an open row, and takes it from what is left of the others.
+    /// Makes an axis of the remainder of an open row, and subtracts it from the remainders of the others.
     fn take(&mut self, place: usize) {
         let (n, row) = (self.length, self.open.remove(place));
         let known = self.axes.len();
@@ -217,7 +222,7 @@ impl Conditions {
         self.kept.push(row);
     }
 
-    /// Whether no row follows from others.
+    /// True if no row depends on others.
     pub(crate) fn is_independent(&self) -> bool {
         self.kept.len() == self.sizes.len()
     }
@@ -237,7 +242,7 @@ impl Conditions {
         }
     }
 
-    /// Leaves of a vector z what the kept conditions leave of it: its part across all axes.
+    /// Removes from z its part along all axes: the rest has no part in the kept conditions.
     pub(crate) fn free(&self, z: &mut [f64]) {
         for axis in self.axes.chunks_exact(self.length) {
             axpy(-dot(axis, z), axis, z);
@@ -256,7 +261,7 @@ pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
     }
 }
 
-/// Gives a vector the length 1; one of zeros is then none.
+/// Scales a vector to the length 1; one of zeros becomes not a number.
 pub(crate) fn shorten(x: &mut [f64]) {
     let size = dot(x, x).sqrt();
     for x in x {
@@ -293,7 +298,7 @@ mod tests {
         x
     }
 
-    /// Whether no entry differs by more.
+    /// True if all entries differ by less than `most`.
     fn near(a: &[f64], b: &[f64], most: f64) -> bool {
         a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < most)
     }
@@ -321,7 +326,8 @@ mod tests {
         x.iter().copied().collect()
     }
 
-    /// A third row that is a sum of two others, in another unit, changes nothing; a setting before leaves nothing behind.
+    /// A third row that is a difference of two others, in another unit, changes nothing; an earlier setting leaves no
+    /// trace.
     #[test]
     fn a_row_that_follows_from_others_is_left_out() {
         let g = [1.0, 2.0, 0.5, 0.0, 1.0, -1.0, 1e6, 1e6, 1.5e6];
@@ -338,7 +344,7 @@ mod tests {
         assert!(near(&z, &other, 1e-14) && dot(&z, &z) > 0.1, "{z:?} {other:?}");
     }
 
-    /// A mass of zero along what a row prevents is no hindrance, one along what none prevents is.
+    /// A zero mass is no hindrance along a motion that a row prevents, but is one along a free motion.
     #[test]
     fn a_massless_link_is_held_by_its_row() {
         let m = [2.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];

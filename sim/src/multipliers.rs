@@ -1,14 +1,16 @@
-//! Equations in all rates with the multipliers of their constraints, E q̈ − Aᵀλ = f beside A q̈ = γ, solved at each state whatever the
-//! rank of A.
+//! Equations in all rates with the multipliers of their constraints, E q̈ − Aᵀλ = f and A q̈ = γ, solved at each state
+//! whatever the rank of A.
 //!
-//! With E = L Lᵀ and z = Lᵀ q̈ the motion is what the forces alone would do, L⁻¹ f, without its part along the columns of L⁻¹ Aᵀ, which the
-//! constraints decide (F. E. Udwadia & R. E. Kalaba, *Analytical Dynamics* (1996), §3.3). No independent speeds are chosen, so that there
-//! is no place where a choice fails; rows that follow from others, everywhere or in a singular pose, are left out. In such a pose the motion
-//! goes on by its inertia; nothing is divided by what vanishes there.
+//! With E = L Lᵀ and z = Lᵀ q̈, the forces alone would give L⁻¹ f. The motion is this without its part along the
+//! columns of L⁻¹ Aᵀ, which the constraints decide (F. E. Udwadia & R. E. Kalaba, *Analytical Dynamics* (1996), §3.3).
+//! No independent speeds are chosen, so that no choice can fail. Rows that depend on others, everywhere or in a
+//! singular pose, are left out. In such a pose the motion goes on by its inertia; no number that vanishes there is a
+//! divisor.
 //!
-//! Accelerations are those at the nearest state on the constraints, in the metric of E. Stages of a step are off the constraints by errors of low order, and next to
-//! a singular pose these would be divided by what vanishes there; on the constraints the accelerations of a regular motion are bounded up to the
-//! pose itself, so that whole steps lead across it.
+//! Accelerations are those at the nearest state on the constraints, in the metric of E. Stages of a step are off the
+//! constraints by errors of low order, which next to a singular pose would be divided by a vanishing number. On the
+//! constraints the accelerations of a regular motion are bounded up to the pose itself, so that whole steps lead across
+//! it.
 
 use tripos_traits::{Lengths, System};
 
@@ -37,11 +39,12 @@ pub struct Multipliers<'a> {
     /// The largest length of each row of A so far.
     sizes: Vec<f64>,
     placement: Placement,
-    /// E and A of the matrix, row by row, and what is to be found in their metric.
+    /// E and A of the matrix, row by row, and the least vector in their metric.
     inertia: Vec<f64>,
     rows: Vec<f64>,
     least: Least,
-    /// Rows of J in the metric of E, and the largest length of each so far; the speeds at rest and along an axis; rates, of which all are 0.
+    /// Rows of J in the metric of E, and the largest length of each so far; the speeds at rest and along an axis;
+    /// rates, of which all are 0.
     forms: Vec<f64>,
     longest: Vec<f64>,
     rest: Vec<f64>,
@@ -49,20 +52,21 @@ pub struct Multipliers<'a> {
     still: Vec<f64>,
 }
 
-/// How far a choice of independent speeds is from failing at a state, and the constraints from following from one another.
+/// Distances of a state from a failure of the independent speeds and from dependent constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
-    /// How well the speeds tell the motions that the constraints leave from one another, each over the largest length that its row of J had so far: from
-    /// 0, where the choice fails, to 1.
+    /// Least singular value of the speeds on the motions that the constraints leave: from 0, where the choice of speeds
+    /// fails, to 1. Each row of J counts over its largest length so far.
     pub speeds: f64,
-    /// What is left of the constraint that is nearest to following from others, over the largest length that its row had so far: 0 in a
-    /// singular pose, where rows may depend on one another or vanish.
+    /// Remainder of the constraint that is nearest to depending on others, over the largest length of its row so far.
+    /// It is 0 in a singular pose, where rows depend on one another or vanish.
     pub constraints: f64,
 }
 
 impl<'a> Multipliers<'a> {
-    /// These equations with parameters in the order of the model file, and the coordinate that is the time, if one is; `None` if they are not
-    /// in all rates with multipliers, or the parameters are not theirs.
+    /// Creates the right-hand side from a system, with parameters in the order of the model file. `clock` is the
+    /// coordinate that is the time, if there is one. `None` if the equations are not in all rates with multipliers, or
+    /// the number of parameters is wrong.
     #[must_use]
     pub fn new(system: &'a dyn System<f64>, parameters: &[f64], clock: Option<usize>) -> Option<Self> {
         let Lengths { coordinates, variables, reactions, speeds, .. } = system.lengths();
@@ -88,13 +92,14 @@ impl<'a> Multipliers<'a> {
         })
     }
 
-    /// These equations, which know how far from singular poses they have been, for a run of their own.
+    /// Copies these equations for a run of their own. The copy keeps the largest lengths of rows and the largest
+    /// distance from singular poses so far; [`Self::nearest`] starts anew.
     #[must_use]
     pub fn again(&self) -> Self {
         Self { nearest: 1.0, ..self.clone() }
     }
 
-    /// What is left of the constraint that is nearest to following from others: [`Standing::constraints`].
+    /// Computes [`Standing::constraints`] from the conditions set last, and notes it.
     fn near(&mut self) -> f64 {
         let conditions = &self.least.conditions;
         for (most, size) in self.sizes.iter_mut().zip(&conditions.sizes) {
@@ -111,7 +116,7 @@ impl<'a> Multipliers<'a> {
         self.nearest
     }
 
-    /// Sets the constraints in the metric of E, both of the matrix; says no if something that they let move has no inertia.
+    /// Sets the constraints in the metric of E, both of the matrix. False if a motion that they allow has no inertia.
     fn set_least(&mut self) -> bool {
         let (n, order) = (self.still.len(), self.forcing.len());
         for list in [&mut self.inertia, &mut self.rows] {
@@ -144,8 +149,8 @@ impl<'a> Multipliers<'a> {
         Ok(())
     }
 
-    /// How far the generalized speeds of the model are from failing to determine the motion at a state, and the constraints
-    /// from depending on one another; nothing where the equations have no value.
+    /// Computes the distances of a state from a failure of the model's generalized speeds and from dependent
+    /// constraints. `None` where the equations have no value.
     pub fn standing(&mut self, y: &[f64]) -> Option<Standing> {
         let n = self.still.len();
         let (q, v) = y.split_at(n);
@@ -167,7 +172,8 @@ impl<'a> Multipliers<'a> {
         speeds.is_finite().then(|| Standing { speeds, constraints: self.near() })
     }
 
-    /// Notes how long rows of J are at poses beside one, where they may vanish as in a dead point: each coordinate moved by half of itself, or by one half.
+    /// Notes the lengths of rows of J at poses beside one, where they may vanish as in a dead point. Each coordinate is
+    /// moved by half of itself, or by one half if it is small.
     fn look_beside(&mut self, q: &[f64]) {
         self.longest = vec![0.0; self.rest.len()];
         let mut beside = q.to_vec();
@@ -178,13 +184,13 @@ impl<'a> Multipliers<'a> {
         }
     }
 
-    /// Sets J at a pose in the metric of E, and notes how long its rows are.
+    /// Sets J at a pose in the metric of E, and notes the lengths of its rows.
     fn raise_forms(&mut self, q: &[f64]) {
         self.set_forms(q);
         for (form, longest) in self.forms.chunks_exact_mut(q.len().max(1)).zip(&mut self.longest) {
             self.least.metric.raise(form);
             let length = dot(form, form).sqrt();
-            // What is no number is no length.
+            // A length that is not finite is ignored.
             *longest = if length.is_finite() { longest.max(length) } else { *longest };
         }
     }
@@ -224,7 +230,7 @@ impl RightHandSide<f64> for Multipliers<'_> {
         crate::rhs::constraints(self.system, &self.parameters, y, values, slopes);
     }
 
-    /// Next to a singular pose rounding is divided by the square of what vanishes there.
+    /// True next to a singular pose: rounding is divided there by the square of a vanishing number.
     fn avoids(&mut self, _t: f64, y: &[f64]) -> bool {
         self.standing(y).is_some_and(|standing| standing.constraints < AVOIDED * self.farthest)
     }

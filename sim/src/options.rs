@@ -1,4 +1,4 @@
-//! How a run is to be made, and which questions make no sense.
+//! Options of a run, and the checks that refuse senseless ones.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -13,7 +13,7 @@ use crate::error::SimError;
 /// The lowest and the highest order that a method without a fixed one takes.
 pub(crate) const ORDERS: (usize, usize) = (2, 60);
 
-/// How to integrate. The default is that of scene files: `ode45` to [`RTOL`] and [`AbsoluteTolerance::default`], with a
+/// Options of a run. The default is that of scene files: `ode45` to [`RTOL`] and [`AbsoluteTolerance::default`], with a
 /// limit of a million steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
@@ -26,7 +26,8 @@ pub struct Options {
     /// Longest step, in s; unless given, a tenth of the span for `ode45`, the span for the others. Never below 16
     /// ulp of t.
     pub max_step: Option<f64>,
-    /// First step to try, in s, but no longer than a method that proposes its steps asks for; chosen from the derivative at the start unless given.
+    /// First step to try, in s; chosen from the derivative at the start unless given. A method that proposes its steps
+    /// may take a shorter one.
     pub initial_step: Option<f64>,
     /// A fixed step, in s: the span is divided into equal steps, as few as are no longer than this. Errors are not
     /// estimated then, and tolerances, `max_step` and `initial_step` play no part; a step that fails ends the run.
@@ -36,12 +37,12 @@ pub struct Options {
     pub order: Option<usize>,
     /// Largest number of attempted steps, accepted and rejected together.
     pub step_limit: u64,
-    /// Where the right-hand side is not smooth in time, in any order: a step ends at each of them inside the span, so that
-    /// none goes across. Equal steps take no notice.
+    /// Instants at which the right-hand side is not smooth in time, in any order. A step ends at each of them inside
+    /// the span, so that none goes across. Equal steps take no notice.
     pub corners: Vec<Corner>,
     /// The component of the state that is the time itself, if one is: next to a jump it is kept on its side as well.
     pub clock: Option<usize>,
-    /// Which points to keep.
+    /// Points of the solution to keep.
     pub output: Output,
     /// Asked after every accepted step whether to go on; it has no influence on the steps themselves.
     pub poll: Option<Poll>,
@@ -79,7 +80,7 @@ impl Options {
     }
 }
 
-/// Which points of a solution are kept.
+/// Points of a solution that are kept.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Output {
     /// The start, then `refine` points a step: its end and `refine` − 1 inside, evenly spaced in
@@ -97,7 +98,7 @@ pub enum Output {
     Ends,
 }
 
-/// Who follows a run: told the time, in s, that each accepted step has reached, and answers whether to go on.
+/// Follower of a run. It is told the time, in s, that each accepted step has reached, and answers whether to go on.
 ///
 /// Whatever it answers, the steps are the same: a run that it ends has [`Stop::Interrupted`](crate::Stop::Interrupted),
 /// and the solution up to there.
@@ -110,7 +111,7 @@ impl Poll {
         Self(Arc::new(function))
     }
 
-    /// Whether the run that has reached `t` is to end there.
+    /// True if the follower ends the run that has reached `t`.
     pub(crate) fn ends(poll: Option<&Self>, t: f64) -> bool {
         poll.is_some_and(|poll| (poll.0)(t).is_break())
     }
@@ -129,7 +130,7 @@ impl PartialEq for Poll {
     }
 }
 
-/// Refuses what cannot be run, tolerances aside.
+/// Refuses questions that cannot be run, tolerances aside.
 pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
     check_span(span, y0)?;
     check_steps(span, options)?;

@@ -11,12 +11,12 @@ use crate::stepper::{Trial, evaluate, same};
 use crate::tolerance::ErrorTest;
 use crate::warning::Warning;
 
-/// What becomes of an attempted step.
+/// Outcome of an attempted step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
     /// It is part of the solution.
     Accepted {
-        /// Whether it reached the end of the span.
+        /// True if the step reached the end of the span.
         last: bool,
     },
     /// A smaller one is to be tried.
@@ -25,7 +25,7 @@ pub(crate) enum Verdict {
     GiveUp,
 }
 
-/// The step that is being tried, and what the next ones depend on.
+/// The step that is being tried, and the data on which the next ones depend.
 #[derive(Clone)]
 pub(crate) struct Pace {
     pub(crate) t0: f64,
@@ -61,6 +61,8 @@ struct Adaptive {
 }
 
 impl Pace {
+    /// Creates the step sizes of a run of `n` equations over a span.
+    ///
     /// # Errors
     /// [`SimError`] for tolerances that make no sense, and for a method that cannot choose its steps.
     pub(crate) fn new<S: Real>(
@@ -133,13 +135,13 @@ impl Pace {
         }
     }
 
-    /// Leaves the corners at `t` behind: if there are any, the right-hand side is another function from there on, and how the instant of a jump among
-    /// them moves is returned.
+    /// Passes the corners at `t`. `None` if there are none. Else the right-hand side is another function from there on;
+    /// returns the derivatives of the instant of a jump among them, zeros if no jump moves.
     pub(crate) fn pass_corners(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
         self.corners.pass(t)
     }
 
-    /// Between which instants the right-hand side is one function.
+    /// Intervals of time in which the right-hand side is one function.
     pub(crate) fn sides(&self) -> Sides {
         self.corners.sides()
     }
@@ -179,15 +181,15 @@ impl Pace {
         Trial { h, t_new: t + h }
     }
 
-    /// Takes no more than this part of the next size that errors allow.
+    /// Limits the next size to this part of the one that errors allow.
     pub(crate) fn heed(&mut self, margin: f64) {
         if let Kind::Adaptive(adaptive) = &mut self.kind {
             adaptive.control.margin = margin;
         }
     }
 
-    /// What becomes of the trial with this error (`None`: it has no result). If it is to be tried again, the trial is
-    /// a smaller one afterwards.
+    /// Judges the trial by its error (`None`: it has no result). If it is to be tried again, the trial is a smaller one
+    /// afterwards.
     pub(crate) fn judge(&mut self, t: f64, error: Option<f64>) -> Verdict {
         let Kind::Adaptive(adaptive) = &mut self.kind else {
             return if error.is_some() { Verdict::Accepted { last: self.last } } else { Verdict::GiveUp };
@@ -210,8 +212,8 @@ impl Pace {
     }
 }
 
-/// As few equal steps as are no longer than the one asked for, given how often that fits into the span. What fits
-/// whole times but for rounding is not divided further.
+/// Least number of equal steps that are no longer than the one asked for, from the span over that step. A quotient that
+/// is whole but for rounding is not divided further.
 fn equal_steps(quotient: f64) -> f64 {
     let nearest = quotient.round();
     let whole = (quotient - nearest).abs() <= 4.0 * f64::EPSILON * quotient;

@@ -1,14 +1,16 @@
-//! The state on the constraints that is next to another, in the metric of the mass matrix there.
+//! State on the constraints that is nearest to another, in the metric of the mass matrix there.
 //!
-//! By Newton's method with the slopes of its start, which are found again where it is slow: a stage of a step is so near the constraints that a few values of them
-//! lead all the way. Which state that is depends on the other alone, and smoothly. Made once for many states; nothing is allocated then.
+//! Newton's method finds it with the slopes at its start; they are computed again where it is slow. A stage of a step
+//! is so near the constraints that a few of their values are enough. The result depends on the given state alone, and
+//! smoothly. The space is made once for many states; nothing is allocated then.
 
 use tripos_traits::System;
 
 use crate::correction::Correction;
 use crate::rhs;
 
-/// Iterations at most; units in the last place that count as on the constraints; what an iteration may leave of the correction before it without new slopes.
+/// Largest number of iterations; units in the last place that count as on the constraints; ratio of corrections, one
+/// over the one before, above which new slopes are computed.
 const ITERATIONS: usize = 12;
 const ROUNDING: f64 = 4.0;
 const SLOW: f64 = 0.1;
@@ -41,7 +43,7 @@ impl Placement {
         }
     }
 
-    /// The state on the constraints next to (q, q̇); that itself where the search for it fails.
+    /// State on the constraints next to (q, q̇); the given state itself if the search fails.
     pub(crate) fn of(&mut self, system: &dyn System<f64>, parameters: &[f64], y: &[f64]) -> &[f64] {
         self.placed.copy_from_slice(y);
         if self.search(system, parameters).is_none() {
@@ -50,7 +52,7 @@ impl Placement {
         &self.placed
     }
 
-    /// Moves the state; nothing if something has no value on the way.
+    /// Moves the state onto the constraints; `None` if something has no value on the way.
     fn search(&mut self, system: &dyn System<f64>, parameters: &[f64]) -> Option<()> {
         let n = system.lengths().coordinates;
         let (mut last, mut is_slow) = (f64::INFINITY, true);
@@ -70,7 +72,7 @@ impl Placement {
             for (x, step) in self.placed.iter_mut().zip(step) {
                 *x -= step;
             }
-            // What is left shrinks by as much again.
+            // The correction that remains shrinks by this ratio again.
             let ratio = if last.is_finite() { most / last } else { 1.0 };
             if most * ratio <= ROUNDING * f64::EPSILON * size {
                 break;
@@ -80,7 +82,8 @@ impl Placement {
         Some(())
     }
 
-    /// Values, slopes and the mass matrix at the state, made ready for corrections.
+    /// Computes values, slopes and the mass matrix at the state, and prepares corrections there. `None` if one is not
+    /// finite, or the mass matrix is not definite.
     fn look(&mut self, system: &dyn System<f64>, parameters: &[f64]) -> Option<()> {
         let Self { correction, clock, values, slopes, matrix, inertia, placed } = self;
         rhs::constraints(system, parameters, placed, values, slopes);

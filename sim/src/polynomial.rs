@@ -11,11 +11,11 @@ use crate::stepper::DenseStep;
 /// bound.
 #[derive(Debug, Default)]
 pub(crate) struct Polynomial {
-    /// Which components of the state, in order, and how many the state has.
+    /// Indices of the components of the state, in order, and the length of the state.
     components: Vec<usize>,
     length: usize,
     rows: Vec<f64>,
-    /// What rounding may have changed of the value, and of the slope by θ, of each component.
+    /// Bounds of the rounding error of the value, and of the slope by θ, of each component.
     margins: Vec<[f64; 2]>,
     /// Start and end of the step, in s.
     times: (f64, f64),
@@ -25,12 +25,12 @@ pub(crate) struct Polynomial {
 }
 
 impl Polynomial {
-    /// For a state of this length.
+    /// Creates one for a state of this length.
     pub(crate) fn new(components: Vec<usize>, length: usize) -> Self {
         Self { components, length, ..Self::default() }
     }
 
-    /// Takes the polynomials of a step; says no if it has none.
+    /// Takes the polynomials of a step; false if it has none.
     pub(crate) fn take(&mut self, step: &dyn DenseStep) -> bool {
         let Some(degree) = step.degree() else { return false };
         self.times = step.times();
@@ -75,8 +75,8 @@ impl Polynomial {
     }
 }
 
-/// What rounding may change of polynomials with these coefficients, and of their slopes, where |θ| ≤ 1: each operation
-/// of the shifts, and of the method's own evaluation, by ε of what it adds up.
+/// Bounds of the rounding error of polynomials with these coefficients, and of their slopes, where |θ| ≤ 1. Each
+/// operation of the shifts, and of the method's own evaluation, counts ε of the numbers that it adds up.
 fn margins(rows: &[f64], count: usize, out: &mut Vec<[f64; 2]>) {
     let degree = (rows.len() / count.max(1)).saturating_sub(1) as f64;
     out.clear();

@@ -1,16 +1,17 @@
-//! Projection of a run onto its invariants or its constraints, with an account of what it did.
+//! Projection of a run onto its invariants or its constraints, with an account of the corrections.
 //!
-//! After each accepted step the state is moved onto I_k(y) = I_k(y₀), or onto the constraints φ_k(y) = 0 of the equations, by the smallest correction in the norm of the
-//! tolerances, and the method goes on from there. What was removed is added up with its sign: a projected run does not
-//! hide the drift that the method has. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition
-//! (2006), §IV.4.
+//! After each accepted step the state is moved onto I_k(y) = I_k(y₀), or onto the constraints φ_k(y) = 0 of the
+//! equations, by the smallest correction in the norm of the tolerances. The method goes on from there. The removed
+//! drift is added up with its sign: a projected run does not hide the drift that the method has. E. Hairer, C. Lubich &
+//! G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §IV.4.
 //!
-//! Where the state is (q, q̇) and its mass matrix M is known, constraints are kept in that metric: first q, by M⁻¹ Gᵀ times what multipliers there are, then q̇
-//! likewise. What is removed of q̇ is then without work on what the constraints let move. Constraints that follow from others,
-//! everywhere or in a singular pose, are left out.
+//! If the state is (q, q̇) and its mass matrix M is known, constraints are met in that metric: first by q, with M⁻¹ Gᵀ
+//! times multipliers, then by q̇ likewise. The correction of q̇ then does no work on the motions that the constraints
+//! allow. Constraints that depend on others, everywhere or in a singular pose, are left out.
 //!
-//! Events, and output at and inside a step, belong to the step as the method took it, before the correction at its end; samples of a run on constraints are moved onto
-//! them, each by itself. The last state, and all later steps, follow from the corrected one.
+//! Events, and output at and inside a step, belong to the step as the method took it, before the correction at its end.
+//! Samples of a run on constraints are moved onto them, each by itself. The last state, and all later steps, follow
+//! from the corrected one.
 
 use tripos_traits::Real;
 
@@ -22,7 +23,8 @@ use crate::tolerance::ErrorTest;
 
 /// Newton iterations of one correction.
 const ITERATIONS: u32 = 3;
-/// Iterations where corrections are down to the rounding of a component of many turns, whose share others have to take over.
+/// Iterations once corrections are down to the rounding of a component of many turns, whose share others have to take
+/// over.
 const SETTLING: u32 = 8;
 /// Corrections of fewer units in the last place of the largest component than this are rounding.
 const ROUNDING: f64 = 16.0;
@@ -34,7 +36,7 @@ pub type InvariantFunction<'a, S> = Box<dyn FnMut(f64, &[S], &mut [S], &mut [S])
 
 /// Invariants to be kept.
 pub struct Invariants<'a, S = f64> {
-    /// How many there are.
+    /// Number of invariants.
     pub count: usize,
     /// Their values and gradients: `count` values and `count` times the length of the state, each in its own unit.
     pub function: InvariantFunction<'a, S>,
@@ -46,7 +48,7 @@ impl<S> std::fmt::Debug for Invariants<'_, S> {
     }
 }
 
-/// What projection did in a run.
+/// Account of the projection in a run: its corrections, and the drift that they removed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProjectionReport {
     /// Steps after which the state was moved.
@@ -65,7 +67,7 @@ pub struct ProjectionReport {
 }
 
 impl ProjectionReport {
-    /// Adds what projection did in a run that goes on from this one.
+    /// Adds the account of a run that goes on from this one.
     pub fn add(&mut self, next: &Self) {
         self.corrections += next.corrections;
         self.singular += next.singular;
@@ -79,11 +81,11 @@ impl ProjectionReport {
     }
 }
 
-/// What a run is moved onto.
+/// Target onto which a run is moved.
 pub(crate) enum Onto<'p, 'a, S> {
-    /// The values that these have at the start.
+    /// These invariants, at their values at the start.
     Invariants(&'p mut Invariants<'a, S>),
-    /// Where the constraints of the equations, this many, are zero.
+    /// The constraints of the equations, this many, at zero.
     Constraints(usize),
 }
 
@@ -97,11 +99,12 @@ pub(crate) struct Projector<'p, 'a, S> {
     drift: Vec<f64>,
     before: Vec<f64>,
     y: Vec<S>,
-    /// Whether the state is there but for the rounding of its own components.
+    /// True if the state is on its target up to the rounding of its own components.
     is_near: bool,
     /// The mass matrix, row by row, where there is one.
     inertia: Vec<f64>,
-    /// The gradients in doubles, by how much is to be met, the correction that does, and what finds it: in the metric of the mass matrix or of weights.
+    /// Work space of a correction: the gradients in doubles, the values to be met, the correction, and its solvers in
+    /// the metric of the mass matrix and in that of weights.
     slopes: Vec<f64>,
     open: Vec<f64>,
     correction: Vec<f64>,
@@ -112,24 +115,24 @@ pub(crate) struct Projector<'p, 'a, S> {
     pub(crate) report: ProjectionReport,
 }
 
-/// How far a correction moves the state.
+/// Size of a correction of the state, in three classes.
 #[derive(PartialEq, PartialOrd)]
 enum Moved {
-    /// By the rounding of the constraints, as they are computed.
+    /// No more than the rounding of the constraints, as they are computed.
     Constraint,
-    /// By the rounding of its largest component.
+    /// No more than the rounding of the largest component.
     State,
     Further,
 }
 
-/// Why the state is left as it is.
+/// Reason why the state is left as it is.
 enum Hindrance {
     Singular,
     NotConverged,
 }
 
 impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
-    /// Onto invariants with their values at the start, or onto constraints.
+    /// Creates a projection onto invariants with their values at the start, or onto constraints.
     pub(crate) fn new<R: RightHandSide<S>>(
         onto: Onto<'p, 'a, S>,
         rhs: &mut R,
@@ -177,7 +180,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         projector
     }
 
-    /// The state moved onto the invariants; nothing if it is there to rounding, or cannot be moved.
+    /// Moves the state onto the invariants or constraints; `None` if it is there to rounding, or cannot be moved.
     pub(crate) fn project<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Option<&[S]> {
         match self.place(rhs, t, y) {
             Ok(true) => {
@@ -191,14 +194,14 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         None
     }
 
-    /// A sample on its way to who sees it: on the constraints, if it can be moved there; as it is where invariants are kept, whose
-    /// drift it shows.
+    /// Prepares a sample for output. It is moved onto the constraints if possible; in a run that keeps invariants it
+    /// stays, and shows their drift.
     pub(crate) fn sample<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: Vec<S>) -> Vec<S> {
         let is_placed = matches!(self.onto, Onto::Constraints(_)) && matches!(self.place(rhs, t, &y), Ok(true));
         if is_placed { self.y.clone() } else { y }
     }
 
-    /// Moves the state onto the invariants; says whether it was anywhere else.
+    /// Moves the state onto the invariants or constraints; false if it was there to rounding.
     fn place<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<bool, Hindrance> {
         self.y.copy_from_slice(y);
         if self.values.is_empty() || self.measure(rhs, t) {
@@ -210,8 +213,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(true)
     }
 
-    /// Moves the slopes of a state that is on the constraints to where those of the constraints are zero, by the smallest correction
-    /// likewise: then they are those of motions that all stay on them.
+    /// Moves the slopes of a state on the constraints so that the slopes of the constraints are zero, by the smallest
+    /// correction again. They are then the slopes of motions that all stay on the constraints.
     fn straighten<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
         for along in 0..S::SLOPES {
             self.open.clear();
@@ -224,8 +227,9 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(())
     }
 
-    /// What each constraint is worth to weights of the state that was moved last, where it is open by 1 and the correction meets it: the transpose of how slopes are moved. Not numbers where
-    /// there is no correction.
+    /// Derivative of a weighted sum of the state that was moved last, by the drift of each constraint: `weights` times
+    /// the correction of a constraint that is open by 1. This is the transpose of [`Self::straighten`]. Not a number
+    /// where there is no correction.
     pub(crate) fn shares<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, weights: &[f64]) -> Vec<f64> {
         let count = self.values.len();
         let mut share = |k: usize| {
@@ -239,10 +243,10 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         (0..count).map(&mut share).collect()
     }
 
-    /// Values and gradients at the state, and the drift; says whether that is rounding.
+    /// Computes values and gradients at the state, and the drift; true if the drift is rounding.
     ///
-    /// Constraints are rounded as they are computed, not as their arguments are: the sine of an angle of a thousand turns is as exact as
-    /// that of a small one, and the other coordinates can meet it.
+    /// Constraints are rounded as they are computed, not as their arguments are. The sine of an angle of a thousand
+    /// turns is as exact as that of a small one, and the other coordinates can meet it.
     fn measure<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> bool {
         match &mut self.onto {
             Onto::Invariants(invariants) => (invariants.function)(t, &self.y, &mut self.values, &mut self.gradients),
@@ -264,7 +268,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         rounding
     }
 
-    /// Beyond which size a component counts no more than at it: none for invariants.
+    /// Size above which a component counts as this size: infinite for invariants.
     fn reach(&self) -> f64 {
         if matches!(self.onto, Onto::Constraints(_)) { 1.0 } else { f64::INFINITY }
     }
@@ -285,7 +289,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         if near || is_settled || self.is_near { Ok(()) } else { Err(Hindrance::NotConverged) }
     }
 
-    /// Finds the smallest correction that meets the constraints, to first order, where these are open by so much.
+    /// Finds the smallest correction that meets the constraints, to first order, where these are open by `open`.
     fn correct<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
         let n = self.y.len();
         self.slopes.clear();
@@ -303,7 +307,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(())
     }
 
-    /// One step of Newton's method. Says whether that moves more than digits that rounding decides.
+    /// Takes one step of Newton's method, and returns the size of its correction.
     fn step<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<Moved, Hindrance> {
         self.open.clone_from(&self.drift);
         self.correct(rhs, t)?;

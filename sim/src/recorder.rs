@@ -73,7 +73,7 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// Whether samples inside a step from `t_old` to `t_new` are to be kept.
+    /// True if samples inside a step from `t_old` to `t_new` are to be kept.
     pub(crate) fn looks_inside(&self, (t_old, t_new): (f64, f64)) -> bool {
         match self.output {
             Output::Ends => false,

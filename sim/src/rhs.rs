@@ -1,4 +1,4 @@
-//! What is integrated: y' = f(t, y), and ∂f/∂y where a method needs it.
+//! Right-hand sides that a run integrates: y' = f(t, y), and ∂f/∂y where a method needs it.
 
 use tripos_traits::{Lengths, Real, System};
 
@@ -29,7 +29,7 @@ pub trait RightHandSide<S = f64> {
         None
     }
 
-    /// How many divisors f has that are watched: what it divides by and might be zero somewhere.
+    /// Number of watched divisors: expressions by which f divides, and which might be zero somewhere.
     fn divisor_count(&self) -> usize {
         0
     }
@@ -40,51 +40,52 @@ pub trait RightHandSide<S = f64> {
         let _ = (t, y, out);
     }
 
-    /// What people call a divisor, counted from 0.
+    /// Name of a divisor for people; divisors are counted from 0.
     fn divisor_name(&self, at: usize) -> String {
         format!("divisor {at}")
     }
 
-    /// How many constraints the state is kept on.
+    /// Number of constraints that the state is kept on.
     fn constraint_count(&self) -> usize {
         0
     }
 
-    /// Writes what is zero on the constraints to `values`, an entry each, and its slopes along the state to `slopes`, row by
+    /// Writes the constraint functions to `values`, an entry each, and their slopes along the state to `slopes`, row by
     /// row. After each step the state is moved to where they are zero: [`crate::projection`].
     fn constraints(&mut self, t: f64, y: &[S], values: &mut [S], slopes: &mut [S]) {
         let _ = (t, y, values, slopes);
     }
 
-    /// Writes the mass matrix of the rates to `out`, row by row, n² entries, where the state is (q, q̇) with n of each; says whether
-    /// it is so. Corrections of the state are then the least in the metric of this matrix.
+    /// Writes the mass matrix of the rates to `out`, row by row, n² entries, if the state is (q, q̇) with n of each;
+    /// false if it is not. Corrections of the state are then the least in the metric of this matrix.
     fn inertia(&mut self, t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
         let _ = (t, y, out);
         false
     }
 
-    /// Whether other equations of the same motion are to go on from the state `y` that a step has come to at `t`, or, where there is none, from the
-    /// start of a step to `t` that would lead across a zero of a divisor: the run ends there with [`crate::Stop::HandedOver`].
+    /// True if other equations of the same motion are to go on from the state `y` that a step has reached at `t`. The
+    /// run ends there with [`crate::Stop::HandedOver`]. With `None` as `y`, they are to go on from the start of a step
+    /// to `t` that would lead across a zero of a divisor.
     fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
         let _ = (t, y);
         false
     }
 
-    /// Whether a step should not end at `y`, since rates are known to few digits there: it is then made shorter.
+    /// True if a step should not end at `y`, since rates are known to few digits there: it is then made shorter.
     fn avoids(&mut self, t: f64, y: &[S]) -> bool {
         let _ = (t, y);
         false
     }
 
-    /// Whether other equations of the same motion are to make the step that led to `y` at `t`: the run ends at the start of this step with
-    /// [`crate::Stop::HandedOver`].
+    /// True if other equations of the same motion are to make the step that led to `y` at `t`. The run ends at the
+    /// start of this step with [`crate::Stop::HandedOver`].
     fn yields(&mut self, t: f64, y: &[S]) -> bool {
         let _ = (t, y);
         false
     }
 
-    /// The power, W, whose integral is wanted beside the solution, as [`crate::Solution::work`]; `None`, at every state,
-    /// where none is. It changes no step.
+    /// Power, W, whose integral is wanted beside the solution, as [`crate::Solution::work`]; `None` at every state if
+    /// none is wanted. It changes no step.
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
         let _ = (t, y);
         None
@@ -101,12 +102,12 @@ where
     }
 }
 
-/// Where weights of a state and of parameters are added up: an entry for each component, and one for each parameter.
+/// Sums to which weights are added: an entry for each component of the state, and one for each parameter.
 pub type Pulled<'a> = (&'a mut [f64], &'a mut [f64]);
 
-/// A right-hand side f(t, y, p) with its slopes by state and parameters, transposed: what the adjoint of a run is made of.
+/// A right-hand side f(t, y, p) with its transposed slopes by state and parameters, for the adjoint of a run.
 pub trait Transposed: RightHandSide<f64> {
-    /// How many parameters there are.
+    /// Number of parameters.
     fn parameter_count(&self) -> usize;
 
     /// Adds f_yᵀ w to the first and f_pᵀ w to the second part of `to`, for weights w of the components of f at (t, y).
@@ -115,7 +116,7 @@ pub trait Transposed: RightHandSide<f64> {
     /// [`Failure`] if there are none.
     fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure>;
 
-    /// Adds likewise for weights of the constraints that the state is kept on.
+    /// Adds φ_yᵀ w and φ_pᵀ w likewise, for weights w of the constraints φ that the state is kept on.
     ///
     /// # Errors
     /// [`Failure`] if there are none.
@@ -127,9 +128,9 @@ pub trait Transposed: RightHandSide<f64> {
 
 /// A closure with its Jacobian, another closure of the same form that writes n² entries.
 pub struct WithJacobian<F, J> {
-    /// f(t, y).
+    /// Closure that writes f(t, y).
     pub rhs: F,
-    /// ∂f/∂y at (t, y), row by row.
+    /// Closure that writes ∂f/∂y at (t, y), row by row.
     pub jacobian: J,
 }
 
@@ -148,15 +149,16 @@ where
     }
 }
 
-/// Equations with what a run asks for beside them.
+/// Equations with the additional functions of a run: a power to integrate, and conditions for other equations to take
+/// over.
 pub struct Accompanied<'a, S = f64> {
     /// The equations.
     pub rhs: &'a mut dyn RightHandSide<S>,
     /// The power at (t, y), W, whose integral is wanted.
     pub power: Option<PowerAt<'a, S>>,
-    /// Where other equations are to go on: [`RightHandSide::hands_over`].
+    /// Condition on which other equations go on: [`RightHandSide::hands_over`].
     pub over: Option<HandsOver<'a, S>>,
-    /// Which steps other equations are to make: [`RightHandSide::yields`].
+    /// Condition on which other equations make a step: [`RightHandSide::yields`].
     pub yields: Option<Yields<'a, S>>,
 }
 
@@ -287,15 +289,15 @@ impl<S: Real> RightHandSide<S> for Accompanied<'_, S> {
     }
 }
 
-/// What a system is kept on, as [`RightHandSide::constraints`].
+/// Writes the constraints of a system and their slopes, as [`RightHandSide::constraints`].
 pub(crate) fn constraints<S: Real>(system: &dyn System<S>, p: &[S], y: &[S], values: &mut [S], slopes: &mut [S]) {
     let (q, v) = y.split_at(system.lengths().coordinates);
     system.constraints(p, q, v, values);
     system.constraint_slopes(p, q, v, slopes);
 }
 
-/// The mass matrix of a system in all rates with multipliers, as [`RightHandSide::inertia`]: the first block of its matrix, for which there is
-/// room to be kept.
+/// Writes the mass matrix of a system in all rates with multipliers, as [`RightHandSide::inertia`]: the first block of
+/// its matrix, which is kept in `matrix`. False for other systems.
 pub(crate) fn inertia<S: Real>(
     system: &dyn System<S>,
     p: &[S],

@@ -6,7 +6,7 @@
 /// The function has no value at this point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct NotANumber {
-    /// Where.
+    /// Argument at which the function has no value.
     pub(crate) at: f64,
 }
 

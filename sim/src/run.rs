@@ -19,14 +19,14 @@ use crate::watch::{Events, Watch};
 use crate::work::Work;
 use tripos_traits::Real;
 
-/// How often a step is made shorter to end elsewhere, and the error, over the tolerance, that it is then taken for.
+/// Largest number of times that a step is shortened to end elsewhere, and its assumed error then, over the tolerance.
 const MOST_AVOIDED: u32 = 4;
 const SHORTER: f64 = 2.0;
 
 /// Fractions of a step that are one place.
 const ONE_PLACE: f64 = 1e-9;
 
-/// What goes along with the steps of a run: what is kept of them, what moves their ends, the work that is done.
+/// Companions of the steps of a run: the recorder, the projector that moves their ends, and the work done.
 type Beside<'a, 'o, 'i, 'j, S> =
     (&'a mut Recorder<'o, S>, Option<&'a mut Projector<'i, 'j, S>>, Option<&'a mut Work<S>>);
 
@@ -267,9 +267,9 @@ impl<M: Stepper> Run<'_, M> {
     }
 }
 
-/// What ends a run inside a step that is prepared for it, with its fraction of the step: an event, or a divisor that is
-/// zero, where one is suspected. Where both are at one place, the event has the word: it says of which condition the place
-/// is the end.
+/// Finds the end of a run inside a step that is prepared for it: an event, or a divisor that is zero, where one is
+/// suspected. Returns its fraction of the step and the reason; `None` if the run goes on. If both are at one place, the
+/// event counts, since it names the condition that ends there.
 pub(crate) fn end_inside<S, I, R>(
     step: &I,
     suspects: bool,

@@ -1,4 +1,4 @@
-//! Samples of an event function in one step, and what they tell about the places between.
+//! Samples of an event function in one step, and their evidence of the places between.
 
 use std::iter::once;
 
@@ -36,7 +36,7 @@ impl Probe<'_> {
         (self.function)(self.step.time_at(theta), self.y)
     }
 
-    /// How far rounding may move an instant of the step, in s: 4 ε of its times.
+    /// Rounding error of an instant of the step, in s: 4 ε of its times.
     pub(crate) fn instant(&self) -> f64 {
         let (start, end) = self.step.times();
         4.0 * f64::EPSILON * start.abs().max(end.abs())
@@ -79,8 +79,7 @@ pub(crate) struct Node {
     pub(crate) sign: Sign,
 }
 
-/// Whether |g| has a minimum between samples k − 1 and k, both on one side, and might reach zero
-/// there.
+/// True if |g| has a minimum between samples k − 1 and k, both on one side, and might reach zero there.
 pub(crate) fn may_dip(nodes: &[Node], k: usize) -> bool {
     let (a, b) = (nodes[k - 1], nodes[k]);
     if a.sign == 0 || a.sign != b.sign {
@@ -93,8 +92,8 @@ pub(crate) fn may_dip(nodes: &[Node], k: usize) -> bool {
     slope_a <= 0.0 && slope_b >= 0.0 && a.g.abs().min(b.g.abs()) <= 4.0 * fall
 }
 
-/// Where the polynomial through the samples has two or more extrema between samples k − 1 and k, which
-/// slopes at the two samples cannot tell, and the places between those extrema; empty otherwise.
+/// Fractions between samples k − 1 and k at which the polynomial through the samples has extrema, and the midpoints
+/// between those. Empty if there are fewer than two extrema: slopes at the two samples tell of one.
 pub(crate) fn hidden_extrema(nodes: &[Node], k: usize) -> Vec<f64> {
     const PARTS: u32 = 8;
     let (a, b) = (nodes[k - 1].theta, nodes[k].theta);

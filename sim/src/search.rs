@@ -1,4 +1,4 @@
-//! What one event function did during one step: by ranges where there are any, else by samples.
+//! Search for the zeros of one event function during one step: by ranges where there are any, else by samples.
 
 use crate::events::Kind;
 use crate::isolate::{Isolation, Known, Ranges, isolate};
@@ -20,7 +20,7 @@ pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut Memory, ranges: Option<
     }
 }
 
-/// By parts of the step on which ranges tell what happens.
+/// Searches by parts of the step on which ranges tell the behaviour of the function.
 fn by_ranges(probe: &mut Probe<'_>, memory: &mut Memory, ranges: &mut Ranges<'_, '_>) -> Findings {
     let isolation = isolate(probe, ranges);
     let mut findings = Findings { not_a_number: isolation.cut, ..Findings::default() };
@@ -54,7 +54,7 @@ fn doubt_of(known: Known) -> Doubt {
     }
 }
 
-/// Where parts were left open, but for those that begin and end at zero: one place for all of them.
+/// Reports the parts that were left open, except those that begin and end at zero, as one undecided place.
 fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Found> {
     let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
     let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
@@ -93,7 +93,7 @@ fn gather(probe: &mut Probe<'_>, memory: &Memory, findings: &mut Findings) -> Ve
     nodes
 }
 
-/// Whether the function stays 4 times as far from zero as it varies: a shortcut for the common case.
+/// True if the function stays 4 times as far from zero as it varies: a shortcut for the common case.
 fn is_far(nodes: &[Node]) -> bool {
     let low = nodes.iter().map(|n| n.g).fold(f64::INFINITY, f64::min);
     let high = nodes.iter().map(|n| n.g).fold(f64::NEG_INFINITY, f64::max);
@@ -112,7 +112,7 @@ fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut 
     }
 }
 
-/// Whether the samples leave no doubt that nothing happened.
+/// True if the samples leave no doubt that nothing happened.
 fn is_quiet(nodes: &[Node], memory: &Memory, scale: f64) -> bool {
     if is_far(nodes) && nodes[0].sign == memory.side {
         return true;

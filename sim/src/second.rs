@@ -1,4 +1,4 @@
-//! Which second run tells how far a first one is off.
+//! Choice of a second run that tells the error of a first one.
 //!
 //! The same motion is integrated with other steps: what the two differ by is the error of the worse one. A run that is
 //! ten times finer shows the whole error of the first; one that is ten times coarser shows its own, which is larger.
@@ -16,7 +16,7 @@ use crate::taylor::order_for;
 use crate::tolerance::SMALLEST_RTOL;
 use tripos_traits::{AbsoluteTolerance, Method};
 
-/// How many times finer or coarser a second run is.
+/// Factor by which a second run is finer or coarser.
 const TIMES: f64 = 10.0;
 /// Part of the difference from a coarser run that counts as the first run's error. A tenth is expected, but a motion
 /// may carry the two errors on in its own ways: with a half of it 4 of 208 runs of gauss6 had ten times as much.
@@ -24,11 +24,11 @@ const PART: f64 = 1.0;
 /// Tolerances from which down DOP853 takes no more evaluations than a method of order 5 at ten times as much, and the
 /// Taylor method no longer than DOP853.
 const FINE: f64 = 1e-6;
-/// What a finer run may cost in units of the first where tolerances are coarser than that.
+/// Cost of a finer run in units of the first where tolerances are coarser than that.
 const COARSE_COST: f64 = 1.6;
 /// Evaluations that a second run may take however few the first took.
 const LEAST: f64 = 20_000.0;
-/// What may be spent in units of the first run: one of it, and what forecasts are off by.
+/// Largest cost of a second run in units of the first: one of it, and a margin for the error of the forecast.
 const MOST: f64 = 1.25;
 /// The tolerances by which a run with equal steps is looked at.
 const EQUAL: f64 = 1e-12;
@@ -36,18 +36,19 @@ const EQUAL: f64 = 1e-12;
 /// A run to compare another one with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Second {
-    /// How it is made; which points it keeps is open.
+    /// Options of the second run; the caller chooses which points it keeps.
     pub options: Options,
-    /// What part of the difference of the two is the error of the first.
+    /// Part of the difference of the two runs that is the error of the first.
     pub part: f64,
-    /// Whether its own errors are smaller than the first run's: what it does is then what the motion does.
+    /// True if the errors of the second run are smaller than the first run's: it then shows the behaviour of the
+    /// motion.
     pub is_finer: bool,
-    /// What it is, in words: "dop853 at a tenth of the tolerances".
+    /// Description of the run in words, such as "dop853 at a tenth of the tolerances".
     pub words: String,
 }
 
-/// The runs that tell the errors of one that was made with these options, the first choice first: the next is to be
-/// made where one ends early. `has_series` says whether the equations have Taylor coefficients that cost no more than a
+/// Lists the runs that tell the errors of one that was made with these options, the first choice first. The next is to
+/// be made if one ends early. `has_series` is true if the equations have Taylor coefficients that cost no more than a
 /// step of DOP853.
 #[must_use]
 pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), has_series: bool) -> Vec<Second> {
@@ -71,7 +72,7 @@ pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), has_ser
     }
 }
 
-/// What a second run is made from.
+/// First run, from which second runs are made.
 struct First<'a> {
     options: &'a Options,
     /// Evaluations of the right-hand side, or as much as they take.
@@ -81,7 +82,7 @@ struct First<'a> {
 }
 
 impl First<'_> {
-    /// By this method at tolerances this many times finer; it may cost this part of the first run.
+    /// Second run by this method at tolerances this many times finer; it may cost this part of the first run.
     fn finer(&self, method: Method, times: f64, cost: f64) -> Second {
         let first = self.options;
         let same = method == first.method;
@@ -104,7 +105,7 @@ impl First<'_> {
         Second { options: self.limited(options, cost), part: 1.0, is_finer: true, words }
     }
 
-    /// By the same method at ten times the tolerances, or with steps that make ten times the error.
+    /// Second run by the same method at ten times the tolerances, or with steps that make ten times the error.
     fn coarser(&self) -> Second {
         let first = self.options;
         let stretch = TIMES.powf(1.0 / f64::from(first.method.order().unwrap_or(8)));
@@ -139,7 +140,7 @@ impl First<'_> {
         self.options.max_step.unwrap_or(own) * times.powf(1.0 / order)
     }
 
-    /// With as many steps as may cost this part of the first run.
+    /// Sets the step limit to as many steps as may cost this part of the first run.
     fn limited(&self, options: Options, cost: f64) -> Options {
         let evaluations = (cost * self.spent).max(LEAST);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive, and far below 2^64")]
@@ -164,7 +165,7 @@ fn stages(method: Method) -> f64 {
     }
 }
 
-/// What an evaluation costs in calls of the right-hand side: Taylor coefficients are some of each order.
+/// Cost of an evaluation in calls of the right-hand side: for Taylor coefficients, their order.
 fn weight(options: &Options) -> f64 {
     if options.method == Method::Taylor { order_for(options) as f64 } else { 1.0 }
 }

@@ -1,15 +1,15 @@
-//! How near vectors are to depending on one another.
+//! Nearness of vectors to linear dependence, by their least singular value.
 //!
-//! The vectors are turned, two at a time, until all are at right angles: their lengths are then the singular values (M. R. Hestenes, J. SIAM 6 (1958) 51–90).
-//! Small ones are found as exactly as large ones, and nothing is allocated.
+//! The vectors are turned, two at a time, until all are at right angles: their lengths are then the singular values (M.
+//! R. Hestenes, J. SIAM 6 (1958) 51–90). Small ones are found as exactly as large ones, and nothing is allocated.
 
 use crate::metric::dot;
 
-/// Rounds over all pairs, of which a handful is enough.
+/// Largest number of rounds over all pairs, of which a handful is enough.
 const ROUNDS: usize = 30;
 
-/// The least singular value of vectors of this length, one after another, which are turned on the way; not a number if an entry is none, infinite without
-/// vectors.
+/// Least singular value of vectors of this length, one after another, which are turned on the way. Not a number if an
+/// entry is not a number; infinite without vectors.
 pub(crate) fn least_singular_value(vectors: &mut [f64], length: usize) -> f64 {
     let count = vectors.len() / length.max(1);
     for _ in 0..ROUNDS {
@@ -28,7 +28,7 @@ pub(crate) fn least_singular_value(vectors: &mut [f64], length: usize) -> f64 {
     sizes.fold(f64::INFINITY, |least, size| if size < least || size.is_nan() { size } else { least })
 }
 
-/// Turns two vectors in their plane so that they are at right angles; says whether they were not.
+/// Turns two vectors in their plane so that they are at right angles; false if they were.
 fn turn(a: &mut [f64], b: &mut [f64]) -> bool {
     let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
     let bound = f64::EPSILON * (aa * bb).sqrt();

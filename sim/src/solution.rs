@@ -1,4 +1,4 @@
-//! What a run hands back: samples, counts, events, and why it ended.
+//! Result of a run: samples, counts, events, and the reason of its end.
 //!
 //! Invariant: (`t_end`, `y_end`) is the last point that is part of the solution; no sample and no
 //! event lies beyond it, whatever ended the run.
@@ -13,7 +13,7 @@ use crate::impact::ImpactRecord;
 use crate::projection::ProjectionReport;
 use crate::warning::Warning;
 
-/// Why a run ended.
+/// Reason of the end of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
     /// It reached the end of its span.
@@ -53,22 +53,22 @@ pub enum Stop {
         /// Iterations of Newton's method that were made.
         iterations: u32,
     },
-    /// Something that the equations divide by is zero there: they have no value, and a motion does not go on by them.
+    /// A divisor of the equations is zero there: they have no value, and no motion goes on by them.
     Singular {
-        /// What they divide by.
+        /// Name of the divisor.
         divisor: String,
     },
     /// The right-hand side (or an event function) has no value, however small the step.
     Failed(Failure),
-    /// Who followed the run ended it.
+    /// The follower of the run ended it.
     Interrupted,
     /// Other equations of the same motion are to go on from there, as [`crate::RightHandSide::hands_over`] said.
     HandedOver,
 }
 
 impl Stop {
-    /// A stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`,
-    /// `step-limit`, `not-finite`, `not-converged`, `singular`, `interrupted`, `handed-over`, or the code of the [`Failure`], such as `singular`.
+    /// A stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`, `step-limit`, `not-finite`,
+    /// `not-converged`, `singular`, `interrupted`, `handed-over`, or the code of the [`Failure`], such as `singular`.
     #[must_use]
     pub fn code(&self) -> String {
         match self {
@@ -86,8 +86,8 @@ impl Stop {
         }
     }
 
-    /// Whether the run could not go on, as opposed to having arrived or met an event it was told to
-    /// end at (leaving the domain included).
+    /// True if the run could not go on; false if it arrived, or met an event that was to end it (leaving the domain
+    /// included).
     #[must_use]
     pub fn is_failure(&self) -> bool {
         !matches!(self, Self::End | Self::Event { .. } | Self::LeftDomain { .. } | Self::StartsOutside { .. })
@@ -95,7 +95,7 @@ impl Stop {
 }
 
 impl Stop {
-    /// Why a run ended, with these names for the components of its state.
+    /// Reason of the end in words, with these names for the components of the state.
     #[must_use]
     pub fn described(&self, names: &[String]) -> String {
         match self {
@@ -142,7 +142,8 @@ pub struct Solution<S = f64> {
     pub t: Vec<f64>,
     /// States at those times.
     pub y: Vec<Vec<S>>,
-    /// Work done from the start to each sample, J, that of impacts among it; empty where the equations state no power, and nothing bounces.
+    /// Work done from the start to each sample, J, that of impacts included. Empty if the equations state no power and
+    /// nothing bounces.
     pub work: Vec<f64>,
     /// Last time of the solution, in s.
     pub t_end: f64,
@@ -158,15 +159,15 @@ pub struct Solution<S = f64> {
     pub evaluations: u64,
     /// Evaluations of the Jacobian; only implicit methods need it.
     pub jacobians: u64,
-    /// Why the run ended.
+    /// Reason of the end of the run.
     pub stop: Stop,
-    /// What happened on the way, in order of time.
+    /// Records of events, in order of time.
     pub events: Vec<EventRecord>,
-    /// Where velocities jumped, in order of time: by whoever put the run together from parts.
+    /// Records of velocity jumps, in order of time; only a caller that joins a run from parts fills them.
     pub impacts: Vec<ImpactRecord>,
-    /// What the caller should know.
+    /// Warnings for the caller.
     pub warnings: Vec<Warning>,
-    /// What projection did, in a run that was projected.
+    /// Account of the projection, in a run that was projected.
     pub projection: Option<ProjectionReport>,
 }
 
@@ -195,8 +196,9 @@ impl<S: Clone> Solution<S> {
 }
 
 impl<S> Solution<S> {
-    /// The largest change of energy that the work does not account for, J: of E − W from its value at the first sample, over
-    /// all samples, whose energies E these are, and the end. Not a number if one of them is none.
+    /// Largest change of energy that the work does not account for, J: of E − W from its value at the first sample,
+    /// over all samples and the end. `at_samples` and `at_end` are the energies E. Not a number if one of them is not a
+    /// number.
     pub fn energy_drift(&self, at_samples: impl IntoIterator<Item = f64>, at_end: f64) -> f64 {
         let work = self.work.iter().copied().chain(std::iter::repeat(0.0));
         let mut left = at_samples.into_iter().zip(work).map(|(energy, work)| energy - work).peekable();
@@ -205,7 +207,7 @@ impl<S> Solution<S> {
         left.chain([end]).map(|left| (left - start).abs()).fold(0.0, larger)
     }
 
-    /// When, after how many steps, why, with these names for the components of the state.
+    /// Time, number of steps and reason of the end in words, with these names for the components of the state.
     #[must_use]
     pub fn described(&self, names: &[String]) -> String {
         let verb = if self.stop == Stop::End { "ended" } else { "stopped" };
@@ -241,7 +243,7 @@ impl<S: Real> Solution<S> {
     }
 }
 
-/// When, after how many steps, why: "stopped at t = 3.181 s after 412 steps (19 rejected): …".
+/// Writes time, number of steps and reason of the end: "stopped at t = 3.181 s after 412 steps (19 rejected): …".
 impl<S> fmt::Display for Solution<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.described(&[]))

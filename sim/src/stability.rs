@@ -1,7 +1,6 @@
-//! Where runs give way: growth of small errors, the horizon after which no digit is left, and how a drift goes on.
+//! Limits of runs: growth of small errors, the horizon after which no digit is left, and the trend of a drift.
 //!
-//! Absent on purpose: models and references. What is asked here can be asked of any right-hand side; one with a
-//! Jacobian answers more exactly.
+//! Absent on purpose: models and references. Any right-hand side will do; one with a Jacobian gives more exact answers.
 
 use crate::error::{Failure, SimError};
 use crate::integrate::integrate;
@@ -10,7 +9,7 @@ use crate::rhs::{Lent, RightHandSide};
 use crate::solution::Stop;
 use tripos_traits::largest;
 
-/// How much a small error at the start has grown.
+/// Growth of a small error at the start, along a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Growth {
     /// Instants, s.
@@ -18,7 +17,7 @@ pub struct Growth {
     /// ln |w(t)| / |w(t0)| at each, for a solution w of the linearized equations; |w| is the largest component by
     /// 1 + |y|.
     pub logarithms: Vec<f64>,
-    /// Why it ends.
+    /// Reason of the end of the run.
     pub stop: Stop,
 }
 
@@ -98,7 +97,7 @@ pub fn growth(
     Ok(Growth { times: solution.t, logarithms, stop: solution.stop })
 }
 
-/// What J w is computed in.
+/// Work space for J w.
 struct Slope {
     jacobian: Vec<f64>,
     ahead: Vec<f64>,
@@ -111,7 +110,7 @@ impl Slope {
         Self { jacobian: vec![0.0; n * n], ahead: vec![0.0; n], behind: vec![0.0; n], place: vec![0.0; n] }
     }
 
-    /// J(t, y) w.
+    /// Computes J(t, y) w.
     fn along(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -148,12 +147,12 @@ fn size(w: &[f64], y: &[f64]) -> f64 {
     largest(w.iter().zip(y).map(|(w, y)| w / (1.0 + y.abs())))
 }
 
-/// How the drift of a first integral goes on.
+/// Trend of the drift of a first integral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trend {
-    /// It stays within what it reached early on.
+    /// The drift stays within the size that it reached early on.
     Bounded,
-    /// It grows as long as the run goes on.
+    /// The drift grows as long as the run goes on.
     Secular,
 }
 

@@ -1,4 +1,4 @@
-//! What the driver asks of a one-step method: a trial step, its error, and the solution inside it.
+//! Interface of a one-step method to the driver: a trial step, its error, and the solution inside it.
 
 use tripos_traits::{Real, Scalar};
 
@@ -6,7 +6,7 @@ use crate::error::Failure;
 use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
 
-/// Why a trial step has no result.
+/// Reason why a trial step has no result.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Trouble {
     /// A component of the state or its derivative became infinite or not a number.
@@ -23,7 +23,7 @@ pub(crate) enum Trouble {
     },
 }
 
-/// Position of the first entry that is not finite.
+/// Fails with the position of the first entry that is not finite.
 pub(crate) fn check_finite<S: Real>(values: &[S]) -> Result<(), Trouble> {
     match values.iter().position(|x| !x.to_f64().is_finite()) {
         Some(component) => Err(Trouble::NotFinite { component }),
@@ -31,7 +31,7 @@ pub(crate) fn check_finite<S: Real>(values: &[S]) -> Result<(), Trouble> {
     }
 }
 
-/// f(t, y), which must be finite.
+/// Evaluates f(t, y), which must be finite.
 #[inline]
 pub(crate) fn evaluate<S, R>(rhs: &mut R, t: f64, y: &[S], out: &mut [S]) -> Result<(), Trouble>
 where
@@ -42,7 +42,7 @@ where
     check_finite(out)
 }
 
-/// Whether two numbers are the same number.
+/// True if two numbers are equal.
 #[expect(clippy::float_cmp, reason = "asks for identity, not for nearness")]
 pub(crate) fn same(a: f64, b: f64) -> bool {
     a == b
@@ -64,7 +64,7 @@ impl Trial {
     }
 }
 
-/// The solution inside one step, rounded to `f64`: what events look at.
+/// The solution inside one step, rounded to `f64`, for events.
 pub(crate) trait DenseStep {
     /// Start and end of the step, in s; the end is smaller when integrating backward.
     fn times(&self) -> (f64, f64);
@@ -168,7 +168,7 @@ pub(crate) trait Stepper: Interpolant {
     fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
     where
         R: RightHandSide<Self::Real>;
-    /// Evaluates what only the solution inside the step last tried needs. Says no if f has no value there; the
+    /// Evaluates the stages that only the solution inside the step last tried needs. False if f has no value there; the
     /// solution inside is then of lower order.
     fn prepare_inside<R>(&mut self, rhs: &mut R) -> bool
     where
@@ -195,8 +195,8 @@ pub(crate) trait Stepper: Interpolant {
         let t = self.span().0;
         self.start(rhs, t, y)
     }
-    /// What part of the size that the error of the step last tried allows the next one is to have, at most 1: less where
-    /// the step was hard to solve.
+    /// Part that the next step is to take of the size that the error of the step last tried allows, at most 1. It is
+    /// less where the step was hard to solve.
     fn margin(&self) -> f64 {
         1.0
     }

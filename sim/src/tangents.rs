@@ -1,16 +1,16 @@
 //! Equations of motion with slopes along several directions, as a right-hand side.
 //!
-//! Invariant: values are those of [`crate::Eliminated`] bit by bit, so that a run takes the same steps. The slopes of the
-//! rates are f_y s + f_p p′, by one call of the same body.
+//! Invariant: values are those of [`crate::Eliminated`] bit by bit, so that a run takes the same steps. The slopes of
+//! the rates are f_y s + f_p p′, by one call of the same body.
 
 use tripos_traits::{Flow, Scalar, Series, System, Tangent};
 
 use crate::error::Failure;
 use crate::rhs::RightHandSide;
 
-/// y' = [q̇; v̇] with its slopes, and what a run of it is kept on.
+/// Right-hand side y' = [q̇; v̇] with slopes, and the constraints that a run of it is kept on.
 pub struct Tangents<'a, const K: usize> {
-    /// In doubles: divisors, slopes of constraints and the Jacobian, which no slope goes along with.
+    /// The equations in doubles, for divisors, slopes of constraints and the Jacobian, which have no slopes themselves.
     system: &'a dyn System<f64>,
     flow: &'a dyn Flow<Tangent<K>>,
     series: Option<&'a dyn Series<Tangent<K>>>,
@@ -23,7 +23,8 @@ pub struct Tangents<'a, const K: usize> {
 }
 
 impl<'a, const K: usize> Tangents<'a, K> {
-    /// `parameters` in the order of the model file, with their slopes; `None` for equations that were not solved for.
+    /// Creates the right-hand side from `parameters` in the order of the model file, with their slopes. `None` for
+    /// equations that were not solved for accelerations, or for another number of parameters.
     #[must_use]
     pub fn new(
         system: &'a dyn System<f64>,
@@ -46,7 +47,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         })
     }
 
-    /// Something of the state in doubles, written where no slope goes along.
+    /// Writes a function of the state in doubles, without slopes.
     fn plain(
         &mut self,
         y: &[Tangent<K>],
@@ -74,7 +75,8 @@ impl<const K: usize> RightHandSide<Tangent<K>> for Tangents<'_, K> {
         Ok(())
     }
 
-    /// Without slopes: iterations that solve with it find those of what they solve for, as they find its value.
+    /// Writes the Jacobian without slopes: iterations that solve with it find the slopes of a solution as they find its
+    /// value.
     fn jacobian(&mut self, _t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>]) -> Option<Result<(), Failure>> {
         self.plain(y, out, |system, p, q, v, out| system.jacobian(p, q, v, out));
         Some(Ok(()))

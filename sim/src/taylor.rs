@@ -7,7 +7,7 @@
 //! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
 //! Mathematics 14 (2005) 99–117, §3.
 //!
-//! What rounding cuts off a sum y + (the rest of the polynomial) is carried to the next step.
+//! The rounding error of a sum y + (the rest of the polynomial) is carried to the next step.
 
 use tripos_traits::Real;
 
@@ -20,7 +20,7 @@ use crate::tolerance::ErrorTest;
 /// p²; here the part of the cost that grows so is small.
 const ORDERS_PER_DIGIT: f64 = 0.7;
 
-/// How many times the allowed error the jump of the derivative from step to step may stand for. It holds the first term
+/// Largest jump of the derivative from step to step, as an error over the allowed one. The jump holds the first term
 /// that was cut off, which a good step leaves below the allowed error, and all after it.
 pub(crate) const ALLOWED_JUMP: f64 = 10.0;
 
@@ -45,19 +45,18 @@ pub(crate) struct Taylor<S> {
     /// Coefficients at the start, and the highest order up to which all are finite.
     x: Vec<S>,
     usable: usize,
-    /// Those at the end of the step last tried.
+    /// Coefficients at the end of the step last tried.
     next: Vec<S>,
     next_usable: usize,
-    /// What rounding cut off the state at the start, and at the end.
+    /// Parts that rounding cut off the state at the start and, in `carry_new`, at the end.
     carry: Vec<S>,
     carry_new: Vec<S>,
     /// Norms of the coefficients of the last two orders, over the allowed errors.
     norms: [f64; 2],
-    /// By how much the derivative jumps at the end of the step last tried, as an error of the state.
+    /// Jump of the derivative at the end of the step last tried, as an error of the state.
     jump: Vec<S>,
     evaluations: u64,
-    /// Whether the state at the end of a step may be moved before the next: only its derivative is then computed in a
-    /// step.
+    /// True if the state at the end of a step may be moved before the next: a step then computes its derivative alone.
     moved: bool,
 }
 
@@ -102,7 +101,7 @@ impl<S: Real> Taylor<S> {
         check_finite(row(1))
     }
 
-    /// y + Σ x_k hᵏ, with what the rounding of the sum cuts off.
+    /// Computes y + Σ x_k hᵏ, and the rounding error of this sum.
     fn advance(&mut self, h: S) {
         let (n, x) = (self.n, &self.x);
         polynomial(x, n, self.usable, h, &mut self.next[..n]);
@@ -123,9 +122,9 @@ impl<S: Real> Taylor<S> {
         (before * power).max(last * (power * h))
     }
 
-    /// The derivative of the polynomial against that of the solution through its end, as the error of the state that a
-    /// term of the next order would make: what the last terms do not show where they happen to vanish, as every fourth
-    /// one alone stays of x'' = -x^3 through x = 0.
+    /// Norm of the jump of the derivative, from that of the polynomial to that of the solution through its end. It is
+    /// taken as the error of the state that a term of the next order would make. It counts where the last terms happen
+    /// to vanish: of x'' = -x^3 through x = 0 only every fourth term stays.
     fn jump(&mut self, test: &ErrorTest, h: S) -> f64 {
         let n = self.n;
         self.jump.fill(S::from_f64(0.0));
@@ -147,8 +146,8 @@ pub(crate) fn powi(h: f64, n: usize) -> f64 {
     h.powi(i32::try_from(n).unwrap_or(i32::MAX))
 }
 
-/// The size of the step, in s, after which the terms of the last two orders, of which `order` is the higher, are as large
-/// as the allowed errors, from the norms of their coefficients.
+/// Size of the step, in s, after which the terms of the last two orders, of which `order` is the higher, are as large
+/// as the allowed errors. It follows from the norms of their coefficients.
 pub(crate) fn proposed_size(norms: [f64; 2], order: usize, tolerance: f64) -> f64 {
     let [before, last] = norms.map(|norm| norm / tolerance);
     // The term of order k is as large as the allowed error after norm^(−1/k) seconds.

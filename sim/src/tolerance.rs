@@ -1,4 +1,4 @@
-//! How large an error a step may have: relative and absolute tolerances, and the norm they define.
+//! Error that a step may have: relative and absolute tolerances, and the norm they define.
 
 use tripos_traits::{AbsoluteTolerance, Lanes, Real, Scalar, larger_or_second};
 
@@ -10,7 +10,7 @@ use crate::warning::Warning;
 /// own ε.
 pub const SMALLEST_RTOL: f64 = 100.0 * f64::EPSILON;
 
-/// How the errors of the components become one number.
+/// Norm that joins the errors of the components into one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Norm {
     /// The largest. As in `ode45`, error eᵢ is divided by max(|yᵢ|, |yᵢ new|, atolᵢ / rtol) and compared with
@@ -34,6 +34,8 @@ pub(crate) struct ErrorTest {
 }
 
 impl ErrorTest {
+    /// Creates the test for `n` components, with a warning if the relative tolerance was raised.
+    ///
     /// # Errors
     /// [`SimError::Tolerance`] for a tolerance that is negative or not finite, or a component with
     /// none; [`SimError::Length`] for a wrong number of absolute tolerances.
@@ -137,7 +139,7 @@ impl ErrorTest {
             .map(|(x, weight)| x / weight)
     }
 
-    /// What an error of component `i` is divided by, given its size.
+    /// Divisor of an error of component `i`, given the size of the component.
     pub(crate) fn weight(&self, i: usize, magnitude: f64) -> f64 {
         match self.norm {
             Norm::Largest => (self.relative * magnitude).max(self.absolute[i]),
@@ -145,15 +147,15 @@ impl ErrorTest {
         }
     }
 
-    /// [`ErrorTest::weight`] by the largest error in lanes, of a component whose part that does not depend on its size is
-    /// `absolute`.
+    /// [`ErrorTest::weight`] of the norm by the largest error, in lanes. `absolute` is the part of the weight that does
+    /// not depend on the size of the component.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "two operations, also inside code for wider registers")]
     pub(crate) fn weight_in_lanes<const N: usize>(&self, absolute: f64, magnitude: Lanes<N>) -> Lanes<N> {
         (Lanes::from_f64(self.relative) * magnitude).larger_or_second(Lanes::from_f64(absolute))
     }
 
-    /// Whether there is no relative tolerance.
+    /// True if there is no relative tolerance.
     pub(crate) fn is_absolute(&self) -> bool {
         self.relative == 0.0
     }

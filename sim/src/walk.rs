@@ -1,4 +1,4 @@
-//! From samples of an event function in one step to what it did, and what is remembered of it from step to step.
+//! Finds the zeros of an event function in one step from samples, and remembers the function from step to step.
 //!
 //! Invariant: `Memory::side` is the side of zero the function was last known to be on, and every
 //! sign change against it is reported exactly once. See [`crate::events`] for the conventions.
@@ -7,12 +7,12 @@ use crate::events::Kind;
 use crate::root::{self, NotANumber};
 use crate::samples::{Node, Probe, Sign, sign};
 
-/// Where to look for the side on which a function leaves zero: 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸ of a step away.
+/// Distances at which to look for the side on which a function leaves zero: 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸ of a step.
 pub(crate) const LADDER: [f64; 3] = [1.0 / 1_048_576.0, 1.0 / 16_384.0, 1.0 / 256.0];
-/// How many times larger than at the ends of what brackets it a function is where it changes sign through infinity.
+/// Least size of a function at a change of sign through infinity, over its size at the ends of the bracket.
 const BEYOND: f64 = 4.0;
 
-/// What is known of an event function at the start of a step.
+/// State of the search for an event at the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Memory {
     /// Its value there.
@@ -21,16 +21,16 @@ pub(crate) struct Memory {
     pub(crate) sign: Sign,
     /// The side it was last on; 0 if it has been zero since the start of the run.
     pub(crate) side: Sign,
-    /// Whether a step has been searched.
+    /// True if a step has been searched.
     pub(crate) begun: bool,
     /// The side assumed for a run that starts at zero.
     pub(crate) side_at_zero: Sign,
-    /// When the run began, in s, if the function was zero then.
+    /// Time at which the run began, in s, if the function was zero then.
     pub(crate) zero_at: Option<f64>,
 }
 
 impl Memory {
-    /// To the last of a step's samples.
+    /// Moves to the last of a step's samples.
     pub(crate) fn move_on(&mut self, nodes: &[Node]) {
         self.begun = true;
         if let Some(end) = nodes.last() {
@@ -38,12 +38,12 @@ impl Memory {
         }
     }
 
-    /// To the end of a step in which the function was on one side, its value unknown.
+    /// Moves to the end of a step in which the function was on one side, its value unknown.
     pub(crate) fn stay(&mut self, side: Sign) {
         (self.begun, self.side, self.sign, self.value) = (true, side, side, f64::from(side));
     }
 
-    /// At the first sample of a run: on its side, or at zero, which is found.
+    /// Begins at the first sample of a run: on its side, or at zero, which is reported.
     pub(crate) fn begin(&mut self, first: Sign, findings: &mut Findings) {
         self.side = first;
         if first == 0 {
@@ -53,7 +53,7 @@ impl Memory {
     }
 }
 
-/// Something the function did, at a fraction of the step.
+/// Event of a function, at a fraction of the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
     pub(crate) theta: f64,
@@ -62,7 +62,7 @@ pub(crate) struct Found {
     pub(crate) side: Sign,
 }
 
-/// What a step held, in no particular order, up to where the function stopped having a value.
+/// Events of a function in a step, in no particular order, up to where it has no value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Findings {
     pub(crate) found: Vec<Found>,
@@ -78,7 +78,7 @@ impl Findings {
     }
 }
 
-/// Whether a function may have reached zero, and returned, between a sample and the one before.
+/// Doubt if a function reached zero, and returned, between a sample and the one before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Doubt {
     /// It has not.
@@ -93,7 +93,8 @@ fn crossing_to(side: Sign, theta: f64) -> Found {
     Found { theta, kind: if side > 0 { Kind::Rising } else { Kind::Falling }, side }
 }
 
-/// Walks over samples whose signs are known, up to `tolerance`; `doubt` says what may lie before each but the first.
+/// Walks over samples whose signs are known, up to `tolerance`; `doubt` tells the doubt before each sample except the
+/// first.
 pub(crate) fn walk(
     probe: &mut Probe<'_>,
     (nodes, doubt): (&[Node], &dyn Fn(usize) -> Doubt),

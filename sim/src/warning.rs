@@ -1,15 +1,15 @@
-//! What is worth knowing of a run that it did not prevent.
+//! Warnings about a run, which did not prevent it.
 
 use std::fmt;
 
-/// Something worth knowing that did not prevent the run.
+/// Warning about a run, which did not prevent it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
     /// The relative tolerance was below 100 ε and was raised to that.
     RtolRaised {
-        /// As asked for.
+        /// Tolerance that was asked for.
         from: f64,
-        /// As used.
+        /// Tolerance that was used.
         to: f64,
     },
     /// There is no relative tolerance, and the absolute one of a component is finer than the component's rounding: the
@@ -17,11 +17,11 @@ pub enum Warning {
     ToleranceBelowRounding {
         /// The component, from 0.
         component: usize,
-        /// When that was worst, in s.
+        /// Time at which that was worst, in s.
         t: f64,
         /// Its size there.
         size: f64,
-        /// How far apart numbers of that size are.
+        /// Spacing of numbers of that size.
         spacing: f64,
         /// The error that was allowed.
         allowed: f64,
@@ -31,9 +31,9 @@ pub enum Warning {
     /// Shorter steps often did not make the error smaller: f jumps, has kinks, or is noise at the size of the
     /// tolerance.
     NotSmooth {
-        /// When that was first seen, in s.
+        /// Time at which that was first seen, in s.
         t: f64,
-        /// How often a shorter step did not help.
+        /// Number of shorter steps that did not help.
         retries: u64,
         /// Attempted steps in all.
         attempts: u64,
@@ -44,13 +44,13 @@ pub enum Warning {
         /// The start of the first such step, in s.
         t: f64,
     },
-    /// Whether an event happened that would have ended the run is not known.
+    /// It is not known if an event happened that would have ended the run.
     EventUndecided {
         /// The event's name.
         name: String,
-        /// When first, in s.
+        /// Time of the first such place, in s.
         t: f64,
-        /// How many such places come after it.
+        /// Number of such places after it.
         more: usize,
     },
 }

@@ -39,7 +39,7 @@ impl DerefMut for Events<'_, '_> {
     }
 }
 
-/// The events of a run and what they did so far.
+/// The events of a run and their records so far.
 pub(crate) struct Watch<'w, 'e> {
     events: Events<'w, 'e>,
     memories: Vec<Memory>,
@@ -134,12 +134,12 @@ impl<'w, 'e> Watch<'w, 'e> {
         Ok(end.map(|(i, f)| (f.theta, stop_for(&self.events[i]))))
     }
 
-    /// Forgets what happened beyond an instant of a step.
+    /// Forgets the records beyond an instant of a step.
     pub(crate) fn forget_beyond(&mut self, t: f64, (start, end): (f64, f64)) {
         self.records.retain(|record| (record.t - t) * (end - start).signum() <= 0.0);
     }
 
-    /// Whether there is anything to watch.
+    /// True if there are no events to watch.
     pub(crate) fn is_empty(&self) -> bool {
         self.events.is_empty()
     }
@@ -150,7 +150,7 @@ impl<'w, 'e> Watch<'w, 'e> {
         }
     }
 
-    /// Events that might have ended the run where nobody can tell.
+    /// Warnings about events that might have ended the run, but stayed undecided.
     pub(crate) fn warnings(&self) -> impl Iterator<Item = Warning> {
         self.events.iter().enumerate().filter(|(_, event)| event.effect != Effect::Record).filter_map(|(i, event)| {
             let mut places = self.records.iter().filter(|r| r.event == i && r.kind == Kind::Undecided);
@@ -174,7 +174,7 @@ impl<'w, 'e> Watch<'w, 'e> {
     }
 }
 
-/// Whether the event is about what happened.
+/// True if this kind of zero counts for the event.
 fn matters(event: &Event<'_>, kind: Kind) -> bool {
     let direction = match event.effect {
         Effect::Domain => Direction::Falling,
@@ -190,7 +190,7 @@ fn matters(event: &Event<'_>, kind: Kind) -> bool {
 fn ends_run(event: &Event<'_>, found: Found) -> bool {
     match found.kind {
         Kind::Rising | Kind::Falling => event.effect != Effect::Record,
-        // What was positive is negative, whichever way it went.
+        // The function was positive and is negative, though through infinity.
         Kind::Pole => event.effect == Effect::Domain && found.side < 0,
         Kind::Touch | Kind::AtStart | Kind::Undecided => false,
     }

@@ -18,22 +18,22 @@ const POINTS: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
 
-/// The work done so far.
+/// Work done so far along a run.
 pub(crate) struct Work<S> {
-    /// J, up to a place inside the current step.
+    /// Work, J, up to a place inside the current step.
     pub(crate) done: f64,
-    /// That place, as a fraction of the step.
+    /// Fraction of the step at that place.
     up_to: f64,
     y: Vec<S>,
 }
 
 impl<S: Real> Work<S> {
-    /// From a start, if these equations state a power.
+    /// Creates it at a start; `None` if the equations state no power.
     pub(crate) fn new<R: RightHandSide<S>>(rhs: &mut R, t: f64, y: &[S]) -> Option<Self> {
         rhs.power(t, y).map(|_| Self { done: 0.0, up_to: 0.0, y: y.to_vec() })
     }
 
-    /// The work done up to a fraction of the step, to which it goes on from the last one in it.
+    /// Work done up to the fraction `to` of the step, J; it adds to that of the fraction asked for before.
     pub(crate) fn at<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, to: f64) -> f64 {
         let (t, t_new) = step.span();
         let (from, part) = (self.up_to, to - self.up_to);

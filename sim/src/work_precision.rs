@@ -1,4 +1,4 @@
-//! Speed against accuracy: what is measured of a run, and what the measurements say.
+//! Speed against accuracy: measurements of runs, and their evaluation.
 //!
 //! An error is everywhere the largest over all components of |e| / (1 + |reference|). Absent on purpose: models, and
 //! how a reference was found.
@@ -21,7 +21,7 @@ pub struct Spread {
     pub median: f64,
     /// The longest.
     pub most: f64,
-    /// How many there are.
+    /// Number of runs.
     pub runs: usize,
 }
 
@@ -47,7 +47,7 @@ pub fn error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
     found.iter().zip(reference).map(one).fold(0.0, larger)
 }
 
-/// How a method is run at a tolerance over a span of `length` s.
+/// Options that run a method at a tolerance over a span of `length` s.
 ///
 /// Relative and absolute tolerance are equal. A method without error estimate takes equal steps of
 /// length/10 · tolerance^(1/order), so that its error falls about as the tolerance does.

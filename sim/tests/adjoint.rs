@@ -1,4 +1,4 @@
-//! Sweeps backwards through the steps of a run: the transpose of what slopes do forwards along the same steps, to rounding.
+//! Sweeps backwards through the steps of a run: the transpose of forward slopes along the same steps, to rounding.
 
 use crate::lent::integrate;
 use proptest::prelude::*;
@@ -6,16 +6,17 @@ use tripos_sim::adjoint::{Adjoint, Course, Gradient, Moved, Unswept, has_adjoint
 use tripos_sim::{Corner, Failure, Lent, Method, Options, Output, Pulled, RightHandSide, Transposed};
 use tripos_traits::{Real, Scalar, Tangent};
 
-/// y′ = f(p, t, y), with what is zero on its constraints and the slopes of that.
+/// Equations y′ = f(p, t, y), with their constraint functions and the slopes of these.
 #[derive(Clone, Copy)]
 enum Problem {
     /// Four components and three parameters, with sines, products and a drive in time; the numbers mix them.
     Free([f64; 16]),
-    /// The same, with a force that jumps at the instant p₂ and bends at 0.6.
+    /// Those of [`Self::Free`] with a force that jumps at the instant p₂ and bends at 0.6.
     Driven([f64; 16]),
-    /// A point on a circle of radius p₀ in Cartesian coordinates, with gravity p₁ and a drag p₂, kept on the circle in the metric of masses 1 and 2.
+    /// A point on a circle of radius p₀ in Cartesian coordinates, with gravity p₁ and a drag p₂. It is kept on the
+    /// circle in the metric of masses 1 and 2.
     Circle,
-    /// The same in the metric of the tolerances.
+    /// The point on a circle, kept there in the metric of the tolerances.
     Weighted,
 }
 
@@ -85,7 +86,7 @@ impl<S: Real> RightHandSide<S> for At<S> {
     }
 }
 
-/// Products with transposed slopes, column by column: what is tested is the sweep.
+/// Products with transposed slopes, column by column: the test is of the sweep alone.
 impl At<f64> {
     fn columns(
         &self,
@@ -160,7 +161,7 @@ fn backwards(
     (adjoint.pull(&mut rhs, weights).unwrap(), ends.len())
 }
 
-/// The same by runs that carry a slope forwards, one for each component of the start and each parameter.
+/// Gradient by runs that carry a slope forwards, one for each component of the start and each parameter.
 fn forwards((problem, p, y0): (Problem, &[f64], &[f64]), options: &Options, weights: &[f64]) -> Vec<f64> {
     let along = |along: usize| {
         let slope = |at: usize| [f64::from(u8::from(at == along))];

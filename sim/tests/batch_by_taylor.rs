@@ -70,8 +70,8 @@ impl<S: Scalar> Series<S> for Pole {
     }
 }
 
-/// A point with q' = v/q and v' = 1/4, which has no motion through q = 0 but for one speed; no coefficients of it are asked
-/// for.
+/// A point with q' = v/q and v' = 1/4. It has no motion through q = 0 except at one speed; its Taylor coefficients are
+/// never used.
 struct Point;
 
 impl<S: Scalar> Rates<S> for Point {
@@ -149,9 +149,9 @@ where
     batch::integrate_in(Equations { rates: equations, series: Some(equations) }, plan, list, None).unwrap()
 }
 
-/// Goal: one method, whether in lanes or not. Method: the counts and ends of `integrate`. 1e-3 of the tolerance: both
-/// take the same steps but for the rounding of their sizes, and what differs is errors of steps; 2e-13 where that is below
-/// rounding.
+/// Goal: one method, whether in lanes or not. Method: the counts and ends of `integrate`. Tolerance: 1e-3 of the runs'
+/// own. Both take the same steps except for the rounding of their sizes, so that only errors of steps differ; 2e-13
+/// where that is below rounding.
 fn agrees_with_runs_alone<E>(equations: &E, span: f64, starts: &Starts)
 where
     E: Rates<f64> + Series<f64> + Rates<Lanes<4>> + Series<Lanes<4>> + Sync,
@@ -216,7 +216,7 @@ fn methods_that_are_not_had_in_lanes_are_refused() {
     }
 }
 
-/// What is watched of a pendulum: the top, which ends it, its bottom, and a length of time that it is defined for.
+/// Events of a pendulum: the top, which ends the run; its bottom, which is recorded; a speed limit as its domain.
 fn events<'a>(limit: f64) -> Vec<Event<'a>> {
     let top = Event::terminal("top", Direction::Rising, |_t, y: &[f64]| y[0] - 3.0);
     let bottom = Event::recorded("bottom", Direction::Either, |_t, y: &[f64]| y[0]).with_ranges(|_t, y| y[0]);
@@ -229,9 +229,9 @@ fn watched_alone(plan: &Plan, limit: f64, (parameters, start): &(Vec<f64>, Vec<f
     integrate(rhs, plan.span, start, &plan.options(), &mut events(limit)).unwrap()
 }
 
-/// Goal: what watches a lane sees what it would see of a run alone. Method: events that end, that are recorded, that are a
-/// domain, by both methods: the same stops, the same records, instants to 1e-8, as the tolerance of 1e-10
-/// leaves them where a pendulum is slow.
+/// Goal: the watcher of a lane sees the same as in a run alone. Method: events that end, that are recorded, that are a
+/// domain, by both methods. Stops and records are the same, instants to 1e-8, as the tolerance of 1e-10 leaves them
+/// where a pendulum is slow.
 #[test]
 fn what_watches_a_lane_sees_a_run_alone() {
     let starts = pendulums(40);
@@ -264,8 +264,8 @@ fn what_watches_a_lane_sees_a_run_alone() {
     }
 }
 
-/// Goal: no lane goes over a place where its equations have no value. Method: points that come to q = 0 from both sides, some
-/// of which turn before, beside runs alone.
+/// Goal: no lane goes over a place where its equations have no value. Method: points that come to q = 0 from both
+/// sides, of which several turn before, beside runs alone.
 #[test]
 fn a_lane_whose_divisor_changes_its_sign_ends_there() {
     let start = |i: usize| (vec![], vec![[-1.0, 0.8][i % 2], -1.21 + 0.05 * i as f64]);

@@ -192,7 +192,8 @@ fn dop853_satisfies_every_order_condition_to_its_last_digits() {
     }
 }
 
-/// The same for the dense output: y(θ) = y + h Σ bᵢ(θ) kᵢ satisfies Σ bᵢ(θ) Φᵢ = θ^ρ / γ up to order 7, whatever θ.
+/// Order conditions of the dense output: y(θ) = y + h Σ bᵢ(θ) kᵢ satisfies Σ bᵢ(θ) Φᵢ = θ^ρ / γ up to order 7, whatever
+/// θ.
 #[test]
 fn the_dense_output_of_dop853_satisfies_every_order_condition_up_to_seven() {
     let p = DORMAND_PRINCE_853;

@@ -65,7 +65,8 @@ fn a_clock_in_the_state_is_kept_to_its_side() {
     assert!(error.to_string().contains("clock"), "{error}");
 }
 
-/// A bend is crossed with the error of rounding, and with less work than without being told; the steps after it are as long as before.
+/// A known bend is crossed with the error of rounding, and with less work than an unknown one. The steps after it are
+/// as long as before.
 #[test]
 fn bends_cost_nothing() {
     let slope = |t: f64, _: &[f64], dydt: &mut [f64]| {
@@ -101,8 +102,9 @@ fn corners_that_are_no_instants() {
     );
 }
 
-/// Goal: slopes jump where a jump moves, and bend where a bend does, also where steps end exactly at both. Truth: y' = 3 sign(t − T) + |t − B| from 0 has
-/// y = 3 |t − T| − 3 T + …, dy/dT = −6 from T on, and dy/dB = B − (t − B) from B on, t before. A sample at T has the slope after it.
+/// Goal: slopes jump where a jump moves, and bend where a bend does, also where steps end exactly at both. Truth: y' =
+/// 3 sign(t − T) + |t − B| from 0 has y = 3 |t − T| − 3 T + …, dy/dT = −6 from T on, and dy/dB = B − (t − B) from B on,
+/// t before. A sample at T has the slope after it.
 #[test]
 fn slopes_jump_where_jumps_move_and_bend_where_bends_do() {
     let at = [Tangent { value: 2.5, slopes: [1.0, 0.0] }, Tangent { value: 1.25, slopes: [0.0, 1.0] }];

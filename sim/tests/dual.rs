@@ -35,8 +35,8 @@ fn list<S: Scalar>() -> Vec<(&'static str, Of<S>)> {
     ]
 }
 
-/// Goal: every function of a [`Scalar`] has its slope. Method: central differences with 32 digits at points of its domain;
-/// what is computed of two numbers is differentiated along each.
+/// Goal: every function of a [`Scalar`] has its slope. Method: central differences with 32 digits at points of its
+/// domain; functions of two numbers are differentiated along each.
 #[test]
 fn slopes_are_those_of_central_differences() {
     for ((name, of), (_, dual)) in list::<Digits>().into_iter().zip(list::<Dual<Digits>>()) {
@@ -63,8 +63,8 @@ fn the_slope_of_sinc_at_zero_is_zero() {
     assert_eq!(found, Dual { value: 1.0, slope: 0.0 });
 }
 
-/// Goal: several slopes at once are those of one, and the value has the bits of a double. Method: every function of a [`Scalar`] along
-/// three directions, against the slopes with 32 digits.
+/// Goal: several slopes at once are those of one, and the value has the bits of a double. Method: every function of a
+/// [`Scalar`] along three directions, against the slopes with 32 digits.
 #[test]
 fn several_slopes_are_those_of_each_direction() {
     let duals = list::<Dual<Digits>>();

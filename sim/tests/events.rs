@@ -21,7 +21,7 @@ fn derivative(zeros: &[f64], t: f64) -> f64 {
         .sum()
 }
 
-/// How a run meets the polynomial: forward or backward in time.
+/// Directions in time in which a run meets the polynomial: forward and backward.
 const WAYS: [f64; 2] = [1.0, -1.0];
 
 /// Runs y = scale · p(way · t) from 0 to way · span with steps of `step`, watching y itself.

@@ -15,14 +15,14 @@ fn value(_t: f64, y: &[f64]) -> f64 {
     y[0]
 }
 
-/// By samples and by ranges.
+/// Terminal event at the zeros of the first component, by samples or by ranges.
 fn zero(in_ranges: bool) -> Event<'static> {
     let event = Event::terminal("zero", Direction::Either, value);
     if in_ranges { event.with_ranges(|_, y| y[0]) } else { event }
 }
 
-/// Goal: the event that ended a run does not end the run that goes on from there. Method: the zeros of cos t one by one,
-/// at every pair of tolerances from 1e-3 to 1e-12. Tolerance: 1e3 times the tolerances, for 40 s.
+/// Goal: the event that ended a run does not end the run that goes on from there. Method: the zeros of cos t one by
+/// one, at every pair of tolerances from 1e-3 to 1e-12. Tolerance: 1e3 times the tolerances, for 40 s.
 #[test]
 fn a_run_continued_from_its_terminal_event_does_not_meet_it_again() {
     for (r, a) in (3..=12).flat_map(|r| (3..=12).map(move |a| (r, a))) {

@@ -69,10 +69,10 @@ fn number<S: Scalar>(x: f64) -> S {
     S::from_f64(x)
 }
 
-/// What an event function is a product of.
+/// Factor of an event function.
 #[derive(Clone, Copy, Debug)]
 enum Factor {
-    /// x − a
+    /// Line x − a
     Line(f64),
     /// x³ − (a + b + c) x² + (a b + b c + c a) x − a b c, as it stands
     Cubic([f64; 3]),
@@ -343,7 +343,7 @@ impl Function for Hidden {
     }
 }
 
-/// What is beyond the work allowed is said once a step, and ends nothing; the run warns if it might have ended there.
+/// A search beyond the work allowed is undecided once a step, and ends nothing. The run warns if it might have ended.
 #[test]
 fn more_than_ranges_can_tell_is_undecided() {
     for (effect, warnings) in [(Effect::Record, 0), (Effect::Terminal, 1), (Effect::Domain, 1)] {

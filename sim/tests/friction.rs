@@ -1,4 +1,4 @@
-//! What contacts with friction do together, against closed forms and against modes that are tried here by elimination.
+//! Modes of contacts with friction, against closed forms and against an elimination of all modes here.
 
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -15,7 +15,8 @@ fn modes(closed: &Closed, c: [f64; 2], slips: Option<f64>) -> Result<(Mode, [f64
     Ok((found[0].modes[0], [found[0].forces[0], found[0].forces[1]]))
 }
 
-/// Goal: a point mass m on a plane. Truth: N = m g; it sticks while the pull is at most μ N, else slips along it; while it slips friction is against the slip.
+/// Goal: a point mass m on a plane. Truth: N = m g. The mass sticks while the pull is at most μ N, else it slips along
+/// the pull. While it slips, friction is against the slip.
 #[test]
 fn a_mass_on_a_plane_sticks_slips_and_opens() {
     let mass = one([0.5, 0.0, 0.5], 0.3);
@@ -31,7 +32,8 @@ fn a_mass_on_a_plane_sticks_slips_and_opens() {
     assert_eq!(found.iter().map(|found| found.modes[0]).collect::<Vec<_>>(), [Mode::Sticks, Mode::Slips(1.0)]);
 }
 
-/// Goal: Painlevé's cases are told apart. Truth: sliding forwards with G_nn − μ G_nt = 1 − 2·0.8 < 0 no force keeps c_n < 0 from closing, and c_n > 0 may open or press.
+/// Goal: Painlevé's cases are told apart. Truth: the rod slides forwards with G_nn − μ G_nt = 1 − 2·0.8 < 0. With c_n <
+/// 0 no force keeps the contact from closing; with c_n > 0 it may open or press.
 #[test]
 fn sliding_without_a_force_and_with_two_is_undecided() {
     let rod = one([1.0, 0.8, 1.0], 2.0);
@@ -42,7 +44,8 @@ fn sliding_without_a_force_and_with_two_is_undecided() {
     assert_eq!(modes(&rod, [-1.0, 0.0], Some(-1.0)).unwrap().0, Mode::Slips(-1.0));
 }
 
-/// Goal: units of rows change nothing. Method: the rows of one contact in other units, with the coefficient that these make of it.
+/// Goal: units of rows change nothing. Method: the rows of one contact in other units, with the coefficient of friction
+/// in these.
 #[test]
 fn rows_in_other_units_have_the_same_forces() {
     let (a, b) = (one([0.7, 0.2, 0.9], 0.4), one([0.7e6, 0.2, 0.9e-6], 0.4e6));
@@ -54,8 +57,9 @@ fn rows_in_other_units_have_the_same_forces() {
     }
 }
 
-/// Goal: a block that lies on two points whose slips are one velocity sticks as long as both together can bear what pulls it, though one alone could not bear half. Truth: N of 1 and 3, μ = ½,
-/// so that 2 can be borne: each the same part of its own.
+/// Goal: a block lies on two points whose slips are one velocity. It sticks as long as both together can bear the pull,
+/// even if one alone could not bear half. Truth: N of 1 and 3, μ = ½, so that 2 can be borne: each point bears the same
+/// part of its own limit.
 #[test]
 fn contacts_that_share_a_slip_share_what_friction_bears() {
     // Unit mass and inertia, points at ∓1 at the height of the centre: normal rows (1, ∓1), slips (1, 0) both.
@@ -76,7 +80,8 @@ fn contacts_that_share_a_slip_share_what_friction_bears() {
     assert_eq!(pulled(2.1).modes, [Mode::Slips(1.0), Mode::Slips(1.0)]);
 }
 
-/// Goal: impacts of a ball with spin. Truth: with G = diag(1/m, 1/m + R²/I) it sticks if |vt|/(1/m + R²/I) ≤ μ (1 + e) m vn, else slips on, by both laws alike.
+/// Goal: impacts of a ball with spin. Truth: with G = diag(1/m, 1/m + R²/I) it sticks if |vt|/(1/m + R²/I) ≤ μ (1 + e)
+/// m vn, else slips on, by both laws alike.
 #[test]
 fn a_ball_with_spin_sticks_or_slips_by_both_laws() {
     let (m, tangential) = (2.0, 0.5 * 3.5);
@@ -91,8 +96,8 @@ fn a_ball_with_spin_sticks_or_slips_by_both_laws() {
     }
 }
 
-/// Goal: by Poisson's law the impulse that friction gives in compression comes back along the gap. Truth: sticking in compression G Λ = −v; expansion with e Λn and no slip:
-/// Λt = −G_nt e Λn/G_tt.
+/// Goal: by Poisson's law the impulse of friction in compression comes back along the gap. Truth: sticking in
+/// compression G Λ = −v; expansion with e Λn and no slip: Λt = −G_nt e Λn/G_tt.
 #[test]
 fn poissons_expansion_has_its_own_friction() {
     let (g, e) = ([1.0, 0.3, 0.8], 0.6);
@@ -106,7 +111,8 @@ fn poissons_expansion_has_its_own_friction() {
     assert!((impulses[1] - compression[1] + g[1] * back / g[2]).abs() < 1e-13, "{impulses}");
 }
 
-/// Forces of two contacts in these modes by elimination, if they agree with the laws by a margin; nothing if they miss by one; an error where it is too close.
+/// Forces of two contacts in these modes by elimination, if they agree with the laws by a margin. `None` if they miss a
+/// law by a margin; an error if that is too close to call.
 fn tried(g: &DMatrix<f64>, c: &DVector<f64>, mu: [f64; 2], modes: [Mode; 2]) -> Result<Option<DVector<f64>>, ()> {
     const CLOSE: f64 = 1e-6;
     let (mut a, mut b) = (DMatrix::<f64>::identity(4, 4), DVector::zeros(4));
@@ -146,8 +152,8 @@ fn tried(g: &DMatrix<f64>, c: &DVector<f64>, mu: [f64; 2], modes: [Mode; 2]) -> 
 }
 
 proptest! {
-    /// Goal: of two contacts with friction all modes are found, none is chosen where several move differently, and impacts without restitution take energy. Method: sixteen
-    /// eliminations of 4 × 4 systems.
+    /// Goal: all modes of two contacts with friction are found, none is chosen where several move differently, and
+    /// impacts without restitution take energy. Method: sixteen eliminations of 4 × 4 systems.
     #[test]
     fn two_contacts_do_what_elimination_of_all_modes_has(
         w in prop::array::uniform20(-1.0..1.0_f64),

@@ -1,4 +1,4 @@
-//! What is particular to Gauss–Legendre collocation: conservation, Newton's method, its error estimate.
+//! Properties of Gauss–Legendre collocation alone: conservation, Newton's method, its error estimate.
 #![allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 
 use crate::lent::integrate;

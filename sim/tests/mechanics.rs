@@ -5,7 +5,7 @@ use crate::lent::integrate;
 use tripos_sim::{Direction, Dynamics, Event, Options, RightHandSide, SimError};
 use tripos_traits::{Lengths, System};
 
-/// What a small system must say; speeds are the coordinate rates.
+/// Functions of a small system whose speeds are the coordinate rates.
 trait Small {
     const COORDINATES: usize;
     const REACTIONS: usize;

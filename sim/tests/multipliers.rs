@@ -1,4 +1,4 @@
-//! Equations in all rates: against closed forms of a pendulum in its plane, and what a call asks of memory.
+//! Equations in all rates: against closed forms of a pendulum in its plane, and the memory that a call requests.
 
 use crate::counted::allocations;
 use crate::lent::{integrate, integrate_projected};
@@ -84,8 +84,8 @@ fn exact(angle: f64, rate: f64) -> ([f64; 4], [f64; 4]) {
     (y, [y[2], y[3], along * s + across * c, -along * c + across * s])
 }
 
-/// Next to the circle by up to a tenth: accelerations are those at its nearest state, which is on the same radius and has lost its radial rate. 1e-14 of
-/// numbers of order 10.
+/// States off the circle by up to a tenth have the accelerations of its nearest state. That state is on the same radius
+/// and has no radial rate. Tolerance: 1e-14 of numbers of order 10.
 #[test]
 fn accelerations_are_those_of_the_nearest_state_on_the_constraints() {
     let mut of = pendulum();
@@ -131,7 +131,7 @@ fn a_run_on_constraints_asks_for_memory_at_its_start_alone() {
     assert_eq!(allocations(|| (rates(&mut of, y), of.standing(&y))).0, 0);
 }
 
-/// The same of one that is kept on an invariant.
+/// A run on an invariant requests memory at its start alone.
 #[test]
 fn a_run_on_an_invariant_asks_for_memory_at_its_start_alone() {
     let oscillator = |_t: f64, y: &[f64], out: &mut [f64]| -> Result<(), Failure> {

@@ -61,7 +61,7 @@ fn exact_matrix<const S: usize>(tableau: &Tableau<S>) -> Vec<Vec<Exact>> {
     tableau.a.iter().map(|row| row.iter().map(|f| Exact::new(*f)).collect()).collect()
 }
 
-/// Whether Σ bᵢ Φᵢ(tree) = 1 / γ(tree) for every tree of the order.
+/// True if Σ bᵢ Φᵢ(tree) = 1 / γ(tree) for every tree of the order.
 fn satisfies(weights: &[Exact], a: &[Vec<Exact>], order: u32) -> bool {
     trees(order).iter().all(|t| dot(weights, &t.stages(a)) == Exact(1, i128::from(t.density())))
 }

@@ -1,4 +1,4 @@
-//! Projection onto invariants: what it keeps, and what it tells.
+//! Projection onto invariants: the quantities that it keeps, and its report.
 #![allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 
 use crate::lent::{integrate, integrate_projected};
@@ -53,8 +53,8 @@ fn the_energy_stays_at_rounding_on_a_long_run() {
     }
 }
 
-/// What is removed is what the method makes, of the same sign and size: a third for the states of the two runs, which
-/// differ.
+/// The removed drift is the drift of the method, of the same sign and size. Tolerance: a third, since the states of the
+/// two runs differ.
 #[test]
 fn the_drift_removed_is_that_of_the_run_without_projection() {
     for method in [Method::Dopri5, Method::Dop853] {

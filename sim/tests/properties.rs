@@ -1,4 +1,4 @@
-//! What holds for every method and any equations: runs end, samples are numbers, and the way back leads to the start.
+//! Properties of every method with any equations: runs end, samples are numbers, and the way back leads to the start.
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
 use proptest::prelude::*;
@@ -175,7 +175,7 @@ fn every_adaptive_method_heeds_the_tolerance_of_each_component() {
     }
 }
 
-/// Looking does not change what is looked at: steps and end are the same with events and any output.
+/// Watching does not change a run: steps and end are the same with events and any output.
 #[test]
 fn watching_changes_no_step_of_any_method() {
     let a = [0.0, 1.0, 0.0, -4.0, 0.0, 0.0, 0.0, 1.0, -1.0];

@@ -56,9 +56,10 @@ fn the_pendulum_swings_and_turns_over_as_by_elliptic_functions() {
     }
 }
 
-/// Goal: a turn is integrated once, however many there are and however little is left to pass the top with. Method: the pendulum by elliptic
-/// functions, forwards and backwards, over 2 … 10 000 turns, with 1 … 1e-13 of its energy left at the top, to what one rounding of the energy
-/// moves, from several starts; all that is evaluated is evaluated before the first state is asked for.
+/// Goal: a turn is integrated once, however many there are and however little energy is left to pass the top with.
+/// Method: the pendulum by elliptic functions, forwards and backwards, over 2 … 10 000 turns, from several starts, with
+/// 1 … 1e-13 of its energy left at the top. Tolerance: the effect of one rounding of the energy. All evaluations are
+/// made before the first state is asked for.
 #[test]
 fn rotations_are_one_turn_again_and_again() {
     let system = repeating_pendulum(G, Some(std::f64::consts::TAU));
@@ -90,8 +91,9 @@ fn rotations_are_one_turn_again_and_again() {
     }
 }
 
-/// Goal: a steady motion is one, to rounding. Method: a heavy top that precesses steadily, from the root of its condition in doubles: the nutation
-/// rests, precession and spin go on evenly; and the pendulum near its unstable rest is still refused.
+/// Goal: a steady motion is one, to rounding. Method: a heavy top that precesses steadily, from the root of its
+/// condition in doubles: the nutation rests, precession and spin go on evenly. The pendulum near its unstable rest is
+/// still refused.
 #[test]
 fn a_steady_precession_rests_in_its_nutation() {
     let (nutation, spin, weight) = (0.7_f64, 3.0, 1.0);
@@ -109,8 +111,9 @@ fn a_steady_precession_rests_in_its_nutation() {
     assert!(matches!(upright, Err(NoQuadrature::Asymptotic { .. })), "{upright:?}");
 }
 
-/// Goal: no barrier of a motion that repeats is leapt over. Method: V = cosⁿ q, spikes each half turn that are not to be felt between them, from many
-/// starts: turning points where cosⁿ q = h, and a period of somewhat more than their distance to and fro over the speed between spikes; a turn where h > 1.
+/// Goal: no barrier of a motion that repeats is leapt over. Method: V = cosⁿ q from many starts, with a spike each half
+/// turn that is not felt between spikes. Truth: turning points where cosⁿ q = h, and a period somewhat above twice
+/// their distance over the speed between spikes; a turn where h > 1.
 #[test]
 fn narrow_barriers_of_motions_that_repeat_turn_them() {
     use std::f64::consts::PI;
@@ -146,8 +149,8 @@ fn narrow_barriers_of_motions_that_repeat_turn_them() {
     }
 }
 
-/// Goal: what is integrated along goes on turn by turn, both ways round. Method: a rate 1 + ½ sin q + v beside the pendulum: ∫ v dt is the
-/// angle gone, and ∫ sin q dt = −(v − v₀)/g.
+/// Goal: quadratures go on turn by turn, both ways round. Method: a rate 1 + ½ sin q + v beside the pendulum: ∫ v dt is
+/// the angle gone, and ∫ sin q dt = −(v − v₀)/g.
 #[test]
 fn quadratures_go_on_from_turn_to_turn() {
     let system = OneSpeed {

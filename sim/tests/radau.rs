@@ -1,4 +1,4 @@
-//! What is particular to Radau IIA: stability, stiff problems of the literature, its error estimate and Newton's method.
+//! Properties of Radau IIA alone: stability, stiff problems of the literature, its error estimate and Newton's method.
 #![allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 
 use crate::stiff::Stiff;
@@ -92,9 +92,9 @@ fn solved(problem: &Stiff<f64>, rtol: f64) -> Solution {
     run
 }
 
-/// Goal: errors follow the tolerance, and steps are as few as those of the method elsewhere. Method: published solutions;
-/// SciPy 1.17's Radau takes 311, 181 and 75 steps at 1e-4, 2 749, 1 600 and 635 at 1e-8, which it reads as a tolerance
-/// of the estimate.
+/// Goal: errors follow the tolerance, and steps are as few as those of the method elsewhere. Method: published
+/// solutions; SciPy 1.17's Radau takes 311, 181 and 75 steps at 1e-4, and 2 749, 1 600 and 635 at 1e-8, which it reads
+/// as a tolerance of the estimate.
 #[test]
 fn stiff_problems_end_where_they_are_published_to() {
     for (problem, most) in Stiff::all().iter().zip([[311, 2_749], [181, 1_600], [75, 635]]) {
@@ -158,9 +158,9 @@ fn order(rate: f64, step: f64) -> f64 {
     (error(step) / error(step / 2.0)).log2()
 }
 
-/// Goal: the order is known also where equations are stiff. Method: A. Prothero & A. Robinson, Math. Comp. 28 (1974) 145:
-/// 5 where h λ is small; where it is large, the error is that of the stages over λ, h³/|λ| at a step, of which none is
-/// carried on (Hairer & Wanner II, §IV.15).
+/// Goal: the order is known also for stiff equations. Method: A. Prothero & A. Robinson, Math. Comp. 28 (1974) 145: the
+/// order is 5 where h λ is small. Where h λ is large, the error is that of the stages over λ, h³/|λ| at a step, and is
+/// not carried on (Hairer & Wanner II, §IV.15).
 #[test]
 fn order_five_comes_down_to_three_where_equations_are_stiff() {
     for (rate, step, expected) in [(-1.0, 0.25, 5.0), (-1e6, 0.05, 3.0)] {
@@ -191,9 +191,9 @@ fn steady(k: f64, zeta: f64, t: f64) -> [f64; 2] {
     [a * t.sin() + b * t.cos(), a * t.cos() - b * t.sin()]
 }
 
-/// Goal: steps are bounded however stiff a spring is, and errors stay near the tolerance. Method: the steady motion of a
-/// critically damped spring of 1 to 1e12 N/m; DOP853 takes 73 557 steps at 1e8, and 3 282 140 at 1e12. Speeds, whose
-/// equations are those of index 3 in the limit, have errors up to 20 times the tolerance, places none.
+/// Goal: steps are bounded however stiff a spring is, and errors stay near the tolerance. Method: the steady motion of
+/// a critically damped spring of 1 to 1e12 N/m; DOP853 takes 73 557 steps at 1e8, and 3 282 140 at 1e12. Speeds, whose
+/// equations are those of index 3 in the limit, have errors up to 20 times the tolerance; places stay within it.
 #[test]
 fn a_spring_of_any_stiffness_takes_some_hundred_steps() {
     let off = |run: &Solution, end: [f64; 2]| [0, 1].map(|i| (run.y_end[i] - end[i]).abs());
@@ -277,7 +277,7 @@ fn a_singular_matrix_shortens_the_step() {
     assert!(run.stop == Stop::End && (run.y_end[0] - 1.0).abs() < 1e-6, "{run}");
 }
 
-/// Nothing to integrate, and a component that rests at 0 without any absolute tolerance.
+/// A state without components, and a component that rests at 0 without any absolute tolerance.
 #[test]
 fn what_rests_needs_no_tolerance_and_nothing_is_no_trouble() {
     let rhs = |_t: f64, y: &[f64], dydt: &mut [f64]| {

@@ -78,7 +78,7 @@ fn errors_stay_near_the_tolerance_at_every_accuracy() {
     }
 }
 
-/// In 32 digits the order is some 40, and the error what the tolerance says.
+/// In 32 digits the order is some 40, and the error that of the tolerance.
 #[test]
 fn a_wider_scalar_reaches_its_own_accuracy() {
     let start = [DoubleDouble::int(1)];
@@ -170,8 +170,8 @@ fn equations_without_a_series_and_orders_out_of_range_are_refused() {
     }
 }
 
-/// A million steps of a circle with a truncation error below 1e-22 each: what they leave of the radius is rounding, and
-/// with it carried from step to step that is some ulp.
+/// A million steps of a circle with a truncation error below 1e-22 each: only rounding changes the radius. With the
+/// rounding error carried from step to step that is some ulp.
 #[test]
 fn what_rounding_cuts_off_is_carried_along() {
     let options = Options { step_limit: 2_000_000, ..fixed(8, 0.01) };
@@ -217,7 +217,7 @@ fn terms_that_vanish_do_not_pass_for_a_polynomial() {
     }
 }
 
-/// A tolerance relative to what is zero at the start says nothing about that component.
+/// A tolerance relative to a component that is zero at the start says nothing about it.
 #[test]
 fn a_component_without_a_weight_does_not_hold_the_run_up() {
     let relative = Options { atol: 0.0.into(), ..adaptive(1e-9) };

@@ -12,7 +12,7 @@ use tripos_traits::{DoubleDouble, Real};
 const TOLERANCES: [f64; 2] = [1e-23, 1e-21];
 /// Steps after which a motion is given up.
 const STEPS: u64 = 3_000;
-/// What the two may differ by at most.
+/// Largest permitted difference of the kept run and its check.
 const KNOWN: f64 = 1e-17;
 
 pub struct Truth {

@@ -39,9 +39,9 @@ fn lines(folder: &Path) -> HashMap<String, i64> {
     counts
 }
 
-/// Goal: who edits a force reads what it does. Method: one component of a force at the contact, which takes energy, so that
-/// two formulations get a power, too; the lines that differ in the files of equations are counted, and what `--check` says
-/// of them stands here.
+/// Goal: after an edit of a force its effect is reported. Method: one component of a force at the contact, which takes
+/// energy, so that two formulations get a power, too; the lines that differ in the files of equations are counted, and
+/// the words of `--check` about them stand here.
 #[test]
 fn one_more_force_is_a_few_lines_in_the_equations_and_in_what_is_said_of_them() {
     let folder = workspace();

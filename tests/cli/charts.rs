@@ -126,8 +126,8 @@ fn assert_has_own_equations(chart: &BTreeMap<String, Line>, tolerances: &[&str])
     }
 }
 
-/// What a scene asks for is what its runs are compared in: the same error of the lean is not hidden by other states,
-/// nor made by them.
+/// Goal: runs of a scene with outputs are compared in these outputs. The same error of the lean is neither hidden nor
+/// caused by other states.
 #[test]
 fn a_scene_that_states_its_outputs_is_charted_in_them() {
     let out = tempfile::tempdir().unwrap();
@@ -240,7 +240,7 @@ fn the_committed_passages_are_current_and_show_the_loss() {
     }
 }
 
-/// Which edit of the scene is wrong, and where: line and column.
+/// Wrong edits of the scene: the old text, the new text, and the place of the error as line and column.
 const WRONG: &[(&str, &str, &str)] = &[
     ("u2 = [1.6", "u9 = [1.6", "23:1"),
     ("u2 = [1.6", "u3 = [0.1]\nu2 = [1.6", "22:1"),

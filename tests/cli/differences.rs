@@ -167,8 +167,8 @@ fn a_formulation_that_was_lost_is_named_with_its_reason() {
     assert!(status == 1 && text.contains("  now derived: newton-euler\n"), "{text}");
 }
 
-/// Goal: a loop that is closed elsewhere is another mechanism, though its rate is the same. Method: the ground of the four-bar
-/// linkage made longer.
+/// Goal: a loop that closes at another place is another mechanism, though its rate is the same. Method: the ground of
+/// the four-bar linkage made longer.
 #[test]
 fn a_loop_closed_elsewhere_is_a_difference() {
     let folder = edited("four_bar", |text| text.replace("= d + c*cos(q3)", "= 2*d + c*cos(q3)"));
@@ -177,7 +177,8 @@ fn a_loop_closed_elsewhere_is_a_difference() {
     assert!(out.contains("loop_x"), "{out}");
 }
 
-/// Goal: a model is known for one by what it declares, however it is called and written. Method: a crane whose coordinates come from its joints, in files of other names.
+/// Goal: models are compared by what they declare, whatever their names and files. Method: a crane whose coordinates
+/// come from its joints, in files of other names.
 #[test]
 fn models_of_joints_are_compared_whatever_their_files_are_called() {
     let folder = tempfile::tempdir().unwrap();

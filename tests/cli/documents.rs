@@ -50,8 +50,8 @@ fn lines<'a>(blocks: impl Iterator<Item = &'a str>) -> Vec<String> {
     lines.filter(|line| line.contains('&')).collect()
 }
 
-/// Goal: what GitHub shows are the formulas of LaTeX, which others hold against JSON. Method: every model of the library: delimiters pair up, each formula
-/// compiles, and all aligned lines are those of LaTeX, in order.
+/// Goal: GitHub shows the formulas of LaTeX, which other tests hold against JSON. Method: every model of the library:
+/// delimiters pair up, each formula compiles, and all aligned lines are those of LaTeX, in order.
 #[test]
 fn markdown_has_the_formulas_of_latex() {
     let mut count = 0;
@@ -72,7 +72,7 @@ fn markdown_has_the_formulas_of_latex() {
     assert!(count > 1000, "{count}");
 }
 
-/// What Typst takes for one of its own among letters of a formula.
+/// Words that Typst itself defines and that formulas use.
 const TYPST_WORDS: [&str; 26] = [
     "frac", "sqrt", "abs", "thin", "sin", "cos", "tan", "sinh", "cosh", "tanh", "arcsin", "arccos", "arctan", "exp",
     "log", "op", "pi", "dot", "double", "mat", "vec", "delim", "attach", "bold", "upright", "partial",
@@ -86,7 +86,8 @@ fn typst_formulas(text: &str) -> Vec<String> {
     pieces.into_iter().skip(1).step_by(2).map(str::to_owned).collect()
 }
 
-/// Goal: no formula mentions what Typst does not know, which would be an error. Method: the words of every model's formulas, those between quotes left out.
+/// Goal: no formula mentions a word that Typst does not know, which would be an error. Method: the words of every
+/// model's formulas, except those between quotes.
 #[test]
 fn typst_knows_every_word_of_the_formulas() {
     let greek = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi chi psi omega Gamma Delta Theta \
@@ -124,7 +125,7 @@ fn typst_documents_compile() {
 /// A formula of Typst that is read back as text of model files.
 struct Reading<'a> {
     rest: &'a str,
-    /// What symbols are called, by how they are written.
+    /// Pairs of a symbol's text in a formula and its name.
     names: &'a [(String, String)],
 }
 
@@ -219,8 +220,8 @@ fn rows(text: &str, section: &str) -> Vec<String> {
     list
 }
 
-/// Goal: Typst shows the equations that programs get. Method: its accelerations and energies read back here, and compared by meaning with JSON, of models with
-/// fractions, roots, loops and named terms.
+/// Goal: Typst shows the equations that programs get. Method: its accelerations and energies read back here, and
+/// compared by meaning with JSON, of models with fractions, roots, loops and named terms.
 #[test]
 fn typst_says_what_json_says() {
     for model in ["disk", "pendulum", "cart_pendulum_3", "heavy_top", "four_bar", "furuta", "governor", "knife_edge"] {
@@ -444,7 +445,8 @@ fn a_pendulum_in_typst() {
     "#]].assert_eq(&derived("models/pendulum", "typst"));
 }
 
-/// Goal: what grows is printed in steps. Method: a tree of five bodies: named terms are listed, and no line is longer than a page is wide by much.
+/// Goal: long terms are printed in steps. Method: a tree of five bodies: named terms are listed, and no line is much
+/// longer than a page is wide.
 #[test]
 fn large_models_come_out_in_steps() {
     let folder = tempfile::tempdir().unwrap();

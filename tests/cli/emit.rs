@@ -220,10 +220,10 @@ fn show(system: &dyn System, p: &[f64], q: &[f64], u: &[f64]) {
     }
 }
 
-/// Goal: Jacobians and recurrences are those of the equations, wherever they are asked for. Method: models with loops, momenta and many angles, by two
-/// formulations, in a crate of their own and in 32 digits: each entry of the Jacobian against central differences of the derivative, and the
-/// polynomial of p orders, which satisfies the equations up to O(tᵖ): at half the time what is left is 2⁻ᵖ of it. Without asking there are no
-/// recurrences, and the Jacobian is the same.
+/// Goal: emitted Jacobians and recurrences are those of the equations. Method: models with loops, momenta and many
+/// angles, by two formulations, in a crate of their own and in 32 digits. Each entry of the Jacobian is compared with
+/// central differences of the derivative. The polynomial of p orders satisfies the equations up to O(tᵖ): at half the
+/// time the residual is 2⁻ᵖ of it. If they are not asked for, there are no recurrences, and the Jacobian is the same.
 #[test]
 fn jacobians_and_recurrences_that_are_asked_for_are_those_of_the_equations() {
     let folder = tempfile::tempdir().unwrap();

@@ -27,7 +27,8 @@ fn slider(scene: &str) -> tempfile::TempDir {
     folder
 }
 
-/// The lines of the gradient, with nine decimals of each derivative and without its error, of which only the size is anybody's.
+/// The lines of the gradient, with nine decimals of each derivative and without its error, of which only the size is
+/// reproducible.
 fn gradient(text: &str) -> String {
     let lines = text.lines().skip_while(|line| !line.starts_with("gradient of")).map(|line| {
         let Some((before, rest)) = line.split_once(" ± ") else { return line.to_owned() };
@@ -39,7 +40,8 @@ fn gradient(text: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// x = x₀ cos ω t + u₀/ω sin ω t with ω = √(k/m) meets 0 at t = π/(2 ω) + u₀/(x₀ ω²) to first order, with the rate −x₀ ω: closed forms at x₀ = ω = m = 1.
+/// Goal: the gradient is printed, a line for each number. Truth: x = x₀ cos ω t + u₀/ω sin ω t with ω = √(k/m) meets 0
+/// at t = π/(2 ω) + u₀/(x₀ ω²) to first order, with the rate −x₀ ω: closed forms at x₀ = ω = m = 1.
 #[test]
 fn a_gradient_is_printed_a_line_for_each_number() {
     let folder = slider(SCENE);
@@ -60,7 +62,8 @@ fn a_gradient_is_printed_a_line_for_each_number() {
     assert!(out.starts_with(plain.trim_end()), "the run is that without:\n{plain}\n{out}");
 }
 
-/// With a wall at 0 that gives half back, x = −x₀/2 cos ω t until 3 π/(2 ω): closed forms at 2.5 s. From a start on the wall there is no derivative by the place.
+/// Goal: a gradient through an impact is printed. Truth: with a wall at 0 and restitution ½, x = −x₀/2 cos ω t until 3
+/// π/(2 ω): closed forms at 2.5 s. From a start on the wall there is no derivative by the place.
 #[test]
 fn a_gradient_through_an_impact_is_printed_and_what_has_none_says_why() {
     let scene = SCENE.split("[[events]]").next().unwrap().replace("[0, 2]", "[0, 2.5]");

@@ -43,7 +43,7 @@ const ILLEGAL: [(&str, &str); 7] = [
     ("separated \u{2028}x", "U+2028"),
 ];
 
-/// As a TOML string.
+/// Quotes a text as a TOML string.
 fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

@@ -16,7 +16,7 @@ use tripos_models::MODELS;
 use tripos_sim::{DORMAND_PRINCE_853, Dynamics};
 use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar, System};
 
-/// Whether there is a Node.
+/// True if Node is installed; if not, the test is counted as left out.
 pub fn has_node() -> bool {
     let found = Command::new("node").arg("--version").output().is_ok_and(|output| output.status.success());
     !is_left_out("node", found, "there is no node")
@@ -32,7 +32,7 @@ fn node(script: &str, argument: &Path, given: &str) -> Output {
     child.wait_with_output().unwrap()
 }
 
-/// What modules answer to questions.
+/// Answers of emitted modules to questions, computed by Node.
 pub fn answers(questions: &[Value]) -> Vec<Value> {
     let output = node("equations.mjs", Path::new("-"), &Value::from(questions).to_string());
     assert!(output.status.success(), "{}", stderr(&output));
@@ -55,7 +55,7 @@ pub fn moved(values: &[f64], seed: u32, by: f64) -> Vec<f64> {
     values.iter().enumerate().map(|(at, x)| x + by * step(at)).collect()
 }
 
-/// Where a library model's scenes start, and beside it.
+/// States at the start of a library model's first scene, and about it: p, q and v of each.
 fn states(name: &str, system: &dyn System<f64>) -> Vec<(Vec<f64>, Vec<f64>, Vec<f64>)> {
     let scenes = std::fs::read_dir(root().join("models").join(name).join("scenes")).unwrap();
     let mut paths: Vec<PathBuf> = scenes.map(|entry| entry.unwrap().path()).collect();
@@ -90,7 +90,7 @@ fn compiled(system: &dyn System<f64>, (p, q, v): &(Vec<f64>, Vec<f64>, Vec<f64>)
         .collect()
 }
 
-/// What of the largest acceleration doubles lose, against 32 digits.
+/// Rounding error of accelerations in doubles against 32 digits, relative to the largest acceleration.
 fn lost(system: &CompiledSystem, (p, q, v): &(Vec<f64>, Vec<f64>, Vec<f64>)) -> f64 {
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let mut exact = (wide(q), wide(v));
@@ -101,9 +101,10 @@ fn lost(system: &CompiledSystem, (p, q, v): &(Vec<f64>, Vec<f64>, Vec<f64>)) -> 
     own.1.iter().zip(&exact.1).map(|(a, b)| (a - b.to_f64()).abs() / scale).fold(0.0, f64::max)
 }
 
-/// Goal: one mathematics in two languages. Method: every formulation of every library model at twenty states about its start, compiled
-/// against Node: rates, energies, speeds and divisors. Of the largest of each at a state: 1e-12, or ten times what compiled equations
-/// lose of the accelerations in 32 digits, where rounding is divided by small pivots; and some units in the last place in all but one of ten.
+/// Goal: equations have the same values in both languages. Method: every formulation of every library model at twenty
+/// states about its start, compiled equations against Node: rates, energies, speeds and divisors. The bound, relative
+/// to the largest of each at a state, is 1e-12, or ten times the rounding error of compiled accelerations against 32
+/// digits, where rounding is divided by small pivots. Nine of ten values agree to 64 units in the last place.
 #[test]
 fn modules_give_what_compiled_equations_give() {
     if !has_node() {
@@ -149,8 +150,9 @@ fn modules_give_what_compiled_equations_give() {
     assert!(10 * loose < all, "{loose} of {all} beyond 64 units in the last place");
 }
 
-/// Goal: equations that run as they stand are solved right. Method: the printed systems of the disk at twenty states, whose linear systems
-/// Node solves, against the pivoted solve of Rust; 1e-9 of the largest, since their matrices are what they are.
+/// Goal: equations that run as printed are solved right. Method: the printed systems of the disk at twenty states,
+/// whose linear systems Node solves, against the pivoted solve of Rust; to 1e-9 of the largest, since their matrices
+/// are ill-conditioned as printed.
 #[test]
 fn printed_equations_are_solved_as_in_rust() {
     if !has_node() {
@@ -178,7 +180,8 @@ fn printed_equations_are_solved_as_in_rust() {
     }
 }
 
-/// Goal: the method in JavaScript is DOP853, and stops where it must. Method: `tests/javascript/method.mjs`, closed forms.
+/// Goal: the method in JavaScript is DOP853, and stops where it must. Method: `tests/javascript/method.mjs`, closed
+/// forms.
 #[test]
 fn the_method_holds_against_closed_forms() {
     if !has_node() {
@@ -197,7 +200,8 @@ fn the_method_holds_against_closed_forms() {
     assert_eq!(String::from_utf8_lossy(&output.stdout).matches(": held").count(), 7);
 }
 
-/// Goal: one set of coefficients. Method: every published one, as the double that Rust has, in the text of the method in JavaScript.
+/// Goal: both languages have the same coefficients. Method: every published one, as the double that Rust has, is in the
+/// text of the method in JavaScript.
 #[test]
 fn the_method_has_the_published_coefficients() {
     let (_, text) = RUNNERS.into_iter().find(|(name, _)| *name == "dop853").unwrap();
@@ -208,8 +212,8 @@ fn the_method_has_the_published_coefficients() {
     }
 }
 
-/// Goal: a run of the disk is that of Rust. Method: one second from the report's start, by both at 1e-13, to 1e-9, and ten of another to
-/// 1e-8; and where the disk lies flat, both end.
+/// Goal: a run of the disk is that of Rust. Method: one second from the report's start, by both at 1e-13, to 1e-9, and
+/// ten of another to 1e-8; and where the disk lies flat, both end.
 #[test]
 fn a_run_of_the_disk_is_that_of_rust() {
     if !has_node() {
@@ -240,8 +244,9 @@ fn a_run_of_the_disk_is_that_of_rust() {
     }
 }
 
-/// Goal: what people copy runs. Method: the examples of docs/generated.md beside the modules of a pendulum and of a four-bar linkage, with a
-/// line more that tells where they end: the pendulum of 1 m with the energy that it had, and the linkage closed.
+/// Goal: the examples of the documentation run. Method: the examples of docs/generated.md beside the modules of a
+/// pendulum and of a four-bar linkage, with one more line that prints where they end: the pendulum of 1 m with the
+/// energy that it had, and the linkage closed.
 #[test]
 fn examples_of_the_documentation_run() {
     if !has_node() {
@@ -272,8 +277,8 @@ fn examples_of_the_documentation_run() {
     assert!(linkage[..2] == [3.0, 0.5] && linkage[2..].iter().all(|x| x.abs() < 1e-14), "{linkage:?}");
 }
 
-/// A model all of whose names mean something in JavaScript, with words that would end a comment, a text or a script: a mass on a spring,
-/// damped, `await` its place.
+/// A model whose names all mean something in JavaScript, with words that would end a comment, a text or a script: a
+/// mass on a damped spring, with `await` as its coordinate.
 const HOSTILE: &str = r#"
 name = '''*/ </script><script>alert(1)</script> ${x} ` " \'''
 [parameters]
@@ -302,8 +307,8 @@ vector = ["p - arguments*await - Math*yield - NaN*await^3", 0, 0]
 undefined = "await + p/arguments > 0"
 "#;
 
-/// Goal: no text of a file is code, and no name is a word of the language. Method: accelerations of the model above in closed form; and
-/// what could end a comment or an element `script` is in no module.
+/// Goal: no text of a file becomes code, and no name is a word of the language. Method: accelerations of the model
+/// above in closed form; and no module contains a text that could end a comment or an element `script`.
 #[test]
 fn hostile_names_and_texts_stay_what_they_are() {
     let folder = tempfile::tempdir().unwrap();
@@ -340,8 +345,8 @@ fn hostile_names_and_texts_stay_what_they_are() {
     }
 }
 
-/// Goal: what a user has of two languages lives side by side, and what is asked for wrongly is answered. Method: both in one folder, each
-/// again; a language that there is not.
+/// Goal: files of two languages stand side by side in one folder, and wrong requests are answered. Method: both in one
+/// folder, each again; an unknown language.
 #[test]
 fn languages_leave_one_another_alone() {
     let folder = tempfile::tempdir().unwrap();

@@ -44,9 +44,9 @@ fn emitted(model: &Model, folder: &Path) -> PathBuf {
     folder.to_owned()
 }
 
-/// Goal: a linkage runs in JavaScript as it does in Rust, and stays closed. Method: a scene of every library model with loops, by Kane's
-/// method in independent speeds and by Lagrange's equations in all rates, at 1e-12 for at most a second, against compiled equations: what
-/// is shown to 1e-9 of its size; and constraints at the end to rounding.
+/// Goal: a linkage runs in JavaScript as it does in Rust, and stays closed. Method: a scene of every library model with
+/// loops, by Kane's method in independent speeds and by Lagrange's equations in all rates, at 1e-12 for at most a
+/// second, against compiled equations. Outputs agree to 1e-9 of their size; residuals at the end are zero to rounding.
 #[test]
 fn linkages_run_as_in_rust_and_stay_closed() {
     if !has_node() {
@@ -92,9 +92,9 @@ fn linkages_run_as_in_rust_and_stay_closed() {
     }
 }
 
-/// Goal: poses close as in Rust, and a start that does not is refused. Method: coordinates that close each library linkage's first scene,
-/// displaced by a few hundredths and found again, to 1e-11; the displaced start does not run. Where the scene states all, what is found
-/// from a displaced pose is closed and near.
+/// Goal: poses are closed as in Rust, and an open start is refused. Method: dependent coordinates of each library
+/// linkage's first scene, displaced by a few hundredths and found again, to 1e-11; the displaced start does not run.
+/// Where the scene states all coordinates, the pose found from a displaced one is closed and near.
 #[test]
 fn poses_that_close_are_found_and_others_are_refused() {
     if !has_node() {
@@ -127,7 +127,8 @@ fn poses_that_close_are_found_and_others_are_refused() {
     }
 }
 
-/// A bead on a circle about the origin: the second constraint says nothing new on it as long as k is l, though it would anywhere else.
+/// A bead on a circle about the origin. The second constraint is redundant on it as long as k is l, though it would not
+/// be anywhere else.
 const TWICE: &str = r#"
 name = "Bead on a circle"
 [parameters]
@@ -155,8 +156,8 @@ first = { equation = "x^2 + y^2 = l^2" }
 second = { equation = "y*(x^2 + y^2) = y*k^2" }
 "#;
 
-/// Goal: what closes only at some numbers is not taken for closed at others. Method: the bead above with k = l, and with another k: no
-/// pose, no run.
+/// Goal: a constraint that is redundant only at some numbers is not taken for redundant at others. Method: the bead
+/// above with k = l, and with another k: no pose, no run.
 #[test]
 fn what_a_redundant_constraint_forbids_is_refused() {
     if !has_node() {

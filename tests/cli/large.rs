@@ -4,8 +4,9 @@ use crate::arm::tree_text;
 use crate::support::{root, tripos_in};
 use std::collections::HashSet;
 
-/// Goal: a printed derivation says what every name stands for, before the name is used. Method: every word of every line
-/// of a tree's derivations, in text and in JSON, is a word of the model file, a symbol of it, or a name defined above.
+/// Goal: a printed derivation says what every name stands for, before the name is used. Method: every word of every
+/// line of a tree's derivations, in text and in JSON, is a word of the model file, a symbol of it, or a name defined
+/// above.
 #[test]
 fn every_name_of_a_large_derivation_is_defined_before_it_is_used() {
     let folder = tempfile::tempdir().unwrap();
@@ -67,8 +68,8 @@ fn strings(value: &serde_json::Value) -> Vec<String> {
 }
 
 /// Goal: a scene of a large model runs at once by whole equations and says so; one that is small enough has its own.
-/// Method: arms of three and of six joints that fall from rest; the momentum about the first, upright axis is the longer
-/// arm's state and the shorter one's constant.
+/// Method: arms of three and of six joints that fall from rest; the momentum about the first, upright axis is the
+/// longer arm's state and the shorter one's constant.
 #[test]
 fn scenes_of_large_models_run_by_whole_equations() {
     let folder = tempfile::tempdir().unwrap();

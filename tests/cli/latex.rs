@@ -12,8 +12,8 @@ use tripos_derive::algebra::parse::parse_primed;
 use tripos_derive::algebra::print::latex_name;
 use tripos_derive::algebra::{Arena, Expr};
 
-/// What is wrong with a text that must compile in the body of a document with amsmath: braces, environments and pairs
-/// that do not match, mathematics outside of formulas, formulas inside of formulas.
+/// Faults of a text that must compile in the body of a document with amsmath: braces, environments and pairs that do
+/// not match, mathematics outside of formulas, formulas inside of formulas.
 pub fn faults(text: &str) -> Vec<String> {
     let (mut open, mut in_formula, mut faults) = (Vec::<String>::new(), false, Vec::new());
     let lines = text.lines().filter(|line| !line.starts_with('%'));
@@ -75,8 +75,8 @@ fn every_model_of_the_library_becomes_latex_that_compiles() {
     }
 }
 
-/// What stands in the text stands in LaTeX, for each formulation: the steps, M and f, accelerations, energies, singular
-/// places; and what is conserved.
+/// Goal: LaTeX has all parts of the text, for each formulation: the steps, M and f, accelerations, energies, singular
+/// places, and first integrals.
 #[test]
 fn latex_has_all_that_the_text_has() {
     let text = |by: &str| tripos_in(&root(), &["derive", "models/disk", "--by", by, "--format", "latex"]).1;
@@ -115,7 +115,7 @@ fn hostile_titles_and_names_are_text() {
     assert!(text.contains("\\section*{100\\% \\textbackslash{}input\\{x\\} \\$\\_\\# \\{[U+03B8]\\}"), "{text}");
 }
 
-/// Whether a LaTeX is here, with these files; says so if not.
+/// True if a LaTeX with these files is installed; if not, the test is counted as left out.
 pub fn has_latex(files: &[&str]) -> bool {
     let found = |file: &str| {
         let run = Command::new("kpsewhich").arg(file).stdout(Stdio::null()).stderr(Stdio::null()).status();
@@ -128,7 +128,8 @@ pub fn has_latex(files: &[&str]) -> bool {
     !is_left_out("latex", files.iter().copied().all(found), &why)
 }
 
-/// What TeX says against a document, none if it compiles; and by how many points its widest line stands out.
+/// Width in points by which the widest line of a document stands out. The error is TeX's message if it does not
+/// compile.
 pub fn compiled(folder: &Path, text: &str) -> Result<f64, String> {
     std::fs::write(folder.join("it.tex"), text).unwrap();
     let options = ["-interaction=nonstopmode", "-halt-on-error", "-draftmode", "it.tex"];
@@ -142,8 +143,9 @@ pub fn compiled(folder: &Path, text: &str) -> Result<f64, String> {
     Ok(wide.fold(0.0, f64::max))
 }
 
-/// Goal: a thesis takes it as it is. Method: every model of the library, whole and as part of another document, by pdflatex if
-/// there is one. Of the disk no line stands out by more than a letter: 10 points.
+/// Goal: documents and fragments compile unchanged in a thesis. Method: every model of the library, whole and as part
+/// of another document, by pdflatex if there is one. In the disk's document no line stands out by more than a letter:
+/// 10 points.
 #[test]
 fn documents_and_fragments_compile() {
     if !has_latex(&["article.cls", "amsmath.sty", "geometry.sty"]) {
@@ -221,8 +223,9 @@ fn matrices(text: &str) -> Vec<String> {
     entries.map(|entry| entry.trim().to_owned()).collect()
 }
 
-/// Goal: a thesis has the equations that programs get. Method: LaTeX read back by the front end of publications, and compared by
-/// meaning with `derive --json`: accelerations, energies, M and f, of models with fractions, roots, loops and named terms.
+/// Goal: LaTeX has the equations that programs get. Method: LaTeX read back by the front end of publications, and
+/// compared by meaning with `derive --json`: accelerations, energies, M and f, of models with fractions, roots, loops
+/// and named terms.
 #[test]
 fn latex_says_what_json_says() {
     for model in ["disk", "pendulum", "cart_pendulum_3", "heavy_top", "four_bar", "furuta", "governor", "knife_edge"] {

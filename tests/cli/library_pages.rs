@@ -34,7 +34,7 @@ fn look(models: &[String]) {
     assert_eq!(held, 2 * models.len() + models.len().div_ceil(5));
 }
 
-/// How many looks at the pages of a folder held: all, or the test fails.
+/// Number of looks in a browser at the pages of a folder. All succeeded, or the test fails.
 fn in_browser(folder: &Path, modules: &Path) -> usize {
     let mut node = Command::new("node");
     node.arg(root().join("tests/browser/pages.mjs")).arg(folder);
@@ -48,15 +48,17 @@ fn in_browser(folder: &Path, modules: &Path) -> usize {
     said.matches(": held").count()
 }
 
-/// Goal: pages of mechanisms that nobody looked at are readable. Method: `tests/browser/pages.mjs` opens two in a browser, as all of them are opened below.
+/// Goal: the pages of any mechanism are readable. Method: `tests/browser/pages.mjs` opens two in a browser, as all of
+/// them are opened below.
 #[test]
 fn a_browser_shows_pages_that_fit_their_screens() {
     look(&["furuta", "pendulum"].map(str::to_owned));
 }
 
-/// Goal: the page of every model is one that people can read. Method: each is at most 1.6 MB; in a real browser on a desktop and a phone, folded and unfolded, nothing
-/// is wider than the screen, nothing complained of, no word of the sketch cut off or written over, no box that scrolls out of reach or endless, and the page at
-/// most 12 screens long. `TRIPOS_PICTURES=FOLDER` keeps what was seen.
+/// Goal: the page of every model is readable. Method: each is at most 1.6 MB. In a real browser on a desktop and a
+/// phone, folded and unfolded, no element is wider than the screen, and nothing is complained of. No word of the sketch
+/// is cut off or written over, no scrolling box is endless or out of reach, and the page is at most 12 screens long.
+/// `TRIPOS_PICTURES=FOLDER` keeps the pictures.
 #[test]
 #[ignore = "makes the pages of all models, which takes minutes; .ci/full runs it"]
 fn a_browser_shows_the_page_of_every_model() {

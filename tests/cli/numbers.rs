@@ -90,8 +90,9 @@ fn what_a_run_shows_without_a_value_is_no_result() {
     }
 }
 
-/// m x″ = −c x′ − k x with c/m = 10⁴ 1/s: after the first millisecond x creeps back in a second, and an explicit method still
-/// steps by 3·10⁻⁴ s. Fewer steps than it is worth to speak of, and methods that stability does not bind, are left alone.
+/// Goal: a run whose steps are limited by stability gets advice. Method: m x″ = −c x′ − k x with c/m = 10⁴ 1/s: after
+/// the first millisecond x creeps back in a second, and an explicit method still steps by 3·10⁻⁴ s. Runs of few steps,
+/// and methods that stability does not limit, get no advice.
 #[test]
 fn steps_that_stability_keeps_short_are_said_to_be() {
     let folder = tempfile::tempdir().unwrap();
@@ -362,7 +363,8 @@ fn what_overflows_or_has_no_value_is_a_failure() {
     assert!(status == 3 && err.contains("has no value at t = 5 s: there is nothing to compare"), "{err}");
 }
 
-/// Goal: what a motor turns has no speed, and is evaluated. Method: a wheel of 0.3 kg m² at 2 rad/s, T = 0.6 J, by each formulation.
+/// Goal: a mechanism that a motor alone turns has no speed, and is evaluated. Method: a wheel of 0.3 kg m² at 2 rad/s,
+/// T = 0.6 J, by each formulation.
 #[test]
 fn a_mechanism_without_speeds_is_evaluated() {
     let folder = tempfile::tempdir().unwrap();

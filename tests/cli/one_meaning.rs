@@ -1,9 +1,10 @@
 //! One name, one meaning: what the command prints is evaluated from its text alone, and held against the equations.
 //!
-//! Method: formulas are read from the output of `derive`, `prove` and `check` as a stranger reads them, with no other values than
-//! those of the model's own symbols at a random state. A name must be defined in the document that it stands in, and must have one
-//! value in all documents about a model. The values are held against those of the derived terms, which are evaluated through
-//! their names; and what is printed as conserved must be constant along the motion that the printed equations give.
+//! Method: formulas are read from the output of `derive`, `prove` and `check` as a stranger reads them, with no other
+//! values than those of the model's own symbols at a random state. A name must be defined in the document that it
+//! stands in, and must have one value in all documents about a model. The values are held against those of the derived
+//! terms, which are evaluated through their names; and what is printed as conserved must be constant along the motion
+//! that the printed equations give.
 
 use crate::support::{answer, root};
 use nalgebra::{DMatrix, DVector};
@@ -68,7 +69,7 @@ fn is_close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-7 * (1.0 + a.abs().max(b.abs())) || (!a.is_finite() && !b.is_finite())
 }
 
-/// What a document says: definitions, and formulas with what they are.
+/// Content of a document: definitions, and formulas with their quantities.
 #[derive(Default)]
 struct Document {
     what: String,
@@ -137,7 +138,8 @@ fn meaning(arena: &Arena, terms: &[Expr], state: &Values) -> Vec<f64> {
     Tape::new(arena, &symbols, terms).unwrap().evaluate(&inputs)
 }
 
-/// Values of every symbol of a model: coordinates and speeds as given, rates by the kinematic equations, the others random.
+/// Values of every symbol of a model: coordinates and speeds as given, rates by the kinematic equations, the others
+/// random.
 fn state(model: &Model, chance: &mut Chance, q: &[f64], u: &[f64]) -> Values {
     let mut values = Values::new();
     for p in &model.parameters {
@@ -266,7 +268,8 @@ fn documents(model: &Model, path: &str, state: &Values) -> (Vec<Printed>, Printe
     (formulations, proved)
 }
 
-/// d/dt of each printed integral along the motion of the printed equations by Kane, by differences, beside the size of its slopes.
+/// d/dt of each printed integral along the motion of the printed equations by Kane, by differences, beside the size of
+/// its slopes.
 fn rates_of_integrals(
     model: &Model,
     kane: &Printed,
@@ -340,8 +343,8 @@ fn printed_formulas_of_the_library_are_worth_what_is_derived() {
     }
 }
 
-/// Goal: the same of models whose terms are called alike many times. Method: a chain of rods with relative angles, absolute speeds and
-/// dampers, and gears in a housing on a ball joint.
+/// Goal: printed formulas have the derived values also in models with many equal names. Method: a chain of rods with
+/// relative angles, absolute speeds and dampers, and gears in a housing on a ball joint.
 #[test]
 fn printed_formulas_of_models_with_many_names_are_worth_what_is_derived() {
     let folder = tempfile::tempdir().unwrap();

@@ -3,7 +3,7 @@
 use crate::support::{SLIDER, browser, page, root, status, stderr, tripos, without_scripts};
 use std::process::{Command, Output};
 
-/// What is said in JSON, whatever the answer is.
+/// The JSON of standard output, whatever the exit status is.
 fn parsed(output: &Output) -> serde_json::Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
@@ -16,8 +16,9 @@ fn made(model: &str) -> (Option<i32>, String, Output) {
     (output.status.code(), page, output)
 }
 
-/// Goal: a page of any mechanism has a face: an abstract whose sentences lead to their evidence, and a motion. Method: one with a report,
-/// one with loops, one without a scene; every link has its place, no place two names, and what the viewer is called nothing else is.
+/// Goal: the page of any mechanism begins with an abstract whose sentences lead to their evidence, and a motion.
+/// Method: one with a report, one with loops, one without a scene. Every link has its place, no place has two names,
+/// and no other element has a name of the viewer.
 #[test]
 fn every_page_begins_with_an_abstract_that_leads_to_its_evidence() {
     let bare = tempfile::tempdir().unwrap();
@@ -54,7 +55,8 @@ fn every_page_begins_with_an_abstract_that_leads_to_its_evidence() {
     }
 }
 
-/// What `page` was called before goes on to work, says so, and writes where it wrote; publications go by either name, not by both.
+/// Goal: the former name `report` of the command `page` still works, prints a notice, and writes to its former folder.
+/// A publication may have either name, not both.
 #[test]
 fn older_names_go_on_to_work() {
     let folder = tempfile::tempdir().unwrap();
@@ -83,8 +85,9 @@ fn older_names_go_on_to_work() {
     assert!(stderr(&output).contains("that is the older name of the same file"), "{}", stderr(&output));
 }
 
-/// Goal: the page works where people open it. Method: `tests/browser/page.mjs` drives a real browser over that of the disk, which is the longest:
-/// it is no longer than 12 screens, plays, follows a slider, opens what a link leads into, and complains of nothing.
+/// Goal: the page works where people open it. Method: `tests/browser/page.mjs` drives a real browser over that of the
+/// disk, which is the longest. It is no longer than 12 screens, plays, follows a slider, unfolds the targets of links,
+/// and complains of nothing.
 #[test]
 fn a_browser_shows_the_page_and_its_motion() {
     let Some(modules) = browser() else { return };
@@ -179,8 +182,9 @@ fn the_page_of_the_disk_has_every_scenes_own_equations() {
     assert!(figure("Speed against accuracy over 10 s, in the lean").contains("reduced"));
 }
 
-/// Goal: the page of the disk tells right from wrong. Method: of the run to 10 s at the report's tolerances every derived run
-/// is loose, with its error, and every printed one wrong, the one that ends well among them; captions and legends say so.
+/// Goal: the page of the disk tells right from wrong. Method: in the run to 10 s at the report's tolerances every
+/// derived run is loose, with its error, and every printed one is wrong, the one that ends well among them; captions
+/// and legends say so.
 #[test]
 fn the_page_of_the_disk_tells_loose_from_wrong() {
     let (page, _) = page("models/disk");

@@ -52,8 +52,8 @@ impl Picture {
     }
 }
 
-/// Goal: a picture is the figure, of the size that was asked for, with its words. Method: beside the SVG: 1000 pixels of CSS are 10.4 inches; the picture is
-/// dark where each label stands, at its anchor, and white beside the title.
+/// Goal: a picture is the figure, of the wanted size, with its words. Method: compared with the SVG: 1000 pixels of CSS
+/// are 10.4 inches; the picture is dark at the anchor of each label, and white beside the title.
 #[test]
 fn a_png_shows_what_the_svg_draws() {
     let folder = tempfile::tempdir().unwrap();

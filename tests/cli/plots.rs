@@ -20,8 +20,8 @@ fn rows(path: &Path) -> Vec<(String, String, String, f64, f64)> {
 
 const SCENE: &str = "models/heavy_top/scenes/looping.toml";
 
-/// Goal: a phase portrait shows what the run does. Method: of the top, q₁' against q₁, the nutation; at each point the total energy of the
-/// start.
+/// Goal: a phase portrait has the points of the run. Method: q₁' against q₁ of the top, the nutation; at each point the
+/// total energy is that of the start.
 #[test]
 fn a_phase_portrait_has_the_points_of_the_run() {
     let folder = tempdir().unwrap();
@@ -42,7 +42,8 @@ fn a_phase_portrait_has_the_points_of_the_run() {
     }
 }
 
-/// Goal: several ways and quantities stand in one panel, told apart. Method: two quantities by two methods make four curves, which agree where both have samples.
+/// Goal: several ways and quantities stand in one panel, told apart. Method: two quantities by two methods make four
+/// curves, which agree where both have samples.
 #[test]
 fn ways_and_quantities_are_told_apart_in_a_panel() {
     let folder = tempdir().unwrap();
@@ -63,7 +64,8 @@ fn ways_and_quantities_are_told_apart_in_a_panel() {
     assert!(curves[2].contains("method=dop853,rtol=1e-9") && curves[0].contains("q1"), "{curves:?}");
 }
 
-/// Goal: all that is conserved is drawn on its own scale. Method: the momenta and the energy of the top, which change by little.
+/// Goal: all first integrals are drawn on their own scales. Method: the momenta and the energy of the top, which change
+/// by little.
 #[test]
 fn the_first_integrals_are_drawn_as_changes() {
     let folder = tempdir().unwrap();
@@ -108,7 +110,8 @@ fn schemas_of_all_formats_are_printed() {
     assert_eq!(tripos(&["schema", "page"]).0, 2);
 }
 
-/// Goal: one format of state files. Method: what `linearise` takes, with names of its own, is evaluated; a number for what it guesses.
+/// Goal: all commands read the same format of state files. Method: a state for `linearise`, with names of its own, is
+/// evaluated, with a number for each guess.
 #[test]
 fn states_with_names_of_their_own_are_evaluated() {
     let at = "models/whipple_bicycle/steady/v5.toml";
@@ -119,7 +122,8 @@ fn states_with_names_of_their_own_are_evaluated() {
     assert!(accelerations.values().all(|a| a.as_f64().unwrap().abs() < 1e-10), "{out}");
 }
 
-/// Goal: shells and `man` know every command. Method: each name that the help lists, in the completions of every shell and among the pages.
+/// Goal: shells and `man` know every command. Method: each name that the help lists, in the completions of every shell
+/// and among the pages.
 #[test]
 fn shells_and_manual_know_every_command() {
     let (_, help, _) = tripos(&["--help"]);
@@ -141,8 +145,9 @@ fn shells_and_manual_know_every_command() {
     assert!(tripos(&["man"]).1.contains("simulate"));
 }
 
-/// Goal: places, velocities and turns are shown by name. Method: of the sliding disk, its centre is R cos q2 above the plane and rises at the derivative of that, and it
-/// turns about the axis across it at u3; a name that there is not is refused.
+/// Goal: places, velocities and turns are shown by name. Method: the centre of the sliding disk is R cos q2 above the
+/// plane and rises at the derivative of that, and the disk turns about its lateral axis at u3; an unknown name is
+/// refused.
 #[test]
 fn places_and_velocities_are_drawn_by_name() {
     let folder = tempdir().unwrap();
@@ -162,7 +167,8 @@ fn places_and_velocities_are_drawn_by_name() {
     assert!(status == 2 && err.contains("no point `Cstart`") && err.contains("did you mean `Cstar`?"), "{err}");
 }
 
-/// Goal: what a scene calls a quantity is its name in figures, too. Method: an output with a formula by its name, and by its formula.
+/// Goal: a scene's name of a quantity is its name in figures, too. Method: an output with a formula by its name, and by
+/// its formula.
 #[test]
 fn outputs_of_a_scene_are_plotted_by_their_names() {
     let folder = tempdir().unwrap();

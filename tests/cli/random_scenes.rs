@@ -21,13 +21,13 @@ use std::path::Path;
 use std::process::Command;
 use whole::Whole;
 
-/// How many scenes are compared, unless the environment says.
+/// Number of scenes that are compared, unless the environment gives another.
 const SCENES: u64 = 80;
-/// |e| / (1 + |exact|): both runs are at 1e-12 or finer, and half a second of these motions multiplies that by less than a thousand.
-/// Reactions and accelerations divide by small masses.
+/// Bound of |e| / (1 + |exact|). Both runs are at 1e-12 or finer, and half a second of these motions multiplies that by
+/// less than a thousand. Reactions and accelerations divide by small masses.
 const BOUND: f64 = 2e-8;
 
-/// What came out of one scene.
+/// Result of comparing one scene: kinds of compared quantities, and differences.
 struct Compared {
     kinds: Vec<&'static str>,
     differences: Vec<String>,
@@ -108,13 +108,13 @@ fn compare(place: &Path, seed: u64) -> Compared {
     Compared { kinds, differences }
 }
 
-/// How many gyros are run, unless the environment says.
+/// Number of gyros that are run, unless the environment gives another.
 const GYROS: u64 = 60;
 /// |e| / (1 + |exact|) of a run at 1e-11 against one whose slopes of M are differences.
 const GYRO_BOUND: f64 = 1e-7;
 
-/// Goal: a default run never fails, and shows what the mechanism does. Method: tops, gyros and planar mechanisms with every kind of speeds and of
-/// equal moments, against Lagrange's equations made of rotation matrices here.
+/// Goal: a default run never fails, and gives the motion of the mechanism. Method: tops, gyros and planar mechanisms
+/// with every kind of speeds and of equal moments, against Lagrange's equations made of rotation matrices here.
 #[test]
 fn every_top_and_gyro_runs_by_default_as_it_moves() {
     let count = std::env::var("TRIPOS_RANDOM_SCENES").map_or(GYROS, |text| text.parse().expect("a number"));

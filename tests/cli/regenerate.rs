@@ -137,8 +137,9 @@ fn what_is_not_renewed_is_said_and_found_by_check() {
     assert!(status == 1 && out.contains("broken   models/disk/reference.json: "), "{out}");
 }
 
-/// Goal: what an edit changes in equations whose terms stand by names is seen. Method: the governor, whose equations are code alone, with
-/// the acceleration of free fall doubled, which changes V and every force and no mass; and a comment, which changes nothing.
+/// Goal: an edit is told by its effect on equations whose terms stand by names. Method: the governor, whose equations
+/// are code alone, with the acceleration of free fall doubled, which changes V and every force and no mass; and a
+/// comment, which changes nothing.
 #[test]
 fn changed_equations_in_named_terms_are_told() {
     let folder = tempfile::tempdir().unwrap();

@@ -215,8 +215,8 @@ fn what_is_zero_nowhere_is_no_singular_place() {
     assert_eq!(called("L1_squared_times_3"), Some("3*L1^2".into()), "{constants:?}");
 }
 
-/// Bodies on one that turns in a plane, a bead on one of them: a scene that shows the kinetic energy alone has a moving frame, which passes its pole at
-/// t = 0.2117 s.
+/// Bodies on one that turns in a plane, and a bead on one of them. A scene that shows the kinetic energy alone has a
+/// moving frame, which passes its pole at t = 0.2117 s.
 const FRAME_POLE: &str = r#"
 name = "Bodies in a plane"
 
@@ -277,7 +277,8 @@ q_J3_3 = -0.49685713732090586
 [integration]
 "#;
 
-/// Goal: a default run never stops where the whole equations do not. Truth: Lagrange's and Kane's equations, which agree.
+/// Goal: a default run never stops where the whole equations do not. Truth: Lagrange's and Kane's equations, which
+/// agree.
 #[test]
 fn a_default_run_goes_over_to_whole_equations_where_its_frame_has_a_pole() {
     let folder = tempfile::tempdir().unwrap();
@@ -346,8 +347,8 @@ rtol = 1e-10
 atol = 1e-12
 "#;
 
-/// Goal: what a scene's own equations name has a value, whatever the ratio of the moments. Truth: θ(1) by quadrature of the nutation for A, A, C; for the
-/// others Lagrange's equations.
+/// Goal: a scene's own equations have a value, whatever the ratio of the moments. Truth: θ(1) by quadrature of the
+/// nutation for A, A, C; for the others Lagrange's equations.
 #[test]
 fn a_top_runs_by_its_own_equations_whatever_its_moments() {
     let folder = tempfile::tempdir().unwrap();

@@ -20,7 +20,8 @@ fn elements(svg: &str) -> String {
     format!("{before}{}", rest.split_once("</style>\n").unwrap().1)
 }
 
-/// Goal: a picture is what was looked at. Method: that of a mass on a spring, held by a person to what a textbook draws.
+/// Goal: the picture is the one that a person checked. Method: the sketch of a mass on a spring, compared by a person
+/// with a textbook's drawing.
 #[test]
 fn the_sketch_of_a_slider() {
     let folder = tempfile::tempdir().unwrap();
@@ -83,7 +84,8 @@ fn svg_and_latex_are_one_drawing() {
     }
 }
 
-/// Goal: a thesis takes it as it is. Method: every model of the library, put into a document by `\input`, by pdflatex if there is one with `TikZ`.
+/// Goal: sketches compile unchanged in a thesis. Method: every model of the library, put into a document by `\input`,
+/// by pdflatex if there is one with `TikZ`.
 #[test]
 fn latex_of_every_model_compiles() {
     if !has_latex(&["article.cls", "tikz.sty"]) {
@@ -100,8 +102,8 @@ fn latex_of_every_model_compiles() {
     }
 }
 
-/// Goal: a state is drawn as it is, and refused where it is none. Method: a pendulum on its side; a file that is not there, one of another mechanism,
-/// a picture of no kind, over what is read, and no model.
+/// Goal: a given state is drawn exactly, and wrong requests are refused. Method: a pendulum on its side; a missing
+/// file, a state of another mechanism, a picture of no kind, one that would replace an input, and no model.
 #[test]
 fn states_are_drawn_and_what_is_no_state_or_picture_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -134,7 +136,8 @@ fn states_are_drawn_and_what_is_no_state_or_picture_is_refused() {
     refused(&["sketch", &own, "--out", &own], "would be written over");
 }
 
-/// Goal: no text of a file is markup. Method: hostile titles, descriptions and names of bodies, as SVG, as LaTeX and on the page.
+/// Goal: no text of a file becomes markup. Method: hostile titles, descriptions and names of bodies, as SVG, as LaTeX
+/// and on the page.
 #[test]
 fn hostile_texts_stay_text() {
     let folder = tempfile::tempdir().unwrap();
@@ -151,7 +154,8 @@ fn hostile_texts_stay_text() {
     assert!(!tex.contains("\\input{") && tex.contains("\\textbackslash{}input\\{x\\}\\$\\&"), "{tex}");
 }
 
-/// Goal: the page begins with the sketch. Method: that of a model with a scene and of one without: one picture, in the abstract, with its caption.
+/// Goal: the page begins with the sketch. Method: that of a model with a scene and of one without: one picture, in the
+/// abstract, with its caption.
 #[test]
 fn the_page_begins_with_the_sketch() {
     let bare = tempfile::tempdir().unwrap();

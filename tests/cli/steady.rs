@@ -9,8 +9,8 @@ fn tripos(arguments: &[&str]) -> (i32, String, String) {
     tripos_in(&root(), arguments)
 }
 
-/// Goal: programs read a linear system by the names of its parts. Method: the bicycle at 5 m/s, with an output; the eigenvalues are the published
-/// ones (Meijaard and others 2007), printed to every digit of a double.
+/// Goal: programs read a linear system by the names of its parts. Method: the bicycle at 5 m/s, with an output; the
+/// eigenvalues are the published ones (Meijaard and others 2007), printed to every digit of a double.
 #[test]
 fn a_linear_system_is_json() {
     let arguments =
@@ -40,7 +40,8 @@ fn a_linear_system_is_json() {
     assert!(slope.starts_with("30.9087533932") && slope.ends_with("*v^2"), "{slope}");
 }
 
-/// Goal: people see what changes with speed, and where. Method: the bicycle from 4 to 7 m/s passes its weave and its capsize speed.
+/// Goal: changes of stability with speed are printed. Method: the bicycle from 4 to 7 m/s passes its weave and its
+/// capsize speed.
 #[test]
 fn a_steady_motion_is_followed_along_a_number() {
     let (status, out, err) = tripos(&["equilibria", "models/whipple_bicycle", "--from", V5, "--over", "v=4:7:4"]);
@@ -49,8 +50,8 @@ fn a_steady_motion_is_followed_along_a_number() {
     assert!(out.contains("v = 4.29238253634") && out.contains("v = 6.02426201538"), "{out}");
 }
 
-/// Goal: people read conditions in closed form, and the documentation shows what the command prints. Method: the commands of docs/steady.md
-/// with a `$` in blocks for consoles, run; what follows each is all that it prints.
+/// Goal: people read conditions in closed form, and the documentation shows what the command prints. Method: the
+/// commands of docs/steady.md with a `$` in blocks for consoles, run; what follows each is all that it prints.
 #[test]
 fn closed_forms_are_printed_as_documented() {
     let page = root().join("docs/steady.md");
@@ -72,8 +73,8 @@ fn closed_forms_are_printed_as_documented() {
     assert!(printed == text, "docs/steady.md should read\n{printed}");
 }
 
-/// Goal: programs read conditions by the names of their parts, and on which a motion lies. Method: the governor of Watt from a state of its scene, whose
-/// speed follows from the formula.
+/// Goal: programs read conditions by the names of their parts, and the conditions that a motion satisfies. Method: the
+/// governor of Watt from a state of its scene, whose speed follows from the formula.
 #[test]
 fn closed_forms_are_json() {
     let from = "models/governor/scenes/hunting.toml";
@@ -131,8 +132,9 @@ fn wrong_questions_are_refused() {
     }
 }
 
-/// Goal: what changes stability is told from what does not, however few values are asked for. Method: the bicycle below 1 m/s, where two real
-/// eigenvalues meet at 0.684 m/s and become the weave (the double root of Meijaard and others 2007), and from there to 10 m/s in one step.
+/// Goal: only true changes of stability are told, however few values are asked for. Method: the bicycle below 1 m/s,
+/// where two real eigenvalues meet at 0.684 m/s and become the weave (the double root of Meijaard and others 2007), and
+/// from there to 10 m/s in one step.
 #[test]
 fn eigenvalues_that_meet_pass_nothing() {
     let over = |range: &str| {
@@ -157,8 +159,8 @@ fn eigenvalues_that_meet_pass_nothing() {
     }
 }
 
-/// Goal: stability is mapped over two numbers. Method: the sliding disk that spins upright is stable from u3² = g/R on, and the one that pivots from
-/// u2² = 4 g/R on, at each of several radii; with a figure and its data.
+/// Goal: stability is mapped over two numbers. Method: the sliding disk that spins upright is stable from u3² = g/R on,
+/// and the one that pivots from u2² = 4 g/R on, at each of several radii; with a figure and its data.
 #[test]
 fn stability_is_mapped_over_two_numbers() {
     let folder = tempfile::tempdir().unwrap();
@@ -206,7 +208,8 @@ fn stability_is_mapped_over_two_numbers() {
     }
 }
 
-/// Goal: a program in Python gets the matrices to the last digit, as numbers and as functions of a letter. Method: what is written is run, with as much of `NumPy` as it names, beside the JSON.
+/// Goal: a program in Python gets the matrices to the last digit, as numbers and as functions of a symbol. Method: the
+/// program is run, with as much of `NumPy` as it names, and compared with the JSON.
 #[test]
 fn a_linear_system_in_python_is_that_of_the_json() {
     if crate::sympy::is_left_out("a linear system in Python") {
@@ -250,7 +253,8 @@ fn a_linear_system_in_python_is_that_of_the_json() {
     }
 }
 
-/// Goal: documents and MATLAB have the same system as people read it. Method: a pole on a cart with an input and an output, in both.
+/// Goal: documents and MATLAB have the same system as the text. Method: a pole on a cart with an input and an output,
+/// in both.
 #[test]
 fn a_linear_system_is_written_for_documents_and_for_matlab() {
     let folder = tempfile::tempdir().unwrap();

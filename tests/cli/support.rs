@@ -1,4 +1,4 @@
-//! What tests of the command have in common.
+//! Shared code of the tests of the command.
 
 use crate::left_out::is_left_out;
 use serde_json::Value;
@@ -36,7 +36,7 @@ pub fn command(folder: &Path, arguments: &[&str]) -> Command {
     command
 }
 
-/// What the command gives in the folder of the workspace.
+/// Output of the command, run in the folder of the workspace.
 pub fn tripos(arguments: &[&str]) -> Output {
     command(&root(), arguments).output().unwrap()
 }
@@ -52,7 +52,8 @@ pub fn answer(arguments: &[&str]) -> (i32, String, String) {
     tripos_in(&root(), arguments)
 }
 
-/// What is made once for all tests that ask for it, by its name; who asks for another waits for nobody.
+/// Values that are made once, by name, for all tests that ask for them. A test that asks for another value does not
+/// wait.
 struct Once<T>(Mutex<BTreeMap<String, Arc<OnceLock<T>>>>);
 
 impl<T: Clone> Once<T> {
@@ -78,7 +79,7 @@ pub fn page(model: &str) -> (Arc<str>, Arc<str>) {
     })
 }
 
-/// What is derived of each model of the library, as a document of this format: its name and the text, which every test that reads it shares.
+/// Name and derived document of each model of the library, in this format; all tests that read it share the text.
 pub fn library_as(format: &str) -> impl Iterator<Item = (String, Arc<str>)> {
     static DOCUMENTS: Once<Arc<str>> = Once::new();
     let folders = std::fs::read_dir(root().join("models")).unwrap();
@@ -113,12 +114,13 @@ pub fn json(output: &Output) -> Value {
     serde_json::from_slice(&output.stdout).expect("standard output is the JSON alone")
 }
 
-/// What a command that succeeds says in JSON.
+/// JSON of a command that succeeds.
 pub fn asked(arguments: &[&str]) -> Value {
     json(&tripos(arguments))
 }
 
-/// Where Node and playwright-core are, if they are, and Chromium with them; says so if not.
+/// Folder of the Node modules with playwright-core, if it, Node and Chromium are installed; if not, the test is counted
+/// as left out.
 pub fn browser() -> Option<PathBuf> {
     let found = || {
         let chromium = std::env::var_os("CHROMIUM").map_or_else(|| PathBuf::from("/usr/bin/chromium"), PathBuf::from);

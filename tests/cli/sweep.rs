@@ -90,8 +90,9 @@ fn stating(text: &str, name: &str, value: &str) -> String {
     text
 }
 
-/// Compiled equations with a domain: some of these starts leave it at once, some later, some never. By methods that are not had in
-/// lanes, where rows agree to rounding (`sweep_lanes.rs`).
+/// Goal: rows of the disk are those of `simulate`. Method: compiled equations with a domain: some of these starts leave
+/// it at once, some later, some never. The methods do not run in lanes, where rows agree to rounding
+/// (`sweep_lanes.rs`).
 #[test]
 fn rows_of_the_disk_are_what_simulate_gives() {
     let edit = |text: &str, values: &[String]| {
@@ -109,8 +110,8 @@ fn rows_of_the_disk_are_what_simulate_gives() {
     rows_are_runs(scene, &over, &["--until", "1", "--by", "newton-euler", "--solve", "numeric"], &[5], &edit);
 }
 
-/// What runs are kept on they are kept on in sweeps: here the norm of Euler parameters, whose equations divide by nothing and were once
-/// swept in lanes, which lost 3e-7 of it at these tolerances.
+/// Goal: runs in sweeps are kept on their constraints as single runs are. Method: the norm of Euler parameters, whose
+/// equations divide by nothing and were once swept in lanes, which lost 3e-7 of it at these tolerances.
 #[test]
 fn rows_of_a_mechanism_with_constraints_are_kept_on_them() {
     let edit = |text: &str, values: &[String]| stating(text, "w1", &values[0]);
@@ -159,7 +160,7 @@ fn shards_one_after_another_are_the_whole_file() {
     }
 }
 
-/// What each row says, of points of every kind.
+/// Goal: each row states its outcome, for points of every kind.
 #[test]
 fn a_point_without_an_answer_is_a_row_with_its_reason() {
     let rows = table(&sweep(3, REPORT, &["--over", "M=-1,0,1", "--over", "q2=0.5,2", "--until", "0.25"]));
@@ -410,8 +411,8 @@ fn no_two_columns_have_one_name() {
     }
 }
 
-/// Goal: a row tells as many digits as a run of its scene. Method: at loose tolerances, where digits differ from point to
-/// point, each row beside `simulate`.
+/// Goal: a row tells as many digits as a run of its scene. Method: at loose tolerances, where digits differ from point
+/// to point, each row beside `simulate`.
 #[test]
 fn the_digits_of_a_row_are_those_of_its_run() {
     let text = |theta: &str| {

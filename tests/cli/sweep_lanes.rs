@@ -31,9 +31,10 @@ fn number(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap()
 }
 
-/// Goal: lanes make the runs that the scalar method makes. Method: the same sweep with digits asked for, which keeps runs out
-/// of lanes, by both methods, without events and with one that is recorded and one that ends runs. 1e-9: a hundred times the
-/// tolerance on rounding, which a pendulum at 2 rad multiplies by less than 50 in 10 s; both take the same steps.
+/// Goal: lanes make the runs of the scalar method. Method: the same sweep with digits asked for, which keeps runs out
+/// of lanes, by both methods, without events and with one that is recorded and one that ends runs. 1e-9: a hundred
+/// times the tolerance on rounding, which a pendulum at 2 rad multiplies by less than 50 in 10 s; both take the same
+/// steps.
 #[test]
 fn rows_in_lanes_are_the_runs_to_rounding() {
     let folder = tempfile::tempdir().unwrap();
@@ -60,9 +61,9 @@ fn rows_in_lanes_are_the_runs_to_rounding() {
     }
 }
 
-/// Goal: a run that needs a reaction, and equations that divide, share lanes as well. Method: the disk, whose domain is that
-/// its normal force is positive and whose speeds fail where it lies flat, from leans some of which leave the plane; the same
-/// alone. 1e-6: a tolerance of 1e-9, near flat.
+/// Goal: runs that need a reaction, and equations that divide, agree in lanes as well. Method: the disk, whose domain
+/// requires a positive normal force and whose speeds fail where it lies flat, from leans some of which leave the plane;
+/// compared with single runs. 1e-6: a tolerance of 1e-9, near flat.
 #[test]
 fn rows_with_a_normal_force_and_with_divisors_are_the_runs_alone() {
     let folder = tempfile::tempdir().unwrap();

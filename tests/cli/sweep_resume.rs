@@ -58,8 +58,9 @@ impl Killed {
     }
 }
 
-/// Goal: a table does not tell that its sweep was killed. Method: a sweep killed at once, whose part is set to every kind of beginning of the whole table: nothing,
-/// half a header, a header, whole rows, a row cut within a number, within quotes and before its end of line, and all rows.
+/// Goal: the table of a killed and continued sweep is that of an uninterrupted one. Method: a sweep killed at once,
+/// whose part is set to every kind of beginning of the whole table: nothing, half a header, a header, whole rows, a row
+/// cut within a number, within quotes and before its end of line, and all rows.
 #[test]
 fn a_table_that_goes_on_is_that_of_an_uninterrupted_sweep() {
     let home = tempfile::tempdir().unwrap();
@@ -92,7 +93,8 @@ fn a_table_that_goes_on_is_that_of_an_uninterrupted_sweep() {
     assert!(status == 2 && said.contains("is there already"), "{said}");
 }
 
-/// Goal: rows of two sweeps never stand in one table. Method: whatever a row depends on is changed, each with its reason; what was left stays as it is.
+/// Goal: rows of two sweeps never stand in one table. Method: each input that a row depends on is changed, and refused
+/// with its reason; the unfinished table stays unchanged.
 #[test]
 fn another_sweep_does_not_go_on_with_it() {
     let folder = tempfile::tempdir().unwrap();

@@ -19,7 +19,7 @@ fn derived(model: &str, format: &str) -> String {
     text
 }
 
-/// What a test asks the program: its numbers at some values of its symbols, by their names in the program.
+/// Python code that prints the program's numbers at given values of its symbols, by their names in the program.
 const ASK: &str = r"
 
 import json, sys
@@ -43,7 +43,8 @@ fn number_of(name: &str) -> f64 {
     0.3 + 0.9 * f64::from(hash % 9973) / 9973.0
 }
 
-/// A formulation as JSON has it: what is not defined in it with a number each, and the numbers that the program is asked for.
+/// A formulation from JSON: a number for each symbol that is not defined in it, and the expected numbers of the
+/// program.
 fn of_json(formulation: &Value) -> (BTreeMap<String, f64>, Vec<f64>) {
     let mut arena = Arena::new();
     let read = |arena: &mut Arena, text: &Value| -> Expr {
@@ -83,7 +84,7 @@ fn of_json(formulation: &Value) -> (BTreeMap<String, f64>, Vec<f64>) {
     (names.into_iter().zip(numbers.iter().copied()).collect(), tape.evaluate(&numbers))
 }
 
-/// What a name of a model file is in the program.
+/// Name, in the Python program, of a name of a model file.
 fn variable(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     format!("{stem}{}", ["", "_dot", "_ddot"][name.len() - stem.len()])
@@ -125,8 +126,9 @@ fn compared(folder: &Path, model: &str, variable: &dyn Fn(&str) -> String) -> us
     count
 }
 
-/// Goal: what a person takes to SymPy are the equations. Method: programs of models with loops, constraints, inputs and time, run by SymPy, beside the formulas
-/// of JSON evaluated here: M, f, energies, rates and all accelerations, of each formulation, at numbers of no meaning.
+/// Goal: the programs for SymPy contain the equations. Method: programs of models with loops, constraints, inputs and
+/// time, run by SymPy, compared with the formulas of JSON evaluated here: M, f, energies, rates and all accelerations,
+/// of each formulation, at numbers of no meaning.
 #[test]
 fn programs_define_the_equations_of_json() {
     if is_left_out("programs for SymPy") {

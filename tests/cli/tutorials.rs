@@ -1,8 +1,10 @@
-//! Tutorials are carried out as a reader would: their files written, their commands run, what they show compared.
+//! Tutorials are carried out as a reader would: their files are written, their commands run, and the shown output
+//! compared.
 //!
-//! A block says what it is in its first line: "```toml cart/model.toml" is that file, with `more` after its name the rest of one that stands already,
-//! and "```console" are commands after `$ ` with lines of what they print, in their order; `…` stands for lines, or for a part of one, that are left out.
-//! Other blocks are for reading, and none of them may be a command.
+//! The first line of a block gives its kind. "```toml cart/model.toml" is that file; `more` after its name means the
+//! rest of a file that exists already. "```console" are commands after `$ ` with lines of their output, in order; `…`
+//! stands for omitted lines, or for an omitted part of one. Other blocks are for reading, and none of them may be a
+//! command.
 
 use crate::support::{root, tripos_in};
 use std::path::Path;
@@ -22,8 +24,8 @@ fn a_controller_in_twenty_minutes() {
     carry_out("control");
 }
 
-/// Goal: no command shown in the documentation has been forgotten by the program. Method: clap reads each of them, beside `cli/src/arguments.rs`; here, that the models and
-/// scenes which they name exist.
+/// Goal: no command shown in the documentation has been forgotten by the program. Method: clap reads each of them,
+/// beside `cli/src/arguments.rs`; here, the models and scenes that they name must exist.
 #[test]
 fn the_documentation_names_files_that_exist() {
     let mut missing = Vec::new();
@@ -39,7 +41,8 @@ fn the_documentation_names_files_that_exist() {
     assert!(missing.is_empty(), "{missing:#?}");
 }
 
-/// Goal: whoever follows a link of the documentation arrives. Method: every relative target of every page, and every page in the list of contents.
+/// Goal: every link of the documentation leads somewhere. Method: every relative target of every page, and every page
+/// in the list of contents.
 #[test]
 fn links_of_the_documentation_lead_somewhere() {
     let mut broken = Vec::new();
@@ -65,7 +68,7 @@ fn links_of_the_documentation_lead_somewhere() {
     assert!(broken.is_empty(), "{broken:#?}");
 }
 
-/// Whether a page has a heading of this anchor: lower case, words with hyphens between them.
+/// True if a page has a heading of this anchor: lower case, words with hyphens between them.
 fn has_part(page: &Path, part: &str) -> bool {
     let anchor = |heading: &str| -> String {
         let kept = heading.trim().chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
@@ -118,7 +121,8 @@ fn write(place: &Path, text: String) {
     std::fs::write(place, text + "\n").unwrap();
 }
 
-/// Runs the commands of a block and returns how many; each must succeed, or end as a line `exit status N` says, and print the lines that follow it.
+/// Runs the commands of a block and returns their number. Each must succeed, or end as a line `exit status N` says, and
+/// print the lines that follow it.
 fn session(folder: &Path, block: &str) -> usize {
     let commands: Vec<&str> = block.split("$ tripos ").skip(1).collect();
     for command in &commands {
@@ -144,7 +148,8 @@ fn session(folder: &Path, block: &str) -> usize {
     commands.len()
 }
 
-/// Whether a line is what is shown of it: the parts between `…`, in their order, from its beginning to its end.
+/// True if a printed line agrees with the shown one: the parts between `…`, in their order, from its beginning to its
+/// end.
 fn is_shown(printed: &str, line: &str) -> bool {
     let mut parts = line.split('…');
     let (first, last) = (parts.next().unwrap_or(""), parts.next_back());

@@ -13,7 +13,7 @@ fn view(scene: &str, arguments: &[&str]) -> (i32, String, String) {
     (status(&output), std::fs::read_to_string(&out).unwrap_or_default(), stderr(&output))
 }
 
-/// What the viewer is given.
+/// The JSON data of the viewer in a page.
 fn data(page: &str) -> Value {
     let (_, rest) = page.split_once("<script type=\"application/json\">").expect("there are data");
     serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
@@ -29,8 +29,9 @@ fn sums(list: &Value, width: usize, step: f64) -> Vec<Vec<f64>> {
     rows.collect()
 }
 
-/// Goal: what the browser is given is the motion. Method: the bob of a pendulum, added up as the viewer does: on its circle at all
-/// instants, and over the top at the end, with energy ½ l² ω² − g l cos θ kept from one instant to the next within the steps' size.
+/// Goal: the data of the viewer are the motion. Method: the bob of a pendulum, added up as the viewer does: on its
+/// circle at all instants, and over the top at the end, with energy ½ l² ω² − g l cos θ kept from one instant to the
+/// next within the steps' size.
 #[test]
 fn the_viewer_is_given_the_bob_on_its_circle() {
     let (status, page, error) = view("models/pendulum/scenes/over.toml", &[]);
@@ -68,8 +69,9 @@ fn a_view_needs_nothing_but_itself() {
     assert!(page.len() < 1_000_000, "{}", page.len());
 }
 
-/// Goal: the browser is given the forces. Method: the bob on a spring, added up as the viewer does: its weight m g at all instants, and a pull that
-/// points to the support; the longest is as long as the words say, and a scene in which bodies meet says what is missing.
+/// Goal: the data of the viewer have the forces. Method: the bob on a spring, added up as the viewer does: its weight m
+/// g at all instants, and a pull that points to the support. The longest is as long as the words say, and a scene with
+/// impacts says which forces are missing.
 #[test]
 fn the_viewer_is_given_the_forces() {
     let (status, page, error) = view("models/elastic_pendulum/scenes/bouncing.toml", &[]);
@@ -100,7 +102,8 @@ fn the_viewer_is_given_the_forces() {
     assert!(!page.contains(">forces of constraints</li>"));
 }
 
-/// Goal: what divergence looks like is seen. Method: the printed equations of the disk beside the derived ones, two motions with names.
+/// Goal: a divergence of motions can be seen. Method: the printed equations of the disk beside the derived ones, two
+/// motions with names.
 #[test]
 fn printed_equations_are_seen_beside_the_derived_ones() {
     let scene = "models/disk/scenes/report.toml";
@@ -121,7 +124,8 @@ fn printed_equations_are_seen_beside_the_derived_ones() {
     );
 }
 
-/// Goal: no text of a file is markup or script. Method: hostile titles and names of shapes, in the page as text and data.
+/// Goal: no text of a file becomes markup or script. Method: hostile titles and names of shapes, in the page as text
+/// and data.
 #[test]
 fn hostile_texts_stay_text() {
     let folder = tempfile::tempdir().unwrap();
@@ -145,8 +149,9 @@ fn hostile_texts_stay_text() {
     assert!(page.contains("Shapes are those of the model file"));
 }
 
-/// Goal: what is not in a page is not promised there. Method: a slider with a wall: a sentence says why nothing can be changed, and there are no
-/// sliders; a linkage has none for what closes it; a pendulum has one for each number, with what must be positive above 0.
+/// Goal: a page promises only controls that it has. Method: a slider with a wall: a sentence says why nothing can be
+/// changed, and there are no sliders. A linkage has none for its dependent coordinates; a pendulum has one for each
+/// number, with positive parameters above 0.
 #[test]
 fn a_view_says_whether_its_numbers_can_be_changed() {
     let folder = tempfile::tempdir().unwrap();
@@ -196,7 +201,7 @@ fn a_view_says_whether_its_numbers_can_be_changed() {
     assert!(page.contains("only what touches changes its size"));
 }
 
-/// What cannot be shown is refused, with a way out; and nothing is written over what is read.
+/// Goal: requests that cannot be shown are refused with advice, and no input file is written over.
 #[test]
 fn wrong_requests_are_refused_with_a_way_out() {
     let scene = "models/pendulum/scenes/over.toml";
@@ -227,8 +232,8 @@ fn driven(modules: &Path, scene: &str, more: &[&str]) -> String {
     said
 }
 
-/// Goal: sliders move linkages, which stay closed. Method: the browser over a four-bar linkage and the bicycle; `tests/browser/view.mjs` asks
-/// what closes them.
+/// Goal: sliders move linkages, which stay closed. Method: the browser over a four-bar linkage and the bicycle;
+/// `tests/browser/view.mjs` reads their residuals.
 #[test]
 fn sliders_move_linkages_in_a_browser() {
     let Some(modules) = browser() else { return };
@@ -240,8 +245,8 @@ fn sliders_move_linkages_in_a_browser() {
     }
 }
 
-/// Goal: the view works where people open it. Method: `tests/browser/view.mjs` drives a real browser over it: plays, scrubs, turns,
-/// zooms, by mouse, finger and keyboard, by day, at night and on paper, without an error on its console.
+/// Goal: the view works where people open it. Method: `tests/browser/view.mjs` drives a real browser over it: plays,
+/// scrubs, turns, zooms, by mouse, finger and keyboard, by day, at night and on paper, without an error on its console.
 #[test]
 fn a_browser_plays_scrubs_and_turns_the_view() {
     let Some(modules) = browser() else { return };

@@ -47,15 +47,15 @@ fn list(line: &str) {
     let _ = std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes());
 }
 
-/// What mutated formulas should be, if they are right.
+/// Formulas to which mutated ones must be equal if they are right.
 struct Right {
     formulas: Vec<String>,
     /// In the place of the right row, the mutant leaves the system as good as it was.
     replaces_its_row: bool,
 }
 
-/// Of a quantity its value, of a row Σ λ · (derived row) with the λ that explain its entries. Only SymPy's word on the
-/// result counts, so it does not matter who found λ.
+/// The right value of a quantity; for a row, Σ λ · (derived row) with the λ that explain its entries. SymPy alone
+/// judges the result, so the source of λ does not matter.
 fn right_side(printed: &mut Printed, mutant: &Mutant) -> Option<Right> {
     let Place::Row(system, row) = mutant.place else {
         return Some(Right { formulas: mutant.original.clone(), replaces_its_row: true });

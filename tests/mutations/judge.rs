@@ -4,7 +4,7 @@ use crate::sympy::{is_left_out, python, script};
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-/// What `judge.py` answers to each pair: `equal`, `different` or `unknown`; nothing if the environment says
+/// Answers of `judge.py` to each pair: `equal`, `different` or `unknown`; `None` if the environment has
 /// `TRIPOS_WITHOUT_SYMPY=1`.
 pub fn judge(pairs: &[(String, String)], positive: &[String]) -> Option<Vec<String>> {
     if pairs.is_empty() {

@@ -25,7 +25,7 @@ use tripos_derive::diff::Judgement;
 
 /// Mutants of each kind and model that are made of quantities, and of rows of systems.
 const MUTANTS: (usize, usize) = (30, 20);
-/// Of the mutants of a model at most one in so many may be right all the same.
+/// Number of mutants of a model of which at most one may be right all the same.
 const ONE_RIGHT_IN: usize = 20;
 /// Rewritings of quantities for each model, and how often all its systems are rewritten.
 const REWRITINGS: (usize, usize) = (100, 3);
@@ -60,7 +60,7 @@ fn no_rewriting_of_the_chaotic_pendulum_is_called_different() {
     no_rewriting_is_called_different("chaotic_pendulum", 6);
 }
 
-/// What is said of rows that are not changed.
+/// Words about a row that was not changed.
 const AS_DERIVED: &str = "as derived";
 
 /// A mutant with the id under which it stands in the report.
@@ -92,7 +92,7 @@ fn no_mutant_is_called_equal(model: &str, seed: u64) {
     assert!(not_caught * ONE_RIGHT_IN <= all, "{model}: {not_caught} of {all} mutants are right all the same");
 }
 
-/// Whether a mutant is called different, and shown to be at a state.
+/// True if a mutant is called different, with a state at which the values differ.
 fn is_caught(judged: &Judged, id: &str) -> bool {
     let finding = judged.finding(id);
     let shown = finding.witness.as_ref().is_some_and(|w| w.left.to_bits() != w.right.to_bits());

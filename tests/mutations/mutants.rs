@@ -6,7 +6,7 @@ use crate::support::Random;
 use rustc_hash::FxHashSet;
 use tripos_derive::algebra::view::View;
 
-/// What is done to a formula.
+/// Kind of change to a formula.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Kind {
     /// A term changes its sign.
@@ -28,7 +28,7 @@ impl Kind {
     pub const ALL: [Self; 6] = [Self::Sign, Self::Coefficient, Self::SineCosine, Self::Term, Self::Index, Self::Power];
 }
 
-/// Where a mutant stands.
+/// Place of a mutant among the formulas of a model.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Place {
     /// The value of a quantity: its position in [`Printed::equations`].
@@ -48,7 +48,7 @@ pub struct Mutant {
     pub mutated: Vec<String>,
 }
 
-/// As many different mutants of each kind as are wanted: of quantities, then of rows of systems.
+/// Chooses different mutants of each kind, up to the wanted numbers: of quantities, then of rows of systems.
 pub fn choose(printed: &Printed, of_equations: usize, of_rows: usize, random: &mut Random) -> Vec<Mutant> {
     let mut list = Vec::new();
     let mut seen: FxHashSet<(Place, Vec<String>)> = FxHashSet::default();

@@ -20,7 +20,7 @@ pub struct System {
     pub terms: Vec<Vec<Expr>>,
 }
 
-/// What a text on a model would print, every equation of it right.
+/// Formulas of a publication about a model, all of them right.
 pub struct Printed {
     pub model: Model,
     pub derivations: Derivations,

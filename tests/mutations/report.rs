@@ -60,7 +60,7 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// What was found of an entry or row.
+    /// The finding about an entry or row.
     pub fn finding(&self, id: &str) -> &Finding {
         self.findings.get(id).unwrap_or_else(|| panic!("nothing was found of {id}"))
     }

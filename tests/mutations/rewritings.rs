@@ -89,7 +89,7 @@ fn rewritten(
 
 /// A row of a system, in a form that means the same.
 pub struct Row {
-    /// What was done to it.
+    /// Description of the change.
     pub change: String,
     pub entries: Vec<String>,
 }

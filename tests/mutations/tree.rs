@@ -25,7 +25,7 @@ pub fn sum(terms: impl IntoIterator<Item = View>) -> View {
     View::Sum(terms.into_iter().map(|term| (false, term)).collect())
 }
 
-/// a − b.
+/// The difference a − b.
 pub fn minus(a: View, b: View) -> View {
     View::Sum(vec![(false, a), (true, b)])
 }
@@ -35,7 +35,7 @@ pub fn product(factors: impl IntoIterator<Item = View>) -> View {
     View::Product(factors.into_iter().collect())
 }
 
-/// a / b.
+/// The quotient a / b.
 pub fn quotient(a: View, b: View) -> View {
     View::Fraction(Box::new(a), Box::new(b))
 }

@@ -1,4 +1,4 @@
-//! Where models are at an instant, for the motions that are known in closed form: `exact` of a scene, `motion` of any
+//! States of models at an instant, for motions that are known in closed form: `exact` of a scene, `motion` of any
 //! start.
 //!
 //! The closed forms are those of `tripos_sim::exact`; here they get the angles, the speeds and the start of a model.

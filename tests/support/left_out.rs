@@ -1,7 +1,7 @@
 //! Tests that need a program which is not there.
 //!
-//! They are left out and counted: each writes a line to `tmp/left_out.txt` in cargo's folder, which `.ci/run` adds up in its last line. Where
-//! `TRIPOS_NEEDS` names the program, as in `TRIPOS_NEEDS="python node"`, they fail instead.
+//! They are left out and counted: each writes a line to `tmp/left_out.txt` in cargo's folder, which `.ci/run` adds up
+//! in its last line. Where `TRIPOS_NEEDS` names the program, as in `TRIPOS_NEEDS="python node"`, they fail instead.
 
 use std::fs::OpenOptions;
 use std::io::Write;
@@ -10,7 +10,7 @@ use std::path::Path;
 /// The programs that tests need beside Rust, as `TRIPOS_NEEDS` names them.
 const PROGRAMS: [&str; 4] = ["python", "node", "latex", "browser"];
 
-/// Whether this test is left out since its program was not found; says so, and why.
+/// True if this test is left out since its program was not found. Prints the reason then, and counts the test.
 ///
 /// # Panics
 /// If the program was not found and `TRIPOS_NEEDS` names it, or if that names what no test needs.

@@ -1,8 +1,8 @@
 //! Random mechanisms whose rows couple, and scenes of them.
 //!
 //! Links hang on one another by hinges and slides about any axis, each with a full inertia tensor; speeds mix the rates
-//! of the links before; springs, dampers and gravity act, and drag at points that move in their links; every reaction of
-//! every joint is named.
+//! of the links before; springs, dampers and gravity act, and drag at points that move in their links; every reaction
+//! of every joint is named.
 
 use crate::spoilt::Random;
 use std::fmt::Write;
@@ -184,7 +184,8 @@ impl Mechanism {
         );
     }
 
-    /// What the joint prevents: forces along every axis but a slide's, torques about every axis but a hinge's.
+    /// Writes the reactions of a joint: forces along every axis except a slide's, torques about every axis except a
+    /// hinge's.
     fn reactions(out: &mut String, i: usize, link: &Link, joint: &str, axes: &dyn Fn(usize, &str) -> String) {
         let against = if i == 0 { String::new() } else { format!("against = \"B{}\"\n", i - 1) };
         let frame = frame_of_joint(i, link);

@@ -1,4 +1,4 @@
-//! What the whole-pipeline tests share.
+//! Shared code of the tests of the whole pipeline.
 
 #![allow(dead_code, reason = "each test uses its part")]
 

@@ -10,7 +10,7 @@ use tripos_sim::{Failure, Method, Options, Output, integrate};
 pub struct Reduced {
     /// M, f and q̇ at parameters, coordinates and speeds.
     rates: Tape,
-    /// What the scene wants to see, there and at a time.
+    /// Outputs of the scene, at a state and a time.
     outputs: Tape,
     parameters: Vec<f64>,
     start: Vec<f64>,

@@ -6,7 +6,7 @@ mod random;
 pub use random::Random;
 use std::path::{Path, PathBuf};
 
-/// What words are replaced by.
+/// Replacements for words of a file.
 pub const PIECES: [&str; 40] = [
     "0",
     "-1",
@@ -87,7 +87,7 @@ pub fn spoilt(text: &str, random: &mut Random) -> String {
     }
 }
 
-/// Whether a file of the corpus is a model.
+/// True if a file of the corpus is a model.
 pub fn is_model(path: &Path) -> bool {
     path.file_name().is_some_and(|n| n == "model.toml")
         || path.parent().is_some_and(|p| p.ends_with("derive/tests/models"))
@@ -113,7 +113,7 @@ pub fn corpus() -> Vec<(PathBuf, String)> {
     files
 }
 
-/// How many, by the environment or else this.
+/// Number of trials: that of the environment variable, or else `otherwise`.
 pub fn count(variable: &str, otherwise: u64) -> u64 {
     std::env::var(variable).map_or(otherwise, |text| text.parse().expect("a number"))
 }

@@ -25,7 +25,7 @@ pub fn script(name: &str) -> PathBuf {
     root().join("tests/sympy").join(name)
 }
 
-/// Whether what needs SymPy is left out of this run, which is then said and counted.
+/// True if a test that needs SymPy is left out of this run, which is then printed and counted.
 pub fn is_left_out(what: &str) -> bool {
     let left_out = std::env::var_os("TRIPOS_WITHOUT_SYMPY").is_some_and(|value| value == "1");
     crate::left_out::is_left_out("python", !left_out, &format!("{what}, because of TRIPOS_WITHOUT_SYMPY=1"))

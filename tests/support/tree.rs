@@ -72,7 +72,8 @@ fn part(turn: &Turn, order: usize) -> Matrix3<f64> {
     Matrix3::from_fn(|i, j| turn[i][j].0[order])
 }
 
-/// (ω, α) in the frame that a rotation leads from, from R(t) = R₀ + R₁ t + R₂ t²: the axial vectors of Ṙ Rᵀ and its rate.
+/// (ω, α) in the frame that a rotation leads from, from R(t) = R₀ + R₁ t + R₂ t²: the axial vectors of Ṙ Rᵀ and its
+/// rate.
 fn spin(turn: &Turn) -> (Vector3<f64>, Vector3<f64>) {
     let [r0, r1, r2] = [0, 1, 2].map(|order| part(turn, order));
     let axial =
@@ -94,7 +95,7 @@ struct Link {
     /// Keys of the joint beside its kind.
     keys: String,
     ways: Vec<Way>,
-    /// Whether the speeds of the last three coordinates are components of the relative angular velocity.
+    /// True if the speeds of the last three coordinates are components of the relative angular velocity.
     is_ball: bool,
     parent: Option<usize>,
     at: [f64; 3],
@@ -197,7 +198,8 @@ impl Tree {
         )
     }
 
-    /// Rotation and mass centre of each body, and its joint's relative rotation, for coordinates as polynomials in time.
+    /// Rotation and mass centre of each body, and its joint's relative rotation, for coordinates as polynomials in
+    /// time.
     fn poses(&self, q: &[Jet]) -> Vec<(Turn, [Jet; 3], Turn)> {
         let unit: Turn = [0, 1, 2].map(|i| [0, 1, 2].map(|j| Jet::constant(f64::from(u8::from(i == j)))));
         let origin = [Jet::ZERO; 3];

@@ -17,7 +17,7 @@ struct Bench<P, const N: usize> {
 }
 
 impl<P, const N: usize> Bench<P, N> {
-    /// What calls through a pointer give, which a compiler does not see into, at each state; seconds for a state.
+    /// Mean time for a state, s, of calls whose arguments and results are hidden from the optimizer.
     fn timed(&self, passes: u32, call: impl Fn(&[[f64; N]; 3]) -> [f64; N]) -> f64 {
         let begin = Instant::now();
         for _ in 0..passes {

@@ -1,9 +1,10 @@
 //! Derivation of one formulation: a worker of `benches/peers/run.py`, which documents the lines it reads and answers.
 //!
-//! `derivation FORMULATION FOLDER`; a problem is a folder in that one, with `model.toml` and `states`, whose states may have more behind. Other lines:
-//! `read REPEATS` is the time to read and check the model file, `formulate REPEATS` that to read it and to derive, `code REPEATS` that to derive all
-//! formulations from the file and to emit their code; `together` counts M and f as one function; `start PROBLEM` answers how many parameters
-//! there are, then these, q and q' where `scene.toml` starts, which closes loops.
+//! Called as `derivation FORMULATION FOLDER`. A problem is a folder in that one, with `model.toml` and `states`, whose
+//! states may have more values at the end. Other lines: `read REPEATS` is the time to read and check the model file,
+//! `formulate REPEATS` the time to read it and to derive, `code REPEATS` the time to derive all formulations from the
+//! file and to emit their code. `together` counts M and f as one function. `start PROBLEM` answers the number of
+//! parameters, then the parameters, q and q' at the start of `scene.toml`, with its loops closed.
 
 use std::io::{BufRead, Write};
 use std::path::{Path, PathBuf};
@@ -18,7 +19,7 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, Solved};
 use tripos_derive::{Formulation, Model, derive, scene};
 
-/// What the last `derive` was asked for, and gave.
+/// Request and result of the last `derive`.
 struct Problem {
     model: Model,
     derivation: Derivation,
@@ -48,8 +49,8 @@ impl Problem {
         Some((seconds, Self { model, derivation, parameters, state }))
     }
 
-    /// Operations and functions of `mass_matrix` and of `forcing`, or of both at once where there is a function for that: a pair of sine and cosine
-    /// is two functions, and counts in either.
+    /// Operations and functions of `mass_matrix` and of `forcing`, or of both at once if there is a function for that.
+    /// A pair of sine and cosine is two functions, and counts in either.
     fn counts(&self, at_once: bool) -> Option<Vec<f64>> {
         let Derivation { mut arena, equations } = derive(&self.model, self.derivation.equations.formulation).ok()?;
         // As they are emitted: with what grows as steps.
@@ -64,7 +65,8 @@ impl Problem {
         Some(counts.fold(vec![0.0, 0.0], |sum, count| vec![sum[0] + count[0], sum[1] + count[1]]))
     }
 
-    /// How many parameters there are, these, and coordinates with their rates where the scene of the folder starts.
+    /// The number of parameters, the parameters, and the coordinates with their rates at the start of the folder's
+    /// scene.
     fn start(folder: &Path, formulation: Formulation) -> Option<Vec<f64>> {
         let mut model = Model::read(&folder.join("model.toml")).ok()?;
         let text = std::fs::read_to_string(folder.join("scene.toml")).ok()?;
@@ -98,8 +100,8 @@ impl Problem {
         let tape = |inputs: &[_], outputs: &[_]| Tape::new(arena, inputs, outputs).ok();
         let lagrange = e.formulation == Formulation::Lagrange;
         let own = [self.model.p(), e.coordinates.clone(), e.variables.clone()].concat();
-        // v from q', as q' is linear in it: the rates at v = 0 and at each unit of v. Where constraints leave fewer speeds than coordinates,
-        // the normal equations have the solution.
+        // The variables v from q', which is linear in v: the rates at v = 0 and at each unit of v. Where constraints
+        // leave fewer speeds than coordinates, the normal equations have the solution.
         let rates = tape(&own, &e.coordinate_rates)?;
         let at = |v: &[f64]| rates.evaluate(&[p, q, v].concat());
         let zero = at(&vec![0.0; speeds]);

@@ -1,5 +1,5 @@
-//! What the workers for the disk share: the question, equations that are known when a worker is compiled, and the lines
-//! that `benches/peers/run.py` documents.
+//! Shared code of the workers for the disk: the question, equations that are known when a worker is compiled, and the
+//! lines that `benches/peers/run.py` documents.
 //!
 //! Invariant: the numbers of the question are those of a scene's file, as it writes them.
 

@@ -12,7 +12,7 @@ use std::time::Instant;
 
 use tripos_traits::{Lanes, Scalar, System};
 
-/// What a call takes, each an arm of `served`.
+/// Kinds of scalars of a call, each an arm of `served`.
 const KINDS: [&str; 3] = ["one", "4 lanes", "8 lanes"];
 
 /// States of a pass.
@@ -20,7 +20,7 @@ const STATES: usize = 128;
 
 /// A scalar that holds one state's number, or those of several states side by side.
 trait Packed: Scalar {
-    /// How many.
+    /// Number of states in one scalar.
     const WIDTH: usize;
     /// From so many numbers.
     fn pack(numbers: &[f64]) -> Self;

@@ -51,7 +51,7 @@ impl How {
     }
 }
 
-/// What answers lines.
+/// State of the worker that answers lines.
 struct Worker<E> {
     rhs: Known<E>,
     beginning: Beginning,

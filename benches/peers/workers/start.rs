@@ -1,4 +1,4 @@
-//! What the start of a scene fixes, to 32 digits: the parameters of its generated equations, and their state.
+//! The start of a scene in its generated equations, to 32 digits: their parameters and their state.
 //!
 //! Invariant: no number stands here. Formulas come from the reduction of the scene as the deriving crate makes it,
 //! values from the scene's file, and both meet the generated module by the names of its parameters; a module of another
@@ -15,7 +15,7 @@ use tripos_traits::{DoubleDouble, Real};
 /// The parameters and the state of a scene's generated equations, as functions of its start.
 pub struct Beginning {
     values: Tape<DoubleDouble>,
-    /// How many of the values are parameters; the others are coordinates, then speeds.
+    /// Number of parameters, which come first among the values; coordinates follow, then speeds.
     parameters: usize,
 }
 

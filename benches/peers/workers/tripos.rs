@@ -22,7 +22,7 @@ use tripos_traits::{Derivative, DoubleDouble, InLanes, Real, System};
 const METHODS: &[Method] = &[Method::Dop853, Method::Taylor];
 /// The scene that all are asked for.
 const SCENE: &str = "report-10s";
-/// What stands before the method of batches in lanes.
+/// Prefix of a method's name that asks for batches in lanes.
 const LANES: &str = "lanes-";
 
 /// Equations with their state in terms of q and q̇, whatever their own speeds are.
@@ -108,12 +108,12 @@ fn reference(method: Method, tolerance: f64, of_file: Option<(usize, &str)>) -> 
     (solution.stop == Stop::End).then_some(end)
 }
 
-/// What answers lines.
+/// State of the worker that answers lines.
 struct Worker<'a, R> {
     rhs: R,
     equations: Equations<'a, f64>,
     method: Method,
-    /// Whether batches are run in lanes.
+    /// True if batches are run in lanes.
     lanes: bool,
 }
 

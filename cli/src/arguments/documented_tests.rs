@@ -4,8 +4,8 @@ use super::Arguments;
 use clap::Parser;
 use std::path::Path;
 
-/// Goal: an option that is renamed or dropped is renamed or dropped in every page. Method: lines of the README, of `docs/` and of the tutorials that begin with the command, as a reader
-/// would type them.
+/// Goal: the pages show only options that the command has. Method: parse each line of the README, of `docs/` and of the
+/// tutorials that begins with the command, as a reader would type it.
 #[test]
 fn every_command_that_is_documented_is_understood() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
@@ -33,7 +33,7 @@ fn every_command_that_is_documented_is_understood() {
     assert!(seen > 30, "{seen} commands were found");
 }
 
-/// What a line has a reader type, from the name of the command on.
+/// The part of a line that a reader types, after the name of the program; `None` if the line is no command.
 fn typed(line: &str) -> Option<&str> {
     let line = line.split("  #").next()?.trim();
     let line = line.strip_prefix("$ ").unwrap_or(line).trim();

@@ -11,7 +11,7 @@ use tripos_derive::scene::Solve;
 use tripos_sim::Method;
 use tripos_sim::work_precision::pareto;
 
-/// Which method, which formulation, which solve.
+/// Draws the chart as one `<svg>` element, with a panel each for methods, formulations and solves.
 ///
 /// # Errors
 /// [`Failure::Output`] if it cannot be drawn.
@@ -78,7 +78,7 @@ fn own_style(list: &[Measurement], by: &By) -> usize {
     printed.iter().position(|other| *other == by).map_or_else(|| style(by), |at| PRINTED + at % MOST_PRINTED)
 }
 
-/// What a measurement is a point of: the name in the legend and the style; nothing if it is not shown.
+/// Maps a measurement to its curve: the name in the legend and the style; `None` if it is not shown.
 type Group<'a> = &'a dyn Fn(&Measurement) -> Option<(String, usize)>;
 
 fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) -> Panel {

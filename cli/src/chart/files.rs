@@ -1,4 +1,4 @@
-//! What a chart leaves behind: tables for programs, and a table for people.
+//! Files of a chart: tables for programs, and a table for people.
 
 use super::words::{TARGETS, fastest, seconds};
 use crate::failure::Failure;

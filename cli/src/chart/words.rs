@@ -1,4 +1,4 @@
-//! What a chart says in words. Every figure in a sentence is one of its measurements.
+//! Sentences about a chart. Every number in a sentence is one of its measurements.
 
 use tripos::chart::Measurement;
 use tripos_derive::mechanics::By;
@@ -64,7 +64,7 @@ fn listed<Kind>(times: &[(Kind, Option<f64>)], name: impl Fn(&Kind) -> String) -
     times.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// How many times longer the slowest kind takes than the fastest, among those that arrive.
+/// Ratio of the longest to the shortest time, among the kinds that arrive.
 fn factor<Kind>(times: &[(Kind, Option<f64>)]) -> Option<f64> {
     let arrived: Vec<f64> = times.iter().filter_map(|(_, time)| *time).collect();
     let (least, most) = (arrived.iter().copied().reduce(f64::min)?, arrived.iter().copied().reduce(f64::max)?);
@@ -82,13 +82,13 @@ fn equations(list: &[Measurement]) -> Vec<&By> {
     found
 }
 
-/// Whether a run is one of derived equations: printed ones answer another question.
+/// True if the run uses derived equations: printed ones answer another question.
 pub fn is_derived(m: &Measurement) -> bool {
     m.by.printed_id().is_none()
 }
 
-/// Whether a run is one of whole equations. Methods and solves are compared by these alone: a scene's own equations
-/// have one solve only, and what they gain is not that of the solve.
+/// True if the run uses whole equations. Methods and solves are compared by these alone: a scene's own equations have
+/// one solve only, and their gain is not that of the solve.
 pub fn is_whole(m: &Measurement) -> bool {
     !m.by.is_reduced()
 }
@@ -108,7 +108,7 @@ fn by_solve(list: &[Measurement], target: f64) -> Vec<(Solve, Option<f64>)> {
     each(list, target, Solve::ALL, |m| is_whole(m).then_some(m.solve))
 }
 
-/// What a scene's own equations gain over the fastest whole ones.
+/// A sentence with the gain of a scene's own equations over the fastest whole ones.
 fn gain(list: &[Measurement], target: f64) -> Option<String> {
     let times = each(list, target, [false, true], |m| Some(is_whole(m)));
     let [(_, Some(own)), (_, Some(whole))] = times.as_slice() else { return None };
@@ -120,7 +120,7 @@ fn gain(list: &[Measurement], target: f64) -> Option<String> {
     ))
 }
 
-/// What is seen in the chart.
+/// Caption of the chart.
 pub fn caption(list: &[Measurement], until: f64) -> String {
     let seen = format!(
         "Each point is a run at one tolerance: its time, the middle one of several, and its error at t = {until} s; lower \
@@ -142,7 +142,7 @@ pub fn caption(list: &[Measurement], until: f64) -> String {
     )
 }
 
-/// What to use, in one paragraph.
+/// Recommendation of equations, method and solve, in one paragraph.
 pub fn lead(list: &[Measurement]) -> String {
     let best: Vec<&Measurement> = TARGETS.iter().filter_map(|t| fastest(list, *t, |_| true)).collect();
     let Some(target) = compared_at(list) else {

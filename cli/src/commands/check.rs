@@ -109,7 +109,7 @@ fn load_of(load: &LoadEffect) -> Value {
     json!({ "name": load.load, "energy": energy, "why": load.why })
 }
 
-/// Where the mechanism itself is singular, with a proof or a pose, in a line or two.
+/// A line or two that say where the mechanism itself is singular, with a proof or a pose.
 fn singular_text(loss: &RankLoss) -> String {
     let taken: Vec<String> = loss.taken.iter().map(|e| shortened(e)).collect();
     let taken = match taken.as_slice() {
@@ -152,7 +152,7 @@ fn singular_text(loss: &RankLoss) -> String {
     out
 }
 
-/// What can give energy, and of what that is not known.
+/// Lines about the loads that can create energy, or for which that is undecided.
 fn loads_text(loads: &[LoadEffect]) -> String {
     let mut out = String::new();
     for load in loads {

@@ -109,7 +109,8 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
     })
 }
 
-/// Where an entry that is right is so: everywhere, or only on the constraints or in the domain.
+/// Domain in which an entry is right: everywhere, or only on the constraints or in the domain; `None` if it is not
+/// right.
 fn holds(finding: &Finding) -> Option<&'static str> {
     let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
     is_right.then(|| finding.holds.words().unwrap_or("everywhere"))
@@ -197,7 +198,7 @@ fn printed(difference: &Difference) -> Vec<Expr> {
     findings.chain(difference.consequences.iter().flat_map(Consequences::shown)).collect()
 }
 
-/// Where an equality holds, if it does not hold everywhere.
+/// Words for the domain of an equality; empty if it holds everywhere.
 fn place(finding: &Finding) -> String {
     finding.holds.words().map_or_else(String::new, |words| format!("  {words}"))
 }

@@ -17,15 +17,15 @@ use tripos::steady::{About, ClosedForm, Found, conditions, equilibria as of_mode
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 
-/// Where motions are looked for.
+/// Starting points of the search for steady motions.
 pub struct From<'a> {
     /// A state file or a scene; none where only formulas are asked for.
     pub file: Option<&'a Path>,
-    /// How many other places to begin from.
+    /// Number of other starting points.
     pub starts: u64,
 }
 
-/// Finds the steady motions of a model in closed form, for some unknowns rather than others, and from the state of a file.
+/// Finds the steady motions of a model in closed form, solved for the wanted unknowns, and from the state of a file.
 pub fn equilibria(
     model: &Path,
     from: &From,

@@ -151,7 +151,8 @@ fn json_of_row(model: &Mechanism, states: &[Moving], row: &Row) -> Value {
     })
 }
 
-/// The regressor as a table: t if it is known, the state, the speed, a column for each base parameter, and what is known.
+/// The regressor as a table: t if it is known, the state, the speed, a column for each base parameter, and the known
+/// rest.
 fn csv_of(model: &Mechanism, found: &Identification, (states, rows): (&[Moving], &[Row])) -> String {
     let names: Vec<&str> = found.base.iter().map(|base| name(found, base.column)).collect();
     let heads: Vec<&str> = ["t", "state", "speed"].into_iter().chain(names).chain(["rest"]).collect();
@@ -194,7 +195,7 @@ fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<Do
     out
 }
 
-/// How sure it is.
+/// Sentences about the certainty of the result: that no parameter is redundant, and that none is missing.
 fn words(found: &Identification) -> String {
     let minimal = format!(
         "no fewer do: the regressor has rank {} at {} random states modulo a prime",

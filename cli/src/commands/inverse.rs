@@ -12,19 +12,19 @@ use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::scene::{Given, Motion, Moving, load_motion, load_samples};
 use tripos_traits::DoubleDouble;
 
-/// How an answer is printed.
+/// Format of a printed answer.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// For people.
     Text,
-    /// A table.
+    /// A CSV table.
     Csv,
-    /// JSON.
+    /// JSON, for programs.
     Json,
 }
 
 impl Shape {
-    /// That of two flags, of which at most one is given.
+    /// The format that two flags select; at most one is given.
     pub fn of(json: bool, csv: bool) -> Self {
         match (json, csv) {
             (true, _) => Self::Json,
@@ -37,8 +37,8 @@ impl Shape {
 /// More than this of a loop, in its unit, is said to be open.
 const OPEN: f64 = 1e-6;
 
-/// A motion of a file: TOML as [`load_motion`] reads it, or a table of samples at the default values of the model, if its name ends in
-/// `.csv`.
+/// Reads a motion from a file: TOML as [`load_motion`] reads it, or, if the name ends in `.csv`, a table of samples at
+/// the default values of the model.
 pub fn read_motion(path: &Path, model: &mut Mechanism) -> Result<Motion, Failure> {
     let source = Source::read(path)?;
     if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
@@ -99,7 +99,7 @@ fn object(names: &[String], values: &[f64]) -> Map<String, Value> {
     names.iter().cloned().zip(values.iter().map(|x| json!(x))).collect()
 }
 
-/// What must act, rounded.
+/// Needed forces along each speed, rounded to doubles.
 fn along(forces: &Forces) -> Vec<f64> {
     forces.along.iter().map(|x| x.hi()).collect()
 }
@@ -132,7 +132,8 @@ fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> V
     })
 }
 
-/// A row an instant: t if it is known, the state, `force(u)` along each speed, then the inputs; empty where none give the forces.
+/// The answer as CSV, a row for each instant: t if it is known, the state, `force(u)` along each speed, then the
+/// inputs; empty where no inputs give the forces.
 fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> String {
     let has_instants = list.iter().all(|(moving, _)| moving.t.is_some()) && model.time().is_none();
     let names = list.first().map_or(Vec::new(), |(moving, _)| state_of(model, moving));
@@ -203,7 +204,7 @@ fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> S
     out
 }
 
-/// That inputs are more than needed.
+/// Remark that the inputs are more than needed; empty if they are not.
 fn least(inverse: &Inverse, forces: &Forces) -> String {
     let more = inverse.inputs.len() - forces.reached;
     if more == 0 { String::new() } else { format!(", the least of those that give the same ({more} may be chosen)") }

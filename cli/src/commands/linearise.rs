@@ -154,12 +154,12 @@ fn text_of_letters(found: &About, letters: &Letters) -> String {
     out
 }
 
-/// What a steady motion goes along, and how fast.
+/// Coordinates along which a steady motion goes, with their rates.
 pub fn moves_of(found: &About) -> Vec<Value> {
     found.moves.iter().map(|(along, rate)| json!({ "along": along, "rate": rate })).collect()
 }
 
-/// What kind of state it is, in words.
+/// Kind of the state, in words: at rest, or a steady motion.
 pub fn kind_of(found: &About) -> String {
     if found.moves.is_empty() {
         return if found.time.is_some() { "at rest beside what is driven" } else { "at rest" }.to_owned();
@@ -174,7 +174,8 @@ pub fn value_text(mode: &Mode, decimals: usize) -> String {
     if mode.value[1] > 0.0 { format!("{re} ± {im}i") } else { re }
 }
 
-/// A number with so many decimals; as many digits and a power of ten where it is so small that decimals would not show it.
+/// Formats a number with so many decimals. Below 0.001 it has as many digits and a power of ten, since decimals would
+/// not show it.
 pub fn decimal(x: f64, decimals: usize) -> String {
     // A negative zero is 0.
     let x = x + 0.0;

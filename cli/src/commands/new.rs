@@ -10,7 +10,7 @@ use tripos_derive::plain::{one_line, path_in_line};
 const MODEL: &str = include_str!("new/model.toml");
 const SCENE: &str = include_str!("new/scene.toml");
 
-/// What is to be written.
+/// Files of a new folder.
 struct Folder {
     /// The text of `model.toml`.
     model: String,
@@ -18,10 +18,11 @@ struct Folder {
     scenes: Vec<(PathBuf, String)>,
 }
 
-/// Writes a model and its scenes into a new folder, and says what to do with them.
+/// Writes a model and its scenes into a new folder, and prints the next steps.
 ///
 /// # Errors
-/// [`Failure`] if the folder holds something already, the model to begin from cannot be read, or nothing can be written.
+/// [`Failure`] if the folder holds something already, the model to begin from cannot be read, or nothing can be
+/// written.
 pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     let is_free = match std::fs::read_dir(folder) {
         Ok(mut entries) => entries.next().is_none(),

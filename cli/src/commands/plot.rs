@@ -21,13 +21,13 @@ const INTEGRALS: &str = "integrals";
 /// More panels than this are set two beside one another.
 const ONE_COLUMN: usize = 3;
 
-/// What is drawn over what.
+/// Quantities to draw, and the one on the horizontal axis.
 struct Wanted {
     /// The quantities of each panel.
     panels: Vec<Vec<String>>,
-    /// Whether the first integrals are shown, a panel each.
+    /// True if the first integrals are shown, a panel each.
     integrals: bool,
-    /// What is drawn to the right: the time, or a quantity.
+    /// Quantity on the horizontal axis: the time, or another one.
     against: String,
 }
 
@@ -37,7 +37,7 @@ struct Curve {
     run: Run,
     model: Mechanism,
     scene: Scene,
-    /// What the first integrals change by: name, unit and values, sample by sample.
+    /// Changes of the first integrals: name, unit and values, sample by sample.
     integrals: Vec<(String, String, Vec<f64>)>,
 }
 
@@ -116,7 +116,7 @@ fn parts(text: &str) -> Vec<&str> {
     list
 }
 
-/// Where the figure goes, and what kind of file it is; none if its data alone are wanted.
+/// Path of the figure, and its kind of file; `None` if only the data are wanted.
 fn place(request: &Plot) -> Result<(PathBuf, Option<Kind>), Failure> {
     let named = || request.scenes.first().and_then(|scene| scene.file_stem()).map(PathBuf::from).unwrap_or_default();
     let out = request.out.clone().unwrap_or_else(|| named().with_extension("svg"));
@@ -232,7 +232,8 @@ fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<(String,
     Ok(changes.collect())
 }
 
-/// The panels of a figure: a curve of each run in each, or, where a panel has several quantities, a curve for each of them.
+/// The panels of a figure: a curve of each run in each panel; if a panel has several quantities, a curve for each of
+/// them.
 fn panels(wanted: &Wanted, curves: &[Curve]) -> Result<Vec<Panel>, Failure> {
     let Some(first) = curves.first() else { return Ok(Vec::new()) };
     let shown: Vec<Vec<String>> = match (wanted.panels.is_empty(), wanted.integrals) {

@@ -41,7 +41,7 @@ pub fn word(verdict: &Verdict) -> &'static str {
     }
 }
 
-/// What decided, for JSON.
+/// The engine that decided equality, for JSON; null for another verdict.
 pub fn engine(verdict: &Verdict) -> Value {
     match verdict {
         Verdict::Equal(Engine::NormalForm) => json!("normal-form"),
@@ -170,7 +170,7 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
     out + &names_text(arena, &shown)
 }
 
-/// Whether a reaction's formula is short enough to be shown.
+/// True if a reaction's formula is short enough to be shown.
 fn is_read(arena: &Arena, e: Expr) -> bool {
     text(arena, e).len() <= LONGEST
 }

@@ -49,7 +49,7 @@ fn sound(found: &Freshness, mut asked: Vec<String>) -> Vec<String> {
     asked
 }
 
-/// What is fresh of the models that are asked for, where it is committed, and their folders.
+/// Freshness of the models that are asked for, the folder of the committed files, and the models' folders.
 fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<String>), Failure> {
     let (folder, committed) = (root.join("models"), root.join("generated/src"));
     let unreadable = |error| {
@@ -118,7 +118,7 @@ fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> St
     out
 }
 
-/// The model whose equations, or their code, changed, or that was edited itself: the equations of many terms stand in code alone.
+/// The model whose equations or code changed, or that was edited itself. Equations of many terms stand in code alone.
 fn changed_model(difference: &Difference) -> Option<&str> {
     let Difference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
@@ -133,7 +133,7 @@ fn derived(difference: &Difference) -> Option<&str> {
     Formulation::ALL.iter().any(is_formulation).then_some(model)
 }
 
-/// Whether a file is for machines: the equations that it computes stand in another.
+/// True if a file is code for machines: the equations that it computes stand in another file.
 fn is_code(file: &str) -> bool {
     Path::new(file).parent().is_some_and(|folder| folder.ends_with("code"))
 }

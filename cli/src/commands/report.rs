@@ -159,22 +159,22 @@ struct Work<'a> {
 /// The runs of a scene.
 struct Runs {
     derived: Vec<(Run, Course)>,
-    /// By the scene's own equations, or why there are none.
+    /// Run by the scene's own equations, or why there are none.
     own: Result<Own, String>,
     printed: Vec<(Run, Course)>,
-    /// How each stands, in this order.
+    /// Standing of each run, in this order.
     standings: Vec<Standing>,
     /// Printed systems that could not be run, and why.
     not_run: Vec<(String, String)>,
 }
 
-/// What became of the scenes: those that were finished.
+/// Results of the scenes that were finished.
 #[derive(Default)]
 struct Done {
     sections: Vec<SceneSection>,
-    /// What to know of their runs, a line each.
+    /// Doubts about their runs, a line each.
     doubts: Vec<String>,
-    /// Whether a run could not go on.
+    /// True if a run could not go on.
     stopped: bool,
 }
 

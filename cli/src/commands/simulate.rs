@@ -62,7 +62,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     Ok(status)
 }
 
-/// Says what a reader must know of a run, and what it does not give, if not all that was asked for; the status to end with.
+/// Prints notes, warnings and the reason why a run did not give all that was asked for. Returns the exit status.
 fn shown_failure(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
     run.notes.iter().for_each(|note| say(&format!("note: {note}")));
     run.warnings.iter().for_each(|warning| warn(warning));
@@ -152,7 +152,7 @@ fn impacts(scene: &Scene, run: &Run) -> Vec<Value> {
     run.solution.impacts.iter().map(one).collect()
 }
 
-/// How many impacts there were and what they cost, in a line; empty if there were none.
+/// Number of impacts and the energy lost in them, in a line; empty if there were none.
 fn impacts_in_words(run: &Run) -> String {
     let list = &run.solution.impacts;
     // Zero has no sign.
@@ -169,7 +169,7 @@ fn shown(run: &Run) -> impl Iterator<Item = usize> {
     (0..run.names.len()).filter(|at| run.names[*at] != TIME)
 }
 
-/// Where the run knows its values worst.
+/// The fewest correct digits of a run, with the quantity and the instant; null if not assessed.
 fn fewest(run: &Run) -> Value {
     let found = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)));
     found.map_or(
@@ -178,7 +178,7 @@ fn fewest(run: &Run) -> Value {
     )
 }
 
-/// How far the values shown are known, in a line; empty if that was not assessed.
+/// Number of correct digits of the shown values, in a line; empty if that was not assessed.
 fn digits_in_words(run: &Run) -> String {
     let Some((digits, (instant, which, least))) =
         run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)))
@@ -195,7 +195,7 @@ fn momenta(run: &Run) -> impl Iterator<Item = &Drift> {
     run.drifts.iter().filter(|drift| !drift.integral.kind.is_energy())
 }
 
-/// What projection did, so that it hides no drift.
+/// Report of the projection as JSON, so that it hides no drift; null without projection.
 fn projection(run: &Run) -> Value {
     match &run.solution.projection {
         None => Value::Null,
@@ -214,7 +214,7 @@ fn projection(run: &Run) -> Value {
     }
 }
 
-/// What projection did, and how far the run is from its constraints.
+/// Report of the projection in words, with the largest residual of the constraints.
 fn projection_in_words(run: &Run, report: &ProjectionReport) -> String {
     let left = report.singular + report.not_converged;
     let Some(worst) = run.residuals.iter().max_by(|a, b| a.largest.abs().total_cmp(&b.largest.abs())) else {

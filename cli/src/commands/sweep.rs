@@ -88,7 +88,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     Ok(if tally.failed() > 0 { status::STOPPED } else { 0 })
 }
 
-/// How many points, which of them, and how long they took.
+/// Words for the extent of a sweep: the number of points, the part of the grid, and the time taken.
 fn extent((shard, points, kept): (Shard, &Range<u64>, u64), grid: &Grid, threads: usize, seconds: Duration) -> String {
     let count = points.end - points.start - kept;
     let of = if shard.of == 1 {
@@ -179,7 +179,7 @@ fn run(
     outcome.map(|()| tally)
 }
 
-/// As many threads as were asked for, or as the machine has cores.
+/// Number of threads: the given one, or the number of cores, at most `MOST_THREADS`.
 fn threads(asked: Option<usize>) -> Result<usize, Failure> {
     match asked {
         None => Ok(std::thread::available_parallelism().map_or(1, NonZero::get).min(MOST_THREADS)),

@@ -43,7 +43,7 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     Ok(if stopped { status::STOPPED } else { 0 })
 }
 
-/// What is seen through: the scene by other equations, or another scene of the same model.
+/// Motion of a transparent ghost: the scene by other equations, or another scene of the same model.
 fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &str) -> Result<Motion, Failure> {
     let path = std::path::Path::new(against);
     if !path.is_file() {

@@ -1,4 +1,4 @@
-//! Which equations, solve and method to use for a scene: what was measured, in one paragraph and a table.
+//! Recommended equations, solve and method for a scene, from measurements: one paragraph and a table.
 
 use super::content::Advice;
 use super::html::{escape, number, rounded, table};

@@ -1,4 +1,4 @@
-//! What the page shows, as data.
+//! Content of the page, as data.
 
 use tripos::Reduced;
 use tripos::study::Study;
@@ -6,13 +6,13 @@ use tripos_codegen::plan::Costs;
 use tripos_derive::mechanics::DerivationInSteps;
 use tripos_derive::{Formulation, Model};
 
-/// What the page shows.
+/// Content of a page about a model.
 pub struct Page<'a> {
     /// The mechanism.
     pub model: &'a Model,
     /// Its equations of motion by each formulation, or why there are none.
     pub derivations: Vec<(Formulation, Result<DerivationInSteps, String>)>,
-    /// What is proved of them, and the report beside the model, judged.
+    /// Proofs about the equations, and the verdict on the report beside the model.
     pub study: &'a Study,
     /// The simulations.
     pub scenes: Vec<SceneSection>,
@@ -36,7 +36,7 @@ pub struct Drawing {
 
 /// The motion of a scene, to be looked at.
 pub struct Moving {
-    /// Which scene it is of.
+    /// Index of the scene that it shows.
     pub scene: usize,
     /// The figure that shows it, or why there is none.
     pub viewer: Result<Viewer, String>,
@@ -50,7 +50,7 @@ pub struct Viewer {
     pub style: &'static str,
     /// The element `<script>` that moves it.
     pub script: String,
-    /// What of it is not to be trusted.
+    /// Doubt about the shown motion; `None` if it can be trusted.
     pub doubt: Option<String>,
 }
 
@@ -60,9 +60,9 @@ pub struct SceneSection {
     pub file: String,
     /// Its title.
     pub title: String,
-    /// What it shows.
+    /// Description of the scene, from its file.
     pub about: String,
-    /// What is given: parameters, start, tolerances.
+    /// Given data: parameters, start, tolerances.
     pub facts: Vec<(&'static str, Fact)>,
     /// Its own equations, or why there are none.
     pub needs: Result<Needs, String>,
@@ -74,7 +74,7 @@ pub struct SceneSection {
     pub figures: Vec<Figure>,
     /// Figures that it cannot have, and why.
     pub not_drawn: Vec<String>,
-    /// What to run it by, if that was measured.
+    /// Recommended equations, solve and method; `None` if they were not measured.
     pub advice: Option<Advice>,
     /// First integrals over time, if there are any.
     pub integrals: Option<Figure>,
@@ -82,25 +82,25 @@ pub struct SceneSection {
     pub nearness: Option<Figure>,
 }
 
-/// What is given of a scene.
+/// A given datum of a scene.
 pub enum Fact {
     /// Names with their values.
     Values(Vec<(String, f64)>),
-    /// Words.
+    /// Plain words.
     Words(String),
 }
 
-/// What a scene needs of its model.
+/// Reduced equations of a scene, and their cost.
 pub struct Needs {
     /// Its own equations.
     pub reduced: Reduced,
-    /// What a call of them costs beside one of the whole model.
+    /// Cost of a call of them, beside that of one of the whole model.
     pub costs: Costs,
 }
 
-/// What came of one run.
+/// Results of one run, as a row of the table.
 pub struct RunRow {
-    /// Which equations ran, as in a heading.
+    /// Title of the equations that ran, for a heading.
     pub title: String,
     /// The id of the printed system; none for derived equations.
     pub printed: Option<String>,
@@ -114,30 +114,30 @@ pub struct RunRow {
     pub rejected: u64,
     /// Calls of the right-hand side.
     pub evaluations: u64,
-    /// Where the run ended, s.
+    /// Instant at which the run ended, s.
     pub t_end: f64,
-    /// Whether it reached the end that was asked for.
+    /// True if the run reached the last instant of its span.
     pub arrived: bool,
     /// Why it ended, as a sentence.
     pub stop: String,
-    /// Whether its equations are right, and its numbers good.
+    /// Standing of the run: the verdict on its equations and on its numbers.
     pub standing: Standing,
     /// Largest change of total energy that no work accounts for, J; none of equations that do not know it.
     pub energy_drift: Option<f64>,
-    /// Digits that every value has where the run ended, as its second run tells; nothing if that was not assessed, or the
-    /// equations are not those of the motion.
+    /// Correct digits of every value at the end of the run, estimated by its second run; `None` if not assessed, or if
+    /// the equations are not those of the motion.
     pub digits: Option<f64>,
     /// From when on there are fewer than three digits, s; nothing if they are kept, or that was not assessed.
     pub few_from: Option<f64>,
-    /// What else the reader should know.
+    /// Further warnings for the reader.
     pub warnings: Vec<String>,
     /// Largest change of each first integral; nothing of a run that does not show every state.
     pub changes: Vec<f64>,
-    /// How near it came to singular places.
+    /// Least distances of the run from singular configurations.
     pub nearest: Nearest,
 }
 
-/// What is known of the equations of a run, and of its numbers.
+/// Verdict on the equations of a run, and on its numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
     /// Derived equations, or printed ones that are proved to move alike, integrated as well as was asked for.
@@ -176,13 +176,13 @@ pub struct Figure {
     pub caption: String,
     /// An `<svg>` element.
     pub svg: String,
-    /// What to learn from it, below the caption.
+    /// Lesson from the figure, below the caption.
     pub remark: Option<String>,
     /// Tables with every plotted point, relative to the page.
     pub data: Vec<String>,
 }
 
-/// Which equations, solve and method to use, as measured.
+/// Recommended equations, solve and method, as measured.
 pub struct Advice {
     /// In words.
     pub lead: String,
@@ -194,13 +194,13 @@ pub struct Advice {
 pub struct Choice {
     /// The name of the equations.
     pub equations: String,
-    /// How accelerations were found.
+    /// Solution for the accelerations: eliminated or numeric.
     pub solve: &'static str,
     /// The method.
     pub method: &'static str,
     /// Its tolerance; none where no steps are taken.
     pub tolerance: Option<f64>,
-    /// How long it took, s.
+    /// Computing time of the run, s.
     pub seconds: f64,
     /// Its error.
     pub error: f64,

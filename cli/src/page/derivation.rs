@@ -43,7 +43,8 @@ pub fn section(page: &Page, formulation: Formulation, result: &Result<Derivation
     )
 }
 
-/// The derivation of one formulation, folded; nothing of what is not derived. `shown` collects steps, so that a repeated one is folded.
+/// The derivation of one formulation, folded; empty for one that is not derived. `shown` collects steps, so that a
+/// repeated one is folded.
 pub fn steps(
     page: &Page,
     formulation: Formulation,
@@ -59,7 +60,7 @@ pub fn steps(
     part(&place(formulation), &escape(formulation.title()), &(shown + &rest))
 }
 
-/// Where the derivation stands.
+/// Anchor of the derivation on the page.
 fn place(formulation: Formulation) -> String {
     format!("{}-steps", formulation.name())
 }
@@ -69,7 +70,8 @@ fn command(page: &Page, formulation: Formulation) -> String {
     format!("tripos derive {} --by {} --format json", page.file, formulation.name())
 }
 
-/// The terms that stand by a name in these formulas, those of them that are printed: a reader must find each name defined.
+/// Definitions of the named terms in these formulas, as far as the formulas are printed: a reader must find each name
+/// defined.
 pub fn named_terms(arena: &Arena, shown: &[Expr]) -> String {
     let printed: Vec<Expr> = shown.iter().copied().filter(|e| length(arena, *e).is_some()).collect();
     definitions(arena, &glossary(arena, &printed))
@@ -166,7 +168,7 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     out + &format!("<div class=\"side\">\n{more}<p>{steps}.</p>\n</div>\n")
 }
 
-/// How many characters an entry may have in the system.
+/// Number of characters up to which an entry is written in the system. Longer ones stand by their names.
 fn widest(arena: &Arena, equations: &Equations) -> usize {
     let named = "M12".len();
     let width = |e: Expr, limit: usize| length(arena, e).filter(|n| *n <= limit).unwrap_or(named);

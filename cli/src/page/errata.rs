@@ -1,4 +1,5 @@
-//! A published derivation against the derived one: root mistakes with the entries that come of each, and what they do to the motion.
+//! A published derivation against the derived one: root mistakes with the entries that follow from each, and their
+//! effect on the motion.
 
 use super::content::Page;
 use super::derivation::named_terms;
@@ -107,7 +108,7 @@ fn code(findings: &[Finding], at: usize) -> String {
     format!("<code>{}</code>", escape(&findings[at].id))
 }
 
-/// What an entry hangs on.
+/// Words for the entries from which a wrong entry follows.
 fn source(findings: &[Finding], follower: &Follower) -> String {
     let ids = |list: &[usize]| list.iter().map(|at| code(findings, *at)).collect::<Vec<_>>().join(" and ");
     let words = match follower.link {
@@ -141,7 +142,7 @@ fn is_wrong(finding: &Finding) -> bool {
     matches!(finding.judgement, Judgement::Different | Judgement::Undecided(_))
 }
 
-/// How many entries of each section have which verdict.
+/// Table of the number of entries with each verdict, for each section.
 fn counts(findings: &[Finding]) -> String {
     let mut sections: Vec<&str> = Vec::new();
     for finding in findings {
@@ -201,7 +202,7 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     format!("<tbody>\n{rows}</tbody>\n")
 }
 
-/// What is printed: typeset where it is a formula that fits.
+/// The printed text: typeset if it is a formula that fits, otherwise as code.
 fn printed(text: &str) -> String {
     match typeset(text) {
         Some(sides) if sides.iter().all(|side| widest(side) <= WIDEST) => {
@@ -225,7 +226,7 @@ fn scaled(arena: &Arena, findings: &[Finding]) -> String {
     folded(&format!("Equal up to a factor <span class=\"quiet\">({})</span>", entries(list.len())), &items)
 }
 
-/// Where an equality holds, if it does not hold everywhere.
+/// Words for the domain of an equality; empty if it holds everywhere.
 fn place(finding: &Finding) -> String {
     finding.holds.words().map_or_else(String::new, |words| format!(" {words}"))
 }

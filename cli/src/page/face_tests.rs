@@ -23,7 +23,7 @@ fn every_link_has_its_place_and_every_place_one_name() {
     }
 }
 
-/// What matters comes first.
+/// Goal: the most important parts come first.
 #[test]
 fn a_page_begins_with_its_abstract_and_its_motion() {
     let page = page_with_report();
@@ -57,7 +57,8 @@ fn text_of(html: &str) -> String {
     pieces.collect::<String>().replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&").trim().to_owned()
 }
 
-/// Goal: the abstract says what is so. Method: read by a person; the pendulum with a report that errs in a potential and in gravity.
+/// Goal: every sentence of the abstract is true. Method: read by a person; the pendulum with a report that errs in a
+/// potential and in gravity.
 #[test]
 fn an_abstract_is_made_of_values() {
     let page = page_with_report();

@@ -8,21 +8,22 @@ use tripos_derive::algebra::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{BalanceName, LineName, QuantityKind, RowName, Stage, VectorName};
 
-/// Characters of plain text, half a printed page, after which a formula is told by its number of operations: nobody reads on.
+/// Characters of plain text, half a printed page, above which only a formula's number of operations is told: nobody
+/// reads on.
 const LONGEST: usize = 1_500;
 /// Characters of plain text that a formula in a sentence, or in a row of a table, may have.
 const LONGEST_IN_WORDS: usize = 420;
 /// A formula that is wider, in tenths of an em, may stand on several lines: about half of a phone.
 const PIECE: usize = 120;
 
-/// Whether a formula is short enough to be printed, by the length of its plain text.
+/// Number of characters of a formula's plain text; `None` if it is too long to be printed.
 pub fn length(arena: &Arena, e: Expr) -> Option<usize> {
     let text = print::text(arena, e);
     let length = text.chars().count();
     (length <= LONGEST && !text.contains('…')).then_some(length)
 }
 
-/// Whether a formula is short enough for a sentence.
+/// True if a formula is short enough for a sentence.
 pub fn is_short(arena: &Arena, e: Expr) -> bool {
     length(arena, e).is_some_and(|length| length <= LONGEST_IN_WORDS)
 }
@@ -35,17 +36,17 @@ pub fn formula(arena: &Arena, e: Expr) -> String {
     }
 }
 
-/// What stands for a formula that nobody would read, as MathML.
+/// MathML in place of a formula that is too long to read.
 fn unprinted(arena: &Arena, e: Expr) -> String {
     format!("<mtext>{}</mtext>", operations(arena, e))
 }
 
-/// What stands for a formula that nobody would read, in words.
+/// Words in place of a formula that is too long to read.
 fn operations(arena: &Arena, e: Expr) -> String {
     format!("a term of {}", count(cost(arena, e), "operation"))
 }
 
-/// Which command has what stands as the number of its operations, as a paragraph.
+/// Paragraph with the command that prints the formulas that are too long for the page.
 pub fn unread(command: &str) -> String {
     format!(
         "<p class=\"quiet\">A term that is too long to be read stands as the number of its operations; <code>{}</code> has it whole.</p>\n",
@@ -55,7 +56,7 @@ pub fn unread(command: &str) -> String {
 
 /// One side of an equation that is laid out in lines.
 pub enum Side {
-    /// What stays in one piece, as MathML.
+    /// MathML that stays in one piece.
     Whole(String),
     /// Marks that may be broken at their signs.
     Marks(View),
@@ -83,14 +84,14 @@ impl Side {
         }
     }
 
-    /// Whether it may stand on several lines.
+    /// True if the side may break over several lines.
     fn breaks(&self) -> bool {
         matches!(self, Self::Marks(view) if print::formula_width(view) > PIECE)
     }
 }
 
-/// Sides of an equation, or one formula, in pieces that may stand on several lines: it breaks behind `=` and before signs, where it is wide
-/// within parentheses too.
+/// Sides of an equation, or one formula, in pieces that may stand on several lines. It breaks after `=` and before
+/// signs; where it is wide, also inside parentheses.
 pub fn wrapped<'a>(sides: impl IntoIterator<Item = &'a Side>) -> String {
     let mut pieces: Vec<String> = Vec::new();
     for side in sides {
@@ -134,7 +135,7 @@ pub fn said(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) { wrapped(&[Side::of(arena, e)]) } else { operations(arena, e) }
 }
 
-/// That a term is zero, in a sentence.
+/// Words that say, in a sentence, that a term is zero.
 pub fn vanishing(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) {
         wrapped(&[Side::of(arena, e), Side::Whole("<mn>0</mn>".to_owned())])
@@ -246,7 +247,7 @@ fn motion(model: &Model, name: VectorName, of: usize) -> String {
     format!("<mmultiscripts>{base}<mrow></mrow>{of}<mprescripts/><mrow></mrow>{inertial}</mmultiscripts>")
 }
 
-/// What a line of a derivation is.
+/// Left side of a line of a derivation.
 pub fn line_name(model: &Model, name: &LineName) -> String {
     match name {
         LineName::Quantity(kind) => quantity(model, kind),
@@ -284,7 +285,7 @@ pub fn stage_title(model: &Model, stage: Stage) -> String {
     format!("Velocity and partial velocities: {of}, components in {frame}")
 }
 
-/// What a row is of: a speed, a coordinate, or words such as `disk force along b₁`.
+/// Name of a row: a speed, a coordinate, or words such as `disk force along b₁`.
 pub fn row_name(model: &Model, row: &RowName) -> String {
     match row {
         RowName::Speed(_) | RowName::Coordinate(_) => inline(&told_apart(model, &row.text(model))),

@@ -27,7 +27,8 @@ fn long_sums_may_stand_on_several_lines() {
     assert!(rows.contains("<td class=\"wide\" colspan=\"2\">"), "a wide left side pushes no equals signs: {rows}");
 }
 
-/// Goal: no reader meets a formula that nobody reads. Method: sums of so many different sines; an operation each but the first, four a sine.
+/// Goal: no formula that is too long to read is printed. Method: sums of so many different sines; one operation for
+/// each term but the first, four for each sine.
 #[test]
 fn what_nobody_would_read_is_told_by_its_number_of_operations() {
     let mut arena = Arena::new();

@@ -190,7 +190,7 @@ fn loads(model: &Model) -> String {
     some("Loads", &["Name", "On", "Vector"], &rows) + &moving(model)
 }
 
-/// What each load acts on whose point moves in its body.
+/// Paragraphs on the points of action of loads that move in their bodies.
 fn moving(model: &Model) -> String {
     let line = |text: String| format!("<p>{}</p>\n", escape(&text));
     match moving_places(model) {

@@ -1,4 +1,4 @@
-//! What the printed systems make of the motion: accelerations, determinants, first integrals, agreement.
+//! Effect of the printed systems on the motion: accelerations, determinants, first integrals, agreement.
 
 use super::content::Page;
 use super::html::{breakable, escape, folded, part, table};
@@ -69,7 +69,7 @@ fn overview(page: &Page, list: &[Consequences]) -> String {
     table("Printed systems at a glance", &columns, &list.iter().map(row).collect::<Vec<_>>())
 }
 
-/// Which printed systems give the same motion.
+/// Sentences on the printed systems that give the same motion as one another.
 fn agreement(difference: &Difference) -> String {
     let agreements = &difference.agreements;
     if agreements.is_empty() {
@@ -139,7 +139,7 @@ fn details(page: &Page, system: &Consequences, singularity: Option<&Singularity>
     )
 }
 
-/// dI/dt.
+/// The time derivative dI/dt of a first integral.
 fn derivative(at: usize) -> String {
     let d = "<mi mathvariant=\"normal\">d</mi>";
     format!("<mfrac><mrow>{d}{}</mrow><mrow>{d}<mi>t</mi></mrow></mfrac>", integral_symbol(at))

@@ -1,4 +1,4 @@
-//! What a scene needs of its model: what its own equations keep, what they leave out, and why that is exact.
+//! Reduced equations of a scene: the states that they keep and leave out, and why that is exact.
 
 use super::content::{Needs, Page, SceneSection};
 use super::html::{escape, folded, number, rounded, scroll, table};
@@ -34,7 +34,7 @@ pub fn section(page: &Page, scene: &SceneSection) -> String {
     out
 }
 
-/// How much is left, in numbers.
+/// Numbers of states, integrals and operations that are left, in words.
 fn summary(page: &Page, needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let states = page.model.coordinates.len() + page.model.speeds.len();
@@ -70,7 +70,7 @@ fn summary(page: &Page, needs: &Needs) -> String {
     out
 }
 
-/// Whether all of its formulas are short enough to be read.
+/// True if all of its formulas are short enough to be read.
 fn is_read(needs: &Needs) -> bool {
     let reduction = &needs.reduced.reduction;
     let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
@@ -121,7 +121,7 @@ fn equations(needs: &Needs) -> String {
     scroll("The scene's own equations", &lines(&list))
 }
 
-/// What the scene shows, as functions of what is kept.
+/// Outputs of the scene, as functions of the kept states.
 fn outputs(needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let arena = reduction.terms();

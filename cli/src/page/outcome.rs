@@ -1,7 +1,7 @@
-//! What came of a scene, in a sentence or two: how the derived runs went and why, and what the printed equations did.
+//! Outcome of a scene, in a sentence or two: how the derived runs went and why, and how the printed equations ran.
 //!
-//! Invariant: every sentence is made of the values of runs. Loose is said of right equations alone, wrong of printed ones that do not give
-//! the derived accelerations, however their runs end.
+//! Invariant: every sentence is made of the values of runs. Only right equations are called loose. Printed equations
+//! are called wrong if they do not give the derived accelerations, however their runs end.
 
 use super::content::{RunRow, SceneSection, Standing};
 use super::html::{count, escape, listed, number, rounded, words};
@@ -13,7 +13,7 @@ use std::fmt::Write;
 /// Printed runs that a sentence names.
 const NAMED: usize = 4;
 
-/// How grave what happened to a run is, the worst last.
+/// Severity of the end of a run, the worst last.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Grade {
     /// It came to its end with its digits.
@@ -44,7 +44,7 @@ pub fn worst(scene: &SceneSection) -> Option<Grade> {
     derived_runs(scene).into_iter().map(grade).max()
 }
 
-/// How the derived runs went, as HTML.
+/// Outcome of the derived runs, as HTML.
 pub fn derived(scene: &SceneSection) -> String {
     let runs = derived_runs(scene);
     let Some(worst) = worst(scene) else { return "No derived equations ran.".to_owned() };
@@ -79,7 +79,7 @@ fn loose(run: &RunRow) -> String {
     }
 }
 
-/// What is left of digits and energy where all arrived.
+/// Digits and energy that the runs keep, if all arrived.
 fn kept(runs: &[&RunRow]) -> String {
     let digits = runs.iter().filter_map(|run| run.digits).reduce(f64::min);
     let drift = runs.iter().filter_map(|run| run.energy_drift).reduce(f64::max);
@@ -93,7 +93,7 @@ fn kept(runs: &[&RunRow]) -> String {
     }
 }
 
-/// What the printed equations did, as HTML; nothing if none ran.
+/// Outcome of the printed equations, as HTML; `None` if none ran.
 pub fn printed(scene: &SceneSection) -> Option<String> {
     let runs: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     if runs.is_empty() {

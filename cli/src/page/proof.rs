@@ -1,4 +1,4 @@
-//! What is proved: the formulations say the same, what a motion conserves, where matrices are singular.
+//! Proofs: equivalence of the formulations, first integrals, and singularities of matrices.
 
 use super::content::Page;
 use super::derivation::named_terms;
@@ -78,7 +78,7 @@ fn formulas(page: &Page) -> Vec<Expr> {
     all.chain(singular).collect()
 }
 
-/// What every motion keeps, a line each; as formulas where one asks for them.
+/// First integrals, a line each, with formulas that unfold.
 fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> String {
     let mut out = String::from("<h3 id=\"integrals\">First integrals</h3>\n");
     out += if list.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
@@ -196,7 +196,7 @@ fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
     )
 }
 
-/// What is proved of the zeros of a determinant, and where entries of its matrix have no value.
+/// Proved statements about the zeros of a determinant, and about entries of its matrix without a value.
 pub fn zeros(arena: &Arena, singularity: &Singularity) -> String {
     if singularity.determinant == Expr::ZERO {
         return "everywhere".to_owned();

@@ -52,7 +52,7 @@ pub fn table(page: &Page, scene: &SceneSection) -> String {
     scroll(&format!("Runs of {}", scene.title), &table)
 }
 
-/// How many of the printed equations that ran are wrong.
+/// Number of wrong ones among the printed equations that ran, in words.
 fn how_many_are_wrong(scene: &SceneSection) -> String {
     let printed: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     match (printed.iter().filter(|run| run.standing == Standing::Wrong).count(), printed.len()) {
@@ -101,7 +101,7 @@ pub fn changes(page: &Page, scene: &SceneSection) -> String {
     )
 }
 
-/// Whether it is proved that the printed equations of a run do not conserve a first integral.
+/// True if the printed equations of a run are proved not to conserve a first integral.
 fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
     let (Some(id), Some(published)) = (&run.printed, &page.study.published) else { return false };
     let system = published.difference.consequences.iter().find(|c| c.system == *id);
@@ -109,7 +109,8 @@ fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
     rate.is_some_and(|rate| matches!(rate.verdict, Verdict::Different(_)))
 }
 
-/// One row of numbers; below it how its equations stand, how it ended early unless the row before says so, and warnings.
+/// One row of numbers. Below it: the standing of its equations, its early end unless the row before says the same, and
+/// warnings.
 fn run(run: &RunRow, before: Option<&RunRow>) -> String {
     let is_like_before = before.is_some_and(|before| !before.arrived && before.stop == run.stop);
     let result = match run.arrived {

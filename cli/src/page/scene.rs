@@ -9,12 +9,12 @@ use std::fmt::Write;
 /// Figures of a scene that are seen at once.
 const SEEN: usize = 2;
 
-/// How much of a scene is seen at once.
+/// Part of a scene that is seen without unfolding it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
     /// Its runs and first figures.
     Open,
-    /// What came of it.
+    /// Only its outcome.
     InASentence,
 }
 

@@ -24,14 +24,14 @@ pub fn statements(page: &Page, scene: &SceneSection) -> String {
     format!("<ul>\n{items}</ul>\n{}", table(scene, &divisors))
 }
 
-/// What the kinematic equations divide by, typeset; what is too long for the head of a table by a name.
+/// Divisors of the kinematic equations, typeset; those too long for the head of a table by their names.
 fn divisors(page: &Page) -> Vec<String> {
     let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
     let typeset = |(at, e): (usize, &Expr)| if is_long(arena, *e) { name_of(at) } else { formula(arena, *e) };
     list.iter().enumerate().map(typeset).collect()
 }
 
-/// Whether a divisor stands by a name.
+/// True if a divisor is so long that it stands by a name.
 fn is_long(arena: &Arena, e: Expr) -> bool {
     length(arena, e).is_none_or(|length| length > SHORT)
 }
@@ -41,7 +41,7 @@ fn name_of(at: usize) -> String {
     format!("<msub><mi>d</mi><mn>{}</mn></msub>", at + 1)
 }
 
-/// What the names of long divisors stand for.
+/// Definitions of the names of long divisors.
 fn long_divisors(page: &Page) -> Vec<String> {
     let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
     let definition = |(at, e): (usize, &Expr)| {
@@ -61,7 +61,7 @@ fn determinants<'a>(page: &'a Page<'_>) -> Vec<(String, &'a Singularity)> {
     derived.chain(printed).collect()
 }
 
-/// What holds in every configuration.
+/// Statements that hold in every configuration.
 fn proved(page: &Page, divisors: &[String]) -> Vec<String> {
     let list = determinants(page);
     let named = |of: &dyn Fn(&Singularity) -> bool| {
@@ -128,7 +128,8 @@ fn conditions(scene: &SceneSection) -> Vec<String> {
     [sentence("the derived", worst(false)), sentence("printed", worst(true))].into_iter().flatten().collect()
 }
 
-/// How near the derived runs came to where the kinematic equations have no value.
+/// Least absolute value of a divisor of the kinematic equations in the derived runs, in a sentence; `None` if no run
+/// has it.
 fn divisor_met(scene: &SceneSection, at: usize, divisor: &str) -> Option<String> {
     let runs = scene.runs.iter().filter(|run| run.printed.is_none());
     let list = runs.filter_map(|run| Some((run, (*run.nearest.divisors.get(at)?)?)));

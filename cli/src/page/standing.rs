@@ -1,7 +1,7 @@
-//! How a run stands: whether its equations are the derived ones, and whether its tolerances leave it any digits.
+//! Standing of a run: whether its equations are the derived ones, and whether its tolerances leave it any digits.
 //!
-//! The two are told apart everywhere in the same words and colours: what is wrong is wrong however its run ends, and what
-//! is loose is right.
+//! The two are told apart everywhere in the same words and colours: wrong equations are wrong however their run ends,
+//! and a loose run has right equations.
 
 use super::content::{RunRow, Standing};
 use super::html::escape;
@@ -18,7 +18,7 @@ impl Standing {
         }
     }
 
-    /// What to know of it below the row of a run, if there is anything.
+    /// Remark below the row of a run, if there is any.
     pub fn remark(&self, t_end: f64) -> Option<String> {
         match self {
             // What is wrong is said once, above the printed equations.

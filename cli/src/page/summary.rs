@@ -1,6 +1,8 @@
-//! The abstract: what the mechanism is, what is proved of it, what is wrong in print, what the runs showed, how to run it.
+//! The abstract: the mechanism, the proofs, the mistakes in print, the outcome of the runs, and the recommended way to
+//! run it.
 //!
-//! Invariant: every sentence is made of values and leads to its evidence on the page. Absent on purpose: what only one model could say.
+//! Invariant: every sentence is made of values and leads to its evidence on the page. Absent on purpose: sentences that
+//! only one model could need.
 
 use super::content::{Choice, Page, SceneSection};
 use super::html::{anchor, count, escape, link, listed, number, rounded};
@@ -98,7 +100,7 @@ fn titles(list: impl IntoIterator<Item = Formulation>) -> String {
     listed(&list.into_iter().map(|formulation| escape(formulation.title())).collect::<Vec<_>>())
 }
 
-/// Whether the formulations say the same; nothing where there are no two.
+/// Sentence on the equivalence of the formulations; `None` if there are no two.
 fn equality(page: &Page) -> Option<Sentence> {
     let proof = &page.study.proof;
     let all = proof.pairs.len();
@@ -141,7 +143,7 @@ fn integrals(page: &Page) -> Sentence {
     ("integrals".to_owned(), said)
 }
 
-/// Where one of some terms is zero, as HTML; of long ones how many there are.
+/// Words for the places where one of some terms is zero, as HTML; long terms are counted.
 fn where_zero(arena: &Arena, terms: &[Expr]) -> String {
     let is_short = |e: &Expr| length(arena, *e).is_some_and(|characters| characters <= SHORT);
     let mut places: Vec<String> = terms.iter().filter(|e| is_short(e)).map(|e| vanishing(arena, *e)).collect();
@@ -164,7 +166,7 @@ fn validity(page: &Page) -> Sentence {
     ("equality".to_owned(), said)
 }
 
-/// Where the matrix of each formulation is singular; nothing where that is not known of any.
+/// Sentence on where the matrix of each formulation is singular; `None` if that is known of none.
 fn determinants(page: &Page) -> Option<Sentence> {
     let arena = &page.study.derivations.kinematics.arena;
     let mut groups: Vec<(String, Vec<Formulation>)> = Vec::new();
@@ -181,7 +183,7 @@ fn determinants(page: &Page) -> Option<Sentence> {
         .then(|| ("singular".to_owned(), format!("The matrix of the accelerations is singular {}.", said.join(", "))))
 }
 
-/// Where a determinant is proved to be zero, or that it is so nowhere.
+/// Words for the proved zeros of a determinant: everywhere, nowhere, or where terms vanish; `None` if none is known.
 fn zeros(arena: &Arena, singularity: &Singularity) -> Option<String> {
     if singularity.determinant == Expr::ZERO {
         return Some("everywhere".to_owned());
@@ -194,7 +196,7 @@ fn zeros(arena: &Arena, singularity: &Singularity) -> Option<String> {
     (!terms.is_empty()).then(|| format!("where {}", where_zero(arena, &terms)))
 }
 
-/// What went wrong in the scenes, or that nothing did; and what the printed equations did in the scene that is shown.
+/// Sentences on the scenes that did not arrive, or that all did, and on the printed equations in the shown scene.
 fn simulated(page: &Page) -> Vec<Sentence> {
     let is_troubled = |scene: &SceneSection| outcome::worst(scene) != Some(Grade::Arrived);
     let mut troubled: Vec<(usize, &SceneSection)> =
@@ -223,7 +225,8 @@ fn simulated(page: &Page) -> Vec<Sentence> {
     list
 }
 
-/// The equations, the method and the tolerance that were measured to be the fastest; without that what a scene's own equations save.
+/// The equations, the method and the tolerance that were measured to be the fastest. Without a measurement: the saving
+/// by a scene's own equations.
 fn recommended(page: &Page) -> Vec<Sentence> {
     let measured = page.scenes.iter().enumerate().find_map(|(at, scene)| Some((at, scene, scene.advice.as_ref()?)));
     if let Some((at, scene, advice)) = measured {

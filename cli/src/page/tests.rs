@@ -35,7 +35,8 @@ frame = "N"
 acceleration = ["g", "0", "0"]
 "#;
 
-/// Where the tags of a page stop matching, if anywhere. Knows only what the page contains.
+/// First place where the tags of a page do not match; `None` if all match. Knows only the elements that the page
+/// contains.
 pub fn unbalanced(html: &str) -> Option<String> {
     const VOID: [&str; 5] = ["meta", "!DOCTYPE", "br", "wbr", "col"];
     let mut open: Vec<&str> = Vec::new();

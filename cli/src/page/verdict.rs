@@ -10,14 +10,16 @@ const NAMED: usize = 4;
 /// Root mistakes that a sentence names: those of which most comes.
 const MISTAKES: usize = 3;
 
-/// Sentences as HTML, each with the place of its evidence: how many entries are wrong, which mistakes they come of, and what that does to the motion.
+/// Sentences as HTML, each with the place of its evidence: the number of wrong entries, the mistakes that cause them,
+/// and their effect on the motion.
 pub fn abstract_of_verdict(difference: &Difference) -> Vec<(&'static str, String)> {
     let counted = std::iter::once(("errata", entries(difference)));
     let mistakes = mistakes(difference).map(|said| ("mistakes", said));
     counted.chain(mistakes).chain(systems(difference).map(|said| ("effects", said))).collect()
 }
 
-/// How many mistakes are behind what is wrong, and of which most comes.
+/// Sentence on the number of root mistakes, and on those that cause most wrong entries; `None` if there is at most one
+/// mistake, and it causes no other.
 fn mistakes(difference: &Difference) -> Option<String> {
     let Difference { roots, findings, .. } = difference;
     let mut most: Vec<_> = roots.iter().filter(|root| root.entries() > 1).collect();
@@ -52,7 +54,7 @@ fn entries(difference: &Difference) -> String {
     format!("Of {all} {printed}: {}.", listed(&list))
 }
 
-/// What the printed systems make of the accelerations and of the energy.
+/// Sentence on the accelerations and the energy by the printed systems; `None` if there is no system.
 fn systems(difference: &Difference) -> Option<String> {
     let list = &difference.consequences;
     let of = |is: &dyn Fn(&Consequences) -> bool| list.iter().filter(|system| is(system)).collect::<Vec<_>>();

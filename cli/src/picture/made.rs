@@ -27,7 +27,7 @@ pub fn pdf(svg: &str) -> Result<Vec<u8>, Failure> {
     pdf_of(&tree(svg)?)
 }
 
-/// What is drawn, with its letters in their places.
+/// The parsed SVG, with its letters laid out in the fonts of this crate.
 fn tree(svg: &str) -> Result<Tree, Failure> {
     let mut options = Options { font_family: FAMILY.to_owned(), ..Options::default() };
     let fonts = options.fontdb_mut();
@@ -95,7 +95,8 @@ mod tests {
         png_of(&tree(&svg).unwrap(), 96).unwrap()
     }
 
-    /// Goal: no label has a hole. Method: each sign that labels are made of draws something, and nothing that two of them share, or that a sign without a glyph draws.
+    /// Goal: every character of a label is drawn. Method: each character of the labels draws something, no two draw the
+    /// same, and none draws the mark of a missing glyph.
     #[test]
     fn the_fonts_have_every_sign_of_labels() {
         for style in ["", "font-weight=\"bold\""] {

@@ -60,7 +60,7 @@ fn draw_cell(canvas: &Canvas, map: &HeatMap, cell: &Cell, at: (f64, f64), width:
     write(canvas, &text, middle, HPos::Center, FontStyle::Normal)
 }
 
-/// By the logarithm, between the ends of the range.
+/// Colour of a value on a logarithmic scale between the ends of the range.
 fn colour(value: f64, (light, dark): (f64, f64)) -> RGBColor {
     let part = (value.max(1e-300).log10() - light.log10()) / (dark.log10() - light.log10());
     let place = part.clamp(0.0, 1.0) * (COLOURS.len() - 1) as f64;

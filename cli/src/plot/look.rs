@@ -1,4 +1,4 @@
-//! How curves look, and the strokes that figures are made of.
+//! Looks of curves, and the strokes that figures are made of.
 
 use super::axis::whole;
 use super::error::PlotError;
@@ -13,7 +13,7 @@ const FINE: f64 = 4.0;
 const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub const GRID: RGBColor = RGBColor(0xe3, 0xe3, 0xe3);
 pub const EDGE: RGBColor = RGBColor(0x88, 0x88, 0x88);
-/// How much of a curve's colour its band has.
+/// Opacity of a curve's band, from 0 to 1.
 const SHADE: f64 = 0.25;
 /// Width of a marker's outline, unlike that of any curve.
 const OUTLINE: f64 = 1.5;
@@ -21,9 +21,10 @@ const OUTLINE: f64 = 1.5;
 /// Line colour, width and dashes, marker colour and outline in units of its radius; no outline: a circle.
 pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
 
-/// The three formulations and a scene's own equations; five printed systems; five wrong ones, which alone are red; the front
-/// of a chart, seven methods, the numeric solve and quadrature. Each has a marker of its own: one marker, one meaning. A thick
-/// light line lies under thin dashed ones, so equal curves all show; colour and width together are those of one look.
+/// The three formulations and a scene's own equations; five printed systems; five wrong ones, which alone are red; the
+/// front of a chart, seven methods, the numeric solve and quadrature. Each has a marker of its own: one marker, one
+/// meaning. A thick light line lies under thin dashed ones, so equal curves all show; colour and width together are
+/// those of one look.
 pub const LOOKS: [Look; 24] = [
     Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
@@ -182,7 +183,7 @@ pub const LOOKS: [Look; 24] = [
 
 #[cfg(test)]
 impl Look {
-    /// Whether two looks could be taken for each other.
+    /// True if the two looks could be mistaken for each other.
     pub fn is_like(&self, other: &Self) -> bool {
         self.4 == other.4 || (self.0 == other.0 && extent(self.1) == extent(other.1))
     }

@@ -1,8 +1,9 @@
-//! A figure in fewer bytes, for a page that holds many: the same strokes as paths of relative steps, a path for all strokes of one look
-//! that follow one another.
+//! A figure in fewer bytes, for a page that holds many: the same strokes as paths of relative steps, a path for all
+//! strokes of one look that follow one another.
 //!
-//! Invariant: what is left out lies within [`SEEN`] of what is drawn, or between the extremes of a column of [`COLUMN`]; nothing is moved.
-//! It reads what plotters writes, an element a line; what it does not know stays as it is.
+//! Invariant: a removed point lies within [`SEEN`] of the drawn line, or between the extremes of a column of
+//! [`COLUMN`]; no point is moved. The module reads the output of plotters, an element a line; unknown elements stay
+//! unchanged.
 
 use std::fmt::Write;
 
@@ -16,7 +17,7 @@ const COLUMN: i64 = 6;
 /// Points of a curve that keeps all of its columns' points.
 const SHORT: usize = 60;
 
-/// What one element draws.
+/// Shape that one element of the SVG draws.
 enum Shape {
     Line(Vec<Place>),
     Area(Vec<Place>),
@@ -119,7 +120,8 @@ impl Path<'_> {
     }
 }
 
-/// The lowest and the highest place of each column, in their order, and the ends; all of a short curve, or of one that turns back.
+/// The lowest and the highest place of each column, in their order, and the ends. A short curve, or one that turns
+/// back, keeps all places.
 fn columns(places: Vec<Place>) -> Vec<Place> {
     if places.len() <= SHORT || !places.is_sorted_by(|a, b| a.0 <= b.0) {
         return places;
@@ -182,7 +184,8 @@ mod tests {
         );
     }
 
-    /// Goal: what is left out is not seen. Method: a sine of 800 points: few are left, and all others lie by the line between them.
+    /// Goal: the removed points are not missed. Method: a sine of 800 points: few are left, and all others lie by the
+    /// line between them.
     #[test]
     #[allow(clippy::cast_possible_truncation, reason = "numbers within 400")]
     fn a_smooth_curve_needs_few_points() {

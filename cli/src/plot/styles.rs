@@ -1,4 +1,4 @@
-//! Which look stands for what, the same in every figure: places in the table of looks.
+//! Indices into the table of looks, by meaning, the same in every figure.
 
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;

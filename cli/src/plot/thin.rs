@@ -1,4 +1,4 @@
-//! Which points of a curve are drawn, and which carry a marker. Points are in pixels.
+//! Selection of the points of a curve that are drawn, and of those that carry a marker. Points are in pixels.
 
 use super::axis::whole;
 

@@ -1,4 +1,4 @@
-//! How marks look: the class that a page styles, and the stroke.
+//! Looks of the marks in a sketch: the class that a page styles, and the stroke.
 
 use tripos::sketch::Role;
 
@@ -12,7 +12,7 @@ pub struct Look {
     pub dashes: Option<(f64, f64)>,
     /// The colour of lines and words, red, green and blue, on white.
     pub ink: [u8; 3],
-    /// What outlines enclose.
+    /// The colour inside outlines, red, green and blue, on white.
     pub shade: [u8; 3],
     /// The two in the dark.
     pub dark: [[u8; 3]; 2],

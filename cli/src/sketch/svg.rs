@@ -26,7 +26,7 @@ pub fn figure(sketch: &Sketch) -> String {
     element(sketch, "")
 }
 
-/// What a class looks like: `ink` on a line, words and what is filled, `shade` inside outlines.
+/// Style rules of a class: `ink` for lines, words and filled shapes, `shade` inside outlines.
 fn rules(look: &Look, ink: &str, shade: &str) -> String {
     let name = look.name;
     format!(".{name}{{stroke:{ink};fill:none}}.{name}.full,.{name}.word{{fill:{ink}}}.{name}.over{{fill:{shade}}}\n")

@@ -1,4 +1,4 @@
-//! What the studies of a singular surface say in words. Every figure in a sentence is one of their findings.
+//! Sentences on the studies of a singular surface. Every number in a sentence is one of their findings.
 
 use crate::plot::pretty;
 use tripos::stability::{Findings, Looked, Passed, Variable};
@@ -32,7 +32,7 @@ fn size(error: Option<f64>) -> String {
     error.map_or_else(|| "no end".to_owned(), |e| format!("{e:.0e}"))
 }
 
-/// What the heat map shows.
+/// Caption of the heat map.
 pub fn passages(model: &Model, findings: &Findings) -> String {
     let seen = format!(
         "Each column is a start that brings |{}| down to the size above it, each row a way to run it; a cell has the largest \
@@ -50,7 +50,7 @@ fn errors(list: &[Passed], of: impl Fn(&Passed) -> bool) -> Vec<&Passed> {
     runs
 }
 
-/// How far down each solve arrives.
+/// Sentence on the least divisor that each solve passes in the distance, with its error.
 fn solves(list: &[Passed]) -> Option<String> {
     let mut parts = Vec::new();
     for solve in Solve::ALL {
@@ -71,7 +71,7 @@ fn solves(list: &[Passed]) -> Option<String> {
         .then(|| format!("The narrowest that dop853 passes in the distance, and its error then: {}.", joined(&parts)))
 }
 
-/// How a scene's own equations pass, by each way that they were run.
+/// Errors with which a scene's own equations pass the singularity, by each method that was run.
 pub fn own(list: &[Passed]) -> Option<String> {
     let own: Vec<&Passed> = list.iter().filter(|p| p.by.is_reduced()).collect();
     let mut methods: Vec<&str> = own.iter().map(|p| p.method).collect();
@@ -91,8 +91,8 @@ pub fn own(list: &[Passed]) -> Option<String> {
         .then(|| format!("The scene's own reduced equations pass at {} {}.", joined(&places), parts.join("; ")))
 }
 
-/// Whether Lagrange's equations keep digits in the coordinate itself that formulations in other speeds lose, and what
-/// the distance makes of it; nothing where the findings do not show it.
+/// Sentence for the case that Lagrange's equations keep digits in the coordinate itself that formulations in other
+/// speeds lose, with their errors in the distance; `None` if the findings do not show it.
 pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
     let of = |formulation: Formulation, variable: Variable| {
         let by = By::from(formulation);
@@ -136,7 +136,7 @@ fn rate(model: &Model) -> Option<String> {
     Some(pretty(&format!("{}' = {}", coordinate.name, text(&model.arena, *rate))))
 }
 
-/// What the figure of errors and condition numbers shows.
+/// Caption of the figure of errors and condition numbers.
 pub fn conditioning(model: &Model, findings: &Findings) -> String {
     let divisor = divisor(model);
     let mut list = vec![format!(
@@ -157,7 +157,7 @@ pub fn conditioning(model: &Model, findings: &Findings) -> String {
     list.join(" ")
 }
 
-/// What was found at one place of a passage.
+/// Findings at one place of a passage: errors and condition numbers.
 fn at(list: &[Looked], place: f64, divisor: &str) -> Option<String> {
     let here = |solve: Solve| list.iter().filter(move |l| l.divisor.total_cmp(&place).is_eq() && l.solve == solve);
     let eliminated = here(Solve::Eliminated).map(|l| l.error).reduce(f64::max)?;

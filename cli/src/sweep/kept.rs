@@ -1,27 +1,27 @@
 //! The rows of an unfinished table that stay when its sweep goes on.
 //!
-//! Invariant: what stays is what the sweep would write again: its header, then whole rows of its first points, in order. A last row that was cut off
-//! is none; anything else is not of this sweep, and refused.
+//! Invariant: the kept bytes are those that the sweep would write again: its header, then whole rows of its first
+//! points, in order. A last row that was cut off is dropped; any other content is not of this sweep, and refused.
 
 use super::summary::Tally;
 use super::table::Columns;
 use std::io::{self, BufRead, BufReader, Read};
 use std::ops::Range;
 
-/// What stays of a table.
+/// The kept part of an unfinished table.
 #[derive(Default)]
 pub struct Kept {
-    /// Rows.
+    /// Number of whole rows.
     pub rows: u64,
     /// Bytes, the header among them; 0 if not even that was whole.
     pub bytes: u64,
-    /// How the rows ended.
+    /// Counts of the ways in which the rows ended.
     pub tally: Tally,
 }
 
 /// Why an unfinished table is not one of this sweep.
 pub enum Alien {
-    /// What it has.
+    /// Content that this sweep would not write, in words.
     Other(String),
     /// It cannot be read.
     Unread(io::Error),

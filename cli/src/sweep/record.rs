@@ -1,7 +1,8 @@
-//! What an unfinished table was begun with, beside it as `FILE.part.json` until the table is whole.
+//! Record of the request that an unfinished table was begun with, beside it as `FILE.part.json` until the table is
+//! whole.
 //!
-//! Invariant: a sweep goes on only with what it was begun with. Whatever a row depends on is in the record: the texts of the files, the values, the points,
-//! the equations, and how they are integrated.
+//! Invariant: a sweep goes on only with the request that it was begun with. All that a row depends on is in the record:
+//! the texts of the files, the values, the points, the equations, and how they are integrated.
 
 use crate::failure::Failure;
 use crate::output::text;
@@ -14,7 +15,7 @@ use tripos_derive::model::text_hash;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::report::hash_beside;
 
-/// What decides what the rows of a sweep are, by name.
+/// All settings that determine the rows of a sweep, by name.
 pub struct Record(Vec<(&'static str, String)>);
 
 impl Record {
@@ -85,7 +86,7 @@ pub fn refused(part: &Path, why: &str) -> Failure {
     Failure::request(format!("`{}` was begun by another sweep: {why}", path_in_line(part)), HELP)
 }
 
-/// What to do with an unfinished table that does not go on.
+/// Advice for an unfinished table that cannot be continued.
 const HELP: &str = "give the options and files that it was begun with, or leave --resume out to start anew";
 
 fn place(part: &Path) -> PathBuf {

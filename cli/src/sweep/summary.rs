@@ -1,4 +1,4 @@
-//! What became of the points of a sweep, counted.
+//! Counts of the outcomes of a sweep's points.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -7,11 +7,11 @@ use tripos::sweep::Row;
 /// Counts of rows by how they ended.
 #[derive(Default)]
 pub struct Tally {
-    /// By the code of the stop.
+    /// Counts by the code of the stop.
     stops: BTreeMap<String, Count>,
 }
 
-/// How many rows ended in one way.
+/// Number of rows that ended in one way.
 #[derive(Default)]
 struct Count {
     rows: u64,

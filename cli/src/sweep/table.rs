@@ -43,12 +43,12 @@ impl Columns {
         self.names.iter().enumerate().find(is_twice).map(|(_, name)| name.as_str())
     }
 
-    /// How many there are.
+    /// Number of columns.
     pub fn count(&self) -> usize {
         self.names.len()
     }
 
-    /// Where the code of the stop stands.
+    /// Index of the column with the code of the stop.
     pub fn place_of_stop(&self) -> usize {
         self.stop
     }

@@ -1,7 +1,7 @@
-//! What the viewer is given, as JSON.
+//! Data of the viewer, as JSON.
 //!
-//! Invariant: places and attitudes are whole multiples of a step that nobody sees, written as differences from one instant to the next,
-//! so that the sums are exact and the file is short.
+//! Invariant: places and attitudes are whole multiples of a step too small to be seen, written as differences from one
+//! instant to the next, so that the sums are exact and the file is short.
 
 use super::{Home, Live, Seen};
 use serde_json::{Map, Value, json};
@@ -66,14 +66,14 @@ fn place(form: &Form) -> Option<&Place> {
     }
 }
 
-/// As many pictures of each motion as there is room for.
+/// Number of pictures of each motion that fit into so many bytes.
 fn most(seen: &Seen<'_>, kept: &Kept, bytes: usize) -> usize {
     let forces = seen.motions.first().map_or(0, |motion| motion.forces.list.len());
     let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * forces;
     (bytes / (each * NUMBER)).max(2)
 }
 
-/// Whether the pictures that there is room for show the turning of all bodies as it is.
+/// True if the pictures that fit are close enough in time to show how every body turns.
 pub fn turns_truly(seen: &Seen<'_>, bytes: usize) -> bool {
     let most = most(seen, &Kept::of(seen), bytes);
     seen.motions.iter().all(|m| m.turns_truly(&m.thinned(seen.view.size, most).0))

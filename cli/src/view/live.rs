@@ -1,7 +1,7 @@
-//! The equations of a view in the page itself: what sliders change, and why there are none where there are none.
+//! The equations of a view in the page itself: the values that sliders change, and the reason if there are none.
 //!
-//! Invariant: the page computes nothing of mechanics that is not planned from the model here; texts reach it as data. Absent on purpose:
-//! impacts and drives that bend or jump, where steps have to end.
+//! Invariant: all mechanics in the page is planned from the model here; texts reach it as data. Absent on purpose:
+//! impacts, and drives that bend or jump, where steps have to end.
 
 use super::{Home, Seen};
 use crate::failure::Failure;
@@ -17,26 +17,26 @@ use tripos_traits::{AbsoluteTolerance, Direction};
 
 /// The step errors, relative and absolute, that a run in the page is allowed at most.
 const TOLERANCE: f64 = 1e-10;
-/// Whether a view runs its equations.
+/// Choice whether a view runs its equations.
 pub enum Live {
-    /// It does.
+    /// It runs them.
     Runs(Running),
     /// It does not, for this reason, in words.
     Rests(String),
 }
 
-/// What a view needs to run its equations.
+/// Equations and data with which a view runs.
 pub struct Running {
     /// The equations: an expression of JavaScript.
     pub equations: String,
-    /// What is run, from where, and what sliders there are.
+    /// The start of the run, its settings, and its sliders.
     pub data: Value,
-    /// Which equations, as in a heading.
+    /// Title of the equations, for a heading.
     pub title: String,
 }
 
 impl Running {
-    /// What the viewer is told, where it shows these points and frames of the mechanism.
+    /// Data for a viewer that shows these points and frames of the mechanism.
     pub fn shown(&self, points: &[usize], frames: &[usize]) -> Value {
         let mut data = self.data.clone();
         // The first equations of the page.
@@ -47,7 +47,7 @@ impl Running {
     }
 }
 
-/// What a scene needs that a page does not have, if it needs something.
+/// A feature of the scene that the page cannot compute, in words; `None` if it can run the scene.
 fn missing(seen: &Seen<'_>) -> Option<&'static str> {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     if mechanism.speeds.is_empty() {
@@ -109,12 +109,12 @@ impl Live {
     }
 }
 
-/// What ends a run: the domain, and events that say so.
+/// Conditions that end a run: the domain, and terminal events.
 struct Stops {
     watched: Vec<Watched>,
     /// In which direction each ends it, as `run` of the page takes it.
     directions: Vec<i8>,
-    /// Whether each must hold at the start.
+    /// True for a condition that must hold at the start.
     holds: Vec<bool>,
 }
 
@@ -158,7 +158,7 @@ fn named(stem: &str, values: Vec<Expr>) -> Vec<(String, String, Expr)> {
     values.into_iter().enumerate().map(|(at, e)| (format!("{stem}_{at}"), format!("{stem} {at}"), e)).collect()
 }
 
-/// What is run, and what can be changed.
+/// Data of the run, and of the values that can be changed.
 fn data(seen: &Seen<'_>, plan: &MotionPlan, stops: &Stops, title: &str) -> Value {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     let links = Links::of(mechanism);
@@ -196,7 +196,7 @@ fn slider(name: &str, about: &str, unit: &str, at: usize, value: f64, (from, to)
     json!({ "name": name, "about": about, "unit": unit, "at": at, "value": value, "from": from, "to": to })
 }
 
-/// What must be positive stays so; other numbers may become zero.
+/// Sliders of the parameters. A positive parameter stays positive; other numbers may become zero.
 fn parameters(seen: &Seen<'_>) -> Vec<Value> {
     let values = seen.mechanism.parameters.iter().zip(&seen.scene.parameters).enumerate();
     let of = |(at, (p, value)): (usize, (&tripos_derive::model::Parameter, &f64))| {
@@ -219,7 +219,8 @@ fn closing(seen: &Seen<'_>) -> Vec<usize> {
     coordinates.filter(|(_, c)| is_closed(&c.name)).map(|(at, _)| at).collect()
 }
 
-/// Coordinates but time and those that follow, then generalized speeds: angles by half a turn about their value, others by what they do in the motion.
+/// Sliders of the start: coordinates except time and dependent ones, then generalized speeds. An angle may change by
+/// half a turn, other values by their range in the motion.
 fn start(seen: &Seen<'_>) -> Vec<Value> {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     let ranges = seen.motions.first().map_or(&[][..], |motion| &motion.ranges);

@@ -11,10 +11,10 @@ use tripos_derive::mechanics::derive_all;
 use tripos_derive::report::load_beside;
 use tripos_derive::{Formulation, Model, derive};
 
-/// What JavaScript files are called behind their names: modules, for Node as for browsers.
+/// Extension of JavaScript files: modules, for Node as for browsers.
 pub const EXTENSION: &str = "mjs";
 
-/// Emits the modules of a model that is read already: of these formulations alone, or, if none are named, of all that the model
+/// Emits the JavaScript modules of a model: of these formulations alone, or, if none are named, of all that the model
 /// supports and of the printed equations of the report beside it.
 ///
 /// # Errors

@@ -1,7 +1,7 @@
 //! Formulas as expressions of JavaScript, in doubles.
 //!
-//! Operations stand in the order in which the other targets have them, so that results differ by rounding alone; a product and a sum
-//! are never one operation.
+//! Operations stand in the order in which the other targets have them, so that results differ by rounding alone; a
+//! product and a sum are never one operation.
 
 use crate::plan::{constant_and_factors, led};
 use tripos_derive::algebra::Rational;
@@ -115,8 +115,8 @@ mod tests {
         expression(&view(&arena, e, &Shared::default(), usize::MAX))
     }
 
-    /// Goal: what is written is the formula, by the precedence of the language. Method: forms in which a parenthesis that is missing
-    /// changes the value, or is no expression at all.
+    /// Goal: the written expression has the value of the formula, by the precedence of the language. Method: forms in
+    /// which a missing parenthesis changes the value, or leaves no expression at all.
     #[test]
     fn formulas_keep_their_meaning() {
         let forms = [

@@ -4,7 +4,7 @@ use super::expression::expression;
 use super::text::{comment, statement};
 use crate::plan::{Argument, Entry, Function, Line, Parts, Program, Returns, Statement};
 
-/// Whether lines have their formulas above them.
+/// Choice whether the formulas are written as comments above their lines.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Comments {
     /// For people.
@@ -15,7 +15,7 @@ pub enum Comments {
 
 /// Writes functions.
 pub struct Writer {
-    /// What was written.
+    /// The text written so far.
     pub out: String,
     comments: Comments,
     indent: &'static str,
@@ -28,7 +28,7 @@ impl Writer {
         Self { out: String::new(), comments, indent: "" }
     }
 
-    /// Whether comments are written.
+    /// Choice whether comments are written.
     #[must_use]
     pub fn comments(&self) -> Comments {
         self.comments
@@ -190,7 +190,7 @@ fn given(planned: &Function) -> String {
     planned.arguments.iter().flat_map(|argument| [argument.name(), ", "]).collect()
 }
 
-/// What is returned, as an expression.
+/// The `return` value of a function, as an expression: a number, an array, a pair of arrays, or an array of rows.
 fn result(returns: Returns, entries: &[Entry]) -> String {
     let names: Vec<&str> = entries.iter().map(|e| if let Entry::Variable(name) = e { name } else { "0" }).collect();
     let array = |list: &[&str]| format!("[{}]", list.join(", "));

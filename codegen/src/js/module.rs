@@ -27,16 +27,16 @@ const NAMES: [&str; 10] = [
 const FUNCTIONS: [&str; 6] =
     ["accelerations", "coordinate_rates", "derivative", "generalized_speeds", "motion_variables", "reactions"];
 
-/// What no run needs.
+/// Names of functions that no run calls.
 const NOT_RUN: [&str; 1] = ["power"];
 
-/// What a module is of.
+/// Contents of a JavaScript module: a plan, the watched quantities and further functions.
 pub struct Module<'a> {
-    /// What plans its functions.
+    /// Planner of its functions.
     pub planner: &'a Planner<'a>,
     /// Its functions.
     pub plan: &'a MotionPlan,
-    /// What is watched is called so, in the order in which it was to be watched.
+    /// Names of the watched quantities, in the order in which they were given.
     pub watched: &'a [String],
     /// Functions beside those of the plan.
     pub beside: &'a [Function],
@@ -55,7 +55,8 @@ impl Module<'_> {
         writer.out
     }
 
-    /// An expression of JavaScript whose value is an object with all that the module exports, as a page has it: without comments.
+    /// An expression of JavaScript whose value is an object with all exports of the module, for a page: without
+    /// comments.
     #[must_use]
     pub fn object(&self) -> String {
         let mut writer = Writer::new(Comments::LeftOut);
@@ -127,7 +128,7 @@ impl Module<'_> {
         writer.raw(&format!("export const LOOPS = {};", model.loops.len()));
     }
 
-    /// What a browser does not need, since a function computes it together with other things.
+    /// True if a browser does not need the function, since another function computes its values or no run calls it.
     fn is_left_out(&self, name: &str, comments: Comments) -> bool {
         let together = ["accelerations", "coordinate_rates"];
         comments == Comments::LeftOut && (together.contains(&name) && self.has("derivative") || NOT_RUN.contains(&name))

@@ -5,7 +5,8 @@ use crate::plan::Language;
 /// JavaScript modules, with the names that generated functions use for other things.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE };
 
-/// Names in scope of the bodies of generated functions. What they call beside them has a `$` in its name, which no model has.
+/// Names in scope of the bodies of generated functions. What they call beside them has a `$` in its name, which no
+/// model has.
 const IN_SCOPE: [&str; 14] =
     ["p", "q", "u", "q_dot", "v_dot", "r", "t", "out", "values", "Math", "NaN", "Infinity", "undefined", "globalThis"];
 
@@ -62,7 +63,7 @@ const WORDS: [&str; 49] = [
     "yield",
 ];
 
-/// Whether a word of letters, digits and underscores may be the name of a variable.
+/// True if a word of letters, digits and underscores may be the name of a variable.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     let opens = |c: char| c.is_ascii_alphabetic() || c == '_';

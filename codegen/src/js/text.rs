@@ -58,8 +58,8 @@ pub fn comment(out: &mut String, indent: &str, text: &str) {
     }
 }
 
-/// A statement without texts on as many lines as it takes. It is broken at spaces, which stand about operators, so that no line can be
-/// read as a whole one.
+/// Writes a statement without string literals on as many lines as it takes. It is broken at the spaces about operators,
+/// so that no line but the last is a complete statement.
 pub fn statement(out: &mut String, indent: &str, text: &str) {
     for (at, part) in wrap(text, WIDTH - indent.len() - 4).iter().enumerate() {
         let hang = if at == 0 { "" } else { "    " };

@@ -15,7 +15,7 @@ pub struct Written {
     pub arena: Arena,
     /// The equations.
     pub equations: Equations,
-    /// How the accelerations follow; nothing where the linear system is to be solved in numbers.
+    /// Elimination that gives the accelerations; `None` if the linear system is to be solved in numbers.
     pub solved: Option<Elimination>,
 }
 
@@ -58,7 +58,8 @@ impl Written {
         }
     }
 
-    /// What plans its functions in JavaScript. What was solved for shares operations; what runs as it stands keeps its own cancellations.
+    /// Planner of its functions in JavaScript. Equations that were solved for share operations; equations that run as
+    /// printed keep their own cancellations.
     #[must_use]
     pub fn planner<'a>(&'a self, model: &'a Model) -> Planner<'a> {
         Planner::new(model, &self.arena, &self.equations, &LANGUAGE, self.equations.by.printed_id().is_none())

@@ -1,4 +1,4 @@
-//! What a function is given and what it returns, entry by entry.
+//! Arguments and return values of a function, entry by entry.
 
 /// An argument of a function, with the variables that its body has for what it reads.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -10,7 +10,7 @@ pub enum Argument {
     },
     /// An array, with a variable for each entry that is read.
     Array {
-        /// What the array is called.
+        /// Name of the array.
         name: &'static str,
         /// Its entries.
         entries: Vec<Option<String>>,
@@ -20,7 +20,7 @@ pub enum Argument {
 }
 
 impl Argument {
-    /// What it is called.
+    /// Name of the argument in the signature.
     #[must_use]
     pub fn name(&self) -> &str {
         match self {
@@ -30,7 +30,7 @@ impl Argument {
         }
     }
 
-    /// Whether anything of it is read.
+    /// True if the body reads any entry of it.
     #[must_use]
     pub fn is_read(&self) -> bool {
         match self {

@@ -1,11 +1,11 @@
-//! What a piece of generated code costs, counted over its plan.
+//! Cost of a piece of generated code, counted over its plan.
 
 use super::form::{constant_and_factors, led};
 use super::program::{Line, Program};
 use std::fmt;
 use tripos_derive::algebra::view::View;
 
-/// How many operations a call takes. A fused product and sum counts as both.
+/// Number of operations of a call. A fused product and sum counts as both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Additions, subtractions, multiplications, divisions and sign changes.
@@ -19,12 +19,12 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// What one division costs in additions, roughly: on current processors it holds its unit that much longer.
+    /// Cost of one division in additions, roughly: on current processors it holds its unit that much longer.
     const DIVISION: usize = 4;
-    /// What a sine and a cosine, or another function, cost in additions, roughly.
+    /// Cost of a sine with its cosine, or of another function, in additions, roughly.
     const FUNCTION: usize = 30;
 
-    /// What a call of a program costs.
+    /// Counts the operations of one call of a program.
     #[must_use]
     pub fn of(program: &Program) -> Self {
         let mut cost = Self::default();

@@ -1,4 +1,4 @@
-//! How a formula is read by what writes it down as a computation: what is written first, and what can be fused.
+//! Form of a formula as a computation: the term to write first, and the products and sums that can be fused.
 
 use tripos_derive::algebra::view::View;
 
@@ -16,7 +16,7 @@ pub fn led(terms: &[(bool, View)]) -> Vec<&(bool, View)> {
     order
 }
 
-/// Whether a formula is a product of names and numbers alone, or a square of one.
+/// True if a formula is a product of names and numbers alone, or a square of one.
 #[must_use]
 pub fn is_plain_product(view: &View) -> bool {
     match view {
@@ -30,7 +30,7 @@ fn is_plain(view: &View) -> bool {
     matches!(view, View::Name(_) | View::Shared(_) | View::Number(_))
 }
 
-/// Whether a formula has no sum inside.
+/// True if a formula contains no sum.
 #[must_use]
 pub fn is_flat(view: &View) -> bool {
     match view {

@@ -14,8 +14,8 @@ use tripos_derive::mechanics::{By, Constrained, Divisors, Solved, bare};
 /// Steps of accelerations up to which q̇ and v̇ are also computed together, sharing what they can.
 const MOST_REPEATED: usize = 100;
 
-/// Operations of a matrix and its forcing from which, and up to which, they are also computed together: short ones cost little apart, and long
-/// ones take compilers long twice.
+/// Operations of a mass matrix and its forcing for which a function that computes both is worth its length. Shorter
+/// ones cost little apart; longer ones would take compilers long twice.
 const WORTH_SHARING: RangeInclusive<usize> = 200..=4000;
 
 /// Divisors up to which they are listed by their formulas.
@@ -27,24 +27,24 @@ pub struct FormulationPlan<'a> {
     pub planner: &'a Planner<'a>,
     /// The equations, in the order in which they are read.
     pub equations: Vec<Function>,
-    /// What runs use beside the equations: `derivative` and `jacobian`, where accelerations were solved for and are not
-    /// too long, and `inverse_dynamics`.
+    /// Functions for runs, beside the equations: `derivative` and `jacobian`, where accelerations were solved for and
+    /// are not too long, and `inverse_dynamics`.
     pub machine: Vec<Function>,
-    /// What people call the divisors that `divisors` gives; none where nothing is divided by that might be zero.
+    /// Names, for people, of the divisors that `divisors` returns; empty if no divisor can be zero.
     pub divisors: Vec<String>,
-    /// What the constraints are called that `constraints` gives; none where no run can break any.
+    /// Names of the constraints whose residuals `constraints` returns; empty if no run can violate any.
     pub constraints: Vec<String>,
     /// The recurrences of its Taylor coefficients.
     pub taylor: Option<TaylorPlan<'a>>,
     /// Operations of the accelerations, if they were solved for.
     pub solved_cost: Option<usize>,
-    /// What its header says of it, line by line.
+    /// Statements about it for the header, line by line.
     pub facts: Vec<String>,
 }
 
 impl<'a> FormulationPlan<'a> {
-    /// Plans the equations, and what was solved of them; with the entries of the Jacobian and with recurrences if these are asked
-    /// for.
+    /// Plans the equations and the accelerations solved from them; also the entries of the Jacobian and the recurrences
+    /// if these are asked for.
     #[must_use]
     pub fn new(
         planner: &'a Planner<'a>,
@@ -197,7 +197,8 @@ pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     vec![planned("constraints", about, &values), planned("constraint_slopes", &about_slopes, &slopes)]
 }
 
-/// `redundant_constraints`: what closes where the loops are closed, as long as the mechanism has the freedoms that it was derived with.
+/// Function `redundant_constraints`: residuals of redundant constraints. They are zero where the loops are closed, as
+/// long as the mechanism has the freedoms that it was derived with.
 pub(super) fn redundant_constraints(planner: &Planner<'_>) -> Option<Function> {
     let closed = planner.model.closed.iter().enumerate();
     let values: Vec<Value> =
@@ -311,7 +312,7 @@ fn vector_text(arena: &Arena, symbols: &[Expr]) -> String {
     format!("({})", names.join(", "))
 }
 
-/// What is solved for, and where the equations are singular.
+/// Header lines: the unknowns, and where the equations are singular.
 pub(super) fn facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<String> {
     let e = planner.equations;
     let mut lines = vec![
@@ -322,7 +323,7 @@ pub(super) fn facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<
     lines
 }
 
-/// What the eliminated accelerations divide by.
+/// Header line with the divisors of the eliminated accelerations.
 fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
     if divisors.is_empty() {
         return "The accelerations divide by nothing.".to_owned();
@@ -337,7 +338,7 @@ fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
     format!("The accelerations divide by {}.", list.join(", by "))
 }
 
-/// Where equations are singular that divide by these.
+/// Header line with the configurations in which one of these divisors is zero: there the equations are singular.
 pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> String {
     let places: Vec<String> = distinct(arena, divisors).iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
     match places.as_slice() {

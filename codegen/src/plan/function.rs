@@ -23,21 +23,21 @@ const MOST_LINES: usize = 20;
 pub struct Function {
     /// Its name.
     pub name: &'static str,
-    /// What it computes, as a sentence.
+    /// Its result, as a sentence.
     pub about: String,
-    /// What it is given.
+    /// Its arguments, in the order of the signature.
     pub arguments: Vec<Argument>,
-    /// What it returns.
+    /// Shape of its return value.
     pub returns: Returns,
     /// The steps of the computation.
     pub program: Program,
-    /// What is returned, entry by entry.
+    /// Entries of the return value, in order.
     pub entries: Vec<Entry>,
     /// The program in parts, if it is long.
     pub parts: Option<Parts>,
-    /// What a call costs.
+    /// Operations of one call.
     pub cost: Cost,
-    /// Whether each line is to have its formula above it: where most lines are named terms, their names say it.
+    /// True if each line is to have its formula above it. Where most lines are named terms, their names say it.
     pub explained: bool,
 }
 
@@ -50,7 +50,7 @@ pub enum Arguments {
     Speeds,
     /// (p, q, v, v̇)
     StateAndRates,
-    /// (p, q)
+    /// (p, q) alone: no motion variables
     Configuration,
     /// (p, q, v, r): reactions beside the state, in the order of the model
     Balanced,
@@ -61,7 +61,7 @@ pub enum Arguments {
     },
 }
 
-/// What a function returns.
+/// Shape of the return value of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Returns {
     /// One number.
@@ -72,13 +72,13 @@ pub enum Returns {
     Pair(usize),
     /// A square array, row by row; symmetric ones are computed from their upper triangle.
     Matrix {
-        /// Whether it equals its transpose.
+        /// True if the matrix equals its transpose.
         symmetric: bool,
     },
 }
 
 impl Returns {
-    /// What stands above the lines of the entries.
+    /// Heading above the lines of the entries.
     #[must_use]
     pub fn heading(self) -> &'static str {
         match self {
@@ -111,7 +111,7 @@ pub struct Planner<'a> {
     pub equations: &'a Equations,
     /// The variable of each symbol.
     pub variables: Variables,
-    /// Whether operations are shared. Printed equations are not: they run with their own cancellations.
+    /// True if common operations are shared. Printed equations share none: they run with their own cancellations.
     pub shares: bool,
 }
 
@@ -132,7 +132,7 @@ impl<'a> Planner<'a> {
         Self { model, arena, equations, variables, shares }
     }
 
-    /// Whether lines have their formulas above them: not where the equations are made of named terms.
+    /// True if lines have their formulas above them; false if the equations are made of named terms.
     #[must_use]
     pub fn explains(&self) -> bool {
         self.equations.definitions.len() <= MOST_READ
@@ -255,7 +255,7 @@ impl<'a> Planner<'a> {
 }
 
 impl Function {
-    /// What of [`Function::cost`] depends on parameters alone: it could be computed once for all states.
+    /// The share of [`Function::cost`] that depends on parameters alone: it could be computed once for all states.
     #[must_use]
     pub fn cost_of_parameters(&self) -> Cost {
         let mut fixed: FxHashSet<&str> = FxHashSet::default();

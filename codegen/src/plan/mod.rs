@@ -1,4 +1,4 @@
-//! What generated code computes, before it is written in any language.
+//! Plan of generated code: its functions and their steps, before they are written in any language.
 //!
 //! The flow: equations → a [`Planner`] → [`Function`]: a name, arguments, what is returned, and a [`Program`] of
 //! ordered, shared and named steps, each with the formula that a reader knows it by; what a call costs is a fold over

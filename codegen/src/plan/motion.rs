@@ -1,4 +1,4 @@
-//! What a motion is run by, in a target that runs it by itself: the accelerations and what is watched on the way.
+//! Functions with which a target runs a motion by itself: the accelerations and the watched quantities.
 
 use super::formulation::{
     accelerations, constraints, conversions, derivative, divisors, facts, kinematics_and_energies, linear_system,
@@ -15,7 +15,7 @@ const MOST_TOGETHER: usize = 400;
 /// A condition that holds as long as its value is positive, or what is zero at an event.
 #[derive(Clone, Debug)]
 pub struct Watched {
-    /// What it is called, as people read it.
+    /// Its name, as people read it.
     pub name: String,
     /// In parameters, q, q̇, u and reactions.
     pub value: Expr,
@@ -24,34 +24,34 @@ pub struct Watched {
 /// The functions that run one formulation of one model.
 #[derive(Debug)]
 pub struct MotionPlan {
-    /// The functions, in the order in which they are read: either `accelerations`, or `mass_matrix` and `forcing` of a linear system
-    /// whose first unknowns they are; `coordinate_rates`, energies, and what else there is.
+    /// The functions, in the order in which they are read: either `accelerations`, or `mass_matrix` and `forcing` of a
+    /// linear system whose first unknowns are the accelerations; `coordinate_rates`, energies, and the others.
     pub functions: Vec<Function>,
-    /// Whether the accelerations were solved for when this was planned.
+    /// True if the accelerations were solved for when this was planned.
     pub is_solved: bool,
-    /// Whether something works that V leaves out, so that T + V is not constant.
+    /// True if a load that V leaves out does work, so that T + V is not constant.
     pub has_power: bool,
-    /// How many motion variables there are.
+    /// Number of motion variables.
     pub variables: usize,
-    /// `balance_matrix` and `balance_forcing`: the linear system that gives accelerations and then reactions from parameters, q and u;
-    /// none where nothing that is watched mentions a reaction.
+    /// Functions `balance_matrix` and `balance_forcing`: the linear system that gives accelerations and then reactions
+    /// from parameters, q and u. Empty if no watched quantity mentions a reaction.
     pub balance: Vec<Function>,
-    /// What people call the divisors that `divisors` gives.
+    /// Names, for people, of the divisors that `divisors` returns.
     pub divisors: Vec<String>,
-    /// What the constraints are called that `constraints` gives: what is zero in every motion, and drifts in a run that does not keep it;
-    /// first the loops of the model.
+    /// Names of the constraints whose residuals `constraints` returns, the loops of the model first. A residual is zero
+    /// in every motion, and drifts in a run without projection.
     pub constraints: Vec<String>,
-    /// What `conditions` gives is called so: places among those that were to be watched.
+    /// Indices, among the given watched quantities, of the values that `conditions` returns.
     pub conditions: Vec<usize>,
     /// Places of those that need a reaction which no balance gives.
     pub unwatched: Vec<usize>,
-    /// What a header says of it, line by line.
+    /// Statements about it for a header, line by line.
     pub facts: Vec<String>,
 }
 
 impl MotionPlan {
-    /// Plans the equations with what was solved of them; reactions are those of the `balance`, equations of the same model whose
-    /// unknowns they are.
+    /// Plans the equations with the accelerations solved from them. The reactions are those of `balance`: equations of
+    /// the same model whose unknowns they are.
     #[must_use]
     pub fn new(
         planner: &Planner<'_>,
@@ -99,12 +99,13 @@ impl MotionPlan {
     }
 }
 
-/// Whether what is watched mentions a reaction.
+/// True if a watched quantity mentions a reaction.
 fn needs_reaction(planner: &Planner<'_>, e: Expr) -> bool {
     planner.model.reactions.iter().any(|reaction| planner.arena.mentions(e, reaction.symbol))
 }
 
-/// Whether equations are in u, and their unknowns are the accelerations and then the reactions in the order of the model.
+/// True if equations are in u, and their unknowns are the accelerations and then the reactions in the order of the
+/// model.
 fn gives_reactions(planner: &Planner<'_>) -> bool {
     let (e, reactions) = (planner.equations, &planner.model.reactions);
     let unknowns = e.unknowns.iter().skip(e.variables.len()).copied();

@@ -12,9 +12,9 @@ const LONGEST: usize = 24;
 /// The longest list of variables in a name.
 const LONGEST_LIST: usize = 12;
 
-/// What a plan asks of the language that it is for.
+/// Rules of a target language for names.
 pub struct Language {
-    /// Whether a word of letters, digits and underscores may be a variable's name.
+    /// True if a word of letters, digits and underscores may be a variable's name.
     pub is_name: fn(&str) -> bool,
     /// Names that generated functions use for other things.
     pub in_scope: &'static [&'static str],
@@ -39,7 +39,7 @@ impl Allocator {
         Self { is_name: language.is_name, taken: language.in_scope.iter().copied().map(str::to_owned).collect() }
     }
 
-    /// Whether a name was not given out yet.
+    /// True if a name was not given out yet.
     #[must_use]
     pub fn is_free(&self, name: &str) -> bool {
         !self.taken.contains(name)
@@ -65,13 +65,13 @@ impl Allocator {
 /// The variable of each symbol: `q1'` is held in `q1_dot`.
 #[derive(Clone)]
 pub struct Variables {
-    /// By symbol.
+    /// The name of each variable, by its symbol.
     pub of: FxHashMap<Expr, String>,
-    /// What is taken by them.
+    /// Allocator that has given these names out.
     pub allocator: Allocator,
-    /// What changes fastest: motion variables and rates. Terms are named after those that they have.
+    /// Symbols that change fastest: motion variables and rates. Terms are named after those that they contain.
     pub moving: FxHashSet<Expr>,
-    /// What stands behind the symbols that sharing introduced.
+    /// The term that each symbol introduced by sharing stands for.
     pub behind: FxHashMap<Expr, Expr>,
     /// The variables of symbols that sharing introduced, by their names in formulas.
     shared: FxHashMap<String, String>,
@@ -208,8 +208,7 @@ impl Names {
         self.allocator.unique(&wanted)
     }
 
-    /// What a term holds as a word, as far as that is short; otherwise what needs it, and the variables that it depends
-    /// on.
+    /// A name for a term: its own word if that is short; otherwise `stem` and the variables that it depends on.
     pub fn describe(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
         let word = self.word(arena, variables, e).map(|word| word.to_lowercase());
         let word = word.filter(|word| word.len() <= LONGEST && word.starts_with(|c: char| c.is_ascii_alphabetic()));

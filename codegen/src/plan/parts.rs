@@ -15,7 +15,7 @@ const PART: usize = 1000;
 /// A part of a program.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// What it is given of the function's arguments.
+    /// The function's arguments that it reads.
     pub arguments: Vec<Argument>,
     /// Places whose values it needs, with their variables.
     pub reads: Vec<(usize, String)>,
@@ -32,9 +32,9 @@ pub struct Parts {
     pub list: Vec<Part>,
     /// The length of the array.
     pub places: usize,
-    /// Where the array has what the function returns, by variable.
+    /// Places of the array that hold the returned values, with their variables.
     pub results: Vec<(usize, String)>,
-    /// What the result takes from the arguments themselves.
+    /// Arguments that the return value takes directly.
     pub arguments: Vec<Argument>,
 }
 

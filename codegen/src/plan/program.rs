@@ -21,7 +21,7 @@ pub struct Statement {
     pub name: String,
     /// Its value, with shared terms standing as their names.
     pub value: View,
-    /// What the variable is, in the language of model files; nothing where its value says so by itself.
+    /// The variable's meaning, in the language of model files; `None` if its value says so by itself.
     pub comment: Option<String>,
 }
 
@@ -44,7 +44,7 @@ pub enum Line {
 }
 
 impl Line {
-    /// What is computed; of a sine and a cosine, their angle.
+    /// The computed expression; for a sine and a cosine, their angle.
     #[must_use]
     pub fn value(&self) -> &View {
         match self {
@@ -124,9 +124,9 @@ fn collect<'v>(view: &'v View, names: &mut FxHashSet<&'v str>) {
 pub struct Output {
     /// The variable that is wanted; another if an input has that name.
     pub name: String,
-    /// How comments call it: `M12`, `f3`.
+    /// Its label in comments: `M12`, `f3`.
     pub label: String,
-    /// What is computed.
+    /// The expression to compute.
     pub value: Expr,
     /// The value as comments state it: before what it shares with others was taken out.
     pub stated: Expr,
@@ -179,7 +179,7 @@ pub fn program(
 struct Builder<'a> {
     arena: &'a Arena,
     uses: FxHashMap<Expr, usize>,
-    /// What each term is named after that has no better name.
+    /// Name of the first step or output that needs each term: stem of the term's name if it has no better one.
     needs: FxHashMap<Expr, String>,
     names: Names,
     /// The variables of symbols, steps included.
@@ -271,7 +271,7 @@ impl Builder<'_> {
         Statement { name, value, comment: Some(self.equation(&output.label, output.stated)) }
     }
 
-    /// What is computed as an equation; the name alone of what stays as it is.
+    /// The comment `name = formula`; the name alone if the value is that symbol itself.
     fn equation(&self, name: &str, value: Expr) -> String {
         let stays = self.arena.symbol_name(value) == Some(name);
         if stays { name.to_owned() } else { format!("{name} = {}", text(self.arena, value)) }
@@ -339,7 +339,7 @@ impl Builder<'_> {
     }
 }
 
-/// How often each term is used as an operand or as an output.
+/// Number of times that each term is used as an operand or as an output.
 fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, usize> {
     let mut uses: FxHashMap<Expr, usize> = FxHashMap::default();
     for operand in parts.iter().flat_map(|part| arena.operands(*part)).chain(roots.iter().copied()) {

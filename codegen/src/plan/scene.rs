@@ -39,7 +39,7 @@ impl<'a> SceneEquations<'a> {
         Ok(Self { reduction, arena, solved, recurrences, gradient })
     }
 
-    /// What plans its functions for a language.
+    /// Planner of its functions for a language.
     #[must_use]
     pub fn planner(&self, language: &Language) -> Planner<'_> {
         Planner::new(&self.reduction.model, &self.arena, &self.reduction.derivation.equations, language, true)
@@ -50,23 +50,24 @@ impl<'a> SceneEquations<'a> {
 pub struct ScenePlan<'a> {
     /// The scene's reduction.
     pub reduction: &'a Reduction,
-    /// From a start of the whole model: its constants, and its start. Their parameters are those of the whole model. None where
-    /// equations are in a moving frame: then no formula gives them.
+    /// Functions that give its constants and its start from a start of the whole model, whose parameters they take.
+    /// Empty if equations are in a moving frame: then no formula gives them.
     pub from_start: Vec<Function>,
     /// The equations, in the order in which they are read.
     pub equations: Vec<Function>,
-    /// What runs use beside the equations.
+    /// Functions for runs, beside the equations.
     pub machine: Vec<Function>,
-    /// What people call the divisors that `divisors` gives; none where nothing is divided by that might be zero.
+    /// Names, for people, of the divisors that `divisors` returns; empty if no divisor can be zero.
     pub divisors: Vec<String>,
     /// The recurrences of its Taylor coefficients.
     pub taylor: Option<TaylorPlan<'a>>,
-    /// What its header says of it, line by line.
+    /// Statements about it for the header, line by line.
     pub facts: Vec<String>,
 }
 
 impl<'a> ScenePlan<'a> {
-    /// Plans the functions of a scene of the whole model; with the entries of the Jacobian and with recurrences if these are asked for.
+    /// Plans the functions of a scene of the whole model; also the entries of the Jacobian and the recurrences if these
+    /// are asked for.
     #[must_use]
     pub fn new(
         whole: &Model,
@@ -122,7 +123,7 @@ fn from_start(whole: &Model, planner: &Planner<'_>, reduction: &Reduction) -> [F
     [constants, function("start", about, Returns::Pair(e.coordinates.len()), &state)]
 }
 
-/// What the scene asks for, what is left to integrate, and what stays constant.
+/// Header lines: the outputs of the scene, the states and quadratures left to integrate, and the constants.
 fn facts(reduction: &Reduction) -> Vec<String> {
     let arena = reduction.terms();
     let names = |list: &[Quantity]| match list {
@@ -225,7 +226,7 @@ fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
     ]
 }
 
-/// What one call of the derivative of the state costs: of all equations by Kane's method, and of a scene's own.
+/// Cost of one call of the derivative of the state: of all equations by Kane's method, and of a scene's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Costs {
     /// The cost of a call of the whole model.

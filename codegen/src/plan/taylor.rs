@@ -6,7 +6,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::print::text;
 use tripos_derive::algebra::{Arena, Expr, Function as Elementary, Node};
 
-/// What the convolutions of an order are padded to a multiple of: `LANES` of `tripos_traits::series`.
+/// Number of which the padded count of convolutions is a multiple: `LANES` of `tripos_traits::series`.
 const LANES: usize = 8;
 
 /// A function that computes Taylor coefficients by recurrences.
@@ -33,9 +33,9 @@ pub struct TaylorPlan<'a> {
     pub slots: FxHashMap<usize, usize>,
     /// The parameters, as far as weights have them.
     pub parameters: Argument,
-    /// What is constant in time.
+    /// Program of the terms that are constant in time.
     pub constants: Program,
-    /// Whether each line is to have its formula above it.
+    /// True if each line is to have its formula above it.
     pub explained: bool,
 }
 
@@ -90,7 +90,7 @@ impl<'a> TaylorPlan<'a> {
         }
     }
 
-    /// How many convolutions there is room for.
+    /// Number of convolutions that there is room for, padding included.
     #[must_use]
     pub fn width(&self) -> usize {
         self.list.convolutions().next_multiple_of(LANES).max(LANES)
@@ -107,7 +107,7 @@ impl<'a> TaylorPlan<'a> {
         }
     }
 
-    /// Whether anything reads the value of a series at order 0.
+    /// True if a recurrence or a rate reads the value of a series at order 0.
     fn needs_start(&self, at: usize) -> bool {
         let read =
             |s: &Series| s.rule.reads().contains(&at) || matches!(s.rule, Rule::Forward { slope, .. } if slope == at);
@@ -116,12 +116,12 @@ impl<'a> TaylorPlan<'a> {
         quotient || self.list.series.iter().any(read) || self.list.rates.iter().any(rate)
     }
 
-    /// How a weight reads in a comment.
+    /// Text of a weight in a comment.
     fn weight_text(&self, e: Expr) -> String {
         self.weights.get(&e).cloned().unwrap_or_else(|| text(self.arena, e))
     }
 
-    /// What a series is, in terms of others.
+    /// The equation `name = formula` of a series, in terms of other series; empty for a state.
     #[must_use]
     pub fn equation(&self, at: usize) -> String {
         let name = |x: &usize| self.names[*x].as_str();
@@ -179,7 +179,7 @@ fn constants(arena: &Arena, variables: &Variables, list: &Recurrences, weights: 
     program(arena, &variables, &[], &[], &outputs.collect::<Vec<_>>())
 }
 
-/// What stands behind the name of a series at orders 0, 1 and k − 1.
+/// Suffixes of the name of a series at orders 0, 1 and k − 1.
 const ORDERS: [&str; 3] = ["_0", "_1", "_last"];
 
 /// A name for each series, after what it stands for or what needs it; free at each order.
@@ -217,7 +217,7 @@ fn reserved(allocator: &mut Allocator, wanted: &str, given: bool) -> String {
     name
 }
 
-/// How many operations the coefficient of each series waits for, about, at one order.
+/// Operations at one order up to the coefficient of each series along its longest chain of recurrences, roughly.
 fn depths(list: &Recurrences) -> Vec<usize> {
     let mut depths: Vec<usize> = Vec::new();
     for s in &list.series {

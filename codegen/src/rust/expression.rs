@@ -82,7 +82,7 @@ fn long_number(numerator: &str, denominator: &str) -> TokenStream {
     }
 }
 
-/// How many digits a whole number has.
+/// Number of digits of a whole number.
 fn digits(text: &str) -> i32 {
     i32::try_from(text.trim_start_matches('-').len()).unwrap_or(i32::MAX)
 }

@@ -74,14 +74,14 @@ fn written(planned: &Function, parameters: &Parameters, dispatched: bool) -> Tok
     }
 }
 
-/// What stands before a function's result: its whole program.
+/// The body of a function up to its result: its whole program.
 fn whole(planned: &Function, parameters: &Parameters) -> TokenStream {
     let unpack = planned.arguments.iter().map(|argument| unpack(argument, parameters));
     let body = lines(planned, &planned.program, &[]);
     quote!(#(#unpack)* #body)
 }
 
-/// What stands before a function's result: a call of each part of its program, in a function of its own.
+/// The body of a function up to its result: calls of the parts of its program, each in a function of its own.
 fn in_parts(planned: &Function, parts: &Parts, parameters: &Parameters) -> TokenStream {
     let length = Literal::usize_unsuffixed(parts.places);
     let given: Vec<usize> = (0..planned.arguments.len()).filter(|at| planned.arguments[*at].is_read()).collect();
@@ -213,8 +213,8 @@ fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
     }
 }
 
-/// The lines of a program, with comments carried as marked doc attributes; under one heading a kind. Each has its formula
-/// above it if they are `explained`.
+/// The lines of a program, with comments carried as marked doc attributes; under one heading a kind. Each has its
+/// formula above it if they are `explained`.
 pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explained: bool) -> TokenStream {
     let is_elimination = lines.iter().any(|line| matches!(line, Line::Step(_)));
     let shared = if !explained {

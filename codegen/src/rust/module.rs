@@ -15,13 +15,13 @@ const MOST_IN_EIGHT: usize = 500;
 pub struct Entry {
     /// Their name, such as `kane` or `printed:ID`.
     pub name: String,
-    /// What they are called in a heading.
+    /// Their title, for headings.
     pub title: String,
     /// Operations of their accelerations, if these were solved for.
     pub solved: Option<usize>,
-    /// Whether their Taylor coefficients are had in lanes.
+    /// True if their Taylor coefficients can be computed in lanes.
     pub series: bool,
-    /// Whether people have a file of the equations, beside the code.
+    /// True if there is a file of the equations for people, beside the code.
     pub shown: bool,
 }
 
@@ -32,7 +32,7 @@ impl Entry {
         quote!(#[doc = #about] #[rustfmt::skip] pub mod #name;)
     }
 
-    /// What a program needs to run it.
+    /// The `CompiledSystem` with which a program runs the equations.
     fn system(&self) -> TokenStream {
         let (module, unit) = (format_ident!("{}", module_name(&self.name)), format_ident!("{}", type_name(&self.name)));
         let (name, system) = (&self.name, quote!(code::#module::#unit));
@@ -46,7 +46,7 @@ impl Entry {
     }
 }
 
-/// What is said of a model's module.
+/// Statements about a model's module, for its header.
 pub struct About<'a> {
     /// Its name.
     pub module: &'a str,
@@ -54,7 +54,7 @@ pub struct About<'a> {
     pub origin: &'a str,
     /// The hash of the report beside the model; empty if there is none.
     pub report_hash: &'a str,
-    /// Whether it has the equations of scenes.
+    /// True if it has the equations of scenes.
     pub has_scenes: bool,
 }
 

@@ -42,7 +42,7 @@ const IN_SCOPE: [&str; 30] = [
     "Err",
 ];
 
-/// Whether a word may be a name of a variable, a field or a module.
+/// True if a word may be a name of a variable, a field or a module.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     // `gen` is a keyword since the edition of 2024.

@@ -27,7 +27,7 @@ pub struct SceneFile {
     pub code: Option<String>,
 }
 
-/// What a scene's file is called by.
+/// Texts about a scene for the header of its file: name, title and origin.
 pub struct Named<'a> {
     /// The name of the scene's file, without its ending.
     pub name: &'a str,
@@ -120,7 +120,7 @@ fn equations_file(plan: &ScenePlan<'_>, named: &Named<'_>, module: &str) -> Stri
     format(&header(first_line(plan.reduction, named), named.origin, &plan.facts), quote!(#rest #(#shown)*))
 }
 
-/// Whether the Jacobian is the code, differentiated as it runs.
+/// True if the plan has no `jacobian`: then the Jacobian is the code, differentiated as it runs.
 fn is_long(plan: &ScenePlan<'_>) -> bool {
     !plan.machine.iter().any(|planned| planned.name == "jacobian")
 }

@@ -7,7 +7,8 @@ use tripos_derive::Equations;
 /// The function that stands for the Jacobian of a large system: its product with a direction.
 pub const JACOBIAN_PRODUCT: &str = "jacobian_product";
 
-/// `jacobian_product`. It calls the functions of its module, `derivative` or, where there is none, those of both halves.
+/// `jacobian_product`. It calls the functions of its module, `derivative` or, where there is none, those of both
+/// halves.
 pub fn jacobian_product(equations: &Equations, together: bool) -> TokenStream {
     let own = format_ident!("{}", if equations.formulation.is_in_rates() { "q_dot" } else { "u" });
     let (n, m) = (equations.coordinates.len(), equations.variables.len());

@@ -7,19 +7,19 @@ use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
 use tripos_derive::{Equations, Model};
 
-/// What there may be of a set of equations beside its kinematics and energies.
+/// An optional part of a set of equations, beside its kinematics and energies.
 #[derive(Clone, PartialEq, Eq)]
 pub enum Part {
     /// `mass_matrix` and `forcing`.
     LinearSystem {
-        /// Whether `linear_system` computes both at once.
+        /// True if `linear_system` computes both at once.
         together: bool,
     },
     /// `accelerations`, `derivative` and the Jacobian.
     Eliminated {
-        /// Whether there is `jacobian_product` in place of `jacobian`.
+        /// True if there is `jacobian_product` in place of `jacobian`.
         product: bool,
-        /// Whether there is `derivative`.
+        /// True if there is `derivative`.
         together: bool,
     },
     /// Recurrences of Taylor coefficients, with room for this many convolutions.
@@ -28,7 +28,7 @@ pub enum Part {
     Outputs(usize),
     /// The whole state as `outputs`, of this length.
     WholeState(usize),
-    /// `power`.
+    /// Function `power`.
     Power,
     /// `energy_gradient`.
     EnergyGradient,
@@ -146,7 +146,7 @@ impl Part {
     }
 }
 
-/// What all repeats after, as so many turns: the bits of `Slope::period`.
+/// Period of the coordinate after which all repeats, in turns: the bits of `Slope::period`.
 fn coordinate_period(turns: &Rational) -> TokenStream {
     let count = Literal::f64_unsuffixed(turns.to_f64());
     let times = (!turns.is_one()).then(|| quote!(#count *));

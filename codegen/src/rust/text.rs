@@ -31,7 +31,7 @@ pub fn header(first: String, origin: &str, facts: &[String]) -> Vec<String> {
     lines
 }
 
-/// What a function is, with the equations that it computes, as documentation.
+/// Documentation of a function: its result, with the equations that it computes.
 #[must_use]
 pub fn stated(planned: &Function) -> TokenStream {
     let mut lines = vec![format!(" {}", planned.about), String::new()];

@@ -38,7 +38,7 @@ impl Written {
 }
 
 impl Sorted {
-    /// Whether the module has the text of a function itself.
+    /// True if the module has the text of the function itself.
     pub fn has(&self, name: &str) -> bool {
         !self.others.iter().any(|(_, names)| names.contains(&name))
     }

@@ -15,7 +15,7 @@ const LONGEST: usize = 200;
 /// Powers of sums up to here are written out.
 const HIGHEST: i32 = 3;
 
-/// Which of equally frequent factors is taken out first.
+/// Choice of the factor to take out first among equally frequent ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Preference {
     /// The one built first.
@@ -167,7 +167,7 @@ fn horner(arena: &mut Arena, varying: &FxHashSet<Expr>, mut sum: Vec<Monomial>, 
     arena.mul(common, sum)
 }
 
-/// What all products of a sum have in common.
+/// Factors that all products of a sum have in common, with their exponents.
 fn common_factor(sum: &[Monomial]) -> Vec<(Expr, i32)> {
     let Some(first) = sum.first().filter(|_| sum.len() > 1) else { return Vec::new() };
     let least = |&(base, n): &(Expr, i32)| {

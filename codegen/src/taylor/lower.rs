@@ -57,7 +57,7 @@ pub fn lower(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Defini
     Some(tidied(Recurrences { series: lowering.series, states: states.to_vec(), rates: operands }, lowering.arena))
 }
 
-/// What changes in time: states whose rate is not 0, and what mentions them, steps included.
+/// Terms that change in time: states whose rate is not 0, and all terms that mention them, steps included.
 pub fn varying(arena: &Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> FxHashSet<Expr> {
     let value = |rate: Expr| steps.iter().find(|step| step.symbol == rate).map_or(rate, |step| step.value);
     let mut varying: FxHashSet<Expr> =
@@ -104,7 +104,7 @@ struct Lowering<'a> {
     series: Vec<Series>,
     known: FxHashMap<Expr, Operand>,
     known_pairs: FxHashMap<usize, Operand>,
-    /// How many operations each series waits for, about.
+    /// Operations up to each series along its longest chain of recurrences, roughly.
     depths: Vec<usize>,
     /// The state or the step whose value is being formed.
     current: Expr,
@@ -364,7 +364,7 @@ fn tidied(mut list: Recurrences, arena: &mut Arena) -> Recurrences {
     list
 }
 
-/// What the rates need; states always stay.
+/// Marks the series that the rates need; states always stay.
 fn live(list: &Recurrences) -> Vec<bool> {
     let mut live: Vec<bool> = list.series.iter().map(|s| matches!(s.rule, Rule::State(_))).collect();
     let rate = |operand: &Operand| match operand {

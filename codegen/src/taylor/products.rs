@@ -6,7 +6,7 @@ use tripos_derive::algebra::Expr;
 /// A factor that changes in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Base {
-    /// A term.
+    /// A single term, not a pair.
     Term(Expr),
     /// The pair at this place of [`Pairs`].
     Pair(usize),
@@ -15,9 +15,9 @@ pub enum Base {
 /// A factor, or what is divided by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Atom {
-    /// What is multiplied or divided by.
+    /// The factor or divisor itself.
     pub base: Base,
-    /// Whether it is divided by.
+    /// True if it is a divisor.
     pub inverse: bool,
 }
 

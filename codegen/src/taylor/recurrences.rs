@@ -5,51 +5,51 @@ use tripos_derive::algebra::{Expr, Function};
 /// Weights with which constants in time enter: terms of parameters and of states that do not change.
 pub type Constant = Expr;
 
-/// How the coefficients of a series z follow from those of others; x, y, w are places in [`Recurrences::series`], and
-/// z_k is the coefficient of order k.
+/// Recurrence for the coefficients of a series z from those of others; x, y, w are places in [`Recurrences::series`],
+/// and z_k is the coefficient of order k.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// The state at this place: z_k is the coefficient k − 1 of its rate, over k.
     State(usize),
     /// constant + Σ weight · x.
     Linear {
-        /// What is added at order 0.
+        /// Constant that is added at order 0.
         constant: Constant,
         /// (weight, x)
         terms: Vec<(Constant, usize)>,
     },
-    /// z = x y.
+    /// Product of two series: z = x y.
     Product(usize, usize),
     /// z = x/y, or 1/y without an x.
     Quotient(Option<usize>, usize),
-    /// z² = x.
+    /// Square root of a series: z² = x.
     Root(usize),
     /// z' = ±x' w, as for sin x with w = cos x.
     Forward {
         /// The function whose value z has at order 0.
         value: Function,
-        /// x.
+        /// Place of x.
         of: usize,
         /// w, of which only lower orders are used; it may come later in the list.
         slope: usize,
-        /// Whether the sign is a minus.
+        /// True for the minus sign.
         negative: bool,
     },
     /// z' w = ±x', as for log x with w = x.
     Backward {
         /// The function whose value z has at order 0.
         value: Function,
-        /// x.
+        /// Place of x.
         of: usize,
-        /// w.
+        /// Place of w.
         slope: usize,
-        /// Whether the sign is a minus.
+        /// True for the minus sign.
         negative: bool,
     },
 }
 
 impl Rule {
-    /// Whether a convolution over lower orders is needed.
+    /// True if a convolution over lower orders is needed.
     #[must_use]
     pub fn convolves(&self) -> bool {
         !matches!(self, Self::State(_) | Self::Linear { .. })
@@ -89,7 +89,7 @@ impl Rule {
 pub struct Series {
     /// The term whose coefficients it has, as formed from other series.
     pub term: Expr,
-    /// How they follow.
+    /// Recurrence for its coefficients.
     pub rule: Rule,
     /// The state or the step whose value first needs it.
     pub needed_by: Expr,
@@ -117,7 +117,7 @@ pub struct Recurrences {
 }
 
 impl Recurrences {
-    /// How many convolutions an order takes.
+    /// Number of convolutions of an order.
     #[must_use]
     pub fn convolutions(&self) -> usize {
         self.series.iter().filter(|s| s.rule.convolves()).count()

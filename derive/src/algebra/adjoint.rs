@@ -1,9 +1,9 @@
 //! Transposed products with a Jacobian: Σ weight · ∂e/∂x for many x at the cost of one e.
 //!
-//! What has a name is passed through from the last to the first, as in the reverse mode of automatic differentiation
-//! (A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd edition (2008), §3.2): each gives its own weight, the sum of
-//! what all that mentions it gave, on to what it mentions. The work grows with the names, not with their number times
-//! the variables.
+//! Named terms are processed from the last to the first, as in the reverse mode of automatic differentiation:
+//! A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd edition (2008), §3.2. Each passes its own weight, the sum of
+//! the contributions of all terms that mention it, on to the terms that it mentions. The work grows with the number of
+//! names, not with that number times the number of variables.
 
 use super::calculus::Gradient;
 use super::{Arena, Expr};

@@ -90,14 +90,14 @@ impl Function {
     }
 }
 
-/// What a handle stands for.
+/// Node of the expression graph: a number, a symbol, π, a sum, a product, a function value or a named term.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub enum Node {
     /// An exact number.
     Number(Rational),
     /// A named quantity, by its position in [`Arena::symbol_names`].
     Symbol(u32),
-    /// π.
+    /// The number π.
     Pi,
     /// constant + Σ coefficient · term. Terms are neither numbers nor sums, sorted, coefficients not
     /// zero; a single term stands only with a constant or with a coefficient other than 1.
@@ -107,8 +107,8 @@ pub enum Node {
     Product(Box<[(Expr, i32)]>),
     /// A function of its argument.
     Apply(Function, Expr),
-    /// A term that has a name: what mentions it shows the name, and no rewriting looks behind it; by meaning it is the
-    /// term. What it is to be called, and the term.
+    /// A named term, as its label and the term itself. Terms that mention it show the name, and no rewriting looks
+    /// behind it; by meaning it equals the term.
     Named(u32, Expr),
 }
 
@@ -121,16 +121,16 @@ pub enum PowerError {
     TooLarge,
 }
 
-/// What terms are called.
+/// Names of terms: labels, handles of named terms, and the symbols of names that were written down.
 #[derive(Clone, Default)]
 pub(super) struct Names {
     pub(super) labels: Vec<String>,
     pub(super) label_index: FxHashMap<String, u32>,
-    /// What stands for each term that has a name.
+    /// Handle of the [`Node::Named`] for each term that has a name.
     pub(super) stands: FxHashMap<Expr, Expr>,
-    /// What each such term that was written down is written with.
+    /// Symbol of each named term that was written down.
     pub(super) symbols: FxHashMap<Expr, Stated>,
-    /// How many were written by each name before its number.
+    /// Number of named terms written down so far under each wanted name; it numbers terms that are called alike.
     pub(super) written: FxHashMap<String, usize>,
     /// The part of a document that names are written for; none for what every document has.
     pub(super) part: Option<String>,
@@ -140,7 +140,7 @@ pub(super) struct Names {
 #[derive(Clone, Copy)]
 pub(super) struct Stated {
     pub(super) symbol: Expr,
-    /// Whether it was written for no part: then every document about the model has the same name for it.
+    /// True if the name was written for no part of a document: then all documents about the model use this name.
     pub(super) everywhere: bool,
 }
 
@@ -206,13 +206,13 @@ impl Arena {
         Expr(at)
     }
 
-    /// What `e` stands for.
+    /// Node that the handle `e` stands for.
     #[must_use]
     pub fn node(&self, e: Expr) -> &Node {
         &self.nodes[e.index()]
     }
 
-    /// What every term built so far stands for.
+    /// Nodes of all terms built so far, in the order of handles.
     pub fn nodes(&self) -> impl Iterator<Item = &Node> {
         self.nodes.iter()
     }
@@ -223,7 +223,7 @@ impl Arena {
         self.nodes.len()
     }
 
-    /// Whether nothing was built; never true, since 0 and 1 are always there.
+    /// True if the arena holds no term. Always false: 0, 1 and −1 are built at the start.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
@@ -276,13 +276,14 @@ impl Arena {
         }
     }
 
-    /// What must have a value where anything is said of what was written: [`Arena::restrict`].
+    /// Terms that must have a value wherever a statement about the written formulas is made: those given to
+    /// [`Arena::restrict`].
     #[must_use]
     pub fn restrictions(&self) -> &[Expr] {
         &self.restrictions
     }
 
-    /// Whether a symbol was stated to be positive.
+    /// True if a symbol was stated to be positive.
     #[must_use]
     pub fn is_positive(&self, symbol: Expr) -> bool {
         self.positive.contains(&symbol)
@@ -298,7 +299,7 @@ impl Arena {
         self.number(Rational::integer(n))
     }
 
-    /// n/d.
+    /// The fraction n/d as an exact number.
     ///
     /// # Panics
     /// If d is 0: for literal fractions in code.
@@ -306,7 +307,7 @@ impl Arena {
         self.number(Rational::fraction(n, d).expect("a literal fraction"))
     }
 
-    /// π.
+    /// The number π as a term.
     pub fn pi(&mut self) -> Expr {
         self.intern(Node::Pi)
     }
@@ -337,19 +338,21 @@ impl Arena {
         self.reachable_until(roots, |_| false)
     }
 
-    /// What these terms are built from as they are shown: nothing that stands behind a name that was written down.
+    /// Terms that `roots` are built from, themselves included, as they are shown: terms that stand only behind a
+    /// written name are left out.
     #[must_use]
     pub fn shown(&self, roots: &[Expr]) -> Vec<Expr> {
         self.walk(roots, |_| false, |e| self.written_name(e).is_some())
     }
 
-    /// What the roots are built from in order of handles, but nothing for which `known` holds, nor what only such terms
-    /// are built from.
+    /// Terms that the roots are built from, in the order of handles. Terms for which `known` holds are left out, and so
+    /// are those that only such terms are built from.
     pub(super) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
         self.walk(roots, known, |_| false)
     }
 
-    /// What the roots are built from in order of handles, without what is known, and without what is behind an end.
+    /// Terms that the roots are built from, in the order of handles, without known terms and without the operands of
+    /// ends.
     fn walk(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, is_end: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // A bit for each handle up to the largest root: operands have smaller ones.
         let words = roots.iter().map(|e| e.index() / 64 + 1).max().unwrap_or(0);
@@ -381,7 +384,7 @@ impl Arena {
         all
     }
 
-    /// Whether `symbol` occurs in `e`. Form, not meaning: it may occur and cancel.
+    /// True if `symbol` occurs in `e`. This is form, not meaning: the symbol may occur and cancel.
     #[must_use]
     pub fn mentions(&self, e: Expr, symbol: Expr) -> bool {
         self.reachable(&[e]).binary_search(&symbol).is_ok()

@@ -34,18 +34,18 @@ impl SumAtoms {
         found
     }
 
-    /// Whether there are none.
+    /// True if there are no sums of symbols.
     pub fn is_empty(&self) -> bool {
         self.sums.is_empty()
     }
 
-    /// Whether this term is one of them.
+    /// True if this term is one of the sums.
     pub fn contains(&self, e: Expr) -> bool {
         self.sums.contains(&e)
     }
 
-    /// Whether expanding the sums can lead to nothing shorter: no two terms of the polynomial differ in nothing but the
-    /// sums, their symbols, and sines and cosines (since these are related).
+    /// True if expanding the sums cannot shorten the polynomial: any two of its terms that differ in the sums or their
+    /// symbols differ in other atoms too. Sines and cosines do not count as such, since they are related.
     pub fn stay_apart(&self, arena: &Arena, polynomial: &Polynomial) -> bool {
         let mut seen: FxHashMap<Monomial, Monomial> = FxHashMap::default();
         polynomial.terms.keys().all(|monomial| {
@@ -62,13 +62,13 @@ impl SumAtoms {
     }
 }
 
-/// Whether an atom is a sine or a cosine.
+/// True if an atom is a sine or a cosine.
 pub fn is_circular(arena: &Arena, e: Expr) -> bool {
     matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
 }
 
-/// Whether the terms of a polynomial differ in more than sines and cosines, and none divides by one: then no identity
-/// of angles can join two of them.
+/// True if any two terms of a polynomial differ in more than sines and cosines, and none divides by one. Then no
+/// trigonometric identity can join two of them.
 pub fn differ_beside_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
     let mut seen: FxHashSet<Monomial> = FxHashSet::default();
     polynomial.terms.keys().all(|monomial| {
@@ -78,8 +78,8 @@ pub fn differ_beside_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
     })
 }
 
-/// Whether `e` is a number times a product of symbols, sums of symbols, and sines and cosines of such or of symbols,
-/// nothing divided by: as short as it can be.
+/// True if `e` is a number times a product of symbols, sums of symbols, and sines and cosines of these, without
+/// divisors. Such a product is as short as it can be.
 pub fn is_plain_product(arena: &Arena, e: Expr) -> bool {
     let symbol = |e: Expr| arena.symbol_name(e).is_some();
     let sum_of_symbols = |e: Expr| match arena.node(e) {

@@ -1,10 +1,10 @@
 //! Linear systems solved block by block, dividing by nothing but the determinant of each block.
 //!
-//! Elimination divides by pivots that may vanish where the system is regular: a rotation matrix has
-//! determinant 1 and entries that vanish everywhere in turn. A small block is therefore solved by its
-//! cofactors, and its determinant simplified before it divides. Of a larger block what can be eliminated with entries that are
-//! zero nowhere is eliminated with these, and the rest is such a small block. Apart from `elimination`, which is for systems whose
-//! pivots are known not to vanish, and shares what it computes.
+//! Elimination divides by pivots that may vanish where the system is regular: a rotation matrix has determinant 1, and
+//! each of its entries vanishes in some pose. A small block is therefore solved by its cofactors, and its determinant
+//! is simplified before it divides. In a larger block, entries that are zero nowhere serve as pivots first, and the
+//! rest is such a small block. The module `elimination` is separate: it is for systems whose pivots are known not to
+//! vanish, and it shares subexpressions.
 
 use super::linear::{Singular, solve};
 use super::range::never_zero;
@@ -161,9 +161,9 @@ fn blocks(a: &[Vec<Expr>]) -> Vec<(Vec<usize>, Vec<usize>)> {
     result
 }
 
-/// A connected block, if it is large, as blocks that can be solved one after another, each with the unknowns of those before put in:
-/// the strongly connected components of the graph of rows, once each row is matched with an unknown. A. L. Dulmage & N. S. Mendelsohn,
-/// Canadian Journal of Mathematics 10 (1958) 517-534.
+/// Splits a large connected block into blocks that can be solved one after another, each with the unknowns of the
+/// blocks before it put in. They are the strongly connected components of the graph of rows, once each row is matched
+/// with an unknown. A. L. Dulmage & N. S. Mendelsohn, Canadian Journal of Mathematics 10 (1958) 517-534.
 fn one_after_another(a: &[Vec<Expr>], (rows, columns): (Vec<usize>, Vec<usize>)) -> Vec<(Vec<usize>, Vec<usize>)> {
     if rows.len() <= LARGEST || rows.len() != columns.len() {
         return vec![(rows, columns)];

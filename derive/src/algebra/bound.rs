@@ -1,4 +1,4 @@
-//! How improbable a false zero is: degrees and sizes of the polynomials behind an expression.
+//! Probability of a false zero, bounded by the degrees and sizes of the polynomials behind an expression.
 //!
 //! Every term is N / (d ΠB), N a polynomial with integer coefficients in symbols and in t of each base angle, d an
 //! integer, B the divisors. A polynomial N that is not zero vanishes at a random point modulo p with a

@@ -65,7 +65,7 @@ impl Substitution {
         self.map.insert(symbol, value);
     }
 
-    /// Whether it is known what becomes of a term.
+    /// True if the replacement of a term is already known.
     #[must_use]
     pub fn knows(&self, e: Expr) -> bool {
         self.map.contains_key(&e)
@@ -121,7 +121,7 @@ impl Differential {
         Self { map: rates.iter().copied().collect() }
     }
 
-    /// ∂/∂x.
+    /// The partial derivative ∂/∂x.
     #[must_use]
     pub fn partial(x: Expr) -> Self {
         Self::along(&[(x, Expr::ONE)])

@@ -33,7 +33,7 @@ use std::fmt;
 
 pub use super::witness::Witness;
 
-/// What proves an equality.
+/// Proof of an equality.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Engine {
     /// The difference has the normal form 0.
@@ -59,16 +59,16 @@ impl fmt::Display for Engine {
 /// The answer to "do these two mean the same?".
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// They do.
+    /// The two terms are equal; with the proof.
     Equal(Engine),
-    /// They do not.
+    /// The two terms differ; with a state that shows it.
     Different(Witness),
-    /// It is not known.
+    /// The question is not decided; with the reason.
     Undecided(String),
 }
 
 impl Verdict {
-    /// Whether the answer is yes.
+    /// True if the two terms are equal.
     #[must_use]
     pub fn is_equal(&self) -> bool {
         matches!(self, Self::Equal(_))
@@ -78,7 +78,7 @@ impl Verdict {
 /// Multiplications of terms that the angles of one question may cost.
 const ANGLES: u64 = 100_000;
 
-/// What exact algebra says of a difference.
+/// Answer of exact algebra about a difference.
 #[derive(Clone, Copy)]
 enum Answer {
     Zero(Engine),
@@ -91,7 +91,7 @@ enum Answer {
 /// Compares terms of one arena and remembers their normal forms.
 pub struct Comparer {
     normalizer: Normalizer,
-    /// What all normal forms together may still cost: many large questions must not add up to hours.
+    /// Budget left for all normal forms together: many large questions must not add up to hours.
     budget: u64,
     permitted: Permitted,
 }
@@ -103,7 +103,8 @@ impl Default for Comparer {
 }
 
 impl Comparer {
-    /// Compares where states are permitted: what is equal there is equal, and what differs does so in a permitted state.
+    /// Compares in permitted states only: equal terms are equal in all of them, and different terms differ in at least
+    /// one.
     #[must_use]
     pub fn within(permitted: Permitted) -> Self {
         Self { normalizer: Normalizer::default(), budget: 10 * Normalizer::BUDGET, permitted }
@@ -114,7 +115,7 @@ impl Comparer {
         &mut self.permitted
     }
 
-    /// Whether two terms mean the same wherever both have values, in permitted states.
+    /// Compares two terms by meaning: are they equal wherever both have values, in permitted states?
     pub fn compare(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> Verdict {
         self.compare_where(arena, left, right).0
     }
@@ -177,7 +178,7 @@ impl Comparer {
         Err(shown(arena, &Asked { sides, defined, positive, signs, shown: shown_symbols }, answer))
     }
 
-    /// What exact algebra says of left − right, and that difference.
+    /// Answer of exact algebra about left − right, and that difference.
     fn settle(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Answer, Expr) {
         let difference = arena.sub(left, right);
         if difference == Expr::ZERO {
@@ -202,7 +203,7 @@ impl Comparer {
         (answer, difference)
     }
 
-    /// Whether a term is zero by meaning.
+    /// Compares a term with zero, by meaning.
     pub fn is_zero(&mut self, arena: &mut Arena, e: Expr) -> Verdict {
         self.compare(arena, e, Expr::ZERO)
     }
@@ -415,7 +416,7 @@ mod tests {
         assert!(compare("exp(a + b)*sin(q)^2", "exp(b + a)*(1 - cos(q)^2)").is_equal());
     }
 
-    /// What has cancelled still says where the whole had a value.
+    /// A term that has cancelled still restricts the domain of the whole expression.
     #[test]
     fn no_witness_is_outside_the_domain_of_what_was_written() {
         let judged = |left: &str, right: &str| {

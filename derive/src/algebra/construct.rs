@@ -41,7 +41,7 @@ impl Arena {
         self.finish_sum(constant, collected)
     }
 
-    /// Σ k · e.
+    /// The linear combination Σ k · e.
     pub fn linear_combination(&mut self, terms: &[(Expr, Rational)]) -> Expr {
         let (mut constant, mut collected) = (Rational::ZERO, Vec::with_capacity(terms.len()));
         for (e, k) in terms {
@@ -50,7 +50,7 @@ impl Arena {
         self.finish_sum(constant, collected)
     }
 
-    /// a + b.
+    /// The sum a + b.
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
         match (a, b) {
             (Expr::ZERO, x) | (x, Expr::ZERO) => x,
@@ -58,7 +58,7 @@ impl Arena {
         }
     }
 
-    /// a − b.
+    /// The difference a − b.
     pub fn sub(&mut self, a: Expr, b: Expr) -> Expr {
         if a == b {
             return Expr::ZERO;
@@ -66,7 +66,7 @@ impl Arena {
         self.linear_combination(&[(a, Rational::ONE), (b, Rational::MINUS_ONE)])
     }
 
-    /// −a.
+    /// The negative −a.
     pub fn neg(&mut self, a: Expr) -> Expr {
         self.scale(a, &Rational::MINUS_ONE)
     }
@@ -178,7 +178,7 @@ impl Arena {
         self.finish_product(&coefficient, collected)
     }
 
-    /// a · b.
+    /// The product a · b.
     ///
     /// # Panics
     /// If an exponent passes [`Self::MAX_EXPONENT`]: the parser keeps input far below it.
@@ -212,7 +212,7 @@ impl Arena {
         self.try_product(&[(e, n)])
     }
 
-    /// e².
+    /// The square e².
     pub fn square(&mut self, e: Expr) -> Expr {
         self.mul(e, e)
     }

@@ -1,7 +1,7 @@
 //! Sines and cosines of sums of angles, from products of those of their parts: sin a cos b − cos a sin b = sin (a − b).
 //!
-//! What a linear system over angles from one frame is divided by comes out as such products; read as one sine it says
-//! where it vanishes, and it has no digits to lose there.
+//! The divisor of a linear system over angles from one frame comes out as such products. As one sine it shows where it
+//! vanishes, and no digits are lost there.
 
 use super::calculus::Substitution;
 use super::{Arena, Expr, Function, Node, Rational};
@@ -25,7 +25,7 @@ struct Pair {
     k: Rational,
     /// sin a cos b, or else cos a cos b or sin a sin b.
     is_mixed: bool,
-    /// Whether both are sines, where they are not mixed.
+    /// True if both are sines; counts only if they are not mixed.
     are_sines: bool,
     /// a and b: of a mixed pair the angle of the sine first, of others the lower handle.
     angles: (Expr, Expr),
@@ -72,7 +72,7 @@ fn of_sum(arena: &mut Arena, sum: Expr) -> Expr {
 }
 
 impl Pair {
-    /// Whether this and another are two terms of an addition theorem.
+    /// True if this pair and another are two terms of an addition theorem.
     fn joins(&self, other: &Self) -> bool {
         let is_opposite = self.k.neg() == other.k;
         let kinds = if self.is_mixed {

@@ -66,7 +66,7 @@ pub fn divided_difference(arena: &mut Arena, e: Expr, x: Expr, a: Expr, b: Expr)
     defined.then(|| Divided { value: rules.map[&e], sincs: rules.sincs })
 }
 
-/// What is known of the operands while a term is taken apart.
+/// Divided differences of the operands so far, and their values at both ends, while a term is taken apart.
 struct Rules {
     x: Expr,
     ends: [Expr; 2],

@@ -19,12 +19,12 @@ impl Arena {
         self.intern(Node::Apply(f, argument))
     }
 
-    /// sin e.
+    /// The sine of e, an angle in radians.
     pub fn sin(&mut self, e: Expr) -> Expr {
         self.apply(Function::Sin, e)
     }
 
-    /// cos e.
+    /// The cosine of e, an angle in radians.
     pub fn cos(&mut self, e: Expr) -> Expr {
         self.apply(Function::Cos, e)
     }
@@ -108,8 +108,8 @@ fn less_whole_turns(turns: &Rational) -> Rational {
 const MOST_INVERSE: usize = 2;
 const MOST_MULTIPLE: i64 = 4;
 
-/// The sine or cosine of an angle that holds whole multiples of asin, acos or atan of something, in which these are algebraic:
-/// sin(atan x) = x/√(1 + x²).
+/// The sine or cosine of an angle that contains whole multiples of an asin, acos or atan. The result is algebraic in
+/// the argument of that function: sin(atan x) = x/√(1 + x²). `None` if the angle contains no such function.
 fn of_inverse(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
     let is_inverse =
         |e: Expr| matches!(arena.node(e), Node::Apply(Function::Asin | Function::Acos | Function::Atan, _));

@@ -26,13 +26,13 @@ const LONGEST: [usize; 3] = [150, 40, 0];
 pub struct LinearSystem<'a> {
     /// A, row by row.
     pub matrix: &'a [Vec<Expr>],
-    /// b.
+    /// The right-hand side b.
     pub right: &'a [Expr],
     /// The symbols of x.
     pub unknowns: &'a [Expr],
-    /// Whether A is symmetric, and positive definite wherever it is regular.
+    /// True if A is symmetric, and positive definite wherever it is regular.
     pub symmetric: bool,
-    /// Whether entries are given names at once, and nothing is written out in the hope that it cancels.
+    /// True if entries get names at once, and none is written out in the hope that it cancels.
     pub is_large: bool,
 }
 
@@ -41,7 +41,7 @@ pub struct LinearSystem<'a> {
 pub struct Elimination {
     /// In the order of computation: named entries, and each unknown.
     pub steps: Vec<Definition>,
-    /// What the steps divide by, each base once, in order of appearance; plain numbers left out.
+    /// Divisors of the steps, each base once, in order of appearance, without plain numbers.
     pub divisors: Vec<Expr>,
 }
 
@@ -244,7 +244,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// What these terms divide by: the bases of negative powers, each once.
+/// Divisors of these terms: the bases of negative powers, each once.
 #[must_use]
 pub fn divisors(arena: &Arena, values: &[Expr]) -> Vec<Expr> {
     let mut found = Vec::new();

@@ -69,7 +69,8 @@ impl<const K: usize> Numeric for Tangent<K> {
     }
 }
 
-/// What a tape gives in the ranges of its inputs: a constant that no double holds is one of two neighbours' range.
+/// Evaluates a tape over the ranges of its inputs. A constant that no double holds becomes the range between the two
+/// doubles next to it.
 impl Numeric for Enclosure {
     fn of(value: &Rational) -> Self {
         let nearest = value.to_f64();
@@ -78,8 +79,8 @@ impl Numeric for Enclosure {
     }
 }
 
-/// By the functions of the standard library, which are those of the system: a second way to what generated code
-/// computes by functions of its own.
+/// Evaluates a tape in doubles with the functions of the standard library, which are those of the system. They are
+/// independent of generated code, which brings its own functions.
 impl Numeric for f64 {
     fn of(value: &Rational) -> Self {
         value.to_f64()
@@ -114,7 +115,7 @@ enum Op<K> {
     Input(usize),
     /// constant + Σ k·slot
     Sum(K, Box<[(u32, K)]>),
-    /// Π slot^n
+    /// The product Π slot^n
     Product(Box<[(u32, i32)]>),
     Apply(Function, u32),
 }
@@ -153,7 +154,7 @@ struct Assembly<'a> {
     arena: &'a Arena,
     inputs: FxHashMap<Expr, usize>,
     ops: Vec<Op<Rational>>,
-    /// Where the values of terms stand that are there already.
+    /// Slot of each term whose value the tape computes already.
     slots: FxHashMap<Expr, u32>,
     unknown: Option<UnknownSymbol>,
 }

@@ -46,18 +46,18 @@ impl Field {
         }
     }
 
-    /// a + b.
+    /// The sum a + b modulo the prime.
     pub fn add(self, a: u64, b: u64) -> u64 {
         let sum = a + b;
         if sum >= self.prime { sum - self.prime } else { sum }
     }
 
-    /// a − b.
+    /// The difference a − b modulo the prime.
     pub fn sub(self, a: u64, b: u64) -> u64 {
         if a >= b { a - b } else { a + self.prime - b }
     }
 
-    /// a b.
+    /// The product a b modulo the prime.
     pub fn mul(self, a: u64, b: u64) -> u64 {
         // Barrett's reduction: the quotient is at most two too small, for a product below 2^122.
         let product = u128::from(a) * u128::from(b);
@@ -118,7 +118,7 @@ impl Field {
         Some(self.mul(residue(big.numer())?, self.inverse(residue(big.denom())?)?))
     }
 
-    /// Whether the modulus is a prime, by Miller and Rabin with the seven bases that decide every 64-bit number
+    /// True if the modulus is a prime, by Miller and Rabin with the seven bases that decide every 64-bit number
     /// (Sinclair 2011).
     fn is_prime(self) -> bool {
         let n = self.prime;

@@ -9,10 +9,10 @@ use super::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::ops::Index;
 
-/// What terms become: a value for each kind of node, from the values of its operands. `None` ends the pass: nothing has
-/// a value then.
+/// Rules that give each term a value: one rule for each kind of node, from the values of its operands. `None` ends the
+/// pass: then no term has a value.
 pub trait Fold {
-    /// What a term becomes.
+    /// Type of the value of a term.
     type Value: Clone;
     /// The value of a number.
     fn number(&mut self, value: &Rational) -> Option<Self::Value>;
@@ -45,15 +45,15 @@ pub trait Fold {
 #[derive(Clone, Debug)]
 pub struct Needed {
     nodes: Vec<Expr>,
-    /// Where each stands; empty for a list that is searched as fast.
+    /// Place of each node in the list; empty for a short list, where a search is as fast.
     places: FxHashMap<Expr, u32>,
 }
 
-/// As many nodes are searched as fast as they are looked up.
+/// Number of nodes up to which a binary search is as fast as a look-up in a table.
 const FEW: usize = 48;
 
 impl Needed {
-    /// What these terms need.
+    /// Terms together with everything they are built from.
     #[must_use]
     pub fn new(arena: &Arena, terms: &[Expr]) -> Self {
         let nodes = arena.reachable(terms);
@@ -107,7 +107,7 @@ pub fn fold<F: Fold>(arena: &Arena, term: Expr, rules: &mut F) -> Option<F::Valu
     needed.fold(arena, rules)?.list.pop()
 }
 
-/// What terms became, by their handles.
+/// Values of the terms that were folded, by their handles.
 #[derive(Clone, Debug)]
 pub struct Values<'a, V> {
     needed: &'a Needed,
@@ -129,6 +129,8 @@ impl<V> Values<'_, V> {
 
 impl<V> Index<Expr> for Values<'_, V> {
     type Output = V;
+    /// Value of a term that was folded.
+    ///
     /// # Panics
     /// If the term is none of those that were folded.
     fn index(&self, term: Expr) -> &V {

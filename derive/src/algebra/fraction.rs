@@ -12,9 +12,9 @@ use std::rc::Rc;
 /// numerator / Π factor^exponent.
 #[derive(Clone, PartialEq, Eq, Default)]
 pub struct Fraction {
-    /// Above.
+    /// Polynomial above the fraction bar.
     pub numerator: Poly,
-    /// Below: factors and exponents, at least 1.
+    /// Denominator: factors and exponents, at least 1.
     pub denominator: Vec<(Poly, u32)>,
 }
 
@@ -24,7 +24,7 @@ impl Fraction {
         Self { numerator, denominator: Vec::new() }
     }
 
-    /// Whether this is 0.
+    /// True if the fraction is 0.
     pub fn is_zero(&self) -> bool {
         self.numerator.is_zero()
     }

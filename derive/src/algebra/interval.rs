@@ -14,8 +14,8 @@ pub struct Interval {
     hi: f64,
 }
 
-/// What a mathematical library's sine, cosine or exponential may err by, relative: a hundred units in the last place,
-/// far beyond what any of them does.
+/// Relative error allowed for a mathematical library's sine, cosine or exponential: a hundred units in the last place,
+/// far above the error of any real one.
 const LIBRARY: f64 = 100.0 * f64::EPSILON;
 /// Powers beyond this are not enclosed: they are built by repeated multiplication.
 const MOST_POWER: u32 = 2000;
@@ -32,22 +32,22 @@ impl Interval {
         Self { lo: x, hi: x }
     }
 
-    /// Whether all its numbers agree to this relative precision; 0 agrees with nothing but itself.
+    /// True if all numbers of the interval agree to this relative precision; 0 agrees only with itself.
     pub fn is_known_to(self, precision: f64) -> bool {
         self.hi - self.lo <= precision * self.lo.abs().min(self.hi.abs())
     }
 
-    /// Whether all its numbers are above 0.
+    /// True if all numbers of the interval are above 0.
     pub fn is_positive(self) -> bool {
         self.lo > 0.0
     }
 
-    /// Whether 0 is outside.
+    /// True if 0 is outside the interval.
     pub fn excludes_zero(self) -> bool {
         self.lo > 0.0 || self.hi < 0.0
     }
 
-    /// Whether every number of one interval is above every number of the other.
+    /// True if every number of this interval is above every number of the other.
     pub fn is_above(self, other: Self) -> bool {
         self.lo > other.hi
     }

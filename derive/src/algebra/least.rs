@@ -1,15 +1,16 @@
-//! The unknowns at which a quadratic form in named terms is least, in time that follows the names and not their number
-//! squared.
+//! The unknowns at which a quadratic form in named terms is least, in time proportional to the number of names and not
+//! to its square.
 //!
-//! The terms are linear in the unknowns by way of other named terms, as the accelerations of bodies are in those of
-//! joints, each body's by way of the one before it. The form is carried back through the names, the last first: a term
-//! gives its place to what it is made of. An unknown that nothing left is made of is eliminated at once, while few
-//! terms stand beside it. On a chain that is the recursion of articulated bodies (A. F. Vereshchagin, 1974;
-//! R. Featherstone, Int. J. Robotics Research 2 (1983) 13–30), found as an elimination in the order of the names: the
-//! least value is Gauss's principle.
+//! The terms are linear in the unknowns by way of other named terms. The accelerations of bodies, for example, are
+//! linear in those of joints, each body's by way of the body before it. The form is carried back through the names, the
+//! last first: each named term is replaced by the terms that it is made of. An unknown that no remaining name depends
+//! on is eliminated at once, while few terms stand beside it. On a chain this is the recursion of articulated bodies
+//! (A. F. Vereshchagin, 1974; R. Featherstone, Int. J. Robotics Research 2 (1983) 13–30), found as an elimination in
+//! the order of the names: the least value is Gauss's principle.
 //!
-//! Where an unknown stands in one name alone, as the rate of a relative angle does in the angular acceleration of the body that it turns, the name
-//! may be the unknown in its place: nothing is then taken out for it that cancels, and it follows from the name at the end.
+//! An unknown may occur in one name only, as the rate of a relative angle does in the angular acceleration of its body.
+//! Then the name may take the place of the unknown. This avoids terms that cancel later, and the unknown follows from
+//! the name at the end.
 //!
 //! Invariant: pivots are values of the form along one unknown with the best of all others, positive where the form is
 //! positive definite.
@@ -27,11 +28,11 @@ use std::collections::{BTreeMap, BTreeSet};
 /// ½ Σ K_ij e_i e_j + Σ b_i e_i, with K symmetric.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// e, linear in the unknowns by way of names.
+    /// The components e, linear in the unknowns by way of names.
     pub components: [Expr; 3],
-    /// K.
+    /// The symmetric matrix K.
     pub tensor: [[Expr; 3]; 3],
-    /// b.
+    /// The coefficients b of the linear part.
     pub linear: [Expr; 3],
 }
 
@@ -44,17 +45,17 @@ pub struct Sum {
     pub linear: Vec<Expr>,
 }
 
-/// What is taken out of the form first.
+/// Order in which terms are taken out of the form.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Order {
-    /// What depends on most unknowns, and of that what most names lie between and them: on an arm all of its last body,
-    /// then all of the one before it.
+    /// First the term that depends on most unknowns, and among equals the one with most names between it and them. On
+    /// an arm these are all terms of its last body, then all of the one before it.
     Farthest,
-    /// What has fewest terms beside it: on a chain whose angles all are from one frame.
+    /// First the term with fewest terms beside it: good on a chain whose angles are all measured from one frame.
     Fewest,
 }
 
-/// Which terms are solved for.
+/// Terms that are solved for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum SolvedFor {
     /// The unknowns.
@@ -63,12 +64,12 @@ enum SolvedFor {
     Names,
 }
 
-/// How many unknowns a name depends on, and how many names lie between it and them.
+/// Number of unknowns that a name depends on, and number of names between it and them.
 type Depth = (usize, usize);
 
-/// The unknowns that make a sum least, in the order in which they are to be
-/// computed, in terms of names and of unknowns before them: by the order of elimination that costs less. Some names may be
-/// stated among them, from which unknowns follow. `None` if a component is not linear in them, or if they are not determined.
+/// The unknowns that make a sum least, in terms of names and of unknowns before them, in the order in which they are to
+/// be computed. The cheaper order of elimination is chosen. Some names may be stated among them, from which unknowns
+/// follow. `None` if a component is not linear in the unknowns, or if they are not determined.
 pub fn least(arena: &mut Arena, simplifier: &mut Simplifier, sum: &Sum, unknowns: &[Expr]) -> Option<Vec<Definition>> {
     let mut both = Vec::new();
     let mut most = usize::MAX;
@@ -180,7 +181,8 @@ fn least_in(
     is_whole.then_some(solved)
 }
 
-/// How many unknowns each name depends on, and how many names lie between, where the order asks for it.
+/// Depth of each name: the unknowns that it depends on and the names between, as numbers. Both are 0 for an order that
+/// does not use them.
 fn depths(order: Order, named: &[Expr], parts: &FxHashMap<Expr, Part>, unknowns: &[Expr]) -> FxHashMap<Expr, Depth> {
     let mut reach: FxHashMap<Expr, BTreeSet<Expr>> = unknowns.iter().map(|e| (*e, BTreeSet::from([*e]))).collect();
     let mut depth: FxHashMap<Expr, Depth> = FxHashMap::default();

@@ -50,8 +50,9 @@ impl LinearForm {
         self.linear_by_meaning(arena, e)
     }
 
-    /// Where no slope mentions a symbol, the expression is linear and nothing is left to prove. Signs are the
-    /// exception: they jump, and have no slope.
+    /// Coefficients of the symbols, and the rest, of an expression whose derivatives mention none of the symbols. Such
+    /// an expression is linear by form and needs no further proof. `None` if it is not, or if it contains a sign
+    /// function, which jumps and has no derivative.
     fn linear_by_form(&mut self, arena: &mut Arena, e: Expr, parts: &[Expr]) -> Option<(Vec<Expr>, Expr)> {
         if parts.iter().any(|part| matches!(arena.node(*part), Node::Apply(Function::Sign, _))) {
             return None;
@@ -104,7 +105,7 @@ impl LinearForm {
 /// A linear system whose matrix has no full rank.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Singular {
-    /// How many rows are independent.
+    /// Number of independent rows.
     pub rank: usize,
     /// The first row that depends on the ones before it.
     pub row: usize,
@@ -191,7 +192,7 @@ pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr
     if is_odd(&order) { arena.neg(product) } else { product }
 }
 
-/// Whether (row, column) pairs make an odd permutation.
+/// True if the (row, column) pairs make an odd permutation.
 fn is_odd(order: &[(usize, usize)]) -> bool {
     let inversions = |list: Vec<usize>| {
         (0..list.len()).map(|i| list[i + 1..].iter().filter(|later| **later < list[i]).count()).sum::<usize>()

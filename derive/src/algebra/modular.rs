@@ -1,11 +1,11 @@
-//! Is this expression zero by meaning? Exact evaluation modulo random primes.
+//! Zero test by meaning: exact evaluation modulo random primes.
 //!
-//! Symbols get random residues (squares where the symbol is known to be positive), each angle a random
-//! point of the unit circle (s = 2t/(1+t²), c = (1−t²)/(1+t²)), multiples of π/12 their exact values, square
-//! roots the residue that is itself a square, so that √a·√b = √(ab), and e to each base exponent a random residue, of which exp, sinh, cosh and
-//! tanh are made. All of it is arithmetic modulo a
-//! 61-bit prime: no rounding. Primes and points come from a generator seeded with the terms compared, names included,
-//! so builds repeat and no fixed prime can be aimed at.
+//! Symbols get random residues (squares where the symbol is known to be positive). Each angle gets a random point of
+//! the unit circle (s = 2t/(1+t²), c = (1−t²)/(1+t²)), and multiples of π/12 their exact values. A square root gets the
+//! residue that is itself a square, so that √a·√b = √(ab). The power of e to each base exponent gets a random residue,
+//! from which exp, sinh, cosh and tanh are computed. All of it is arithmetic modulo a 61-bit prime: no rounding. Primes
+//! and points come from a generator seeded with the terms compared, names included, so builds repeat and no fixed prime
+//! can be aimed at.
 //!
 //! A non-zero residue proves that an expression of these atoms is not zero. Zero residues at every
 //! point leave an error bound ([`bounded_zero_test`]); with m square roots a wrong pattern of signs shows at one
@@ -39,7 +39,7 @@ pub enum ZeroTest {
     Undecided,
 }
 
-/// Whether `e` is zero by meaning.
+/// Tests if `e` is zero by meaning.
 #[must_use]
 pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
     match arena.node(e) {
@@ -63,7 +63,8 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
     // The second field is drawn only when it is needed: most differences show at the first point.
     let mut field = Field::random(&mut generator);
     let mut is_second = false;
-    // A point where a root or an inverse does not exist is drawn again: half of all for each root, so that many roots leave none.
+    // A point where a root or an inverse does not exist is drawn again. Each root rejects half of all points, so that
+    // many roots leave none.
     let attempts = (WORK / parts.len()).clamp(8, 400 * wanted);
     if 1_usize.checked_shl(all_roots).is_none_or(|needed| needed > attempts) {
         return ZeroTest::Undecided;
@@ -105,7 +106,7 @@ pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
     }
 }
 
-/// How many different square roots and absolute values occur.
+/// Number of different square roots, absolute values and signs; the last two count once for one argument.
 pub(super) fn count_roots(arena: &Arena, parts: &[Expr]) -> u32 {
     let mut arguments: Vec<(bool, Expr)> = parts
         .iter()
@@ -120,7 +121,7 @@ pub(super) fn count_roots(arena: &Arena, parts: &[Expr]) -> u32 {
     u32::try_from(arguments.len()).unwrap_or(u32::MAX)
 }
 
-/// Whether a square root of a number occurs that is no rational.
+/// True if a square root, absolute value or sign of a term without symbols occurs.
 fn has_roots_of_numbers(arena: &Arena, parts: &[Expr]) -> bool {
     parts.iter().any(|p| match arena.node(*p) {
         Node::Apply(Function::Sqrt | Function::Abs | Function::Sign, argument) => {
@@ -152,18 +153,19 @@ pub fn zero_divisor(arena: &Arena, e: Expr) -> Option<Expr> {
     divisors.into_iter().find(|d| zero_test(arena, *d) == ZeroTest::Zero)
 }
 
-/// Whether square roots or absolute values occur among these terms.
+/// True if square roots, absolute values or signs occur among these terms.
 #[must_use]
 pub fn has_roots(arena: &Arena, parts: &[Expr]) -> bool {
     let root = |p: &Expr| matches!(arena.node(*p), Node::Apply(Function::Sqrt | Function::Abs | Function::Sign, _));
     parts.iter().any(root)
 }
 
-/// Whether no relation between the atoms is unknown here, so that a non-zero residue proves something.
+/// True if all relations between the atoms are known here, so that a non-zero residue proves something.
 ///
-/// Symbols are independent of one another, of π and of any one transcendental number; sines of base angles and e to base exponents
-/// are too, as long as angles and exponents are polynomials (Ax 1971). Square roots are no atoms but evaluated. Other functions may
-/// be anything, and so may sines of numbers beside π, or of multiples of π that have no roots for values.
+/// Symbols are independent of one another, of π and of any one transcendental number. Sines of base angles and e to
+/// base exponents are too, as long as angles and exponents are polynomials (Ax 1971). Square roots are evaluated and
+/// are not atoms. Other functions may be anything, and so may sines of numbers beside π, or of multiples of π whose
+/// values are not roots.
 #[must_use]
 pub fn independent(arena: &Arena, parts: &[Expr]) -> bool {
     let (mut pi_outside, mut numbers_inside) = (false, false);
@@ -200,7 +202,7 @@ pub fn independent(arena: &Arena, parts: &[Expr]) -> bool {
     !(pi_outside && numbers_inside)
 }
 
-/// Whether a term stands inside a sine or cosine among these.
+/// True if a term is the argument of a sine or cosine among these.
 fn is_angle(arena: &Arena, parts: &[Expr], e: Expr) -> bool {
     parts.iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Sin | Function::Cos, inner) if *inner == e))
 }

@@ -1,13 +1,14 @@
-//! Terms that have names: what grows is named, and what mentions it shows the name.
+//! Named terms: a term that grows gets a name, and terms that mention it show the name.
 //!
 //! A name is a wall for every rewriting, which takes the named term for an atom, and none for evaluation: values,
 //! residues, ranges, derivatives and bounds pass through it, so that nothing that asks for the meaning of a term need
 //! know of names. Kane's and Autolev's Z's are such names: T. R. Kane & D. A. Levinson, *Dynamics: Theory and
 //! Applications* (1985), § 4.9.
 //!
-//! Invariants: a term has one name; numbers, symbols and multiples of what has a name get none, and terms that are
-//! equal up to a factor that is a number share one. A name becomes a symbol, unlike all others, when it is written
-//! down ([`super::written`]): what is never written takes no name from what is, and is shown as the term that it stands for.
+//! Invariants: a term has one name; numbers, symbols and multiples of named terms get none, and terms that are equal up
+//! to a numerical factor share one. A name becomes a symbol, unlike all others, when it is written down
+//! ([`super::written`]). A name that is never written takes none away from those that are, and its term is shown in
+//! full.
 
 use super::arena::Names;
 use super::{Arena, Expr, Node, Rational};
@@ -48,7 +49,7 @@ impl Arena {
         label
     }
 
-    /// What became of the term behind a name, by a name of the same kind.
+    /// Gives `e`, which replaces the named term `before`, a name of the same kind.
     pub fn name_again(&mut self, before: Expr, e: Expr) -> Expr {
         let wanted = self.name_of(before).map(str::to_owned);
         wanted.map_or(e, |wanted| self.name(e, &wanted))
@@ -74,26 +75,26 @@ impl Arena {
         }
     }
 
-    /// Whether any term has a name.
+    /// True if any term has a name.
     #[must_use]
     pub fn has_names(&self) -> bool {
         !self.names.stands.is_empty()
     }
 
-    /// What a named term is called: by its written name, else by its label, which many may share.
+    /// Name of a named term: its written name, else its label, which many terms may share.
     #[must_use]
     pub fn name_of(&self, e: Expr) -> Option<&str> {
         self.written_name(e).or_else(|| self.label_of(e))
     }
 
-    /// What a named term was to be called; many may be called alike.
+    /// Label of a named term: the name that was asked for it, which many terms may share.
     pub(super) fn label_of(&self, e: Expr) -> Option<&str> {
         let Node::Named(label, _) = self.node(e) else { return None };
         Some(&self.names.labels[*label as usize])
     }
 
-    /// The name that a term was written down with: no other term of the arena has it. Nothing for a term without a name, and
-    /// for one whose name was never written, which is shown as what it is.
+    /// The name that a term was written down with: no other term of the arena has it. `None` for a term without a name,
+    /// and for one whose name was never written, which is shown in full.
     #[must_use]
     pub fn written_name(&self, e: Expr) -> Option<&str> {
         self.symbol_name(self.names.symbols.get(&e)?.symbol)

@@ -16,7 +16,7 @@ use num_integer::Integer;
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
-/// What the normal form says of an expression.
+/// Answer of the normal form to the question whether an expression is zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Zero {
     /// It is zero: proved.
@@ -65,7 +65,7 @@ impl Normalizer {
         self.ring.budget = budget;
     }
 
-    /// Whether `e` is zero by meaning.
+    /// Tests if `e` is zero by meaning.
     pub fn zero(&mut self, arena: &mut Arena, e: Expr) -> Zero {
         match self.fraction(arena, e) {
             None => Zero::TooLarge,
@@ -107,7 +107,7 @@ impl Normalizer {
         &mut self.ring
     }
 
-    /// What a generator of the ring stands for.
+    /// Expression that a generator of the ring stands for.
     #[must_use]
     pub fn expression_of(&self, generator: usize) -> Expr {
         self.ring.expression(generator)

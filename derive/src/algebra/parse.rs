@@ -26,16 +26,17 @@ use size::{below_of, largest_number};
 /// The deepest nesting of parentheses and functions that is read.
 pub const MAX_DEPTH: usize = 200;
 
-/// What exact arithmetic in one expression may cost, in squared bits: about a second.
+/// Largest cost of exact arithmetic in one expression, in squared bits: about a second.
 const MAX_WORK: u64 = 50_000_000_000;
 
-/// What a name stands for, or why it stands for nothing here: (message, help).
+/// Looks up a name: returns its term, or the reason why it has none, as (message, help).
 pub type Resolve<'a> = dyn FnMut(&mut Arena, &str) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// What a component of a velocity stands for, or why it stands for nothing here: (message, help).
+/// Looks up a component of a velocity: returns its term, or the reason why it has none, as (message, help).
 pub type ResolveVelocity<'a> = dyn FnMut(&mut Arena, &VelocityName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// What a component of a force or torque between bodies stands for, or why it stands for nothing here: (message, help).
+/// Looks up a component of a force or torque between bodies: returns its term, or the reason why it has none, as
+/// (message, help).
 pub type ResolveInteraction<'a> =
     dyn FnMut(&mut Arena, &InteractionName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
 
@@ -61,8 +62,8 @@ pub fn parse_primed(
     Parser { primes, ..Parser::new(arena, text, resolve) }.whole()
 }
 
-/// Reads one expression that may name components of velocities, and of forces and torques between bodies, which are looked up by
-/// `velocity` and `interaction`.
+/// Reads one expression that may name components of velocities, and of forces and torques between bodies. These are
+/// looked up by `velocity` and `interaction`.
 ///
 /// # Errors
 /// The first [`ParseError`] in the text.
@@ -85,7 +86,7 @@ pub fn parse_free(arena: &mut Arena, text: &str) -> Result<Expr, ParseError> {
     parse(arena, text, &mut |arena, name| Ok(arena.symbol(name)))
 }
 
-/// Whether `name` is a function or constant of the expression language.
+/// True if `name` is a function or constant of the expression language.
 #[must_use]
 pub fn is_reserved(name: &str) -> bool {
     name == "pi" || is_function(name)

@@ -1,12 +1,13 @@
-//! After how much of a variable a term repeats, by its form.
+//! Period of a term in one of its variables, by its form.
 
 use super::calculus::Differential;
 use super::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
 
-/// The least r above zero for which e(x + 2 π r) = e(x) is seen of all these terms: x stands in them in sines and cosines of k x + c alone, k
-/// rational, c without x. 1 where none mentions x; none where that is not seen.
+/// Period of all these terms in x, in turns: the least r above zero for which e(x + 2 π r) = e(x) follows from their
+/// form. For this, x may occur only in sines and cosines of k x + c, with k rational and c free of x. 1 if no term
+/// mentions x; `None` if the form shows no period.
 ///
 /// ```
 /// use tripos_derive::algebra::{Arena, Rational, parse::parse_free, period::turns};
@@ -21,7 +22,8 @@ use rustc_hash::FxHashMap;
 pub fn turns(arena: &mut Arena, terms: &[Expr], x: Expr) -> Option<Rational> {
     let mut slope = Differential::partial(x);
     let mut repeats: FxHashMap<Expr, bool> = FxHashMap::default();
-    // 1/k for each factor k; r is their least common multiple: that of the numerators over the greatest divisor of the denominators.
+    // Each factor k gives 1/k, and r is their least common multiple: that of the numerators over the greatest common
+    // divisor of the denominators.
     let (mut multiple, mut divisor) = (1_i64, 0_i64);
     for part in arena.reachable(terms) {
         let mut does = part != x && arena.operands(part).all(|operand| repeats[&operand]);

@@ -1,8 +1,9 @@
-//! States that are permitted: where equations hold, and conditions are fulfilled.
+//! Permitted states: those in which equations hold and conditions are fulfilled.
 //!
-//! Permitted states are told by free symbols: a *dependent* symbol has a value in those, such as a rate in speeds, or a length in the
-//! coordinates that it ties. What is said of all values of the free symbols is then said of all permitted states but for those at which
-//! something divides by 0, and by the algebra that serves everywhere else. Nothing is approximated.
+//! Permitted states are described by free symbols. A *dependent* symbol has a value in terms of these, such as a rate
+//! in terms of speeds, or a length in terms of the coordinates that it ties. A statement about all values of the free
+//! symbols then holds in all permitted states, except where something divides by 0. It is proved by the algebra that
+//! serves everywhere else, and nothing is approximated.
 
 use super::calculus::{Substitution, without_names};
 use super::elementary::single_angles;
@@ -10,7 +11,7 @@ use super::signs::Signs;
 use super::{Arena, Expr};
 use std::ops::BitOr;
 
-/// Where an equality holds: everywhere, or in permitted states only.
+/// States in which an equality holds: all states, or permitted ones only.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Holds {
     /// It needs the equations that permitted states fulfil.
@@ -46,18 +47,18 @@ impl BitOr for Holds {
 #[derive(Clone, Default)]
 pub struct Permitted {
     put: Substitution,
-    /// Whether sines and cosines are among what is dependent.
+    /// True if sines and cosines are among the dependent terms.
     has_angles: bool,
     dependent: Vec<(Expr, Expr)>,
-    /// What is positive in permitted states, as written.
+    /// Signs that follow from the conditions, in the symbols as written.
     signs: Signs,
-    /// The conditions of a state in free symbols.
+    /// Signs that follow from the conditions, in free symbols.
     free_signs: Signs,
     conditions: Vec<Expr>,
     free_conditions: Vec<Expr>,
-    /// Whether the dependent symbols are worth a word where an equality needs them.
+    /// True if the dependent symbols are reported where an equality needs them.
     is_told: bool,
-    /// What is written for sums that equations tell.
+    /// Shorter terms that replace sums to which the equations make them equal.
     shorter: Substitution,
     /// Why not every equation is solved for a symbol.
     open: Option<String>,
@@ -65,15 +66,15 @@ pub struct Permitted {
 
 /// Two sides as they are in permitted states.
 pub struct View {
-    /// What of permitted states was used.
+    /// Constraints and conditions of the permitted states that were used.
     pub holds: Holds,
     /// The sides.
     pub sides: (Expr, Expr),
 }
 
 impl Permitted {
-    /// The states in which each of `dependent` has its value, in symbols that are none of them, and `conditions` are positive. The sine and
-    /// the cosine of a dependent angle may be given beside it.
+    /// The states in which each of `dependent` has its value and `conditions` are positive. The values are in symbols
+    /// that are not dependent. The sine and the cosine of a dependent angle may be given beside it.
     pub fn new(arena: &mut Arena, dependent: Vec<(Expr, Expr)>, conditions: Vec<Expr>) -> Self {
         let mut put = Substitution::new(&dependent);
         let has_angles = dependent.iter().any(|(e, _)| arena.symbol_name(*e).is_none());
@@ -123,13 +124,13 @@ impl Permitted {
         if short == whole { e } else { short }
     }
 
-    /// Whether a state shows what its dependent symbols depend on.
+    /// True if a state shows the symbols that its dependent symbols depend on.
     #[must_use]
     pub const fn is_told(&self) -> bool {
         self.is_told
     }
 
-    /// Whether every state is permitted.
+    /// True if every state is permitted.
     #[must_use]
     pub fn is_everything(&self) -> bool {
         self.dependent.is_empty() && self.conditions.is_empty() && self.open.is_none()
@@ -147,8 +148,8 @@ impl Permitted {
         self.put.apply(arena, e)
     }
 
-    /// Two sides in permitted states, using ever more of what is known of them; what changes nothing is left out. `None` if they divide by
-    /// what is 0 in all of them.
+    /// The two sides in permitted states, as views that use more and more known facts; views that change nothing are
+    /// left out. `None` if the sides divide by a term that is 0 in all permitted states.
     pub fn views(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> Option<Vec<View>> {
         let mut list: Vec<View> = Vec::new();
         let told = self.is_told;
@@ -171,13 +172,13 @@ impl Permitted {
         Some(list)
     }
 
-    /// What the conditions of a state are, in free symbols.
+    /// Conditions of a state, in free symbols.
     #[must_use]
     pub fn free_conditions(&self) -> &[Expr] {
         &self.free_conditions
     }
 
-    /// What is known of signs in free symbols.
+    /// Known signs, in free symbols.
     #[must_use]
     pub(super) fn free_signs(&self) -> &Signs {
         &self.free_signs

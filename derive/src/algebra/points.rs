@@ -22,9 +22,9 @@ pub(super) const POINTS: usize = 4;
 pub(super) struct Point {
     /// The field.
     pub field: Field,
-    /// What the residues are drawn from.
+    /// Seed from which the residues are drawn.
     seed: u64,
-    /// Symbols that were drawn again, and what their residues are drawn from.
+    /// Symbols that were drawn again, with the seeds of their residues.
     redrawn: FxHashMap<Expr, u64>,
 }
 
@@ -86,8 +86,9 @@ impl Point {
         (f.add(f.mul(a.0, b.1), f.mul(a.1, b.0)), f.sub(f.mul(a.1, b.1), f.mul(a.0, b.0)))
     }
 
-    /// e to the power of an argument: of a sum of symbols and their products, from the values of these; of any other, from its own value
-    /// alone, since one argument may be written as other sums.
+    /// Residue of e to the power of an argument. For a sum of symbols and of products of symbols it is computed from
+    /// their values; for any other argument, from its own value alone, since one argument may be written as different
+    /// sums.
     fn exponential(
         &self,
         arena: &Arena,
@@ -174,7 +175,7 @@ pub(super) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Exp
     denominators
 }
 
-/// Whether a term is a number, a symbol or a product of powers of symbols.
+/// True if a term is a number, a symbol or a product of positive powers of symbols.
 fn is_monomial(arena: &Arena, e: Expr) -> bool {
     match arena.node(e) {
         Node::Number(_) | Node::Symbol(_) => true,
@@ -183,7 +184,7 @@ fn is_monomial(arena: &Arena, e: Expr) -> bool {
     }
 }
 
-/// Whether a function is made of e to the power of its argument.
+/// True if a function is built from e to the power of its argument.
 pub(super) fn is_exponential(function: Function) -> bool {
     matches!(function, Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh)
 }
@@ -358,13 +359,13 @@ impl<'a> Sampler<'a> {
         Field::random(&mut self.generator)
     }
 
-    /// What the residues of a point are drawn from.
+    /// Draws the seed of a new point.
     pub fn seed(&mut self) -> u64 {
         self.generator.next()
     }
 
-    /// The residues of the terms, in their order, at the point of a seed with some symbols at those of other seeds; nothing where one has
-    /// none. Angles stand still where all that they are made of does.
+    /// The residues of the terms, in their order, at the point of a seed; the symbols in `moved` take residues of other
+    /// seeds. `None` if a term has no residue. An angle keeps its sine and cosine if nothing in it is moved.
     pub fn at(&self, field: Field, seed: u64, moved: &[(&FxHashSet<Expr>, u64)]) -> Option<Vec<u64>> {
         let mut residues = Residues { moved, ..Residues::new(self.arena, &self.denominators, Point::new(field, seed)) };
         let values = self.needed.fold(self.arena, &mut residues)?;

@@ -126,13 +126,13 @@ impl Polynomial {
         Some(result)
     }
 
-    /// Whether an atom stands with an exponent of 2 or more.
+    /// True if an atom has an exponent of 2 or more in some term.
     #[must_use]
     pub fn has_square(&self, atom: Expr) -> bool {
         self.terms.keys().flatten().any(|(e, n)| *e == atom && *n >= 2)
     }
 
-    /// Whether one of these atoms stands with a negative exponent.
+    /// True if one of these two atoms has a negative exponent in some term.
     #[must_use]
     pub fn divides_by(&self, a: Expr, b: Expr) -> bool {
         self.terms.keys().flatten().any(|(e, n)| (*e == a || *e == b) && *n < 0)

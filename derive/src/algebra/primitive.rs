@@ -104,7 +104,7 @@ impl Integration<'_> {
         self.short(slope)
     }
 
-    /// Whether a term does not change with x, whatever it mentions.
+    /// True if a term does not change with x, even if it mentions x.
     fn is_constant(&mut self, e: Expr) -> bool {
         if !self.depends(e) {
             return true;
@@ -112,7 +112,8 @@ impl Integration<'_> {
         self.slope(e).and_then(|slope| self.is_zero(slope)).unwrap_or(false)
     }
 
-    /// Whether a term is zero by meaning, unless that is too much work: at half of all random points a square root has no value.
+    /// True if a term is zero by meaning; `None` if the test costs more work than is left. The cost doubles with each
+    /// square root, which has no value at half of all random points.
     fn is_zero(&mut self, e: Expr) -> Option<bool> {
         let parts = self.arena.reachable(&[e]);
         let points = 1_usize.checked_shl(count_roots(self.arena, &parts))? / FREE_POINTS;
@@ -328,7 +329,8 @@ mod tests {
     use crate::algebra::parse::parse_free;
     use crate::algebra::print::text;
 
-    /// What the rules make of slopes along x, y, z, in letters a, b.
+    /// Primitive, as text, that the rules find for slopes along x, y, z with constants a and b; `None` if they find
+    /// none.
     fn found(slopes: &[&str]) -> Option<String> {
         let mut arena = Arena::default();
         let variables = ["x", "y", "z"].map(|name| arena.symbol(name));

@@ -1,4 +1,5 @@
-//! Expressions as people write them: text (which parses back to the same term), LaTeX, Typst and `MathML`; and as Python reads them.
+//! Expressions as people write them, in text (which parses back to the same term), LaTeX, Typst and `MathML`; and as
+//! Python reads them.
 //!
 //! Printing for people stops at [`BUDGET`] nodes, since nobody reads further; [`whole_text`] is for programs.
 
@@ -67,7 +68,8 @@ pub fn whole_text(arena: &Arena, e: Expr) -> String {
     out
 }
 
-/// The marks of a term, cut only where [`whole_text`] is. Terms in `shared`, other than `e` itself, stand as their names.
+/// The marks of a term, cut only where [`whole_text`] is. Terms in `shared`, other than `e` itself, are shown by their
+/// names.
 #[must_use]
 pub fn whole_view(arena: &Arena, e: Expr, shared: &Shared) -> View {
     view(arena, e, shared, 100 * BUDGET)
@@ -137,13 +139,13 @@ fn told_apart(arena: &Arena, view: View) -> View {
     }
 }
 
-/// How a language on one line writes what languages write in different ways.
+/// Spelling of marks in which languages on one line differ.
 struct Spelling {
     pi: &'static str,
     power: &'static str,
     /// A function, by its name in model files.
     function: fn(&'static str) -> String,
-    /// What makes a number of two whole ones, where `/` would round.
+    /// Function that makes a number of two whole ones, for a language in which `/` would round.
     quotient: Option<&'static str>,
 }
 

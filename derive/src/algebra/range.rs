@@ -6,13 +6,13 @@
 use super::fold::{Fold, Values, fold};
 use super::{Arena, Expr, Function, Rational};
 
-/// Whether a term is proved to be zero nowhere that it has a value.
+/// True if a term is proved not to be zero wherever it has a value.
 #[must_use]
 pub fn never_zero(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.nonzero)
 }
 
-/// Whether a term is proved to be above zero nowhere.
+/// True if a term is proved never to be above zero.
 #[must_use]
 pub fn never_positive(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.neg().is_nonnegative())

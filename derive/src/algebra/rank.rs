@@ -8,7 +8,7 @@ use super::points::{Sampler, residues};
 use super::{Arena, Expr};
 use rustc_hash::FxHashSet;
 
-/// How many rows of a matrix are independent, and the first that depends on those before it.
+/// Number of independent rows of a matrix, and the first row that depends on those before it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Rank {
     /// Independent rows.
@@ -55,8 +55,8 @@ pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize
     echelon(arena, matrix).map(|(rows, _)| rows)
 }
 
-/// Whether a row is a sum of independent rows with the same shares wherever some symbols stand: then it follows from them in every pose.
-/// False where it follows from them nowhere, or could not be evaluated.
+/// True if a row is a combination of independent rows with the same coefficients wherever the `moving` symbols stand.
+/// Then it follows from these rows in every pose. False if it follows from them nowhere, or could not be evaluated.
 #[must_use]
 pub(crate) fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
     let all: Vec<Expr> = rows.iter().flatten().chain(row).copied().collect();
@@ -118,7 +118,7 @@ impl Basis {
         Self { field, rows: Vec::new() }
     }
 
-    /// How many rows there are.
+    /// Number of independent rows.
     pub fn len(&self) -> usize {
         self.rows.len()
     }
@@ -149,7 +149,7 @@ impl Basis {
         (0..length).filter(|column| !is_pivot(column)).map(vector).collect()
     }
 
-    /// What is left of a row when those there are taken out of it.
+    /// Remainder of a row after multiples of the rows of the basis are subtracted: it is 0 in their pivot columns.
     fn reduce(&self, mut row: Vec<u64>) -> Vec<u64> {
         let f = self.field;
         for (column, known) in &self.rows {

@@ -46,11 +46,11 @@ impl Hash for Repr {
 }
 
 impl Rational {
-    /// 0.
+    /// The number 0.
     pub const ZERO: Self = Self(Repr::Small(0, 1));
-    /// 1.
+    /// The number 1.
     pub const ONE: Self = Self(Repr::Small(1, 1));
-    /// −1.
+    /// The number −1.
     pub const MINUS_ONE: Self = Self(Repr::Small(-1, 1));
 
     /// The integer `n`.
@@ -151,19 +151,19 @@ impl Rational {
         Some(if d < 0 { Self(Repr::Small(n.checked_neg()?, d.checked_neg()?)) } else { Self(Repr::Small(n, d)) })
     }
 
-    /// Whether this is 0.
+    /// True if the number is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         matches!(self.0, Repr::Small(0, _))
     }
 
-    /// Whether this is 1.
+    /// True if the number is 1.
     #[must_use]
     pub fn is_one(&self) -> bool {
         matches!(self.0, Repr::Small(1, 1))
     }
 
-    /// Whether the denominator is 1.
+    /// True if the number is an integer: its denominator is 1.
     #[must_use]
     pub fn is_integer(&self) -> bool {
         match &self.0 {
@@ -172,7 +172,7 @@ impl Rational {
         }
     }
 
-    /// Whether this is below 0.
+    /// True if the number is below 0.
     #[must_use]
     pub fn is_negative(&self) -> bool {
         match &self.0 {
@@ -181,7 +181,7 @@ impl Rational {
         }
     }
 
-    /// Sum.
+    /// Sum of two numbers.
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
         if let (Repr::Small(a, 1), Repr::Small(c, 1)) = (&self.0, &other.0)
@@ -198,7 +198,7 @@ impl Rational {
         Self::from_big(self.to_big() + other.to_big())
     }
 
-    /// Product.
+    /// Product of two numbers.
     #[must_use]
     pub fn mul(&self, other: &Self) -> Self {
         if let (Repr::Small(a, 1), Repr::Small(c, 1)) = (&self.0, &other.0)

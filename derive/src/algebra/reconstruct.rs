@@ -1,16 +1,18 @@
 //! Formulas from residues: rational numbers, and sums of given terms with rational coefficients.
 //!
-//! What is found is a guess, since other numbers have the same residues; who uses it proves it.
+//! Each result is a guess, since other numbers have the same residues; its user must prove it.
 
 use super::Rational;
 use super::field::Field;
 
-/// Numerators and denominators of numbers that are looked for: of those the residue modulo a prime of 61 bits is far from any other's.
+/// Largest numerator and denominator that are looked for. Two different fractions within this limit have different
+/// residues modulo a prime of 61 bits, since 2 · 2^48 is far below it.
 const LARGEST: u64 = 1 << 24;
 
 /// The rational number with small numerator and denominator that has this residue, if there is one.
 ///
-/// P. S. Wang, "A p-adic algorithm for univariate partial fractions", SYMSAC (1981) 212–217: the remainders of Euclid's algorithm.
+/// P. S. Wang, "A p-adic algorithm for univariate partial fractions", SYMSAC (1981) 212–217: the remainders of Euclid's
+/// algorithm.
 #[must_use]
 pub fn rational(f: Field, residue: u64) -> Option<Rational> {
     let (mut last, mut rest) = (i128::from(f.prime), i128::from(residue));
@@ -33,7 +35,8 @@ const BESIDE: i64 = 288;
 /// Roots beside which they stand.
 const ROOTS: [i64; 3] = [2, 3, 6];
 
-/// (a, n, b) with small numbers of which a + b √n has this residue, n being 2, 3 or 6: all denominators and numerators of b are tried.
+/// Numbers (a, n, b) for which a + b √n has this residue, with small rational a and b, and n one of 2, 3 and 6. All
+/// denominators, and all numerators of b, are tried. `None` if none fits.
 #[must_use]
 pub fn surd(f: Field, residue: u64) -> Option<(Rational, i64, Rational)> {
     for n in ROOTS {
@@ -55,7 +58,8 @@ pub fn surd(f: Field, residue: u64) -> Option<(Rational, i64, Rational)> {
     None
 }
 
-/// A matrix modulo a prime in reduced echelon form, with the columns of its pivots: the first columns that are independent.
+/// Brings a matrix modulo a prime to reduced echelon form, and returns the columns of its pivots: the first columns
+/// that are independent.
 pub fn reduced(f: Field, rows: &mut Vec<Vec<u64>>) -> Vec<usize> {
     let columns = rows.first().map_or(0, Vec::len);
     let mut pivots = Vec::new();
@@ -79,7 +83,8 @@ pub fn reduced(f: Field, rows: &mut Vec<Vec<u64>>) -> Vec<usize> {
     pivots
 }
 
-/// The one x with Σ x_k column_k = the last column, for rows of more equations than unknowns; nothing where there is none, or more than one.
+/// The unique x with Σ x_k column_k = the last column, for rows of more equations than unknowns. `None` if there is no
+/// solution, or more than one.
 #[must_use]
 pub fn solved(f: Field, mut rows: Vec<Vec<u64>>) -> Option<Vec<u64>> {
     let unknowns = rows.first()?.len() - 1;
@@ -92,8 +97,8 @@ mod tests {
     use super::*;
     use crate::algebra::field::Generator;
 
-    /// Goal: numbers come back from their residues, and what has no small numbers is refused. Method: fractions, and a residue that is
-    /// none of a fraction's.
+    /// Goal: numbers come back from their residues, and a residue of no small fraction is refused. Method: fractions,
+    /// and a residue that belongs to none.
     #[test]
     fn fractions_come_back_from_residues() {
         let f = Field::random(&mut Generator(5));

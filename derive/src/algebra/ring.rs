@@ -26,7 +26,7 @@ const MOST_ROOT_TERMS: usize = 60;
 pub struct Powers([u8; GENERATORS]);
 
 impl Powers {
-    /// 1.
+    /// The monomial 1: all exponents are 0.
     pub const ONE: Self = Self([0; GENERATORS]);
 
     /// The exponent of a generator.
@@ -101,7 +101,7 @@ impl Poly {
         if value.is_zero() { Self::default() } else { Self { terms: vec![(Powers::ONE, value.clone())] } }
     }
 
-    /// Whether this is 0.
+    /// True if the polynomial is 0.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
@@ -166,12 +166,12 @@ impl Ring {
         Self { generators: Vec::new(), numbers: FxHashMap::default(), budget }
     }
 
-    /// What a generator stands for.
+    /// Expression that a generator stands for.
     pub fn expression(&self, generator: usize) -> Expr {
         self.generators[generator].0
     }
 
-    /// How many generators there are.
+    /// Number of generators.
     pub fn size(&self) -> usize {
         self.generators.len()
     }
@@ -201,7 +201,7 @@ impl Ring {
         left.map(|_| ())
     }
 
-    /// Σ k · p.
+    /// The linear combination Σ k · p; `None` beyond the budget.
     pub fn sum<'a>(&mut self, parts: impl Iterator<Item = (&'a Poly, Rational)>) -> Option<Poly> {
         let mut sum: FxHashMap<Powers, Rational> = FxHashMap::default();
         for (part, k) in parts {
@@ -265,7 +265,7 @@ impl Ring {
         Some(())
     }
 
-    /// p^n.
+    /// The power p^n; `None` beyond the budget.
     pub fn pow(&mut self, p: &Poly, n: u32) -> Option<Poly> {
         let (mut result, mut power, mut left) = (Poly::constant(&Rational::ONE), p.clone(), n);
         while left > 0 {
@@ -298,7 +298,8 @@ impl Ring {
         self.divide_plainly(above, &below)
     }
 
-    /// p with p² = a polynomial, leading term by leading term; nothing if it is no square of one without sines and roots.
+    /// The polynomial p with p² = `square`, found leading term by leading term. `None` if no polynomial without sines
+    /// and roots has this square.
     pub fn square_root(&mut self, square: &Poly) -> Option<Poly> {
         let (lead, k) = square.terms.first()?;
         let half = lead.halved()?;

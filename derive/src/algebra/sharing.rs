@@ -31,16 +31,16 @@ use network::Network;
 pub use rebuild::{Shared, is_shared_symbol};
 pub use same::is_same;
 
-/// How the values are read before common divisors are looked for.
+/// Preparation of the values before common divisors are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reading {
-    /// How far products are multiplied out.
+    /// Extent to which products are multiplied out.
     pub products: Products,
-    /// What becomes of angles that are sums of others.
+    /// Treatment of angles that are sums of other angles.
     pub angles: Angles,
 }
 
-/// What becomes of sines and cosines of sums of angles.
+/// Treatment of sines and cosines of sums of angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Angles {
     /// They are computed as such.
@@ -51,10 +51,10 @@ pub enum Angles {
     Open,
 }
 
-/// How far products are multiplied out.
+/// Extent to which products are multiplied out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Products {
-    /// As they are factored.
+    /// Products stay as they are factored.
     Factored,
     /// Multiplied out, as far as that stays short.
     Expanded,

@@ -1,7 +1,7 @@
 //! Signs of terms where some terms are known to be positive, and roots and absolute values that such signs resolve.
 //!
-//! Exact: a sign is claimed only where it follows from the form of a term, from positive symbols and from what is known to be positive.
-//! Anything else is [`Sign::Unknown`], and stays as it was written.
+//! Exact: a sign is claimed only where it follows from the form of a term, from positive symbols and from terms known
+//! to be positive. Any other sign is [`Sign::Unknown`], and the term stays as it was written.
 
 use super::calculus::Substitution;
 use super::interval::{Interval, enclose};
@@ -9,23 +9,23 @@ use super::normal::Normalizer;
 use super::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// What is known of the sign of a term.
+/// Known sign of a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// Above 0.
+    /// The term is above 0.
     Positive,
-    /// 0 or above.
+    /// The term is 0 or above.
     NotNegative,
-    /// Below 0.
+    /// The term is below 0.
     Negative,
-    /// 0 or below.
+    /// The term is 0 or below.
     NotPositive,
-    /// Anything.
+    /// The term may have any value.
     Unknown,
 }
 
 impl Sign {
-    /// Whether the term is not 0.
+    /// True if the sign excludes 0.
     pub const fn is_strict(self) -> bool {
         matches!(self, Self::Positive | Self::Negative)
     }
@@ -75,13 +75,13 @@ impl Sign {
 pub struct Bounds {
     /// The term: often a symbol.
     pub of: Expr,
-    /// What it is above.
+    /// Constant that the term exceeds.
     pub low: Option<Expr>,
-    /// What it is below.
+    /// Constant that the term stays below.
     pub high: Option<Expr>,
 }
 
-/// What is known to be positive, and the bounds of terms that follow.
+/// Terms that are known to be positive, and the bounds of terms that follow from them.
 #[derive(Clone, Debug, Default)]
 pub struct Signs {
     positive: Vec<Expr>,
@@ -92,7 +92,7 @@ pub struct Signs {
 const ROOT: u64 = 50_000;
 
 impl Signs {
-    /// Where each of these terms is positive.
+    /// Signs in states where each of these terms is positive.
     pub fn new(arena: &mut Arena, positive: &[Expr]) -> Self {
         let mut signs = Self { positive: positive.to_vec(), bounds: Vec::new() };
         for term in positive {
@@ -101,7 +101,7 @@ impl Signs {
         signs
     }
 
-    /// Whether nothing is known.
+    /// True if no term is known to be positive.
     pub fn is_empty(&self) -> bool {
         self.positive.is_empty()
     }
@@ -342,7 +342,7 @@ fn common_multiple(arena: &Arena, e: Expr, positive: Expr) -> Option<Rational> {
     })
 }
 
-/// Whether a constant is not below another.
+/// True if a constant is proved not to be below another.
 fn is_at_least(arena: &Arena, a: Expr, b: Expr) -> bool {
     if a == b {
         return true;
@@ -372,7 +372,8 @@ mod tests {
     use crate::algebra::parse::parse_free;
     use crate::algebra::print::text;
 
-    /// Where r and l + x are positive, h > 1/10, and q and p are angles of bounded size.
+    /// Resolves the roots and absolute values of a text where r and l + x are positive, h > 1/10, and q and p are
+    /// angles of bounded size.
     fn resolved(e: &str) -> String {
         let mut arena = Arena::new();
         let m = arena.symbol("m");

@@ -161,13 +161,13 @@ impl Simplifier {
     }
 }
 
-/// Whether a sum stands below a fraction bar in a sum of several terms: then one bar may do for all.
+/// True if a sum of several terms divides by a sum: then one fraction bar may do for all.
 fn divides_by_sums(arena: &Arena, polynomial: &Polynomial) -> bool {
     let inverse_sum = |(e, n): &(Expr, i32)| *n < 0 && matches!(arena.node(*e), Node::Sum(..));
     polynomial.terms.len() > 1 && polynomial.terms.keys().flatten().any(inverse_sum)
 }
 
-/// Whether an angle occurs both as such and in a multiple or a sum: sin 2q beside sin q may cancel.
+/// True if an angle occurs both by itself and in a multiple or a sum: sin 2q beside sin q may cancel.
 fn mixes_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
     let mut seen: BTreeMap<Expr, Expr> = BTreeMap::new();
     polynomial

@@ -38,8 +38,8 @@ pub fn put_in(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
     }
 }
 
-/// A new symbol, called `wanted` unless that is a name already; in a part of a document ([`super::written`]) with the part's name
-/// behind it.
+/// A new symbol called `wanted`, or one like it if that name is taken. In a part of a document ([`super::written`]) the
+/// part's name is appended.
 pub fn fresh_symbol(arena: &mut Arena, wanted: &str) -> Expr {
     let wanted = arena.names.in_part(wanted);
     unused_symbol(arena, &wanted)

@@ -1,11 +1,11 @@
-//! What terms are built from, as a number: the same in every arena, whatever was built there before.
+//! Structure of terms as a number: the same in every arena, whatever was built there before.
 
 use super::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
 
-/// A number for the structure of each of these terms, which stand operands first: equal structures have equal numbers in any
-/// arena, and other structures hardly ever do. For orders that must not depend on when terms were built; no decision on
-/// equality may rest on it.
+/// A number for the structure of each of these terms, which stand operands first. Equal structures have equal numbers
+/// in any arena, and different structures hardly ever do. It serves for orders that must not depend on when terms were
+/// built; no decision on equality may rest on it.
 pub(super) fn structures(arena: &Arena, terms: &[Expr]) -> FxHashMap<Expr, u64> {
     let mut known: FxHashMap<Expr, u64> = FxHashMap::default();
     for e in terms {

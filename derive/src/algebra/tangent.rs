@@ -15,14 +15,14 @@ const MOST_DRAWN: usize = 8;
 /// a + b ε with ε² = 0, modulo a prime: a value and its slope.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dual {
-    /// a.
+    /// The value a.
     pub value: u64,
-    /// b.
+    /// The slope b.
     pub slope: u64,
 }
 
 impl Dual {
-    /// Whether both parts are zero.
+    /// True if the value and the slope are zero.
     #[must_use]
     pub fn is_zero(self) -> bool {
         self == Self::default()
@@ -63,8 +63,8 @@ impl<'a> Tangents<'a> {
         Self { arena, terms, along: along.iter().copied().collect(), draw: Draw::with_slopes(arena, &all) }
     }
 
-    /// All terms, in their order, at the next point at which each has a residue and a slope; `None` if there is none among
-    /// the points that are tried.
+    /// All terms, in their order, at the next point at which each has a residue and a slope; `None` if there is none
+    /// among the points that are tried.
     pub fn next(&mut self) -> Option<(Field, Vec<Dual>)> {
         (0..MOST_DRAWN).find_map(|_| {
             let point = self.draw.point()?;

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 pub struct Transfer<'a> {
     from: &'a Arena,
     done: FxHashMap<Expr, Expr>,
-    /// What stands behind the names of terms that have none there.
+    /// Suffix appended to the name of each term that has no name in the other arena.
     suffix: &'static str,
 }
 
@@ -17,7 +17,8 @@ impl<'a> Transfer<'a> {
         Self { from, done: FxHashMap::default(), suffix: "" }
     }
 
-    /// Writes terms of another model than `from` is of: names that only the one has are told apart by what stands behind them.
+    /// Writes terms into the arena of another model than that of `from`. The suffix marks the names of terms that have
+    /// none there.
     pub fn of_other_model(from: &'a Arena, suffix: &'static str) -> Self {
         Self { suffix, ..Self::new(from) }
     }

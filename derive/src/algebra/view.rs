@@ -1,4 +1,4 @@
-//! A formula as a tree of marks: what all notations, and code generation, write down.
+//! A formula as a tree of marks, from which all notations, and code generation, are written.
 //!
 //! Factors and terms stand in the order in which their symbols were declared; sums stand last; sin x /
 //! cos x becomes tan x; negative powers become a fraction.
@@ -17,13 +17,13 @@ pub enum View {
     Word(String),
     /// A term that was given a name of its own.
     Shared(String),
-    /// π.
+    /// The number π.
     Pi,
-    /// (is subtracted, term)
+    /// Terms of a sum: true if the term is subtracted, and the term.
     Sum(Vec<(bool, View)>),
-    /// Factors.
+    /// Factors of a product.
     Product(Vec<View>),
-    /// Above, below.
+    /// A fraction: numerator and denominator.
     Fraction(Box<View>, Box<View>),
     /// Base and exponent, at least 2.
     Power(Box<View>, i32),
@@ -36,7 +36,7 @@ pub enum View {
 }
 
 impl View {
-    /// Whether it must stand in parentheses as a factor.
+    /// True if the view needs parentheses as a factor.
     pub(super) fn is_loose(&self) -> bool {
         matches!(self, Self::Sum(_))
     }

@@ -20,23 +20,23 @@ pub struct Witness {
     pub difference: f64,
 }
 
-/// How many states are tried for a witness.
+/// Number of states tried for a witness.
 const STATES: usize = 100;
-/// How many are tried where conditions exclude many.
+/// Number of states tried where conditions exclude many.
 const STATES_WITH_CONDITIONS: usize = 2000;
 
-/// What is asked of a witness.
+/// Requirements on a witness.
 #[derive(Clone, Debug)]
 pub struct Asked<'a> {
     /// Left, right, and their difference.
     pub sides: [Expr; 3],
-    /// What must have a value.
+    /// Terms that must have a value.
     pub defined: Vec<Expr>,
-    /// What must be positive.
+    /// Terms that must be positive.
     pub positive: &'a [Expr],
-    /// What is known of the signs of terms.
+    /// Known signs of terms.
     pub signs: &'a Signs,
-    /// What is shown of a state: symbols, with their values in the symbols that the sides are written in.
+    /// Symbols shown in a state, with their values in the symbols that the sides are written in.
     pub shown: Vec<(Expr, Expr)>,
 }
 
@@ -108,7 +108,7 @@ fn value_of(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generato
     }
 }
 
-/// Whether a term mentions one of these symbols, which are in order.
+/// True if a term mentions one of these symbols, which are sorted.
 fn mentions_any(arena: &Arena, e: Expr, symbols: &[Expr]) -> bool {
     arena.reachable(&[e]).iter().any(|part| symbols.binary_search(part).is_ok())
 }

@@ -1,12 +1,12 @@
-//! Names written down: a symbol for each, and what it stands for.
+//! Names written down: a symbol for each, and its definition.
 //!
-//! One name, one meaning, in all documents about a model. What every document has is written first and by itself: the equations by
-//! Kane's method. Names of all other terms have the name of the part of a document behind them that they first stand in:
-//! `ratio_x_v` is a term of Kane's equations and `ratio_x_v_lagrange` one that only Lagrange's have. Among terms that are called
-//! alike in a part the number tells which is meant: by what the terms are, and not by when they were made, so that it is the
-//! same wherever the part is written.
+//! One name has one meaning in all documents about a model. The terms common to all documents are written first, on
+//! their own: the equations by Kane's method. Names of all other terms end in the name of the part of a document in
+//! which they first occur: `ratio_x_v` is a term of Kane's equations and `ratio_x_v_lagrange` one that only Lagrange's
+//! have. Among terms that are called alike in a part, a number tells which is meant. It depends on the structure of the
+//! terms and not on when they were built, so that it is the same wherever the part is written.
 //!
-//! Invariant: a name has the same symbol whenever it is written, and each step stands after what it needs.
+//! Invariant: a name has the same symbol whenever it is written, and each step stands after those that it needs.
 
 use super::arena::Stated;
 use super::calculus::Substitution;
@@ -15,8 +15,8 @@ use super::structure::structures;
 use super::transfer::Transfer;
 use super::{Arena, Expr};
 
-/// Steps and values with symbols in place of names; the steps behind the names stand before what first needs them. A step may
-/// state a name itself, by what it is equal to: from there on that is its value.
+/// Steps and values with symbols in place of names. The steps behind a name stand before the first that needs it. A
+/// step may state a name itself, by a term that it equals: from there on this term is its value.
 pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<Definition>, Vec<Expr>) {
     let mut writing = Writing::default();
     for step in steps {
@@ -28,8 +28,8 @@ pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec
     (writing.steps, values)
 }
 
-/// Gives every named term in these values its symbol, as one of this part of a document; the values stay as they are, and are
-/// shown with the names. What is written later without a part of its own belongs to this one. All values of a part are written
+/// Gives every named term in these values its symbol, as part of a document. The values stay as they are, and are shown
+/// with the names. Names written later without a part of their own belong to this one. All values of a part are written
 /// at once: their numbers depend on one another.
 pub fn write_down(arena: &mut Arena, part: &str, values: &[Expr]) {
     arena.names.part = Some(part.to_owned());
@@ -43,7 +43,7 @@ pub fn write_down(arena: &mut Arena, part: &str, values: &[Expr]) {
     }
 }
 
-/// The written names that are shown in these terms, and in what these names stand for, each after those that it mentions.
+/// The written names shown in these terms, and in the definitions of these names, each after those that it mentions.
 #[must_use]
 pub fn glossary(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
     let named = arena.reachable(shown).into_iter();
@@ -106,8 +106,8 @@ fn number(arena: &mut Arena, named: Expr) -> Expr {
     symbol
 }
 
-/// Takes over the names that were written in another store of terms of the same model. A term that stands there with the other
-/// sign, which depends on what was built before, is another term, and none here gets its name.
+/// Takes over the names that were written in another store of terms of the same model. A term may stand there with the
+/// other sign, which depends on what was built before. It is then another term, and no term here gets its name.
 pub fn adopt(arena: &mut Arena, from: &Arena) {
     let mut known: Vec<_> = from.names.symbols.iter().collect();
     known.sort_unstable_by_key(|(e, _)| **e);

@@ -13,7 +13,7 @@ pub fn cross_components(arena: &mut Arena, a: &Components, b: &Components) -> Co
     })
 }
 
-/// A · v.
+/// Product A · v of a tensor and a vector.
 pub fn apply_tensor(arena: &mut Arena, tensor: &[[Expr; 3]; 3], v: &Components) -> Components {
     tensor.map(|row| row_times(arena, &row, v))
 }

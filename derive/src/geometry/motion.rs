@@ -8,7 +8,7 @@ use super::{Frame, Point};
 use crate::algebra::Arena;
 use crate::algebra::calculus::Differential;
 
-/// Where all points are, and how all frames and points move in the inertial frame.
+/// Positions of all points, and velocities of all frames and points in the inertial frame.
 pub struct Motion {
     /// p_OP of each point, from the origin.
     pub positions: Vec<Vector>,

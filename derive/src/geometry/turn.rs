@@ -1,4 +1,4 @@
-//! How a frame is turned from another.
+//! Turns from one frame to another.
 
 use super::components::{Components, row_times, transposed};
 use crate::algebra::calculus::Differential;
@@ -20,22 +20,24 @@ pub enum Turn {
 pub struct Oriented {
     /// (components in the frame) = cosines · (components in the one before).
     pub cosines: [Components; 3],
-    /// The angular velocity relative to the one before, in the frame, s⁻¹: of each quantity that turns it, what its rate is
-    /// multiplied with. None for a turn that stays as it is.
+    /// Angular velocity relative to the frame before, in the frame, s⁻¹: each quantity that turns it, with the factor
+    /// of its rate. Empty for a constant turn.
     pub spins: Vec<(Expr, Components)>,
 }
 
 impl Turn {
-    /// Whether components only change places and signs.
+    /// True if components only change places and signs.
     pub(crate) fn is_exchange(&self) -> bool {
         let is_unit = |e: &Expr| [Expr::ZERO, Expr::ONE, Expr::MINUS_ONE].contains(e);
         matches!(self, Self::Oriented(turn) if turn.cosines.iter().flatten().all(is_unit))
     }
 
-    /// By Euler parameters, of any length but 0: the scalar ε₀ = cos θ/2 first, then ε = e sin θ/2 for a turn by θ about e.
+    /// Turn by Euler parameters of any length but 0: the scalar ε₀ = cos θ/2 first, then ε = e sin θ/2 for a turn by θ
+    /// about e.
     ///
-    /// T. R. Kane, P. W. Likins & D. A. Levinson, *Spacecraft Dynamics* (1983), §§ 1.3 and 1.13, with what they state for parameters of length 1
-    /// divided by the square of the length: a rotation for all of them, of which ω = 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|² in the frame.
+    /// T. R. Kane, P. W. Likins & D. A. Levinson, *Spacecraft Dynamics* (1983), §§ 1.3 and 1.13. Their cosines for
+    /// parameters of length 1 are divided by the square of the length. The result is a rotation for any length, with ω
+    /// = 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|² in the frame.
     ///
     /// # Panics
     /// If all four are 0.
@@ -142,7 +144,8 @@ impl Turn {
         }
     }
 
-    /// The angular velocity relative to the frame before, in the frame, s⁻¹, along a motion in which quantities change by these rates.
+    /// Angular velocity relative to the frame before, in the frame, s⁻¹, along a motion in which quantities change by
+    /// these rates.
     pub fn spin(&self, arena: &mut Arena, rates: &mut Differential) -> Components {
         let mut components = [Expr::ZERO; 3];
         match self {
@@ -163,7 +166,7 @@ impl Turn {
         components
     }
 
-    /// Components in the frame of what has these in the one before; `back`, the other way.
+    /// Components in the frame of a vector that has these in the frame before; with `back`, the reverse.
     pub fn apply(&self, arena: &mut Arena, v: &Components, back: bool) -> Components {
         match self {
             Self::About(axis, angle) => {

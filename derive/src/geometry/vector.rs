@@ -13,7 +13,7 @@ use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// What a vector has in one frame: (frame, components).
+/// Part of a vector in one frame: (frame, components).
 pub type Part = (usize, Components);
 
 /// A vector: components by frame, frames ascending, no frame with all components zero.
@@ -33,13 +33,13 @@ impl Vector {
         Self { parts }
     }
 
-    /// Whether every component is the literal 0.
+    /// True if every component is the literal 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.parts.is_empty()
     }
 
-    /// Sum.
+    /// Sum of two vectors.
     #[must_use]
     pub fn add(&self, arena: &mut Arena, other: &Self) -> Self {
         let mut parts = self.parts.clone();
@@ -124,7 +124,7 @@ pub struct Frames {
     tree: Vec<Frame>,
     rotations: FxHashMap<(usize, usize), [[Expr; 3]; 3]>,
     dots: FxHashMap<(Part, Part), Expr>,
-    /// Whether vectors are carried from frame to frame, and what grows is named.
+    /// True if vectors are carried from frame to frame, and growing terms are named.
     pub(crate) carries: bool,
 }
 
@@ -159,7 +159,8 @@ impl Frames {
         self.tree[frame].rotation.as_ref().map(|(_, turn)| turn)
     }
 
-    /// How many turns that count lie between two frames, those about one axis that follow one another taken for one.
+    /// Number of turns between two frames that count. Consecutive turns about one axis count as one, a turn given by
+    /// cosines as three.
     pub(crate) fn axes_between(&self, from: usize, to: usize, counts: impl Fn(&Turn) -> bool) -> usize {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let apart = |path: &[usize], other: &[usize]| -> Vec<usize> {
@@ -176,13 +177,13 @@ impl Frames {
         turns
     }
 
-    /// Whether every frame is turned from the inertial one, so that what they hold is short and so are its products.
+    /// True if every frame is turned from the inertial one, so that its components are short and so are their products.
     pub(crate) fn are_near(&self) -> bool {
         self.tree.iter().all(|frame| frame.rotation.as_ref().is_none_or(|(parent, _)| *parent == 0))
     }
 
-    /// The turns that lead from the axes of `from` to those of `to`, each with whether it is taken back, adjacent turns about one
-    /// axis merged.
+    /// Turns that lead from the axes of `from` to those of `to`, each with true if it is taken back. Adjacent turns
+    /// about one axis are merged.
     fn turns(&self, arena: &mut Arena, from: usize, to: usize) -> Vec<(Turn, bool)> {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let mut shared = 0;
@@ -257,7 +258,7 @@ impl Frames {
         arena.sum(&products)
     }
 
-    /// a · b.
+    /// Dot product a · b.
     pub fn dot(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Expr {
         if self.carries {
             let home = self.home([a, b]);
@@ -353,7 +354,7 @@ impl Dots {
         }
     }
 
-    /// The sum.
+    /// Sum of the collected products, as one term.
     pub fn sum(&self, arena: &mut Arena, frames: &mut Frames) -> Expr {
         let mut terms = Vec::with_capacity(self.list.len());
         for ((a, b), weights) in &self.list {

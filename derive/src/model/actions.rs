@@ -1,7 +1,7 @@
-//! What forces and torques do to the balances of bodies, in a random pose and motion.
+//! Actions of forces and torques in the Newton–Euler balances of bodies, in a random pose and motion.
 //!
-//! Six numbers for each body: m a − ΣF, then dH/dt − ΣM about the mass centre, in the frame of its inertia; of a particle, in the
-//! inertial frame, the last three are 0.
+//! Each body has six balances: m a − ΣF, then dH/dt − ΣM about the mass centre, in the frame of its inertia. The
+//! balances of a particle are in the inertial frame; its last three are 0.
 
 use super::drawn::{DrawnModel, Triple};
 use super::{Model, ReactionKind};
@@ -70,7 +70,7 @@ impl DrawnModel {
         Some(all)
     }
 
-    /// What a force through a point and a moment do to the balances of one body.
+    /// Contribution to all balances of a force through a point of one body and of a moment on that body.
     fn on_body(&self, model: &Model, body: usize, point: usize, force: Triple, moment: Triple) -> Vec<u64> {
         let DrawnModel { space, frames, points, .. } = self;
         let mut all = vec![0; 6 * model.bodies.len()];
@@ -87,7 +87,7 @@ impl DrawnModel {
         all
     }
 
-    /// What a reaction of size 1 does to all balances.
+    /// Contribution of a reaction of size 1 to all balances.
     pub fn action(&self, model: &Model, kind: ReactionKind, direction: Triple) -> Vec<u64> {
         let back = self.space.sub([0; 3], direction);
         let centre = |body: usize| model.bodies[body].centre;
@@ -106,7 +106,8 @@ impl DrawnModel {
     }
 }
 
-/// Terms with a letter for each root, which need not exist in the pose that was drawn: roots depend on nothing else that a balance is made of.
+/// Replaces each square root in the terms by a new symbol, since a root need not exist in the drawn pose. The roots are
+/// independent of all other parts of a balance.
 fn without_roots(arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
     let is_root = |part: &Expr| matches!(arena.node(*part), Node::Apply(Function::Sqrt, _));
     let roots: Vec<Expr> = arena.reachable(terms).into_iter().filter(is_root).collect();

@@ -1,11 +1,12 @@
-//! Poses in which the loops of a mechanism are closed, at the default values of its parameters, and which constraints are
+//! Closed poses of a mechanism with loops, at the default values of its parameters, and the constraints that are
 //! independent there.
 //!
-//! Loops may tie more at random places than where they are closed: six pins in space prevent all motion of six bars but for special
-//! lengths, in whose closed poses one of the equations follows from the others (R. Bricard 1897). So independence is asked
-//! there, in doubles: what counts as zero is far below the next of the numbers it is told from.
-//! The poses are found by the method of Levenberg and Marquardt, which converges quadratically to solutions that are not isolated if its
-//! damping is the square of what is left (N. Yamashita & M. Fukushima 2001).
+//! Loops may tie more at random places than when closed. Six pins in space prevent all motion of six bars, except
+//! for special lengths. In the closed poses of such bars, one equation follows from the others (R. Bricard 1897). So
+//! independence is decided in closed poses, in doubles. Values that count as zero are far below the smallest value that
+//! does not.
+//! The poses are found by the method of Levenberg and Marquardt. If its damping is the square of the residual, it
+//! converges quadratically to solutions that are not isolated (N. Yamashita & M. Fukushima 2001).
 
 use super::tied::Branch;
 use crate::algebra::Expr;
@@ -15,39 +16,43 @@ use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Random places from which poses are looked for, fewer for large mechanisms, and poses that are enough.
+/// Largest number of random starts of a search for closed poses, which is smaller for large mechanisms. `ENOUGH` poses
+/// end the search, and `STEPS` bounds the steps from one start.
 const TRIES: usize = 40;
 const ENOUGH: usize = 6;
 const STEPS: usize = 200;
-/// Poses on a way through closed ones, how far apart they are (over what coordinates reach), and loops up to which it is gone.
+/// Number of poses on a walk through closed poses. `STRIDE` is the step between them, over the reach of the
+/// coordinates. Mechanisms with more than `WALKED` loops are not walked.
 const WALK: usize = 60;
 const STRIDE: f64 = 0.05;
 const WALKED: usize = 24;
-/// Loops up to which poses are looked for by closing one after another, from how many random places, and ways gone from such poses.
+/// Largest number of loops for which poses are also found by closing one loop after another. There are `GROWTHS` random
+/// starts, and walks from `WAYS` of the poses found.
 const GROWN: usize = 60;
 const GROWTHS: usize = 16;
 const WAYS: usize = 2;
-/// What may be left of each loop, over what it is made of.
+/// Residual up to which a loop counts as closed, over the length of its row of slopes.
 const CLOSED: f64 = 1e-13;
-/// What is independent of others: what is left of a row of length 1 when they are taken out of it.
+/// Residual above which a row of length 1 is independent of the others, which are projected out of it.
 const INDEPENDENT: f64 = 1e-6;
-/// What is not, and nothing between the two.
+/// Residual below which such a row depends on the others. A residual between the two bounds decides nothing.
 const DEPENDENT: f64 = 1e-8;
 
-/// Equations between coordinates, with what to draw coordinates from.
+/// Equations between coordinates, and the ranges from which coordinates are drawn.
 pub struct Poses<'m> {
     pub known: &'m [(Expr, f64)],
     pub coordinates: &'m [Expr],
-    /// How far a coordinate may be drawn from 0: π for angles, a length of the mechanism for ways.
+    /// Largest absolute value at which a coordinate is drawn: π for angles, a length of the mechanism for distances.
     pub reach: &'m [f64],
     pub loops: &'m [Expr],
-    /// What may be left, over all slopes, of an equation that has none of its own in the pose: 0 where none is without.
+    /// Additional residual allowed for each equation, over the norm of all slopes, since an equation may have no slope
+    /// of its own in the pose; 0 if every equation has one.
     pub flat: f64,
 }
 
 /// A constraint that follows from others in every closed pose that was found.
 pub struct Dependent {
-    /// Its place among the constraints, and theirs.
+    /// Index of the constraint; `of` has the indices of the others.
     pub at: usize,
     pub of: Vec<usize>,
 }
@@ -55,25 +60,26 @@ pub struct Dependent {
 /// Slopes of constraints, and of speeds that may be chosen, in closed poses: rows of length 1.
 pub struct Closed {
     poses: Vec<DMatrix<f64>>,
-    /// Which rows, in order, do not follow from those before them in the pose that has most of them.
+    /// Indices of the rows that are independent of those before them, in order, in the pose where most rows are
+    /// independent.
     independent: Vec<usize>,
-    /// The others, each with what it follows from.
+    /// The dependent rows, each with those that it follows from.
     dependent: Vec<Dependent>,
     branch: Branch,
 }
 
-/// What was found in one pose.
+/// Coordinates, slopes, and independent rows of one closed pose.
 struct Found {
     q: Vec<f64>,
     matrix: DMatrix<f64>,
     rows: Rows,
 }
 
-/// Which rows follow from those before them.
+/// Rows that are independent of those before them, and rows that depend on them.
 struct Rows {
     independent: Vec<usize>,
     dependent: Vec<Dependent>,
-    /// The least that is left of the former, and the most that is left of the latter.
+    /// Smallest residual of an independent row, and largest residual of a dependent one.
     left: (f64, f64),
 }
 
@@ -98,15 +104,15 @@ impl Chance {
     }
 }
 
-/// Where the random numbers begin.
+/// Seed of the random numbers.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// How much better another choice must be than the first in order.
+/// Factor by which the least singular value of a later choice must exceed that of the first in order.
 const BETTER: f64 = 1.5;
 
 impl Closed {
-    /// Rows in q, of constraints and then of speeds, in the poses where the loops are closed, on a branch with as many freedoms as are
-    /// `declared` if there is one; nothing where no pose was found, or a value is not known.
+    /// Rows in q of constraints and then of speeds, in poses where the loops are closed. The poses are on a branch with
+    /// as many freedoms as are `declared`, if there is one. `None` if no pose was found, or a value is not known.
     pub fn new(
         arena: &mut Arena,
         poses: &Poses<'_>,
@@ -141,7 +147,8 @@ impl Closed {
         if all.iter().any(is_declared) {
             all.retain(is_declared);
         }
-        // Where it is closed another way round, or only in one pose, nothing may move: of what moves, that says nothing.
+        // A mechanism that is closed the other way round, or only in one pose, may be unable to move there. Such a pose
+        // says nothing of the poses in which it moves.
         let moves = |found: &Found| found.rows.independent.len() < poses.coordinates.len();
         if all.iter().filter(|found| moves(found)).count() > ENOUGH {
             all.retain(moves);
@@ -169,12 +176,12 @@ impl Closed {
         Some(closed)
     }
 
-    /// How many poses were asked.
+    /// Number of poses in which independence was decided.
     pub fn count(&self) -> usize {
         self.poses.len()
     }
 
-    /// Where all of it was found.
+    /// Branch of closed poses on which independence was decided.
     pub fn branch(&self) -> &Branch {
         &self.branch
     }
@@ -184,13 +191,13 @@ impl Closed {
         &self.dependent
     }
 
-    /// How far rows are from dependent in the pose where they are nearest to it: their least singular value there.
+    /// Least singular value of these rows over all poses: their distance from dependent rows.
     fn least(&self, rows: &[usize]) -> f64 {
         let value = |pose: &DMatrix<f64>| pose.select_rows(rows).singular_values().min();
         self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
     }
 
-    /// Calls that dependent, among what depends on one another, without which the rest is farthest from it.
+    /// Chooses the dependent row of each dependent group: the one without which the rest is farthest from dependent.
     fn choose_dependent(&mut self) {
         for at in 0..self.dependent.len() {
             let Dependent { at: last, of } = &self.dependent[at];
@@ -214,8 +221,8 @@ impl Closed {
         self.dependent.sort_by_key(|dependent| dependent.at);
     }
 
-    /// Which of some rows stay independent, with these, in all poses: as many as are wanted, those first that are farthest from
-    /// dependent where they are nearest to it.
+    /// Chooses up to `wanted` rows of `among` that stay independent in all poses, together with those `kept`. Rows
+    /// whose choice leaves the largest least singular value come first.
     pub fn choose(&self, mut kept: Vec<usize>, mut among: Vec<usize>, wanted: usize) -> Vec<usize> {
         let mut chosen = Vec::new();
         while chosen.len() < wanted {
@@ -297,8 +304,8 @@ impl Poses<'_> {
         found
     }
 
-    /// Closed poses on the branches with the fewest freedoms, found by closing one loop after another: all at once, a search ends where most
-    /// may move.
+    /// Closed poses on the branches with the fewest freedoms, found by closing one loop after another. A search that
+    /// closes all loops at once ends where most freedoms are left.
     fn grown(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = Chance(SEED ^ 1);
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
@@ -335,7 +342,7 @@ impl Poses<'_> {
         Some(self.seek(&tape, &mut Chance(SEED), most))
     }
 
-    /// From how many random places poses are looked for.
+    /// Number of random starts of a search for closed poses.
     pub fn tries(&self) -> usize {
         (TRIES * 1000 / (self.loops.len().pow(2) + 1)).clamp(3, TRIES)
     }
@@ -443,7 +450,8 @@ impl Poses<'_> {
     }
 }
 
-/// How far coordinates are drawn from 0: angles go round, ways as far as the longest of the known lengths.
+/// Largest absolute values at which coordinates are drawn: π for angles, and twice the longest known length for
+/// distances (1 if no length is known).
 pub fn reach(is_angle: impl Iterator<Item = bool>, lengths: impl Iterator<Item = f64>) -> Vec<f64> {
     let longest = lengths.fold(0.0, |most: f64, length| most.max(length.abs()));
     let longest = if longest > 0.0 { 2.0 * longest } else { 1.0 };

@@ -1,9 +1,11 @@
-//! What may hold where equations of the file keep two points of bodies together, beside what the equations say.
+//! Forces and torques that may act where equations of the file keep two points of bodies together, beyond those that
+//! the equations state.
 //!
-//! A pin that is stated as two equations in the plane of a linkage holds there, and may hold across it as well, or not: equations between
-//! coordinates do not say. So along whatever does not move there in any permitted motion a force or a torque may act, in equilibrium
-//! with what others hold. It is asked where two forces or more were found between two bodies at a pair of points, that hang neither on
-//! one another nor by a joint of the file. One force alone, as that of a tooth or a slot, holds nothing else.
+//! A pin that is stated as two equations in the plane of a linkage holds there. It may also hold across the plane:
+//! equations between coordinates do not tell. So a force or a torque may act along each direction without motion in any
+//! permitted motion, in equilibrium with other reactions. Closings are sought where two forces or more were found
+//! between two bodies at a pair of points. The bodies must neither hang on one another nor be connected by a joint of
+//! the file. A single force, as that of a tooth or a slot, holds nothing else.
 
 use super::relative::{Holder, Relative};
 use super::{Place, Reaction, ReactionKind, Tie};
@@ -18,7 +20,7 @@ struct Closing {
 }
 
 impl Relative<'_> {
-    /// Forces and torques that may act where equations keep points together, each with what it is called in words.
+    /// Forces and torques that may act where equations keep points together, each with an empty text.
     pub fn closings(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
         let found: Vec<Closing> = self.model.reactions.iter().filter_map(|r| self.closing(r, holders)).collect();
         let mut list = Vec::new();
@@ -31,7 +33,7 @@ impl Relative<'_> {
         list
     }
 
-    /// Where a reaction was found that closes a loop of equations.
+    /// Pair of points that a reaction keeps together, if it was found and closes a loop of equations.
     fn closing(&self, reaction: &Reaction, holders: &[(usize, Holder)]) -> Option<Closing> {
         let ReactionKind::Force { on, against } = reaction.kind else { return None };
         let by = against.map(|place| place.body);
@@ -51,7 +53,7 @@ impl Relative<'_> {
         })
     }
 
-    /// What does no work there in any permitted motion.
+    /// Reactions at a closing that do no work in any permitted motion, each with an empty text.
     fn held_at(&self, closing: &Closing) -> Vec<(String, Reaction)> {
         let &Closing { on, against, frame } = closing;
         let (body, holder, space) = (on.body, against.map(|place| place.body), self.drawn.space);

@@ -1,7 +1,8 @@
-//! Which bodies a constraint of the file ties, and whether it compares them.
+//! Bodies that a constraint of the file ties, and the test that it compares them.
 //!
-//! An equation compares two bodies if it says nothing of a motion of both together: along each direction the slopes of its variables sum to
-//! zero, as in `y2 = y1 + h`. A rope over a pulley, `a + b = l`, ties two bodies and compares none: the pulley carries both.
+//! An equation compares two bodies if it stays true while both move together: along each direction the slopes of its
+//! variables sum to zero, as in `y2 = y1 + h`. A rope over a pulley, `a + b = l`, ties two bodies and compares none:
+//! the pulley carries both.
 
 use super::contacts::Compared;
 use super::elements::Elements;
@@ -13,15 +14,15 @@ use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::algebra::parse::VelocityOf;
 use crate::algebra::{Arena, Expr};
 
-/// A variable of an equation that moves a body along an axis of a frame, 0, 1 or 2, and how far for each unit; without them, if it moves it
-/// otherwise.
+/// A variable of an equation, with the frame and axis (0, 1 or 2) along which it moves a body and the distance for each
+/// unit; `None` if it moves the body otherwise.
 struct Tied {
     symbol: Expr,
     motion: Option<(usize, usize, Expr)>,
 }
 
 impl Loading<'_> {
-    /// Finds the bodies that an equation ties, from its names as they stand in the file; [`Compared::moved`] is that of the equation too.
+    /// Finds the bodies that an equation ties, before values replace its names.
     pub fn compared(
         &mut self,
         elements: &Elements,
@@ -52,7 +53,8 @@ impl Loading<'_> {
         Compared { named, own, moved, is_difference }
     }
 
-    /// The bodies of which an equation ties own coordinates, or their rates if there are any, in the order of the file.
+    /// Bodies whose own coordinates an equation ties, or the rates of these if it contains any, in the order of the
+    /// file.
     pub fn moved(&self, elements: &Elements, coordinates: &[Coordinate], equation: Expr) -> Vec<usize> {
         let own = own_variables(&self.arena, elements, coordinates, equation);
         let mut bodies: Vec<usize> = own.into_iter().map(|(body, ..)| body).collect();
@@ -62,7 +64,8 @@ impl Loading<'_> {
     }
 }
 
-/// The coordinates of an equation, or their rates if there are any, that move one body: the body, what stands in the equation, the coordinate.
+/// Coordinates that move one body alone and stand in an equation, or the rates of these if it contains any: the body,
+/// the symbol in the equation, and the coordinate.
 fn own_variables(
     arena: &Arena,
     elements: &Elements,
@@ -76,7 +79,8 @@ fn own_variables(
     tied.filter_map(|(symbol, coordinate)| Some((elements.placed_by(arena, coordinate)?, symbol, coordinate))).collect()
 }
 
-/// Whether an equation stays as it is while all that it ties moves together along any of its directions; false where one is unknown.
+/// True if an equation stays true while all that it ties moves together along any of its directions; false if a
+/// direction is unknown.
 fn is_difference(arena: &mut Arena, tied: &[Tied], equation: Expr) -> bool {
     let Some(motions) = tied.iter().map(|one| one.motion).collect::<Option<Vec<_>>>() else { return false };
     let symbols: Vec<Expr> = tied.iter().map(|one| one.symbol).collect();

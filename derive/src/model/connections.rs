@@ -1,17 +1,21 @@
 //! Reactions that nobody named: what holds bodies to each other and to the ground, for the Newton–Euler equations.
 //!
-//! Connections of the file are gone through, those first that the file states most plainly ([`held`]): reactions that it names, what is
-//! said not to slip, joints and placement on other bodies, contacts, and the ground last. Each carries along and about axes of frames
-//! whatever does no work in the motions that the connection itself permits; a connection carries only what those before it leave open, in all
-//! directions, felt or not. Where that is not enough, as where equations tie coordinates, forces and torques are sought wherever they
-//! do no work ([`elsewhere`]). Where loops are closed, the joints of the tree hold what they would hold if the loops were open: a pin takes no
-//! torque about its axis because a loop lets it turn no more.
+//! The connections of the file are visited in order, those first that the file states most plainly ([`held`]):
+//! reactions that it names, contacts without slip, joints and placement on other bodies, contacts, and the ground last.
+//! Each connection carries forces along axes of frames and torques about them, if these do no work in the motions that
+//! the connection itself permits. It carries only what those before it leave open, in all directions, felt or not. If
+//! that is not enough, as when equations tie coordinates, forces and torques are sought wherever they do no work
+//! ([`elsewhere`]). In closed loops, the joints of the tree hold what they would hold in open loops: a pin takes no
+//! torque about its axis, even if a loop prevents it from turning.
 //!
-//! A contact or the ground that carries nothing of it is left out ([`super::Contacts::idle`]): nothing is handed on to it.
+//! A contact, or the ground, that carries none of these reactions is left out ([`super::Contacts::idle`]): no load is
+//! handed on to it.
 //!
-//! What is held along no axis of a frame, as by gears or along a direction that a formula states, is held by all axes together: forces
-//! and torques where bodies rest, of which each works, and whose power along each speed adds up to zero ([`Reaction::is_shared`]).
-//! All of it is asked in one random pose ([`super::drawn`]); that no reaction works is shown when equations are derived.
+//! Some directions are held along no axis of a frame, as by gears or along a direction that a formula states. They are
+//! held by all axes together: by forces and torques where bodies rest. Each of these does work, but their powers along
+//! each speed add up to zero ([`Reaction::is_shared`]).
+//! All of this is decided in one random pose ([`super::drawn`]). The derivation of the equations proves that
+//! reactions do no work.
 
 mod elsewhere;
 mod held;
@@ -36,14 +40,14 @@ impl Model {
         &self.reactions[..found.unwrap_or(self.reactions.len())]
     }
 
-    /// How many equations Newton and Euler state of all bodies, where these are too many to find reactions for.
+    /// Number of Newton–Euler equations of all bodies, if it is too large to find reactions for; otherwise `None`.
     pub(super) fn too_many_equations(&self) -> Option<usize> {
         let equations = |body: &super::Body| if body.rigid.is_some() { 6 } else { 3 };
         Some(self.bodies.iter().map(equations).sum()).filter(|all| *all > MOST_EQUATIONS)
     }
 
-    /// Completes the reactions, so that there are as many as Newton and Euler's equations of all bodies need; leaves them as they
-    /// are where that cannot be done.
+    /// Adds reactions until there are as many as the Newton–Euler equations of all bodies need. Leaves them as they are
+    /// if that cannot be done.
     pub(super) fn complete_reactions(&mut self) {
         let on_nothing = |t: &super::Torque| t.on.1.is_none() || t.against.is_some_and(|(_, body)| body.is_none());
         if self.too_many_equations().is_some() || self.torques.iter().any(on_nothing) {
@@ -52,7 +56,7 @@ impl Model {
         let Some(mut search) = Search::new(self) else { return };
         search.held();
         search.elsewhere();
-        // Some alone would make the equations neither solvable nor what the file says.
+        // An incomplete set would make the equations unsolvable, and would not be what the file says.
         if search.missing > 0 {
             return;
         }

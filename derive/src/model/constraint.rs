@@ -1,8 +1,9 @@
-//! Constraints: those between coordinates that can be solved for one of them, which then leaves the model, and those that
-//! cannot, or that tie velocities.
+//! Constraints between coordinates, which are solved for one coordinate if possible, and constraints between
+//! velocities.
 //!
-//! A coordinate that moves as it is told stays, tied by its constraint, where a potential pushes along it: put in, the potential would be one
-//! of time there, which pushes nothing, and what drives the coordinate would seem to need no more than without it.
+//! A coordinate that a constraint is solved for leaves the model. A prescribed coordinate stays, tied by its
+//! constraint, if a potential pushes along it. If its value were put in, the potential would depend on time alone there
+//! and push nothing. The drive of the coordinate would then seem to need no more power than without the potential.
 
 use super::elements::Elements;
 use super::loading::Loading;
@@ -24,9 +25,9 @@ pub struct Stated {
     pub equation: Expr,
     /// The reaction that enforces it.
     pub enforced_by: Option<usize>,
-    /// Where the equation stands in the file.
+    /// Byte range of the equation in the file.
     pub span: Range<usize>,
-    /// Whether it may follow from others: it is then none.
+    /// True if the equation may follow from others: it then counts as no constraint.
     pub may_repeat: bool,
 }
 
@@ -66,11 +67,11 @@ impl<'a> Loading<'a> {
 pub struct Solved {
     /// Those that were solved for a coordinate.
     pub constraints: Vec<Constraint>,
-    /// What replaces the coordinates that they fix, and their time derivatives.
+    /// Coordinates that they fix and the time derivatives of these, each with its replacement.
     pub replacements: Vec<(Expr, Expr)>,
     /// Those that could not be solved: loops.
     pub kept: Vec<Stated>,
-    /// The names of those that say nothing new, and may.
+    /// Names of constraints that follow from others and may do so.
     pub repeated: Vec<String>,
     /// The names of those of the file that are kept and name one coordinate.
     pub prescribing: Vec<String>,
@@ -155,7 +156,8 @@ fn own(coordinates: &[Coordinate]) -> Vec<Expr> {
     coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
 }
 
-/// The last coordinate in which the equation is linear with a constant, non-zero factor, and its value; none that is driven along these energies.
+/// The last coordinate in which the equation is linear with a constant, nonzero factor, and its value. If the equation
+/// contains time, coordinates that these energies contain are excluded.
 fn solve_one(
     arena: &mut Arena,
     coordinates: &[Coordinate],
@@ -163,7 +165,7 @@ fn solve_one(
     equation: Expr,
 ) -> Option<(usize, Expr)> {
     let is_driven = coordinates.iter().any(|c| c.name == TIME && arena.mentions(equation, c.symbol));
-    // Time goes on by itself.
+    // An equation is never solved for time.
     for (at, coordinate) in coordinates.iter().enumerate().rev().filter(|(_, c)| c.name != TIME) {
         if is_driven && energies.iter().any(|energy| arena.mentions(*energy, coordinate.symbol)) {
             continue;

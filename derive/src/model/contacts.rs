@@ -1,4 +1,5 @@
-//! Contacts of bodies that the file states, beside rolling and reactions: friction, and equations that compare two bodies.
+//! Contacts of bodies that the file states, beside rolling and reactions: friction, and equations that compare two
+//! bodies.
 
 use crate::algebra::parse::VelocityOf;
 
@@ -9,9 +10,10 @@ pub struct Compared {
     pub named: Vec<VelocityOf<usize>>,
     /// The bodies whose own coordinates, or their rates, stand beside at most one name, in the order of the file.
     pub own: Vec<usize>,
-    /// The bodies whose own coordinates, or their rates, the constraint ties once its names are put in, in the order of the file.
+    /// The bodies whose own coordinates, or their rates, the constraint ties once its names are put in, in the order of
+    /// the file.
     pub moved: Vec<usize>,
-    /// Whether a motion of all that it names together changes nothing: then it compares bodies.
+    /// True if the constraint stays true while all that it ties moves together: then it compares bodies.
     pub is_difference: bool,
 }
 
@@ -22,6 +24,7 @@ pub struct Contacts {
     pub rubbing: Vec<(usize, Option<usize>)>,
     /// The constraints of the file.
     pub compared: Vec<Compared>,
-    /// Bodies under which the ground, or a body that they touch, carries nothing but what the file names: other connections carry them.
+    /// Bodies on which the ground, or the body that they touch, exerts nothing except what the file names: other
+    /// connections carry them.
     pub idle: Vec<usize>,
 }

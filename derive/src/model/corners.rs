@@ -1,4 +1,4 @@
-//! Instants at which what drives a mechanism has a corner or a jump.
+//! Instants at which a drive of a mechanism has a corner or a jump.
 
 use super::Model;
 use crate::algebra::calculus::{Differential, Substitution};
@@ -8,9 +8,9 @@ use rustc_hash::FxHashSet;
 use tripos_traits::Real;
 
 impl Model {
-    /// The instants, in s, at which absolute values of time have a corner, and signs of time a jump (of which it says so), at these
-    /// parameters: those of which the argument is linear in t. An integrator that steps across them loses its order. Of parameters with slopes
-    /// they have the slopes, too.
+    /// Instants, s, at which absolute values of time have a corner or signs of time jump (true for a jump), at these
+    /// parameters. Only arguments that are linear in t are found. An integrator that steps across such an instant loses
+    /// its order. If the parameters carry slopes, the instants do, too.
     #[must_use]
     pub fn corners<S: Numeric + Real>(&self, parameters: &[S]) -> Vec<(S, bool)> {
         let Some(time) = self.time().map(|at| self.coordinates[at].symbol) else { return Vec::new() };
@@ -24,7 +24,7 @@ impl Model {
         let mut corners = Vec::new();
         for (argument, jumps) in cornered {
             let line = [at_rest.apply(arena, argument), along.apply(arena, argument)];
-            // What needs more than parameters is no line in time.
+            // An argument that needs more than parameters is not linear in time.
             let Ok(tape) = Tape::new(arena, &symbols, &line) else { continue };
             if let [value, slope] = tape.to::<S>().evaluate(parameters)[..] {
                 corners.push((-value / slope, jumps));
@@ -47,7 +47,7 @@ impl Model {
     }
 }
 
-/// What a term is the absolute value or the sign of, and whether it jumps.
+/// Argument of an absolute value or a sign, and true if the term jumps; `None` for other terms.
 fn cornered(node: &Node) -> Option<(Expr, bool)> {
     match node {
         Node::Apply(Function::Abs, argument) => Some((*argument, false)),

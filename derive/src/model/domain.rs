@@ -1,4 +1,4 @@
-//! Where a model holds, as its file states it.
+//! Domain in which a model holds, as its file states it.
 
 use super::Condition;
 use super::interactions::AskedReaction;

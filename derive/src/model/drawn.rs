@@ -1,8 +1,8 @@
-//! A mechanism in one random pose and motion, in residues modulo a prime: numbers of which zero is zero by meaning, but for
-//! a chance below 2⁻⁵⁰.
+//! A mechanism in one random pose and motion, in residues modulo a prime. A term whose residue is zero is identically
+//! zero, except with a chance below 2⁻⁵⁰.
 //!
-//! Frames and points are gone through once, parents first: what costs a symbolic derivation the products of all turns costs
-//! here some multiplications for each frame.
+//! Frames and points are visited once, parents first. Each frame costs a few multiplications, where a symbolic
+//! derivation would multiply out all turns.
 
 use super::Model;
 use crate::algebra::calculus::{Differential, Gradient, Substitution};
@@ -98,7 +98,8 @@ pub struct DrawnModel {
     drawn: Drawn,
 }
 
-/// What a quantity that depends on coordinates needs: itself, its slopes along coordinates, and two time derivatives.
+/// Terms needed of a quantity that depends on coordinates: its value, its slopes along coordinates, and two time
+/// derivatives.
 struct Followed {
     value: Expr,
     slopes: Vec<(usize, Expr)>,
@@ -106,7 +107,7 @@ struct Followed {
     second: Expr,
 }
 
-/// Its residues.
+/// Residues of the terms of a `Followed` quantity.
 #[derive(Clone, Default)]
 struct Values {
     value: u64,
@@ -171,7 +172,8 @@ impl Follower {
     }
 }
 
-/// What places a turned frame: its cosines (of a turn about one axis cosine and sine), and the angular velocity that it adds.
+/// Terms that place a turned frame: its cosines (cosine and sine for a turn about one axis), and the angular velocity
+/// that it adds.
 struct Turning {
     cosines: Vec<Expr>,
     spins: Vec<(usize, Followed)>,

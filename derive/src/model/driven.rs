@@ -1,4 +1,4 @@
-//! What drives loads.
+//! Inputs: signals that drive loads, and the formulas that scenes give to them.
 
 use super::Unit;
 use crate::algebra::Expr;
@@ -10,11 +10,11 @@ pub struct Input {
     pub name: String,
     /// Its unit, in SI.
     pub unit: Unit,
-    /// What it is, in words.
+    /// Description in words.
     pub about: String,
     /// The symbol of a parameter of its name; the formula where it has one, whose numbers are in SI.
     pub value: Expr,
-    /// Whether it is a parameter.
+    /// True if the input is a parameter, false if it has a formula.
     pub is_parameter: bool,
 }
 

@@ -1,10 +1,11 @@
 //! Potentials as forces and torques between bodies, for the Newton–Euler equations.
 //!
-//! A potential in coordinates says what work it does, and not on which bodies it acts: Newton and Euler's equations need that. It is
-//! exerted as motors and springs in joints would: along and about axes of frames, between each body and what it hangs on
-//! ([`super::relative`]), at velocities r = R q̇ that determine q̇, those that fewest coordinates change first. Their sizes w
-//! do its work in every motion, Rᵀ w = −∂V/∂q. Where bodies do not determine q̇, as of Euler parameters, they determine u, and the work
-//! is that in every permitted motion. Accelerations do not depend on the choice; reactions are those with this one.
+//! A potential in coordinates states the work that it does, but not the bodies on which it acts, which the Newton–Euler
+//! equations need. It is exerted as motors and springs in joints would exert it: along and about axes of frames,
+//! between each body and its holder ([`super::relative`]). The velocities along these axes, r = R q̇, determine q̇;
+//! those that fewest coordinates change come first. The efforts w do the work of the potential in every motion: Rᵀ w =
+//! −∂V/∂q. If the bodies do not determine q̇, as with Euler parameters, they determine u. The efforts then do that work
+//! in every permitted motion. Accelerations do not depend on the choice of axes; reactions are those with this choice.
 
 use super::drawn::{DrawnModel, Triple};
 use super::relative::{Holder, Relative};
@@ -20,11 +21,11 @@ use crate::geometry::{Frames, Motion, Vector};
 /// Bodies up to which efforts are sought.
 const MOST_BODIES: usize = 24;
 
-/// An axis of a frame, along or about which what it acts on moves.
+/// Axis of a frame along or about which an effort acts: kind, frame, axis.
 type Axis = (ReactionKind, usize, usize);
 
 impl Model {
-    /// Finds what the file leaves to be found of what acts: potentials as forces and torques, then reactions.
+    /// Finds the loads that the file leaves open: potentials as forces and torques, then reactions.
     pub(super) fn complete_loads(&mut self) {
         self.place_potentials();
         self.complete_reactions();
@@ -58,7 +59,7 @@ impl Model {
         }
     }
 
-    /// Solves Rᵀ w = Q for velocities along these axes, in q̇ or in what is put in its stead.
+    /// Solves Rᵀ w = Q for velocities along these axes, in q̇ or in its substitutes `put`.
     fn efforts_along(&self, axes: &[Axis], variables: &[Expr], put: &mut Substitution) -> Option<(Arena, Vec<Effort>)> {
         let mut arena = self.arena.clone();
         let mut simplifier = Simplifier::default();
@@ -108,7 +109,7 @@ impl Model {
         arena.neg(growth)
     }
 
-    /// The velocity, or angular velocity, of what is pushed against what its opposite pushes.
+    /// Velocity, or angular velocity, of the side that is pushed, relative to the side that the opposite pushes.
     pub(super) fn relative_velocity(
         &self,
         arena: &mut Arena,
@@ -137,8 +138,8 @@ impl Model {
 }
 
 impl Relative<'_> {
-    /// As many axes as there are variables, along which velocities are independent, those that depend on fewest first; `listed` makes
-    /// velocities along the variables of those along q̇.
+    /// Finds `count` axes along which relative velocities are independent, preferring those that depend on the fewest
+    /// variables. `listed` maps velocities along q̇ to velocities along the variables. `None` if there are not enough.
     fn axes(&self, count: usize, listed: impl Fn(&dyn Fn(usize) -> Triple) -> Vec<Triple>) -> Option<Vec<Axis>> {
         let mut candidates: Vec<(usize, Vec<u64>, Axis)> = Vec::new();
         for (body, holder) in self.holders() {
@@ -159,7 +160,7 @@ impl Relative<'_> {
         (basis.len() == count).then(|| candidates.into_iter().map(|(.., axis)| axis).collect())
     }
 
-    /// What may push a body against its holder, with the velocities at which it works.
+    /// Force and torque that may act between a body and its holder, each with the velocities at which it does work.
     fn pushes(
         &self,
         body: usize,

@@ -14,7 +14,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What a mechanism is made of.
+/// Elements of a mechanism: frames, points and bodies, with the loads, reactions and contacts on them.
 #[derive(Default)]
 pub struct Elements {
     pub frames: Vec<Frame>,
@@ -29,7 +29,7 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// Reads everything; what is wrong goes to the reader's errors.
+    /// Reads everything; errors are added to those of the reader.
     pub fn read<'a>(
         &mut self,
         loading: &mut Loading<'a>,
@@ -74,7 +74,8 @@ impl Elements {
         found.next().filter(|_| found.next().is_none())
     }
 
-    /// The axis of a frame, 0, 1 or 2, along which a coordinate moves a body against what it is placed from, and how far for each unit;
+    /// The axis of a frame, 0, 1 or 2, along which a coordinate moves a body against what it is placed from, and how
+    /// far for each unit;
     /// `None` unless the coordinate stands in one component of one position alone.
     pub fn axis_moved(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<(usize, usize, Expr)> {
         let steps = self.own_steps(&self.bodies[body]);
@@ -87,7 +88,8 @@ impl Elements {
         slopes.first().map(|(_, slope)| (frame, axis, *slope))
     }
 
-    /// The steps from the mass centre of a body back to that of the body from which it is placed, or to the origin: frame and components.
+    /// The steps from the mass centre of a body back to that of the body from which it is placed, or to the origin:
+    /// frame and components.
     fn own_steps(&self, body: &Body) -> Vec<(usize, &[Expr; 3])> {
         let is_centre = |point: usize| self.bodies.iter().any(|body| body.centre == point);
         let mut steps = Vec::new();
@@ -274,7 +276,8 @@ impl Elements {
         Some(Inertia { frame: frame?, tensor })
     }
 
-    /// The inertia of a body that turns about one axis only, of which one moment matters: that of a thin plate across it.
+    /// Inertia of a body that turns about one axis only, for which one moment matters. It is that of a thin plate
+    /// across the axis.
     fn planar_inertia<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -391,7 +394,7 @@ impl Elements {
         }
     }
 
-    /// Checks what can only be seen when everything is read.
+    /// Makes the checks that need everything to be read.
     pub fn check(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
         let known = physics::defaults(parameters);
         for body in &self.bodies {

@@ -1,4 +1,4 @@
-//! Named expressions: a formula that has a name, and may stand wherever what it is made of may.
+//! Named expressions: a formula that has a name, and may stand wherever its parts may.
 
 use super::loading::Loading;
 use super::names::{Allowed, Kind};
@@ -6,7 +6,7 @@ use crate::algebra::Expr;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
-/// What expressions may be made of.
+/// Quantities that a named expression may contain.
 const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
 
 impl<'a> Loading<'a> {

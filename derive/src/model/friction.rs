@@ -1,8 +1,9 @@
 //! Dry friction, smooth at rest: at a point of contact, and about an axis.
 //!
-//! Coulomb's law jumps where the slip changes its sign. Here the resistance is R(s) s/√(|s|² + s₀²) against the slip s, so that it is within s₀²/(2|s|²) of
-//! the law where |s| is well above s₀, and linear below. R is a resistance that may fall from its value at rest by A. Stribeck's curve:
-//! R(s) = R + (R_s − R) exp(−|s|²/s_S²) (B. Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30 (1994) 1083–1138).
+//! Coulomb's law jumps where the slip changes sign. Here the resistance is R(s) s/√(|s|² + s₀²) against the slip s. It
+//! is within s₀²/(2|s|²) of Coulomb's law where |s| is well above s₀, and linear in s where it is well below. R is a
+//! resistance that may fall from its value at rest by A. Stribeck's curve: R(s) = R + (R_s − R) exp(−|s|²/s_S²) (B.
+//! Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30 (1994) 1083–1138).
 
 use super::elements::Elements;
 use super::loading::Loading;
@@ -18,21 +19,23 @@ use crate::read::Located;
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// What rubs on what.
+/// Pair of bodies that rub on one another, or body that rubs on the ground.
 enum Contact {
-    /// The material of a body at a point, on that of another or of the ground; across an axis of a frame, if one is normal to it.
+    /// Contact of the material of a body at a point with that of another or of the ground. If an axis of a frame is
+    /// normal to it, friction acts across that axis.
     Point { on: Place, against: Option<usize>, frame: usize, normal: Option<usize> },
     /// A body that turns against another or the ground, about an axis of a frame.
     Axis { on: usize, against: Option<usize>, frame: usize, axis: usize },
 }
 
-/// How what rubs resists.
+/// Law by which a contact resists slip.
 #[derive(Clone, Copy)]
 struct Law {
-    /// How much it resists, N or N m: sliding, and at rest with the slip at which that has gone, if it is more.
+    /// Resistance while sliding, N or N m. If the resistance is higher at rest, `at_rest` has its value there and the
+    /// slip s_S over which the excess decays.
     resistance: Expr,
     at_rest: Option<(Expr, Expr)>,
-    /// The slip below which it is smooth.
+    /// Slip s₀ below which the law is smooth.
     smoothing: Expr,
 }
 
@@ -154,7 +157,7 @@ impl<'a> Loading<'a> {
         self.quantity(&formula, allowed, unit, &format!("`{key}` of {what}"))
     }
 
-    /// What `static` and `stribeck` say, which go together.
+    /// Reads `static` and `stribeck`, which must be stated together: `Some(None)` if neither is, `None` after an error.
     #[allow(clippy::option_option, reason = "nothing stated is no error")]
     fn at_rest(
         &mut self,
@@ -254,7 +257,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// What moves against another, or against the ground.
+/// Difference of two vectors; the first vector if there is no second, as against the ground.
 fn difference(arena: &mut Arena, one: Vector, other: Option<Vector>) -> Vector {
     match other {
         Some(other) => {

@@ -1,9 +1,10 @@
-//! Which motion constraints say something new.
+//! Choice of independent motion constraints.
 //!
-//! Of a body that rolls, components that follow from the rest are left out: that the ground is not penetrated is often built into the
-//! coordinates. Along some axes one follows in most poses only: of two wheels on an axle, the second's slip along a fixed axis of the ground
-//! tells how it turns, but not where it heads across that axis. So a contact whose frame the file does not state is taken along the axes of
-//! a frame in which what follows does in every pose, if the mechanism has one.
+//! Components of rolling that follow from other constraints are left out: the coordinates often already keep a body
+//! from penetrating the ground. Along some axes a component follows in most poses only. An example is two wheels on an
+//! axle: the second wheel's slip along a fixed axis of the ground tells how that wheel turns, except where it heads
+//! across the axis. So a contact whose frame the file does not state is taken along the axes of another frame. In that
+//! frame every component that follows does so in every pose, if the mechanism has such a frame.
 
 use super::closed_poses::{Poses, reach};
 use super::elements::Elements;
@@ -32,7 +33,7 @@ pub struct Candidate {
     pub may_repeat: bool,
 }
 
-/// What is left of candidates.
+/// Independent constraints, and those that follow from them.
 #[derive(Default)]
 pub struct Independent {
     pub motion: Vec<(MotionConstraint, Range<usize>)>,
@@ -41,7 +42,7 @@ pub struct Independent {
     pub also: Vec<(MotionConstraint, Range<usize>)>,
 }
 
-/// What constraints are between.
+/// Coordinates, elements and loops to which constraints refer.
 pub struct Given<'m> {
     pub coordinates: &'m [Coordinate],
     pub elements: &'m Elements,
@@ -51,17 +52,17 @@ pub struct Given<'m> {
     pub defaults: &'m [(Expr, f64)],
 }
 
-/// Closed poses in which an equation that says nothing new of velocities is asked for.
+/// Number of closed poses in which an equation that restricts no further velocity is tested.
 const POSES: usize = 6;
-/// How far such an equation may be from zero there, over its slopes and how far coordinates reach.
+/// Residual up to which such an equation holds in a closed pose, over its slopes and the reach of the coordinates.
 const CLOSED: f64 = 1e-8;
 
-/// What was taken so far.
+/// Constraints taken so far, and the rows against which others are tested.
 struct Taken {
     form: LinearForm,
-    /// Slopes along the rates, and what is left without them.
+    /// Slopes along the rates, then the term without rates.
     rows: Vec<Vec<Expr>>,
-    /// Slopes along the rates of those that are no contacts.
+    /// Slopes along the rates of constraints that are not contacts.
     others: Vec<Vec<Expr>>,
     /// The slips of contacts, all three components of each.
     slips: Vec<Vector>,
@@ -83,8 +84,9 @@ impl Taken {
         components.map(|e| self.simplifier.simplify(arena, e))
     }
 
-    /// Whether those of a contact's components along the axes of a frame that follow from the rest, or from one another, do so in every
-    /// pose. Contacts before it are taken along the same axes: all three of their components say the same along any.
+    /// True if every component of a contact along the axes of a frame that follows from other constraints does so in
+    /// every pose. It may also follow from other components. Earlier contacts are taken along the same axes: their
+    /// three components together say the same along any axes.
     fn follow_everywhere(&mut self, arena: &mut Arena, slip: &Vector, frame: usize) -> bool {
         let mut kept = self.others.clone();
         for before in self.slips.clone() {
@@ -98,7 +100,8 @@ impl Taken {
         left.iter().all(|row| follows_everywhere(arena, &kept, row, &self.places))
     }
 
-    /// Adds the rows of equations that are independent of those kept, and returns the others; nothing where that is not known.
+    /// Adds the rows of equations that are independent of those kept, and returns the others; `None` if independence is
+    /// not known.
     fn keep_independent(
         &mut self,
         arena: &mut Arena,
@@ -151,8 +154,8 @@ impl Loading<'_> {
         taken.found
     }
 
-    /// Takes a contact along the axes of another frame where components along its own follow from the rest in most poses only. Whether
-    /// those that follow then do in every pose.
+    /// Takes a contact along the axes of another frame if a component along its own axes follows from others in most
+    /// poses only. Returns true if the components that follow then do so in every pose.
     fn turn_contact(
         &mut self,
         taken: &mut Taken,
@@ -244,7 +247,8 @@ impl Loading<'_> {
         }
     }
 
-    /// What an equation between coordinates is where those before it hold, whose rates its own follows from: zero, or something else.
+    /// Describes an equation between coordinates whose rate follows from earlier ones: it follows from them or
+    /// contradicts them, in the poses where these hold.
     fn where_others_hold(&mut self, taken: &Taken, given: &Given<'_>, place: usize) -> &'static str {
         let others = taken.found.motion.iter().filter_map(|(c, _)| match c.tie {
             Tie::Loop(at) => Some(given.loops[at].equation),
@@ -261,7 +265,8 @@ impl Loading<'_> {
         }
     }
 
-    /// In how many of how many poses in which some equations hold another one does, at the default values; nothing if none was found.
+    /// Number of poses in which an equation holds, and number of poses tested, in which the other equations hold, at
+    /// the default values. `None` if no pose was found.
     fn closed_share(&mut self, given: &Given<'_>, others: &[Expr], equation: Expr) -> Option<(usize, usize)> {
         let lengths = given.defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
         let reach = reach(given.coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
@@ -297,7 +302,7 @@ impl Loading<'_> {
     }
 }
 
-/// Frames along whose axes a contact may be taken, from the ground outwards: those that carry its bodies, and its point.
+/// Frames along whose axes a contact may be taken, from the ground outwards: those that carry its bodies and its point.
 fn frames_at(elements: &Elements, rolled: Rolled) -> Vec<usize> {
     let of_body = |body: usize| elements.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
     let of_point = elements.points[rolled.point].position.as_ref().map(|(_, frame, _)| *frame);

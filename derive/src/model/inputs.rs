@@ -1,7 +1,8 @@
-//! Signals that drive loads: parameters that a program may change while it goes on, or formulas that scenes put in their stead.
+//! Signals that drive loads: parameters that a program may change during a run, or formulas that scenes put in their
+//! place.
 //!
-//! A formula is put in before anything is derived, so that slopes and series know of it; nothing behind the reading of files knows
-//! which loads it came to.
+//! A formula is put in before anything is derived, so that slopes and series include it. Only the reading of files
+//! knows which loads it affects.
 
 use super::driven::{Binding, Input};
 use super::elements::Elements;
@@ -13,17 +14,17 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
-/// What a formula of an input may be made of.
+/// Quantities that a formula of an input may contain.
 const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
 
-/// Inputs, and what replaces those that are formulas.
+/// Inputs, and replacements of those that are formulas.
 pub struct Signals {
     pub list: Vec<Input>,
     replacements: Vec<(Expr, Expr)>,
 }
 
 impl Signals {
-    /// Puts formulas in the stead of inputs.
+    /// Puts formulas in the place of inputs.
     pub fn put_in(&self, arena: &mut Arena, elements: &mut Elements, domain: &mut [Condition]) {
         if self.replacements.is_empty() {
             return;
@@ -100,7 +101,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Whether formulas of inputs that count name time: those that scenes give, and those of the file that they leave.
+/// Formulas of inputs that are in force: those that scenes give, and those of the file for all other inputs.
 pub fn formulas<'t>(table: &'t DeTable<'_>, bindings: &'t [Binding]) -> Vec<&'t str> {
     let inputs = table.get("inputs").and_then(|value| value.get_ref().as_table());
     let stated = inputs.into_iter().flat_map(|inputs| inputs.iter()).filter_map(|(name, value)| {

@@ -1,7 +1,8 @@
-//! What one body exerts on another through what connects them: the sum of all reactions between the two.
+//! Force or torque that one body exerts on another through their connections: the sum of all reactions between the two.
 //!
-//! A formula names a component of it, `force(base on arm) @ N [1]`. While it is read a symbol stands for it, since reactions that
-//! nobody named are found last; then the sum is put in, so that nothing behind the reading of files knows of it.
+//! A formula names a component of it, `force(base on arm) @ N [1]`. While the file is read a symbol stands for it,
+//! since reactions that nobody named are found last. Then the sum is put in, so that only the reading of files knows of
+//! it.
 
 use super::connections::MOST_EQUATIONS;
 use super::relative::{Holder, sides};
@@ -16,15 +17,15 @@ use crate::geometry::{Frames, Vector};
 use crate::read::Located;
 use std::ops::Range;
 
-/// What the ground is called where bodies are named; a body may be called so, and is then meant.
+/// Name of the ground where bodies are named. If a body has this name, the body is meant.
 pub const GROUND: &str = "ground";
 
-/// A component of what a body exerts on another, by names with their places in the file.
+/// Component of the force or torque that a body exerts on another, by names with their places in the file.
 #[derive(Clone, Debug)]
 pub struct StatedInteraction {
-    /// What stands for it until reactions are known.
+    /// Symbol that stands for it until reactions are known.
     pub symbol: Expr,
-    /// Its name in one form.
+    /// Its name in canonical form.
     pub text: String,
     pub is_torque: bool,
     pub by: Located,
@@ -32,11 +33,11 @@ pub struct StatedInteraction {
     pub about: Option<Located>,
     pub frame: Located,
     pub axis: usize,
-    /// Where all of it stands.
+    /// Byte range of the whole name in the file.
     pub span: Range<usize>,
 }
 
-/// A component of what a body exerts on another, by places in the lists of a model.
+/// Component of the force or torque that a body exerts on another, by indices into the lists of a model.
 #[derive(Clone, Copy, Debug)]
 pub struct Interaction {
     pub is_torque: bool,
@@ -76,7 +77,7 @@ impl StatedInteraction {
 }
 
 impl Interaction {
-    /// With which sign a reaction belongs to it, if it does.
+    /// True if a reaction belongs to it with a positive sign, false if with a negative one; `None` if it does not.
     fn sign(&self, reaction: &Reaction) -> Option<bool> {
         let (on, against) = sides(reaction.kind);
         match (Some(on), against) {
@@ -88,11 +89,11 @@ impl Interaction {
 }
 
 impl Model {
-    /// What a formula names, in the reactions of this model and in q.
+    /// Term in the reactions of this model and in q for the component that a formula names.
     ///
     /// # Errors
-    /// A [`Diagnostic`] at its place: a name is unknown, nothing acts between the two, the point of a torque is open, or equilibrium
-    /// does not determine it.
+    /// A [`Diagnostic`] at its place if a name is unknown, nothing acts between the two, the point of a torque is open,
+    /// or equilibrium does not determine the component.
     pub fn interaction(&mut self, stated: &StatedInteraction) -> Result<Expr, Diagnostic> {
         let mut sought = self.found_interaction(stated)?;
         let acting: Vec<(Reaction, bool)> =
@@ -251,7 +252,7 @@ impl Model {
     }
 }
 
-/// Where the body that feels a force, or else its opposite, is pushed.
+/// Index of the point at which a force acts, or if `is_along` is false, its opposite.
 fn felt_at(on: Place, against: Option<Place>, is_along: bool) -> usize {
     against.filter(|_| !is_along).unwrap_or(on).point
 }
@@ -261,12 +262,12 @@ fn felt_at(on: Place, against: Option<Place>, is_along: bool) -> usize {
 pub enum AskedReaction {
     /// One that is yet to be found: the symbol that stands for it, its name, and its unit.
     Found(Expr, Located, Unit),
-    /// What a body exerts on another.
+    /// Force or torque that a body exerts on another.
     Between(StatedInteraction),
 }
 
 impl AskedReaction {
-    /// What stands for it, and its unit.
+    /// Symbol that stands for the reaction, and its unit.
     pub fn symbol(&self) -> (Expr, Unit) {
         match self {
             Self::Between(stated) => (stated.symbol, stated.unit()),
@@ -276,8 +277,8 @@ impl AskedReaction {
 }
 
 impl Model {
-    /// Puts in the domain what its conditions name of reactions that nobody named, now that they are known; what cannot be had is
-    /// returned, at its place.
+    /// Puts the reactions that conditions of the domain name into these conditions, now that all reactions are known.
+    /// Returns a diagnostic, at its place, for each reaction that cannot be determined.
     pub(super) fn name_reactions(&mut self, asked: Vec<AskedReaction>) -> Vec<Diagnostic> {
         let (mut pairs, mut errors) = (Vec::new(), Vec::new());
         for reaction in asked {

@@ -1,6 +1,6 @@
-//! Kinds of joints, and how what they carry may move.
+//! Kinds of joints, and the motions that they permit.
 
-/// What a joint lets its body do: see [`JointKind::freedoms`].
+/// Kind of a joint, which determines how its body may move: see [`JointKind::freedoms`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum JointKind {
     Pin,
@@ -52,7 +52,7 @@ pub enum Freedom {
 }
 
 impl JointKind {
-    /// What each coordinate of such a joint does, in their order.
+    /// Motion of each coordinate of such a joint, in their order.
     pub fn freedoms(self, axes: &[usize]) -> Vec<Freedom> {
         let turns = axes.iter().map(|axis| Freedom::About(*axis));
         let parameters = if axes.is_empty() { 4 } else { 0 };

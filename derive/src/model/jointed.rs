@@ -1,4 +1,4 @@
-//! What joints place, and what they tie where they close loops.
+//! Frames and points that joints place, and equations of joints that close loops.
 
 use super::constraint::Stated;
 use super::elements::{Elements, vector};
@@ -28,7 +28,7 @@ pub struct Closing {
     axes: Vec<usize>,
     /// The frame of the joint on the body that carries, and that of the other.
     frames: [usize; 2],
-    /// Whether the two sides of the loop are turned from no frame but the inertial one.
+    /// True if the two sides of the loop are turned from no frame except the inertial one.
     parts_at_ground: bool,
     /// The joint's points on the two.
     points: [usize; 2],
@@ -36,7 +36,7 @@ pub struct Closing {
     bodies: (usize, Option<usize>),
 }
 
-/// What holds a joint closed: a reaction for each equation, by the name of that.
+/// Reaction that holds a closed joint, with the name of its equation.
 pub type Holding = (String, Reaction);
 
 impl Joint<'_> {
@@ -104,7 +104,7 @@ impl<'a> Joints<'a> {
 }
 
 impl Joints<'_> {
-    /// Where joints carry bodies.
+    /// Bodies that joints carry, each with its holder and its point at the joint.
     pub fn hung(&self, elements: &Elements) -> Vec<Hung> {
         let body = |name: &str| elements.bodies.iter().position(|body| body.name == name);
         let carries = |joint: &Joint<'_>| {
@@ -162,7 +162,7 @@ impl<'a> Loading<'a> {
         nodes
     }
 
-    /// How a joint turns what it carries.
+    /// Turns by which a joint orients the body that it carries.
     fn turns_of(&mut self, joint: &Joint<'a>) -> Vec<Turn> {
         let mut turns = Vec::new();
         let mut parameters = Vec::new();
@@ -264,7 +264,7 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Where a joint is on a body: a point, or components from `home`, which it is if the key is left out.
+    /// Location of a joint on a body: a point, or components from `home`. Without the key it is `home`.
     fn place(&mut self, joint: &Joint<'a>, key: &str, home: Located) -> Option<(Located, [Expr; 3])> {
         match self.reader.get(joint.entry, key) {
             None => Some((home, [Expr::ZERO; 3])),
@@ -279,7 +279,7 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// How far the coordinates of a joint have carried its point, in its base frame.
+    /// Displacement of a joint's point by the coordinates of the joint, in its base frame, m.
     fn way_along(&mut self, joint: &Joint<'a>) -> Option<[Expr; 3]> {
         let mut way = [Expr::ZERO; 3];
         for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
@@ -301,9 +301,10 @@ impl<'a> Loading<'a> {
         Some(way)
     }
 
-    /// What closed joints tie: components of the way between their two points, and of axes that stay along one another.
-    /// The forces act at the joint's point on the body, and on the other at its own or on whatever is at the first, so that they do no
-    /// work in loops that are open either.
+    /// Equations that closed joints state: components of the vector between their two points, and cosines of axes that
+    /// stay at right angles.
+    /// The force on the body acts at the joint's point. Its opposite acts on the other body at that body's own joint
+    /// point, or at its material at the first point. So they do no work in open loops either.
     pub fn closed(&mut self, moving: &mut Moving, closings: &[Closing]) -> (Vec<Stated>, Vec<Holding>) {
         let (mut list, mut holding) = (Vec::new(), Vec::new());
         for Closing { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in closings {
@@ -341,8 +342,9 @@ impl<'a> Loading<'a> {
                     });
                 };
             let way = moving.way(&mut self.arena, *on, *at);
-            // Places that agree do so in any frame; formulas are shortest in that from which both are told. Where the loop is open the
-            // way changes in the inertial frame as the joint's two points move, in another as points of one place do.
+            // Points that coincide do so in any frame; formulas are shortest in the frame from which both points are
+            // stated. In an open loop the vector changes in the inertial frame as the joint's two points move, in
+            // another frame as two points at one place do.
             let is_told_there = *parts_at_ground && ways.len() == 3;
             let (frame, held) = if is_told_there { (0, on) } else { (*base, at) };
             for i in ways {
@@ -381,8 +383,8 @@ fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
 }
 
 impl Model {
-    /// Takes the reactions of those equations of joints that are constraints: what follows from others is redundant.
-    /// Directions have what constraints fix put in.
+    /// Takes the reactions of joint equations that are constraints; those of dependent equations are redundant.
+    /// Coordinates that constraints fix are replaced by their values in directions.
     pub(super) fn hold_joints(&mut self, holding: Vec<Holding>, fixed: &mut Substitution) {
         for (name, mut reaction) in holding {
             let solved = self.constraints.iter().any(|c| c.name == name);

@@ -1,8 +1,8 @@
-//! Joints: what connects two bodies, and brings the frame, points, coordinates and speeds of the one that it carries.
+//! Joints: each connects two bodies, and brings the frame, points, coordinates and speeds of the one that it carries.
 //!
-//! A joint adds to the sections that it saves people from writing, by names that they may use: nothing behind the reading of
-//! files knows of joints. The first joint that names a body carries it, unless its frame is declared; a further one closes a
-//! loop.
+//! A joint adds entries to the sections of a file, so that people need not write them, by names that they may use. Only
+//! the reading of files knows of joints. The first joint that names a body carries it, unless its frame is declared. A
+//! further joint closes a loop.
 
 use super::joint_kinds::{Freedom, JointKind, KINDS, angular_velocity, by_euler_parameters};
 use super::loading::Loading;
@@ -16,32 +16,32 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What stands for a sequence of turns where Euler parameters are wanted.
+/// Word that asks for Euler parameters in place of a sequence of turns.
 const EULER: &str = "euler";
 
 /// A joint as the file states it.
 pub struct Joint<'a> {
     pub name: Located,
     pub entry: &'a DeTable<'a>,
-    /// What to call it in a message.
+    /// Name of the joint in messages.
     pub what: String,
     pub kind: JointKind,
-    /// Axes in the order of the turns; the first is that of a kind with one. None of a kind with three turns that has Euler
-    /// parameters.
+    /// Axes in the order of the turns; a kind with one axis has one entry. Empty for a kind with three turns that has
+    /// Euler parameters.
     pub axes: Vec<usize>,
     /// The vector along which axis 3 of the joint lies, if it is stated so.
     pub along: Option<&'a Spanned<DeValue<'a>>>,
-    /// The body that it connects to what carries it.
+    /// The body that it connects to its holder.
     pub body: Located,
     /// The body that carries; the ground if there is none.
     pub to: Option<Located>,
-    /// Whether it carries its body; else it closes a loop.
+    /// True if the joint carries its body; otherwise it closes a loop.
     pub carries: bool,
     /// The names of its coordinates.
     pub coordinates: Vec<Located>,
 }
 
-/// The names of what a body is placed by.
+/// Names of the frame, mass centre and joint that place a body.
 #[derive(Clone)]
 pub struct Placed {
     pub frame: Located,
@@ -50,7 +50,7 @@ pub struct Placed {
     pub joint: Option<Located>,
 }
 
-/// All joints of a file, and what they say of bodies.
+/// All joints of a file, and the names by which they place bodies.
 #[derive(Default)]
 pub struct Joints<'a> {
     pub list: Vec<Joint<'a>>,
@@ -60,12 +60,12 @@ pub struct Joints<'a> {
     pub speeds: Vec<(Located, Located)>,
     /// Names of those of them that the file states.
     pub stated_speeds: FxHashSet<String>,
-    /// Whether one could not be read, so that what it brings is not missed.
+    /// True if a joint could not be read, so that names it would bring are not reported as missing.
     pub is_short: bool,
 }
 
 impl Joints<'_> {
-    /// Whether a joint brings a speed.
+    /// True if a joint brings this speed.
     pub fn brings(&self, speed: &Speed) -> bool {
         self.speeds.iter().any(|(name, _)| name.text == speed.name)
     }
@@ -76,7 +76,7 @@ impl Joints<'_> {
         DependentSpeed { name: speed.name, definition: speed.definition, is_stated }
     }
 
-    /// The coordinates that joints bring, each with its unit and what it is.
+    /// Coordinates that joints bring, each with its unit and a description.
     pub fn coordinates(&self) -> Vec<(Located, Unit, String)> {
         let mut list = Vec::new();
         for joint in self.list.iter().filter(|joint| joint.carries) {
@@ -318,8 +318,8 @@ impl<'a> Loading<'a> {
         list.iter().map(|item| self.reader.string(item, &format!("one of `{key}`"))).collect()
     }
 
-    /// Speeds that a joint brings: rates along ways, and of turns, those of three turns being the components of the angular
-    /// velocity relative to what carries, in the frame of the body.
+    /// Speeds that a joint brings: rates of displacements and of turns. For three turns they are the components of the
+    /// angular velocity relative to the holder, in the frame of the body.
     fn joint_speeds(&mut self, joint: &Joint<'a>, freedoms: &[Freedom]) -> Option<Vec<(Located, Located)>> {
         let none = self.reader.get(joint.entry, "speeds").and_then(|v| v.get_ref().as_array());
         if none.is_some_and(|list| list.iter().next().is_none()) {
@@ -332,8 +332,8 @@ impl<'a> Loading<'a> {
         let first_turn = if turns_in_space { count - 3 } else { count };
         let names = self.joint_names(joint, "speeds", count, |at, _| {
             let coordinate = &joint.coordinates[at].text;
-            // A component along an axis of the body is the rate of no coordinate: it has the number of its axis, and no letter of
-            // an angle.
+            // A component along an axis of the body is not the rate of a coordinate. It gets the number of its axis,
+            // and no letter of an angle.
             let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit());
             if at >= first_turn && (has_parameters || !coordinate.strip_prefix('q').is_some_and(is_number)) {
                 return format!("u_{}_{}", joint.name.text, at + 1);

@@ -86,7 +86,7 @@ impl<'a> Loading<'a> {
         self.text(table, "about").unwrap_or_default()
     }
 
-    /// Whether two sides have one unit; reports it if not.
+    /// True if two sides have one unit; reports an error if not.
     pub fn comparable(&mut self, left: Expr, right: Expr, span: &Range<usize>) -> bool {
         let before = self.reader.errors.len();
         if let (Some(a), Some(b)) = (self.unit_of(left, span), self.unit_of(right, span))

@@ -82,7 +82,7 @@ impl Elements {
         }
     }
 
-    /// What a torque turns: a rigid body, or a frame without mass.
+    /// Reads the target of a torque, a rigid body or a frame without mass: the frame, and its body if it has one.
     fn turned<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -244,7 +244,7 @@ impl Elements {
         Some(Place { body, point })
     }
 
-    /// What the opposite of a force acts on: `against`, at `against_at` or where the force acts.
+    /// Reads where the opposite of a force acts: on the body `against`, at `against_at` or where the force acts.
     fn opposite<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -269,7 +269,7 @@ impl Elements {
     }
 }
 
-/// Whether a reaction is a torque rather than a force; reports any other kind.
+/// True if a reaction is a torque, false if it is a force; reports any other kind.
 fn is_torque<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>) -> Option<bool> {
     let Some(value) = loading.reader.get(entry, "kind") else { return Some(false) };
     let kind = loading.reader.string(value, "`kind`")?;

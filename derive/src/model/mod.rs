@@ -79,11 +79,11 @@ pub struct Parameter {
     pub unit: Unit,
     /// The default value, if the file gives one.
     pub value: Option<Rational>,
-    /// Whether the file states that it is positive.
+    /// True if the file states that the parameter is positive.
     pub positive: bool,
-    /// Whether it is an input: what drives loads, and may change from one step to the next.
+    /// True if the parameter is an input, which drives loads and may change from one step to the next.
     pub is_input: bool,
-    /// What it is, in words.
+    /// Description in words.
     pub about: String,
 }
 
@@ -92,7 +92,7 @@ pub struct Parameter {
 pub struct Coordinate {
     /// Its name in the file.
     pub name: String,
-    /// q.
+    /// Symbol of the coordinate q.
     pub symbol: Expr,
     /// q̇, named `q'`.
     pub rate: Expr,
@@ -100,13 +100,13 @@ pub struct Coordinate {
     pub second_rate: Expr,
     /// Its unit, in SI; radians count as 1.
     pub unit: Unit,
-    /// What it is, in words.
+    /// Description in words.
     pub about: String,
 }
 
 impl Coordinate {
-    /// Whether an angle above a turn was probably meant in degrees: people write these with few decimals, and multiples
-    /// of π have many.
+    /// True if an angle of more than one turn was probably meant in degrees: people write degrees with few decimals,
+    /// and multiples of π have many.
     #[must_use]
     pub fn looks_like_degrees(&self, q: f64) -> bool {
         let is_short = (q - (100.0 * q).round() / 100.0).abs() <= f64::EPSILON * q.abs();
@@ -119,7 +119,7 @@ impl Coordinate {
 pub struct Speed {
     /// Its name in the file.
     pub name: String,
-    /// u.
+    /// Symbol of the speed u.
     pub symbol: Expr,
     /// u̇, named `u'`.
     pub rate: Expr,
@@ -136,7 +136,7 @@ pub struct DependentSpeed {
     pub name: String,
     /// Its definition in terms of q and q̇.
     pub definition: Expr,
-    /// Whether the file names it, and not only the joint's default.
+    /// True if the file names the speed, false if it has the joint's default name.
     pub is_stated: bool,
 }
 
@@ -173,7 +173,7 @@ pub struct Gravity {
     pub zero_at: Vec<(Expr, Expr)>,
 }
 
-/// Where a force or reaction acts: a body and a point moving with it.
+/// Place at which a force or reaction acts: a body and a point moving with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The body.
@@ -187,9 +187,9 @@ pub struct Place {
 pub struct Force {
     /// Its name in the file.
     pub name: String,
-    /// What it acts on.
+    /// Place at which the force acts.
     pub on: Place,
-    /// What the opposite force acts on.
+    /// Place at which the opposite force acts.
     pub against: Option<Place>,
     /// The frame of the components.
     pub frame: usize,
@@ -197,9 +197,11 @@ pub struct Force {
     pub vector: [Expr; 3],
     /// The point at the other end of a spring or damper, on a body or the ground.
     pub end: Option<usize>,
-    /// The potential energy in q, J, of what of it and its opposite is there at rest, if that is known: of a spring.
+    /// The potential energy in q, J, of the part of it and its opposite that remains at rest, if known: that of a
+    /// spring.
     pub energy: Option<Expr>,
-    /// The coefficient c of a damper, in parameters, and the rate ḋ of its length, in q and q̇: it takes the power c ḋ².
+    /// Coefficient c of a damper, in parameters, and rate ḋ of its length, in q and q̇: the damper takes the power c
+    /// ḋ².
     pub damper: Option<[Expr; 2]>,
 }
 
@@ -227,7 +229,7 @@ pub struct Potential {
     pub energy: Expr,
 }
 
-/// Where a joint carries a body.
+/// Joint from which a body hangs.
 #[derive(Clone, Copy, Debug)]
 pub struct Hung {
     /// The body.
@@ -238,10 +240,10 @@ pub struct Hung {
     pub point: usize,
 }
 
-/// A force or a torque between bodies that potentials are for Newton and Euler's equations.
+/// A force or torque between bodies that stands for potentials in the Newton–Euler equations.
 #[derive(Clone, Debug)]
 pub struct Effort {
-    /// What it acts on.
+    /// Places or bodies on which it acts.
     pub kind: ReactionKind,
     /// The frame of the components.
     pub frame: usize,
@@ -249,14 +251,14 @@ pub struct Effort {
     pub vector: [Expr; 3],
 }
 
-/// What a reaction pushes.
+/// Places or bodies on which a reaction and its opposite act.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReactionKind {
     /// A force at a place, and the opposite at another if given.
     Force {
-        /// Where it acts.
+        /// Place at which it acts.
         on: Place,
-        /// Where its opposite acts.
+        /// Place at which its opposite acts.
         against: Option<Place>,
     },
     /// A torque on a body, and the opposite on another if given.
@@ -275,16 +277,16 @@ pub struct Reaction {
     pub name: String,
     /// Its symbol.
     pub symbol: Expr,
-    /// What it acts on.
+    /// Places or bodies on which it acts.
     pub kind: ReactionKind,
     /// The frame of the direction's components.
     pub frame: usize,
     /// The direction; positive values act along it.
     pub direction: [Expr; 3],
-    /// Whether the file names it; else it was found.
+    /// True if the file names the reaction, false if it was found.
     pub is_stated: bool,
-    /// Whether it works by itself: the power of all such together is zero along every speed. So is held what is held along no axis of a
-    /// frame.
+    /// True if the reaction does work by itself: the powers of all such reactions along every speed add up to zero.
+    /// They hold directions that are held along no axis of a frame.
     pub is_shared: bool,
 }
 
@@ -305,7 +307,7 @@ pub struct KinematicEquations {
     /// q̇ of each generalized coordinate, in q and u: q̇ = W(q) u + w(q), W with a row for each coordinate and a column
     /// for each speed.
     pub rates: Vec<Expr>,
-    /// What was divided by: where one of these is zero the speeds do not determine q̇.
+    /// Divisors: where one of these is zero, the speeds do not determine q̇.
     pub divisors: Vec<Expr>,
 }
 
@@ -314,11 +316,12 @@ pub struct KinematicEquations {
 pub struct Repeated {
     /// Its name.
     pub name: String,
-    /// Whether it is one between coordinates, of a joint.
+    /// True if the equation is one between coordinates, of a joint.
     pub is_of_loop: bool,
-    /// The component of a slip that it is, if it is one.
+    /// The component of a slip that it states, if it states one.
     pub rolled: Option<Rolled>,
-    /// What is zero, in q and q̇, where it does not follow in every pose: it does wherever the others are independent.
+    /// Expression in q and q̇ that is zero, if the equation does not follow from the others in every pose. It follows
+    /// wherever these are independent.
     pub elsewhere: Option<Expr>,
 }
 
@@ -328,7 +331,7 @@ impl Repeated {
         Self { name, is_of_loop: true, rolled: None, elsewhere: None }
     }
 
-    /// What is tied by others already: in every pose, or `elsewhere` only where these are independent.
+    /// Equation that others already imply: in every pose, or with `elsewhere` only where these are independent.
     fn of(name: String, tie: Tie, elsewhere: Option<Expr>) -> Self {
         let rolled = if let Tie::Rolling(rolled) = tie { Some(rolled) } else { None };
         Self { name, is_of_loop: matches!(tie, Tie::Loop(_)), rolled, elsewhere }
@@ -340,7 +343,7 @@ impl Repeated {
 pub struct Model {
     /// The title.
     pub title: String,
-    /// Where the problem comes from.
+    /// Source of the problem, as the file states it.
     pub reference: String,
     /// The file.
     pub source: Source,
@@ -348,8 +351,8 @@ pub struct Model {
     pub arena: Arena,
     /// Parameters, in the order of the file.
     pub parameters: Vec<Parameter>,
-    /// Generalized coordinates, in the order of the file, and last [`TIME`] if formulas name it; constrained configuration
-    /// variables are not among them.
+    /// Generalized coordinates, in the order of the file, and last [`TIME`] if formulas name it. Constrained
+    /// configuration variables are not among them.
     pub coordinates: Vec<Coordinate>,
     /// Number of configuration variables: generalized coordinates and constrained variables, without time.
     pub configuration_variables: usize,
@@ -365,7 +368,7 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// Gravity, if there is any.
     pub gravity: Option<Gravity>,
-    /// What drives loads.
+    /// Inputs, the signals that drive loads.
     pub inputs: Vec<Input>,
     /// The formulas that a scene gave to some of them, in the order of the scene.
     pub bindings: Vec<Binding>,
@@ -383,35 +386,37 @@ pub struct Model {
     pub velocities: Vec<NamedVelocity>,
     /// Reactions: those of the file, then those that were found.
     pub reactions: Vec<Reaction>,
-    /// What joints hold that is held otherwise as well, by the names of their equations: these reactions are taken as zero.
+    /// Reactions of joints along directions that are held otherwise as well, by the names of their equations. They are
+    /// taken as zero.
     pub redundant: Vec<(String, Reaction)>,
-    /// What else is known of the contacts of bodies.
+    /// Contacts of bodies, beside rolling and reactions.
     pub contacts: Contacts,
     /// Holonomic constraints that fix a coordinate.
     pub constraints: Vec<Constraint>,
     /// Holonomic constraints that fix none.
     pub loops: Vec<Loop>,
-    /// Those whose rates follow from the rates of the others wherever all of them hold: they close the mechanism, and tie nothing more.
+    /// Loops whose rates follow from those of the others wherever all of them hold: they close the mechanism, and
+    /// restrict no further velocity.
     pub closed: Vec<Loop>,
-    /// Constraints that follow from others there.
+    /// Constraints that depend on others in the closed poses.
     pub dependent: Vec<DependentConstraint>,
     /// Speeds of joints that follow from [`Self::speeds`] by the constraints.
     pub dependent_speeds: Vec<DependentSpeed>,
-    /// Where that was asked, if loops are to be closed and closed poses were found.
+    /// Branch of closed poses on which dependence was decided, if loops are to be closed and closed poses were found.
     pub branch: Option<Branch>,
     /// The domain.
     pub domain: Vec<Condition>,
-    /// Where joints carry bodies.
+    /// Bodies that joints carry, each with its holder.
     pub hung: Vec<Hung>,
-    /// How it looks, as far as the file says.
+    /// Shapes of the parts, as far as the file states them.
     pub shapes: Vec<Shape>,
     /// q̇ in terms of the speeds.
     pub kinematic_equations: KinematicEquations,
-    /// Components of rolling that follow from other constraints, and are none.
+    /// Components of rolling that follow from other constraints, and count as none.
     pub repeated: Vec<Repeated>,
     /// Parameters, frames and points that nothing in the file refers to, each with what it is.
     pub unused: Vec<(&'static str, String)>,
-    /// Where each name was declared in the file, for diagnostics.
+    /// Byte range in the file of each name's declaration, for diagnostics.
     pub declared: FxHashMap<String, Range<usize>>,
 }
 
@@ -449,8 +454,8 @@ impl Model {
         self.parameters.iter().map(|p| p.symbol).collect()
     }
 
-    /// A hash of the model text but for shapes at its end, and of formulas of inputs: equations that carry it were derived from
-    /// exactly these.
+    /// Hash of the model text without shapes at its end, and of formulas of inputs. Equations that carry it were
+    /// derived from exactly these.
     #[must_use]
     pub fn text_hash(&self) -> String {
         let text = without_shapes(&self.source.text);
@@ -458,7 +463,7 @@ impl Model {
         text_hash(&bound.fold(text.to_owned(), |text, bound| text + &bound))
     }
 
-    /// The count a dynamicist states first.
+    /// Numbers of configuration variables, constraints, generalized coordinates and generalized speeds, in words.
     #[must_use]
     pub fn count(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };

@@ -1,14 +1,15 @@
-//! Motion constraints: what ties velocities together.
+//! Motion constraints: equations between velocities.
 //!
-//! With p generalized speeds u = J q̇ + d and m motion constraints A q̇ + a = 0, p + m = n, the rates of the n coordinates
-//! follow from
+//! Let there be p generalized speeds u = J q̇ + d and m motion constraints A q̇ + a = 0, p + m = n. The rates of the n
+//! coordinates follow from
 //!
 //! ```text
 //! [ A ]        [  −a   ]
 //! [ J ] q̇  =  [ u − d ]
 //! ```
 //!
-//! as q̇ = W u + w. An equation between coordinates that none can be solved from ties their rates by its time derivative.
+//! as q̇ = W u + w. An equation between coordinates that cannot be solved for one of them ties their rates by its time
+//! derivative.
 
 use super::constraint::Stated;
 use super::elements::Elements;
@@ -27,7 +28,7 @@ use crate::read::Located;
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// That a body rolls, as the file states it.
+/// Rolling of a body, as the file states it.
 pub struct StatedRolling {
     name: Located,
     body: usize,
@@ -37,7 +38,7 @@ pub struct StatedRolling {
     is_stated: bool,
 }
 
-/// What motion constraints are made of, in what is left of the coordinates.
+/// Parts from which motion constraints are formed, in the remaining coordinates.
 pub struct Tied<'m> {
     pub coordinates: &'m [Coordinate],
     pub elements: &'m Elements,
@@ -61,11 +62,11 @@ pub struct Ties {
     pub repeated: Vec<Repeated>,
     /// Equations between coordinates whose rates follow from those of the others wherever all of them hold.
     pub closed: Vec<Loop>,
-    /// What follows from what there.
+    /// Constraints that depend on others in the closed poses.
     pub dependent: Vec<DependentConstraint>,
-    /// Where that was asked.
+    /// Branch of closed poses on which dependence was decided.
     pub branch: Option<Branch>,
-    /// Which speeds of joints to take, by their places among all speeds, where closed poses were found.
+    /// Indices, among all speeds, of those to keep; `None` if no speed of a joint is left out because of closed poses.
     pub speeds: Option<Vec<usize>>,
 }
 

@@ -1,4 +1,4 @@
-//! What moves in a mechanism whose frames and points are read: positions and velocities, in q and q̇.
+//! Positions and velocities of the frames and points that were read, in q and q̇.
 
 use super::elements::Elements;
 use super::velocities::NamedVelocity;
@@ -28,7 +28,7 @@ impl Moving {
         Self { frames, motion, rates, simplifier: Simplifier::default() }
     }
 
-    /// What a formula names.
+    /// Component of a velocity or position that a formula names.
     pub fn named(&mut self, arena: &mut Arena, elements: &Elements, name: &NamedVelocity) -> Expr {
         let vector = match name.of {
             VelocityOf::Material(body, point) => self.material(arena, elements, body, point),
@@ -77,8 +77,8 @@ impl Moving {
         self.simplifier.simplify(arena, rate)
     }
 
-    /// Whether the material of a body at a point is always the same: else a force there works otherwise than along the way of
-    /// the point.
+    /// True if a body always has the same material at a point. Otherwise the work of a force there is not that along
+    /// the path of the point.
     pub fn stays(&mut self, arena: &mut Arena, elements: &Elements, Place { body, point }: Place) -> bool {
         let back = self.motion.linear[point].neg(arena);
         let slip = self.material(arena, elements, body, point).add(arena, &back);

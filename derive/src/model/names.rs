@@ -1,4 +1,4 @@
-//! What each name of a model file stands for, and what may be used where.
+//! Names of a model file: the kind of each, and where it may be used.
 
 use super::interactions::{AskedReaction, GROUND, StatedInteraction, may_be_found};
 use super::units::Unit;
@@ -12,7 +12,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::RefCell;
 use std::ops::Range;
 
-/// What a name stands for.
+/// Kind of thing that a name stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
 pub enum Kind {
     Parameter,
@@ -36,7 +36,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// What it is called in a message.
+    /// Noun for the kind in messages.
     pub fn noun(self) -> &'static str {
         match self {
             Self::Parameter => "parameter",
@@ -60,13 +60,13 @@ impl Kind {
         }
     }
 
-    /// What several are called in a message.
+    /// Plural noun for the kind in messages.
     fn plural(self) -> String {
         if self == Self::Velocity { "velocities".to_owned() } else { format!("{}s", self.noun()) }
     }
 }
 
-/// Which quantities a formula may contain.
+/// Kinds of quantities that a formula may contain.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Allowed(pub &'static [Kind]);
 
@@ -76,13 +76,13 @@ pub const CONSTANT: Allowed = Allowed(&[]);
 pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
 /// Parameters and coordinates.
 pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
-/// What potentials may mention: positions as well.
+/// Quantities that potentials may contain: parameters, coordinates and positions.
 pub const PLACES: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Position]);
 /// Parameters, coordinates and their time derivatives.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
-/// What formulas of constraints may mention: parameters, coordinates, their rates, speeds, and velocities of points.
+/// Quantities that constraints may contain: parameters, coordinates, their rates, speeds, and velocities of points.
 pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity]);
-/// What formulas of loads may mention: inputs as well.
+/// Quantities that loads may contain: those of constraints, and inputs.
 pub const DRIVEN: Allowed =
     Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity, Kind::Input]);
 /// Everything that has a value during a run.
@@ -108,7 +108,7 @@ pub struct Names {
     unread: Vec<Kind>,
     /// The inertial frame, once it is read.
     pub root: String,
-    /// What each named expression is made of.
+    /// Names that each named expression contains, with their kinds.
     made_of: FxHashMap<String, Vec<(String, Kind)>>,
     /// Names that something refers to.
     used: RefCell<FxHashSet<String>>,
@@ -186,7 +186,7 @@ impl Names {
         self.unread.extend(kinds);
     }
 
-    /// Whether it is already reported why `name` is not one of `kinds`.
+    /// True if an error already explains why `name` is not one of `kinds`.
     fn excused(&self, name: &str, kinds: &[Kind]) -> bool {
         self.spoiled.contains(name)
             || (!self.known.contains_key(name) && self.unread.iter().any(|kind| kinds.contains(kind)))
@@ -197,12 +197,12 @@ impl Names {
         self.order.iter().filter(|n| kinds.contains(&self.known[*n].0)).map(String::as_str).collect()
     }
 
-    /// What the names of some kinds stand for.
+    /// Symbols of all names of these kinds.
     pub fn symbols_of(&self, kinds: &[Kind]) -> Vec<Expr> {
         self.known.values().filter(|(kind, ..)| kinds.contains(kind)).filter_map(|(.., symbol)| *symbol).collect()
     }
 
-    /// Whether a name is of this kind; reports one that is not. With `false` it cannot be used.
+    /// True if a name is of this kind; reports one that is not. If false, the name cannot be used.
     pub fn expect(&self, reader: &mut Reader<'_>, name: &Located, kind: Kind) -> bool {
         if self.excused(&name.text, &[kind]) {
             return false;
@@ -219,7 +219,8 @@ impl Names {
         false
     }
 
-    /// Parameters, expressions, frames and points that nothing refers to, in order of declaration, each with what it is.
+    /// Parameters, expressions, inputs, frames and points that nothing refers to, in order of declaration, each after
+    /// the noun of its kind.
     pub fn unused(&self) -> Vec<(&'static str, String)> {
         let used = self.used.borrow();
         let kinds = [Kind::Parameter, Kind::Expression, Kind::Input, Kind::Frame, Kind::Point];
@@ -232,17 +233,17 @@ impl Names {
         self.known.get(name).map(|(kind, _, _)| *kind)
     }
 
-    /// Where a name was declared.
+    /// Byte range in the file of a name's declaration.
     pub fn span(&self, name: &str) -> Option<Range<usize>> {
         self.known.get(name).map(|(_, span, _)| span.clone())
     }
 
-    /// Where every name was declared.
+    /// Byte range in the file of every name's declaration.
     pub fn places(&self) -> FxHashMap<String, Range<usize>> {
         self.known.iter().map(|(name, (_, span, _))| (name.clone(), span.clone())).collect()
     }
 
-    /// Reads a formula; reports what is wrong in it.
+    /// Reads a formula; reports its errors.
     pub fn formula(
         &mut self,
         reader: &mut Reader<'_>,
@@ -311,7 +312,7 @@ impl Names {
         }
     }
 
-    /// What stands for a reaction that the model may find, where nothing that is declared is called so.
+    /// Symbol and unit of a reaction that the model may find, if no declared name is equal to this one.
     fn yet_to_be_found(&self, arena: &mut Arena, name: &str, allowed: Allowed) -> Option<(Expr, Unit)> {
         if !allowed.0.contains(&Kind::Reaction) || self.known.contains_key(name) {
             return None;
@@ -321,7 +322,8 @@ impl Names {
         Some((arena.symbol(&format!("reaction {name}")), unit))
     }
 
-    /// Keeps the forces and torques between bodies that a formula names; none if one of them is of what is not declared.
+    /// Keeps the forces and torques between bodies that a formula names; `None` if one of them refers to an undeclared
+    /// name.
     fn name_interactions(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedInteraction>) -> Option<()> {
         let knows_body = |name: &Located, reader: &mut Reader<'_>| {
             let is_ground =
@@ -338,7 +340,7 @@ impl Names {
         are_known.then_some(())
     }
 
-    /// Keeps the velocities that a formula names; none if one of them is of what is not declared, which is reported.
+    /// Keeps the velocities that a formula names; `None`, with an error, if one of them refers to an undeclared name.
     fn name_velocities(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedVelocity>) -> Option<()> {
         let unknown = stated.iter().filter(|velocity| !self.knows(reader, velocity)).count();
         for velocity in stated {
@@ -349,7 +351,7 @@ impl Names {
         (unknown == 0).then_some(())
     }
 
-    /// Whether each name of a velocity is declared as what it is used for; reports those that are not, all of them.
+    /// True if each name in a velocity is declared as the kind for which it is used; reports all that are not.
     fn knows(&self, reader: &mut Reader<'_>, velocity: &StatedVelocity) -> bool {
         let of: &[(&Located, Kind)] = match &velocity.of {
             VelocityOf::Point(point) | VelocityOf::Place(point) => &[(point, Kind::Point)],

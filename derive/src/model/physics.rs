@@ -1,4 +1,4 @@
-//! What no body can be: checks of masses and inertias at the default values of a model, and at those of a scene or
+//! Checks for masses and inertias that no body can have, at the default values of a model and at those of a scene or
 //! state.
 
 use super::{Body, Model, Parameter};
@@ -17,8 +17,8 @@ pub fn values_at(arena: &Arena, known: &[(Expr, f64)], outputs: &[Expr]) -> Opti
 }
 
 impl Model {
-    /// What no body can be at these values of the parameters: a line each, the way out, and the parameters that it
-    /// depends on.
+    /// Masses and inertias that no body can have, at these values of the parameters: for each a line, advice, and the
+    /// indices of the parameters that it depends on.
     #[must_use]
     pub fn impossible(&self, parameters: &[f64]) -> Vec<(String, String, Vec<usize>)> {
         let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
@@ -80,7 +80,7 @@ pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str)
     broken.then(|| (format!("no body has the central inertia of `{}`: {why}", body.name), way_out(&values)))
 }
 
-/// How to state an inertia that a body can have.
+/// Advice on stating an inertia that a body can have.
 fn way_out(values: &[f64]) -> String {
     let rule = "each principal moment is at most the sum of the other two (equal for a thin plate)";
     let moments = [values[0], values[4], values[8]];

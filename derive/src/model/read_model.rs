@@ -62,7 +62,7 @@ impl Model {
     }
 }
 
-/// Whether a text is meant as a model file: it has a section that other files do not have.
+/// True if a text is meant as a model file: it has a section that other files do not have.
 #[must_use]
 pub fn is_model(source: &Source) -> bool {
     const OWN: [&str; 7] = ["coordinates", "inertial", "joints", "bodies", "particles", "frames", "points"];
@@ -80,7 +80,8 @@ pub fn load(source: &Source) -> Result<Model, Diagnostics> {
     load_bound(source, Vec::new(), &[])
 }
 
-/// Reads and checks a model text, with formulas in the stead of inputs, and with a parameter beside the formula of each input that is varied.
+/// Reads and checks a model text. Formulas replace inputs, and a parameter is added to the formula of each input that
+/// is varied.
 pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) -> Result<Model, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
@@ -117,8 +118,9 @@ impl Model {
         })
     }
 
-    /// The model with a parameter of its name, 0 unless it is changed, added to the formula of each of these inputs, so that slopes along
-    /// such an input can be had. Names of other inputs, and of none, change nothing.
+    /// The model with a parameter added to the formula of each of these inputs, so that slopes along the input can be
+    /// computed. The parameter has the name of the input, and is 0 unless changed. Names of other inputs, and unknown
+    /// names, change nothing.
     ///
     /// # Errors
     /// [`Diagnostics`] of the model file, which was read without errors before.
@@ -132,7 +134,7 @@ impl Model {
     }
 }
 
-/// What ties a mechanism together, beside its frames and points.
+/// Connections that tie a mechanism together, beside its frames and points.
 struct Connections {
     /// The velocities and positions that formulas name.
     velocities: Vec<NamedVelocity>,
@@ -142,16 +144,16 @@ struct Connections {
     motion: Vec<Stated>,
     /// Components of velocities at which bodies would slip.
     slips: Vec<(Stated, Rolled)>,
-    /// What may hold closed joints.
+    /// Reactions that may hold closed joints.
     holding: Vec<Holding>,
-    /// Whether all of these could be read.
+    /// True if all of these could be read.
     is_known: bool,
 }
 
 /// The coordinates of a file and its speeds.
 struct Declared {
     coordinates: Vec<Coordinate>,
-    /// How many coordinates there are beside time.
+    /// Number of coordinates beside time.
     configuration_variables: usize,
     /// The speeds as they are stated.
     texts: Vec<(Located, Located)>,
@@ -321,8 +323,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads what ties coordinates, velocities and bodies together, with what it names of the motion put in; springs become
-    /// forces.
+    /// Reads constraints, rolling, springs, friction and potentials. Velocities and positions that they name are
+    /// replaced by terms of the motion, and springs become forces.
     fn connections(
         &mut self,
         table: &'a DeTable<'a>,
@@ -379,13 +381,14 @@ impl<'a> Loading<'a> {
         Connections { velocities, configuration, motion, slips, holding, is_known }
     }
 
-    /// Whether an equation is between coordinates alone.
+    /// True if an equation contains no rates and no speeds.
     fn is_of_configuration(&self, equation: Expr) -> bool {
         let moves = self.names.symbols_of(&[Kind::Rate, Kind::Speed]);
         !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))
     }
 
-    /// Reports sections that are missing; whether there are speeds, or what may leave none. Something may move: along a coordinate, or by time.
+    /// Reports sections that are missing. Returns true if the model has speeds, or if constraints may leave none.
+    /// `moves` tells that something may move, along a coordinate or by time.
     fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>, moves: bool) -> bool {
         let empty = |key: &str| {
             self.reader.get(table, key).is_none_or(|v| v.get_ref().as_table().is_some_and(DeTable::is_empty))

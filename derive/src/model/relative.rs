@@ -1,4 +1,4 @@
-//! How bodies move against one another and against the ground, in one random pose ([`super::drawn`]).
+//! Motion of bodies relative to one another and to the ground, in one random pose ([`super::drawn`]).
 
 use super::drawn::{DrawnModel, Triple};
 use super::{Model, MotionConstraint, ReactionKind};
@@ -9,7 +9,7 @@ use crate::algebra::{Arena, Expr};
 /// A body, or the ground.
 pub type Holder = Option<usize>;
 
-/// The body that a reaction acts on, and what feels the opposite.
+/// Body on which a reaction acts, and body or ground on which the opposite acts.
 pub fn sides(kind: ReactionKind) -> (usize, Holder) {
     match kind {
         ReactionKind::Force { on, against } => (on.body, against.map(|place| place.body)),
@@ -47,7 +47,8 @@ impl Relative<'_> {
         (0..self.model.coordinates.len()).filter(move |at| Some(*at) != time)
     }
 
-    /// In how many ways triples change along the coordinates, and time: what hangs on a driven crank does not hang on the ground.
+    /// Number of independent ways in which triples change along the coordinates and time. Time counts: a body that
+    /// hangs on a driven crank does not hang on the ground.
     pub fn ways(&self, of: impl Fn(usize) -> Vec<Triple>) -> usize {
         let mut basis = Basis::new(self.drawn.space.0);
         for along in 0..self.model.coordinates.len() {
@@ -56,7 +57,7 @@ impl Relative<'_> {
         basis.len()
     }
 
-    /// In how many ways a body moves against another, or the ground.
+    /// Number of independent ways in which a body moves relative to another, or to the ground.
     pub fn freedom(&self, body: usize, against: Holder) -> usize {
         let space = self.drawn.space;
         // A particle holds nothing that turns.
@@ -71,7 +72,8 @@ impl Relative<'_> {
         })
     }
 
-    /// The point at which the material of two bodies moves least against one another; the mass centre, if it is one of several.
+    /// Index of the point at which the material of two bodies moves least relative to one another. If the mass centre
+    /// is among several such points, it is taken.
     pub fn least_moving_point(&self, body: usize, holder: Holder) -> usize {
         let centre = self.model.bodies[body].centre;
         let own: Vec<usize> = [Some(body), holder]
@@ -106,7 +108,7 @@ impl Relative<'_> {
         list
     }
 
-    /// How the mechanism could move if only these motion constraints held: their null space.
+    /// Motions of the mechanism if only these motion constraints held: a basis of their null space.
     pub fn open_ways(&self, arena: &mut Arena, holds: &dyn Fn(&MotionConstraint) -> bool) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let held: Vec<Expr> = model.motion_constraints.iter().filter(|c| holds(c)).map(|c| c.equation).collect();
@@ -146,7 +148,7 @@ impl Relative<'_> {
         list
     }
 
-    /// At which velocities the material of a body at a point moves against that of its holder at another, along each speed.
+    /// Velocities of the material of a body at a point relative to that of its holder at another, one for each speed.
     pub fn slips(&self, body: usize, holder: Holder, (point, opposite): (usize, usize)) -> Vec<Triple> {
         let space = self.drawn.space;
         self.permitted(|along| {
@@ -161,7 +163,7 @@ impl Relative<'_> {
         on_ground.chain((0..count).flat_map(|a| (a + 1..count).map(move |b| (a, Some(b))))).collect()
     }
 
-    /// Whether the material of a body is at a point, and stays there.
+    /// True if the material of a body is at a point, and stays there.
     pub fn has(&self, body: usize, point: usize) -> bool {
         if !self.is_rigid(Some(body)) {
             return self.model.bodies[body].centre == point;
@@ -170,12 +172,12 @@ impl Relative<'_> {
         !self.own_motions().any(moves)
     }
 
-    /// Whether a point rests on the ground.
+    /// True if a point rests on the ground.
     pub fn stays(&self, point: usize) -> bool {
         self.own_motions().all(|along| self.drawn.points[point].along[along] == [0; 3])
     }
 
-    /// At which angular velocities a body turns against its holder, along each speed.
+    /// Angular velocities of a body relative to its holder, one for each speed.
     pub fn turns(&self, body: usize, holder: Holder) -> Vec<Triple> {
         let space = self.drawn.space;
         self.permitted(|along| space.sub(self.turning(Some(body), along), self.turning(holder, along)))

@@ -26,11 +26,11 @@ const MAX_REPEATED: usize = 20_000;
 /// Keys under which braces are prose.
 const PROSE: [&str; 3] = ["name", "source", "about"];
 
-/// What the names of numbers stand for, the last first.
+/// Named numbers with their values. A later one hides an earlier one of the same name.
 type Numbers = Vec<(String, i64)>;
 
-/// The tables of a file with every repetition written out, or nothing if the file repeats nothing; what is wrong goes to the
-/// reader's errors.
+/// Tables of a file with every repetition written out; `None` if the file repeats nothing. Errors are added to those of
+/// the reader.
 pub fn written_out<'a>(reader: &mut Reader<'_>, table: &DeTable<'a>) -> Option<DeTable<'a>> {
     if !table.contains_key("counts") && !has_ranges(table) {
         return None;
@@ -50,7 +50,7 @@ pub fn written_out<'a>(reader: &mut Reader<'_>, table: &DeTable<'a>) -> Option<D
     Some(whole)
 }
 
-/// Whether a key below has a brace.
+/// True if a key at any depth contains an opening brace.
 fn has_ranges(table: &DeTable<'_>) -> bool {
     table.iter().any(|(key, value)| key.get_ref().contains('{') || value.get_ref().as_table().is_some_and(has_ranges))
 }
@@ -82,7 +82,7 @@ impl Repeating<'_, '_> {
         }
     }
 
-    /// A value with what stands in braces put in.
+    /// A value, in which the formulas in braces are replaced by numbers.
     fn value<'a>(&mut self, value: &Spanned<DeValue<'a>>, numbers: &Numbers, is_prose: bool) -> Spanned<DeValue<'a>> {
         let span = value.span();
         let new = match value.get_ref() {
@@ -176,7 +176,7 @@ impl Repeating<'_, '_> {
         open.into_iter().map(|(text, numbers)| (text + rest, numbers)).collect()
     }
 
-    /// A text with the numbers put in for what stands in braces.
+    /// A text, in which the formulas in braces are replaced by numbers.
     fn put(&mut self, text: &str, numbers: &Numbers, span: &Range<usize>) -> String {
         let mut result = String::new();
         let mut rest = text;
@@ -217,7 +217,7 @@ impl Repeating<'_, '_> {
         result + rest
     }
 
-    /// A whole number, as a formula of numbers that have names; reports what is none.
+    /// A whole number from a formula of named numbers; reports a value that is not whole.
     fn number(&mut self, formula: &str, numbers: &Numbers, span: &Range<usize>) -> Option<i64> {
         match self.known(formula, numbers) {
             Ok(number) => Some(number),

@@ -1,11 +1,13 @@
-//! On what each body rests: the body, or the ground, that holds it, by what the file states.
+//! Body, or the ground, on which each body rests, as the file states it.
 //!
-//! A joint says it. Otherwise a body rests where it moves least. Where it moves equally little against several, it rests first on a body
-//! that the file says it touches (it rolls on it, a reaction or friction acts between the two, one constraint compares the motion of both),
-//! then on a body from whose points or in whose frames it is placed, then on the ground: the ground holds nothing that a body holds.
-//! A statement has a direction: what rolls, what a reaction or friction acts *on*, rests on what is *against* it. An equation has none:
-//! of two bodies that it compares, that one rests on the other which is further from the ground, counted in such equations. An equation that
-//! ties two bodies and compares none, a rope over a pulley, says of neither that it touches the other.
+//! A joint states it. Otherwise a body rests where it moves least. If it moves equally little against several, it rests
+//! first on a body that the file says it touches. Two bodies touch if one rolls on the other, a reaction or friction
+//! acts between them, or one constraint compares their motions. Next comes a body from whose points or in whose frames
+//! it is placed, then the ground: the ground holds nothing that a body holds.
+//! A statement has a direction: a body that rolls, or that a reaction or friction acts *on*, rests on the body
+//! *against* which it does. An equation has none. Of two bodies that it compares, the one further from the ground rests
+//! on the other; the distance is counted in such equations.
+//! An equation that ties two bodies and compares none, such as a rope over a pulley, does not make them touch.
 
 use super::relative::{Holder, Relative};
 use super::{Compared, Rolled, Tie};
@@ -27,7 +29,7 @@ pub enum Reason {
     Least,
 }
 
-/// A body on what holds it.
+/// A body, its holder, and the reason for it.
 #[derive(Clone, Copy, Debug)]
 pub struct Rest {
     pub body: usize,
@@ -36,7 +38,7 @@ pub struct Rest {
 }
 
 impl Relative<'_> {
-    /// Each body with what it rests on, from the outside in: what a body carries comes before it.
+    /// Each body with its holder, from the outside in: bodies that a body carries come before it.
     pub fn rests(&self) -> Vec<Rest> {
         let count = self.model.bodies.len();
         let free = self.freedoms();
@@ -58,12 +60,12 @@ impl Relative<'_> {
         list
     }
 
-    /// Each body with what holds it, in the order of [`Self::rests`].
+    /// Each body with its holder, in the order of [`Self::rests`].
     pub fn holders(&self) -> Vec<(usize, Holder)> {
         self.rests().into_iter().map(|rest| (rest.body, rest.holder)).collect()
     }
 
-    /// What a body rests on, where these others rest already.
+    /// Finds the body, or the ground, on which a body rests, given the bodies that rest already.
     fn rest(&self, body: usize, free: &[usize], touches: &[(usize, Holder)], found: &[Rest]) -> Rest {
         if let Some(hung) = self.model.hung.iter().find(|hung| hung.body == body) {
             return Rest { body, holder: hung.on, reason: Reason::Joint };
@@ -95,12 +97,13 @@ impl Relative<'_> {
         Rest { body, holder, reason }
     }
 
-    /// In how many ways each body moves against the ground.
+    /// Number of ways in which each body moves against the ground.
     pub fn freedoms(&self) -> Vec<usize> {
         (0..self.model.bodies.len()).map(|body| self.freedom(body, None)).collect()
     }
 
-    /// Pairs that the file states to touch: a body, and what it rests on or is held against there, with [`Self::freedoms`].
+    /// Pairs that the file states to touch: a body, and the body or ground that it rests on or is held against, with
+    /// [`Self::freedoms`].
     pub fn touches(&self, free: &[usize]) -> Vec<(usize, Holder)> {
         let model = self.model;
         let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.tie {
@@ -140,8 +143,9 @@ impl Relative<'_> {
         pairs.into_iter().filter_map(rests).collect()
     }
 
-    /// Over how many of these pairs each of their bodies is from one that is `held`, or that no constraint moves. With neither, the one that
-    /// moves least, or else comes first, counts as held.
+    /// Number of these pairs between each body and the nearest one that is `held`, or that no constraint moves; `None`
+    /// for a body in no pair. In a group with neither, the body that moves least counts as held; the first of equals
+    /// does.
     fn steps(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
         let is_moved = |body: usize| self.model.contacts.compared.iter().any(|compared| compared.moved.contains(&body));
         let mut steps = vec![None; free.len()];
@@ -161,7 +165,8 @@ impl Relative<'_> {
         steps
     }
 
-    /// The bodies whose motion or places a constraint names, and those whose own coordinates it ties if it names none or compares both.
+    /// The bodies whose motion or places a constraint names, and those whose own coordinates it ties if it names none
+    /// or compares both.
     fn bodies_of(&self, compared: &Compared) -> Vec<usize> {
         let named = compared.named.iter().filter_map(|of| match of {
             VelocityOf::Material(body, _) => Some(*body),
@@ -188,7 +193,7 @@ impl Relative<'_> {
         owners.next().filter(|_| owners.next().is_none())
     }
 
-    /// Whether a body is placed from a point of another, or in its frame.
+    /// True if a body is placed from a point of another, or in its frame.
     fn is_placed_on(&self, body: usize, other: usize) -> bool {
         let model = self.model;
         let frame_of = |body: usize| model.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
@@ -201,7 +206,7 @@ impl Relative<'_> {
                 if self.has(other, parent) {
                     return true;
                 }
-                // Beyond a third body it is that one which is placed on the other.
+                // Beyond a third body, it is the third body that is placed on the other.
                 if (0..model.bodies.len()).any(|third| self.has(third, parent)) {
                     break;
                 }
@@ -220,7 +225,7 @@ impl Relative<'_> {
     }
 }
 
-/// Whether a body rests on another, directly or through others.
+/// True if a body rests on another, directly or through others.
 fn rests_on(found: &[Rest], body: usize, other: usize) -> bool {
     let mut at = Some(body);
     while let Some(next) = at {

@@ -1,11 +1,12 @@
-//! Reactions that equilibrium does not determine: those that go round a loop which is held more often than it need be, by joints or where bodies roll,
-//! or may be, where equations keep two points together and do not say what else holds there.
+//! Reactions that equilibrium does not determine. They occur in a loop that joints or rolling contacts hold more often
+//! than necessary. They may also occur where equations keep two points together and do not state what else holds there.
 //!
-//! For each equation of a joint or contact that follows from others there are forces and torques that do no work along any q', hold one
-//! another in equilibrium, and may have any size: A λ = 0, with a column for the work of each of them along q'. What they are
-//! is computed in one closed pose, in doubles, at the default values; from loops they go down the tree of bodies to the ground.
-//! S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically indeterminate frameworks, *International Journal
-//! of Solids and Structures* 22 (1986) 409–428.
+//! For each equation of a joint or contact that follows from others, there are forces and torques that do no work along
+//! any q', are in equilibrium with one another, and may have any size. They satisfy A λ = 0, where A has a column for
+//! the work of each of them along q'. They are computed in one closed pose, in doubles, at the default values. From
+//! loops they go down the tree of bodies to the ground.
+//! S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically indeterminate frameworks,
+//! *International Journal of Solids and Structures* 22 (1986) 409–428.
 
 use super::drawn::DrawnModel;
 use super::interactions::Interaction;
@@ -17,18 +18,18 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Motion, Vector};
 use nalgebra::{DMatrix, DVector, Vector3};
 
-/// What is left of a column when those that it follows from are taken out, over its length.
+/// Residual, over its length, up to which a column depends on others; these are projected out of it.
 const DEPENDENT: f64 = 1e-6;
-/// A component that is none, over the largest.
+/// A component below this fraction of the largest counts as zero.
 const NOTHING: f64 = 1e-7;
 
-/// Poses that are drawn where some of what is asked has no value.
+/// Largest number of poses that are drawn if a required value does not exist.
 const MOST_POSES: usize = 20;
 
 /// A force, and its moment about the origin.
 type Wrench = (Vector3<f64>, Vector3<f64>);
 
-/// Where things are in the pose.
+/// Frames, points and reactions in one pose.
 struct Pose {
     /// Axes of each frame, in columns.
     axes: Vec<[Vector3<f64>; 3]>,
@@ -37,7 +38,7 @@ struct Pose {
     acting: Vec<(Vector3<f64>, DVector<f64>)>,
 }
 
-/// Forces and torques of no sum: what each body exerts on another, by pairs (on, by).
+/// Forces and torques between bodies that are in equilibrium without loads, by pairs (on, by).
 struct SelfStress {
     between: Vec<((usize, Holder), Wrench)>,
     /// The largest force, and the largest moment.
@@ -85,7 +86,8 @@ impl Model {
         twice.or_else(|| self.undetermined_by_equations(&relative?, &holders, sought, text))
     }
 
-    /// What is undetermined of what may act where equations of the file keep two points together, as [`Self::undetermined`] says it.
+    /// Finds a component left undetermined by equations that keep two points together, and explains it as
+    /// [`Self::undetermined`] does.
     fn undetermined_by_equations(
         &self,
         relative: &Relative<'_>,
@@ -97,7 +99,7 @@ impl Model {
         if closings.is_empty() {
             return None;
         }
-        // Where no closed pose is known, any will do for what a plane mechanism does not tell.
+        // If no closed pose is known, any pose shows what a plane mechanism leaves undetermined.
         let pose = self.closed_pose(&closings).or_else(|| self.any_pose(&closings))?;
         let first = self.reactions.len();
         closings.iter().enumerate().find_map(|(at, (_, reaction))| {
@@ -120,8 +122,9 @@ impl Model {
         })
     }
 
-    /// Reactions along what is held otherwise as well: those of joints, and the forces where bodies roll, of size 1: the ground presses on a
-    /// wheel of two, or one gear on another along the line of their pinned centres. What a body's own holder holds twice is one force of it.
+    /// Reactions of size 1 along directions that are held otherwise as well: those of joints, and forces where bodies
+    /// roll. Examples are the ground that presses on one of two wheels, and a gear that presses on another along the
+    /// line of their pinned centres. If a body's own holder holds a direction twice, this is one force of the holder.
     fn held_again(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
         let contacts = self.repeated.iter().filter_map(|r| Some((r.name.clone(), r.rolled?)));
         let contacts = contacts.filter(|(_, rolled)| {
@@ -135,7 +138,7 @@ impl Model {
             let direction = unit(axis);
             (name, Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false })
         });
-        // What the file names between bodies that do not rest on one another may be held by what they rest on.
+        // A reaction that the file names between bodies that do not rest on one another may be held by their holders.
         let named = self.stated_reactions().iter().filter(|reaction| {
             let (on, by) = sides(reaction.kind);
             let ways = [(Some(on), by), (by, Some(on))];
@@ -200,7 +203,7 @@ impl Model {
         }
     }
 
-    /// A pose in which what is asked has values.
+    /// A pose in which all required terms have values.
     fn any_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
         (0..MOST_POSES).find_map(|at| {
             let first = at * (self.coordinates.len() + self.parameters.len());
@@ -208,7 +211,8 @@ impl Model {
         })
     }
 
-    /// Where things are in a pose; parameters that have no default are drawn from this place on. `None` where something has no value.
+    /// Evaluates frames, points and reactions in a pose. Parameters without a default are drawn, from index `first` on.
+    /// `None` if a value does not exist.
     fn pose(&self, repeated: &[(String, Reaction)], pose: Vec<f64>, first: usize) -> Option<Pose> {
         let mut known = defaults(&self.parameters);
         if self.branch.is_none() {
@@ -286,7 +290,7 @@ impl Model {
         DVector::from_vec(all)
     }
 
-    /// What stands in equilibrium with one redundant reaction of size 1.
+    /// Self-stress that contains one redundant reaction, with size 1; `None` if other reactions cannot balance it.
     fn self_stress(
         &self,
         pose: &Pose,
@@ -339,7 +343,7 @@ impl SelfStress {
             && moment.norm() <= NOTHING * (self.size.0 * self.reach + self.size.1)
     }
 
-    /// What it adds to what is sought, if that is not nothing.
+    /// Change of the wanted reaction per unit of self-stress; `None` if zero.
     fn share(&self, pose: &Pose, sought: &Interaction) -> Option<f64> {
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
         for ((on, by), wrench) in &self.between {
@@ -362,7 +366,7 @@ impl SelfStress {
     }
 }
 
-/// Adds what a reaction does to the bodies between which it acts.
+/// Adds the wrench of a reaction to the bodies between which it acts.
 fn put_on(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
     let (on, by) = sides(reaction.kind);
     add(&mut on_bodies[on], wrench, 1.0);
@@ -371,7 +375,7 @@ fn put_on(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
     }
 }
 
-/// What each body hands on to what it rests on, from the outside in, of what is put on them.
+/// Force and moment that each body hands on to its holder, from the outside in, given those that act on the bodies.
 fn handed_on(on_bodies: &mut [Wrench], holders: &[(usize, Holder)]) -> Vec<((usize, Holder), Wrench)> {
     let mut list = Vec::with_capacity(holders.len());
     for (body, holder) in holders {
@@ -384,7 +388,7 @@ fn handed_on(on_bodies: &mut [Wrench], holders: &[(usize, Holder)]) -> Vec<((usi
     list
 }
 
-/// Sums what bodies exert on one another, by pairs.
+/// Sums the wrenches that bodies exert on one another, by pairs.
 fn add_between(list: &mut Vec<((usize, Holder), Wrench)>, pair: (usize, Holder), wrench: Wrench) {
     let other = pair.1.map(|by| (by, Some(pair.0)));
     match list.iter_mut().find(|(known, _)| *known == pair || Some(*known) == other) {

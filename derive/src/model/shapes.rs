@@ -1,6 +1,6 @@
-//! How a mechanism looks: `[shapes]` of a model file, which views draw and no equation knows.
+//! Shapes of a mechanism, `[shapes]` of a model file, which views draw and no equation uses.
 //!
-//! Invariant: nothing that is derived depends on a shape, and neither does the hash of a model's text if its shapes stand at the
+//! Invariant: no derived result depends on a shape. Neither does the hash of a model's text, if its shapes are at the
 //! end of the file ([`without_shapes`]).
 
 use super::Parameter;
@@ -21,24 +21,24 @@ use toml::de::{DeTable, DeValue};
 pub struct Shape {
     /// Its name in the file.
     pub name: String,
-    /// What it is, in words.
+    /// Description in words.
     pub about: String,
-    /// What it is like.
+    /// Form of the shape.
     pub form: ShapeForm,
     /// The body that it belongs to, if the file says one.
     pub body: Option<usize>,
     /// The frame that it is fixed in.
     pub frame: usize,
-    /// The point that its middle is told from.
+    /// Point from which the position of its middle is measured.
     pub point: usize,
-    /// Where its middle is from there, in the frame, m.
+    /// Position of its middle relative to that point, in the frame, m.
     pub position: [Expr; 3],
 }
 
-/// What a shape is like: lengths in m, in parameters.
+/// Form of a shape: lengths in m, in parameters.
 #[derive(Clone, Debug)]
 pub enum ShapeForm {
-    /// A ball.
+    /// A ball about its middle.
     Sphere {
         /// Its radius.
         radius: Expr,
@@ -49,7 +49,7 @@ pub enum ShapeForm {
         axis: usize,
         /// Its radius.
         radius: Expr,
-        /// How thick it is; thin if the file does not say.
+        /// Thickness; the disk is thin if the file states none.
         thickness: Option<Expr>,
     },
     /// A cylinder about an axis of its frame, 0, 1 or 2.
@@ -309,10 +309,10 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// The text of a model without the sections `[shapes]` at its end, and without blank lines before them: all that equations are
-/// derived from.
+/// Text of a model without the sections `[shapes]` at its end, and without blank lines before them: all that equations
+/// are derived from.
 ///
-/// Shapes elsewhere in the file are left where they are; so is what only looks like them, such as a line in a longer text.
+/// Shapes elsewhere in the file stay; so does text that only looks like them, such as a line in a longer text.
 #[must_use]
 pub fn without_shapes(text: &str) -> &str {
     let is_shapes = |line: &str| line.starts_with("[shapes]") || line.starts_with("[shapes.");
@@ -326,7 +326,7 @@ pub fn without_shapes(text: &str) -> &str {
     while rest.ends_with("\n\n") {
         rest = &rest[..rest.len() - 1];
     }
-    // Where this cut through a text or a list, it is no file any more.
+    // If this cuts through a text or a list, the rest is no longer a valid file.
     let source = crate::diagnostic::Source::from_text("model.toml", rest);
     if Reader::parse(&source).is_ok() { rest } else { text }
 }

@@ -55,7 +55,7 @@ impl<'a> Loading<'a> {
         texts
     }
 
-    /// The speeds, with what the constraints fix put in.
+    /// The speeds, in which constrained variables are replaced by their values.
     pub fn speeds(
         &mut self,
         texts: Vec<(Located, Located)>,
@@ -78,8 +78,9 @@ impl<'a> Loading<'a> {
         speeds
     }
 
-    /// The speeds that constraints leave independent, and the others, which their definitions replace in formulas: of those that joints bring, a
-    /// speed that follows from the constraints and the speeds before it is none. Speeds of the file all stay.
+    /// Splits speeds into those that constraints leave independent, and the others, whose definitions replace them in
+    /// formulas. A speed that a joint brings is left out if it follows from the constraints and the speeds before it.
+    /// Speeds of the file all stay.
     pub fn independent_speeds(
         &mut self,
         coordinates: &[Coordinate],
@@ -198,8 +199,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// q̇ = W u + w with names for what divides by sums in W and w: `ratio_q2_u1` for what u1 gives to q2', but for a number.
-    /// Loops would grow with every product that these stand in.
+    /// q̇ = W u + w, with names for terms in W and w that divide by sums. `ratio_q2_u1` is the factor of u1 in q2', up
+    /// to a number. Without names, loops would grow with every product that contains these terms.
     fn with_names(
         &mut self,
         coordinates: &[Coordinate],
@@ -309,7 +310,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Whether a term divides by a sum.
+/// True if a term divides by a sum.
 fn divides_by_sum(arena: &Arena, e: Expr) -> bool {
     let is_sum =
         |e: &Expr| matches!(arena.node(*e), Node::Sum(constant, terms) if !constant.is_zero() || terms.len() > 1);

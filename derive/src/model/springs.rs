@@ -1,7 +1,7 @@
 //! Springs and dampers between two points.
 //!
-//! A spring of stiffness k and free length l₀ and a damper c pull the ends together with k (d − l₀) + c ḋ, d being their
-//! distance: at rest with the potential k (d − l₀)²/2.
+//! A spring of stiffness k and free length l₀, and a damper c, pull the ends together with the force k (d − l₀) + c ḋ,
+//! where d is their distance. At rest the potential is k (d − l₀)²/2.
 
 use super::elements::Elements;
 use super::loading::Loading;
@@ -72,7 +72,7 @@ impl<'a> Loading<'a> {
         self.quantity(&formula, PARAMETERS, unit, &what)
     }
 
-    /// The forces that springs are; reports one whose ends are in one place at all times, or of which one moves in its body.
+    /// Forces of springs. Reports a spring whose ends coincide at all times, or of which an end moves in its body.
     pub fn spring_forces(
         &mut self,
         moving: &mut Moving,

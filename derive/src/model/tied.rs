@@ -1,4 +1,4 @@
-//! What constraints tie.
+//! Constraints, and the kinds of motion constraints.
 
 use super::Unit;
 use crate::algebra::Expr;
@@ -27,7 +27,8 @@ pub struct Loop {
     pub equation: Expr,
     /// Its unit, in SI.
     pub unit: Unit,
-    /// Whether the file states it between one coordinate and time: it tells the coordinate where to be, and closes nothing.
+    /// True if the file states the constraint between one coordinate and time: it prescribes the coordinate, and closes
+    /// nothing.
     pub prescribes: bool,
 }
 
@@ -38,26 +39,26 @@ pub struct Rolled {
     pub body: usize,
     /// The body on which it does; none on the ground.
     pub against: Option<usize>,
-    /// Where they touch.
+    /// Point at which they touch.
     pub point: usize,
     /// The frame along whose axis the component is.
     pub frame: usize,
     /// The axis, from 0.
     pub axis: usize,
-    /// Whether the file states the frame; else it may be another of the mechanism.
+    /// True if the file states the frame; otherwise it may be another of the mechanism.
     pub is_stated: bool,
 }
 
-/// What a motion constraint states.
+/// Kind of a motion constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tie {
     /// An equation of the file between velocities.
     Stated,
-    /// That a body rolls without slip: one component of the velocity at which it would slip.
+    /// Rolling without slip: one component of the velocity at which the body would slip is zero.
     Rolling(Rolled),
     /// The time derivative of an equation between coordinates, by its place in [`super::Model::loops`].
     Loop(usize),
-    /// That time goes on: t' = 1.
+    /// Rate of time: t' = 1.
     Clock,
 }
 
@@ -75,7 +76,7 @@ pub struct MotionConstraint {
     pub unit: Unit,
     /// The multiplier λ of Lagrange's equations: the constraint adds Aᵀλ to the generalized forces.
     pub multiplier: Expr,
-    /// What it states.
+    /// Kind of the constraint.
     pub tie: Tie,
     /// The reaction that enforces it, if it is named.
     pub enforced_by: Option<usize>,
@@ -86,29 +87,30 @@ pub struct MotionConstraint {
 pub struct DependentConstraint {
     /// Its name.
     pub name: String,
-    /// What is zero, in q and q̇, of one between velocities; one between coordinates goes on to close its loop.
+    /// Expression in q and q̇ that is zero, for a constraint between velocities. `None` for one between coordinates,
+    /// which still closes its loop.
     pub equation: Option<Expr>,
     /// The constraints that it follows from.
     pub of: Vec<String>,
-    /// In how many closed poses this was found, at the default values.
+    /// Number of closed poses in which this was found, at the default values.
     pub poses: usize,
 }
 
-/// What was found where the loops of a mechanism are closed, in doubles, at the default values of its parameters.
+/// Rank of the constraints in the closed poses of one branch, in doubles, at the default values of the parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     /// A closed pose, by which the branch is known: a value for each generalized coordinate.
     pub pose: Vec<f64>,
-    /// In how many closed poses the rank was found.
+    /// Number of closed poses in which the rank was found.
     pub poses: usize,
     /// Constraints, those that follow from others among them.
     pub constraints: usize,
-    /// How many of them are independent.
+    /// Number of independent constraints.
     pub rank: usize,
-    /// The least that was left of an independent row of length 1 when those before it were taken out of it.
+    /// Smallest residual of an independent row of length 1, from which those before it were projected out.
     pub independent: f64,
-    /// The most that was left of a dependent one, if there is one.
+    /// Largest such residual of a dependent row, if there is one.
     pub dependent: Option<f64>,
-    /// The freedoms of another branch that random poses came to, if it has more, and a pose on that.
+    /// Number of freedoms of another branch that random poses reached, if it has more, and a pose on that branch.
     pub larger: Option<(usize, Vec<f64>)>,
 }

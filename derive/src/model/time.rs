@@ -1,8 +1,8 @@
 //! Explicit time: a coordinate `t` whose rate a constraint holds at 1.
 //!
-//! So nothing but the reading of files knows of it. What depends on t has a rate along t', motions that are prescribed are
-//! coordinates solved for, and the multiplier of the constraint is the power that the drive gives: energy proves itself
-//! constant only where that is 0. C. Lanczos, *The Variational Principles of Mechanics*, 4th edition (1970), chapter V, §6.
+//! So only the reading of files knows of time. Terms that depend on t have a rate along t', and prescribed motions are
+//! coordinates that are solved for. The multiplier of the constraint is the power of the drive: energy proves constant
+//! only where that is 0. C. Lanczos, *The Variational Principles of Mechanics*, 4th edition (1970), chapter V, §6.
 
 use super::inputs::formulas;
 use super::loading::Loading;
@@ -55,13 +55,13 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Whether a formula names time.
+/// True if a formula names time.
 fn is_of_time(formula: &str) -> bool {
     let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
     formula.split(|c| !is_part(c)).any(|word| word == TIME)
 }
 
-/// Whether a formula under an entry names time.
+/// True if a formula under an entry names time.
 fn names_time(value: &Spanned<DeValue<'_>>) -> bool {
     let mut open = vec![value];
     while let Some(value) = open.pop() {
@@ -84,14 +84,15 @@ impl Model {
         self.coordinates.iter().position(|c| c.name == TIME)
     }
 
-    /// Whether constraints tie the rates of coordinates: that of time alone is no such constraint.
+    /// True if constraints tie the rates of coordinates; the constraint on time alone does not count.
     #[must_use]
     pub fn ties_rates(&self) -> bool {
         self.motion_constraints.iter().any(|constraint| constraint.tie != Tie::Clock)
     }
 
-    /// Whether constraints move the mechanism even where no speed does, so that their forces work and T + V changes by
-    /// what no load does: where a constraint states a velocity, or frames, points or constraints depend on time.
+    /// True if constraints move the mechanism even where all speeds are zero: a constraint states a velocity, or
+    /// frames, points or constraints depend on time. The forces of these constraints then do work, so that T + V
+    /// changes by more than the work of loads.
     #[must_use]
     pub fn is_driven(&self) -> bool {
         let states_velocity = |c: &super::MotionConstraint| c.tie != Tie::Clock && c.drive != Expr::ZERO;

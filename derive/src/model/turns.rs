@@ -1,4 +1,4 @@
-//! How frames are turned, as files state it.
+//! Turns of frames, as files state them.
 
 use super::constraint::Stated;
 use super::joints::Joint;
@@ -136,7 +136,8 @@ impl<'a> Loading<'a> {
         Some(Turn::by_euler_parameters(&mut self.arena, parameters))
     }
 
-    /// That the Euler parameters of frames have length 1: for each frame that is turned by some a constraint `FRAME_norm`.
+    /// Constraints that the Euler parameters of a frame have length 1: `FRAME_norm` for each frame that is turned by
+    /// such parameters.
     pub fn norms(&mut self, frames: &[Frame]) -> Vec<Stated> {
         let mut list = Vec::new();
         for frame in frames {

@@ -1,7 +1,7 @@
 //! Units of measurement and the check that every sum adds like to like.
 //!
-//! Quantities are declared in coherent SI units, so that no conversion can be forgotten; a radian counts as 1. A plain number
-//! may be stated in others, which are converted where it is read.
+//! Quantities are declared in coherent SI units, so that no conversion can be forgotten; a radian counts as 1. A plain
+//! number may be stated in other units, and is converted when it is read.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::diagnostic::{nearest, shown};
@@ -31,7 +31,8 @@ const NAMED: [(&str, [i64; 3]); 11] = [
     ("sr", [0, 0, 0]),
 ];
 
-/// Other units in which a number may be stated: exponents of m, kg, s, and the factor as a fraction, times π for the last.
+/// Other units in which a number may be stated: exponents of m, kg and s, and the factor as a fraction. The last three
+/// also have a factor of π.
 const OTHER: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("mm", [1, 0, 0], (1, 1000)),
     ("cm", [1, 0, 0], (1, 100)),
@@ -50,7 +51,7 @@ const OTHER: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("rev", [0, 0, 0], (2, 1)),
     ("rpm", [0, 0, -1], (1, 30)),
 ];
-/// Those of them that hold π.
+/// Units of these whose factor contains π.
 const OF_TURNS: [&str; 3] = ["deg", "rev", "rpm"];
 
 /// The unit after a number: `0.1 m`, `90 deg`, `3 rev/min`.
@@ -59,7 +60,7 @@ pub struct StatedUnit {
     /// The value in SI is the number times this, and times π to this power.
     pub factor: Rational,
     pub turns: i32,
-    /// Where the number ends in the text.
+    /// Byte offset in the text at which the number ends.
     pub end: usize,
 }
 
@@ -155,7 +156,7 @@ impl Unit {
         Ok(unit)
     }
 
-    /// What to write instead of a text that is not a unit.
+    /// Advice for a text that is not a unit.
     #[must_use]
     pub fn help(text: &str) -> String {
         let angle = ["deg", "degree", "degrees", "°"].contains(&text.trim());
@@ -216,13 +217,13 @@ impl Unit {
         self.scaled(&Rational::integer(i64::from(n)))
     }
 
-    /// Whether it is 1, as of an angle.
+    /// True if the unit is 1, as that of an angle.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         *self == Self::default()
     }
 
-    /// Whether it is that of a length.
+    /// True if the unit is that of a length.
     #[must_use]
     pub fn is_length(&self) -> bool {
         *self == Self::new(1, 0, 0)
@@ -251,7 +252,7 @@ impl fmt::Display for Unit {
 /// unit, and for what contains a symbol without a unit, whose declaration is already reported.
 ///
 /// # Errors
-/// What does not fit, in a line, and what to do.
+/// Message about units that do not fit, in a line, and advice.
 pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Result<Option<Unit>, (String, String)> {
     let check = "check the units of the parameters and coordinates".to_owned();
     let show = |e: Expr| shown(&crate::algebra::print::text(arena, e));
@@ -308,12 +309,12 @@ pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Resul
     Ok(units.remove(&e).flatten())
 }
 
-/// Whether a term has no letter in it.
+/// True if a term contains no symbol.
 fn is_bare(arena: &Arena, e: Expr) -> bool {
     arena.reachable(&[e]).iter().all(|part| arena.symbol_name(*part).is_none())
 }
 
-/// What to write instead of a number that stands for a quantity.
+/// Advice for a bare number that stands for a quantity of this unit.
 pub fn bare_number(unit: &str) -> String {
     format!(
         "a bare number has no unit: declare a parameter such as `x0 = {{ unit = \"{unit}\", value = 0.1 }}` and use its name"

@@ -1,4 +1,4 @@
-//! What is said of names that are no coordinate and no speed.
+//! Messages for names that are neither a coordinate nor a speed.
 
 use super::Model;
 use crate::diagnostic::nearest;
@@ -7,8 +7,8 @@ use crate::diagnostic::nearest;
 const MOST_LISTED: usize = 12;
 
 impl Model {
-    /// What is said of a name that is no coordinate and no speed where one is asked for, and what to do; `known` are the names that
-    /// may stand there.
+    /// Message and advice for a name that is neither a coordinate nor a speed where one is expected. `known` are the
+    /// names that are permitted there.
     #[must_use]
     pub fn no_state<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
         if !self.dependent_speeds.iter().any(|speed| speed.name == name) {

@@ -1,5 +1,5 @@
-//! Velocities that formulas name: of a point, of the material of a body that is at a point, and of what turns; and
-//! positions.
+//! Velocities and positions that formulas name: of a point, of the material of a body at a point, or of a turning
+//! frame.
 
 use super::units::Unit;
 use crate::algebra::parse::{VelocityName, VelocityOf};
@@ -10,9 +10,9 @@ use std::ops::Range;
 /// A component of a velocity in the inertial frame, m/s or rad/s, or of a position, m, that formulas name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedVelocity {
-    /// What stands for it in those formulas; its name is that of the quantity, `v(disk, P) @ A [1]`.
+    /// Symbol that stands for it in formulas. Its name is that of the quantity, `v(disk, P) @ A [1]`.
     pub symbol: Expr,
-    /// What it is of: a body and a point for material as it is at the point now, a frame for what turns.
+    /// Moving thing: a point, a body and a point (the material that is there now), or a frame that turns.
     pub of: VelocityOf<usize>,
     /// The frame of the component.
     pub frame: usize,

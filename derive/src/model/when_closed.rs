@@ -1,5 +1,5 @@
-//! What is decided where the loops of a mechanism are closed: which constraints follow from others there, and which speeds of joints
-//! determine the motion best.
+//! Decisions made in the closed poses of a mechanism: the constraints that follow from others there, and the joint
+//! speeds that determine the motion best.
 
 use super::closed_poses::{Closed, Dependent, Poses, reach};
 use super::loading::Loading;
@@ -10,9 +10,9 @@ use crate::algebra::linear::LinearForm;
 use std::ops::{Range, RangeInclusive};
 
 impl Loading<'_> {
-    /// Takes those constraints out of the independent ones that follow from others wherever the loops are closed, and chooses among the
-    /// speeds that joints bring (`brought`) where there are too many. Without closed poses those of `also` are taken out, whose rates
-    /// follow from the others everywhere.
+    /// Takes constraints that follow from others wherever the loops are closed out of the independent ones. Where there
+    /// are too many speeds, it chooses among those that joints bring (`brought`). Without closed poses it takes out
+    /// those of `also`, whose rates follow from the others everywhere.
     pub fn when_closed(
         &mut self,
         coordinates: &[Coordinate],
@@ -48,7 +48,8 @@ impl Loading<'_> {
         }
     }
 
-    /// The slopes of constraints and speeds in closed poses, if such are found: on a branch with as many freedoms as are declared.
+    /// Slopes of constraints and speeds in closed poses, on a branch with as many freedoms as are declared; `None` if
+    /// none are found.
     fn closed_poses(
         &mut self,
         coordinates: &[Coordinate],
@@ -61,7 +62,7 @@ impl Loading<'_> {
         let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(speeds.iter().copied());
         let rows: Result<Vec<Vec<Expr>>, _> =
             equations.map(|e| form.coefficients(&mut self.arena, e).map(|(row, _)| row)).collect();
-        // What is not linear is reported where the rates are solved for.
+        // A row that is not linear is reported where the rates are solved for.
         let rows = rows.ok()?;
         let lengths = defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
         let reach = reach(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
@@ -73,8 +74,8 @@ impl Loading<'_> {
     }
 }
 
-/// Takes a constraint out of the independent ones; one that closes a loop goes on to do that. Returns its name, and what is zero of one
-/// between velocities.
+/// Takes a constraint out of the independent ones; if it closes a loop, it continues to do that. Returns its name, and
+/// the expression that is zero if the constraint is between velocities.
 fn take_out(ties: &mut Ties, at: usize) -> (String, Option<Expr>) {
     let (constraint, _) = ties.motion.remove(at);
     let Tie::Loop(place) = constraint.tie else { return (constraint.name, Some(constraint.equation)) };

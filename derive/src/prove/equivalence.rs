@@ -25,13 +25,13 @@ pub struct Pair {
     pub left: Formulation,
     /// The second.
     pub right: Formulation,
-    /// Whether each set of rows is the stated combination of the other.
+    /// Verdict on the claim that each set of rows is the stated combination of the other.
     pub verdict: Verdict,
     /// The combination, in words and symbols.
     pub map: String,
 }
 
-/// A reaction by the equation of motion that Kane's method leaves over.
+/// A reaction given by the equation of motion that Kane's method leaves over.
 #[derive(Clone, Debug)]
 pub struct ReactionEquation {
     /// The reaction.
@@ -71,12 +71,13 @@ struct Prover<'a> {
     kinematics: &'a mut Kinematics,
     comparer: &'a mut Comparer,
     maps: Maps,
-    /// As soon as some equations in speeds were shown to leave them over.
+    /// Equations for the reactions; `None` until a system in speeds is proved to be a combination of balances.
     reactions: Option<Vec<ReactionEquation>>,
 }
 
 impl Prover<'_> {
-    /// By the map that leads from such equations as these to such as the others; nothing if it leads the other way.
+    /// Compares two systems by the map from the kind of `left` to the kind of `right`. `None` if the map leads the
+    /// other way.
     fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<Found> {
         let (from, to) = (left.formulation, right.formulation);
         match (from.carries_reactions(), to.carries_reactions()) {
@@ -88,14 +89,14 @@ impl Prover<'_> {
         }
     }
 
-    /// Two that state the same rows.
+    /// Compares two systems that state the same rows.
     fn row_by_row(&mut self, left: &Equations, right: &Equations) -> Found {
         let rows = (left.matrix.clone(), left.forcing.clone());
         let verdict = equal_systems(&mut self.kinematics.arena, self.comparer, &rows, right, 0);
         (verdict, format!("{} = {}, row by row", label(left), label(right)))
     }
 
-    /// Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds.
+    /// Proves Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds.
     fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> Found {
         if !self.model.motion_constraints.is_empty() {
             return self.speeds_and_multipliers(speeds, rates);
@@ -120,7 +121,7 @@ impl Prover<'_> {
         (all([forward, backward]), format!("{u} = Wᵀ · {q} and {q} = Jᵀ · {u}, with {with}"))
     }
 
-    /// Speeds = Wᵀ · Rates, which cancels the multipliers; the rows of the constraints vanish.
+    /// Proves Speeds = Wᵀ · Rates, which cancels the multipliers; the rows of the constraints vanish.
     fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> Found {
         let Self { model, kinematics, comparer, maps, .. } = self;
         let arena = &mut kinematics.arena;
@@ -139,7 +140,7 @@ impl Prover<'_> {
         (all([forward, vanish]), map)
     }
 
-    /// Speeds = P · Balances; the rows that P leaves over give the reactions.
+    /// Proves Speeds = P · Balances; the rows that P leaves over give the reactions.
     fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> Found {
         let Self { model, kinematics, comparer, .. } = self;
         let combined = combine(&mut kinematics.arena, &balances.projection, balances);
@@ -156,7 +157,7 @@ impl Prover<'_> {
         (all([identity, back]), format!("{u} = (partial velocities) · {b}, the reactions cancel; {given}"))
     }
 
-    /// Rates = P · Balances, with the partial velocities with respect to q̇.
+    /// Proves Rates = P · Balances, with the partial velocities with respect to q̇.
     fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> Found {
         let Self { model, kinematics, comparer, maps, .. } = self;
         let rows = rows_of(model, kinematics, balances);
@@ -181,8 +182,8 @@ impl Prover<'_> {
     }
 }
 
-/// Rates = P · Balances but for the forces of the constraints, which Wᵀ cancels on both sides: so that the reactions, along
-/// q̇, are Aᵀλ for exactly one λ.
+/// Proves Rates = P · Balances up to the forces of the constraints. Wᵀ cancels these on both sides, so the reactions,
+/// along q̇, are Aᵀλ for exactly one λ.
 fn multipliers_and_balances(
     (model, kinematics, comparer, maps): (&Model, &mut Kinematics, &mut Comparer, &Maps),
     partial: &Matrix,
@@ -309,7 +310,7 @@ fn combine(arena: &mut Arena, multipliers: &Matrix, system: &Equations) -> (Matr
     (matrix, multipliers.iter().map(|by| dot(arena, by, &system.forcing)).collect())
 }
 
-/// Whether combined rows are those of `expected`, with `extra` further unknowns that cancel.
+/// Compares combined rows with those of `expected`, where the coefficients of `extra` further unknowns must vanish.
 fn equal_systems(
     arena: &mut Arena,
     comparer: &mut Comparer,

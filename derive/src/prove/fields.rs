@@ -1,8 +1,8 @@
 //! Fields on configuration space and the momenta that belong to them.
 //!
 //! Noether: along the equations of motion d/dt (ξ · ∂T/∂q̇) = ξ⁽¹⁾T − ξV + ξ·Q with ξ⁽¹⁾T = ξ·∂T/∂q + ξ̇·∂T/∂q̇. The
-//! momentum is conserved iff the right-hand side is zero identically; forces that work along ξ are in it, and those of
-//! motion constraints, Aᵀλ, with any λ: a momentum of which a constraint takes something is not conserved.
+//! momentum is conserved iff the right-hand side is zero identically. It contains the forces that work along ξ, and
+//! those of motion constraints, Aᵀλ, with any λ: a momentum that a constraint changes is not conserved.
 
 use super::kind::IntegralKind;
 use crate::algebra::calculus::{Differential, Gradient};
@@ -17,10 +17,10 @@ use crate::mechanics::{Derivations, Kinematics};
 use crate::model::Model;
 use std::collections::BTreeSet;
 
-/// ξ(q), one component for each coordinate, and what its momentum is.
+/// ξ(q), one component for each coordinate, and the kind of its momentum.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// What the momentum is.
+    /// Kind of the momentum.
     pub kind: IntegralKind,
     /// Components in q.
     pub xi: Vec<Expr>,
@@ -39,7 +39,7 @@ pub struct Lagrangian {
     pub forces: Vec<Expr>,
     /// Aᵀλ: generalized forces of motion constraints, with their multipliers.
     of_constraints: Vec<Expr>,
-    /// Whether V is more than gravity's.
+    /// True if V has a part from applied loads beside gravity's.
     pub loads_have_potential: bool,
 }
 
@@ -58,7 +58,7 @@ impl Lagrangian {
         Self { q, q_dot, t_by_q, momenta, v_by_q, forces, of_constraints, loads_have_potential }
     }
 
-    /// Whether anything without a potential acts along a coordinate.
+    /// True if a force without a potential acts along a coordinate.
     pub fn has_forces(&self) -> bool {
         self.forces.iter().any(|force| *force != Expr::ZERO)
     }
@@ -152,7 +152,7 @@ impl Lagrangian {
         found.into_iter().filter(|field| !field.xi.iter().all(constant)).collect()
     }
 
-    /// Whether a momentum is conserved as it stands.
+    /// True if the momentum of coordinate `s` is conserved.
     fn is_cyclic(&self, arena: &mut Arena, s: usize) -> bool {
         let gain = self.gain(arena, s);
         zero_test(arena, gain) == ZeroTest::Zero

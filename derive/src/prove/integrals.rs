@@ -26,21 +26,21 @@ use crate::model::Model;
 /// A quantity that is constant along every motion.
 #[derive(Clone, Debug)]
 pub struct Integral {
-    /// What it is: one kind, or several that are the same function or its negative.
+    /// Kinds of the integral: one, or several that are the same function or its negative.
     pub kinds: Vec<IntegralKind>,
     /// Its value in q and u.
     pub expression: Expr,
-    /// The symmetry q′ = ξ(q) whose momentum it is; none for the energy.
+    /// The symmetry q′ = ξ(q) whose momentum the integral is; `None` for the energy.
     pub field: Option<Vec<Expr>>,
-    /// For each kind the function of q that stands in the integral beside that momentum: what forces that depend on velocities,
-    /// such as drag, take from the momentum. 0 where the momentum itself is constant.
+    /// For each kind, the function of q that is added to that momentum in the integral. It balances the change of the
+    /// momentum by forces that depend on velocities, such as drag. 0 where the momentum itself is constant.
     pub of_places: Vec<Expr>,
-    /// Whether its rate is zero along Kane's equations, by identity.
+    /// Verdict on the identity that the rate vanishes along Kane's equations.
     pub verdict: Verdict,
 }
 
 impl Integral {
-    /// What it is in words, once for each of its kinds; its terms are in `arena`.
+    /// Descriptions in words, one for each of its kinds; its terms are in `arena`.
     #[must_use]
     pub fn names(&self, model: &Model, arena: &Arena) -> Vec<String> {
         let xi = self.field.as_deref().unwrap_or_default();
@@ -48,25 +48,26 @@ impl Integral {
         kinds.map(|(kind, place)| kind.words(model, arena, xi, *place)).collect()
     }
 
-    /// What it is first of all, in few words; its terms are in `arena`.
+    /// Short name of its first kind; its terms are in `arena`.
     #[must_use]
     pub fn title(&self, model: &Model, arena: &Arena) -> String {
         self.kinds[0].title(model) + &beside(arena, self.of_places[0])
     }
 
-    /// All that it is, in words.
+    /// Descriptions of all its kinds, in one text.
     #[must_use]
     pub fn name(&self, model: &Model, arena: &Arena) -> String {
         self.names(model, arena).join("; ")
     }
 
-    /// Whether it is an energy, and not a momentum.
+    /// True if one of its kinds is the energy T + V; false for momenta and Jacobi's integral.
     #[must_use]
     pub fn is_energy(&self) -> bool {
         self.kinds.iter().any(|kind| kind.is_energy())
     }
 
-    /// Every formula that is shown of it: its value, what it divides by, and its symmetry where that has no other name.
+    /// Every formula that is shown of it: its value, its divisors, and the components of a symmetry that has no other
+    /// name.
     #[must_use]
     pub fn shown(&self, arena: &Arena) -> Vec<Expr> {
         let mut list = vec![self.expression];
@@ -77,8 +78,8 @@ impl Integral {
         list
     }
 
-    /// What it divides by and is not proved to be zero nowhere: where one of these is 0, it says nothing. A parameter
-    /// that is not stated to be positive is one.
+    /// Divisors of its value that may vanish; where one is 0, the integral has no value. Those proved to be zero
+    /// nowhere are left out. A parameter that is not stated to be positive is among them.
     #[must_use]
     pub fn divisors(&self, arena: &Arena) -> Vec<Expr> {
         let all = divisors(arena, &[self.expression]);
@@ -86,17 +87,18 @@ impl Integral {
     }
 }
 
-/// What a search for first integrals covered.
+/// Coverage of a search for first integrals, and the reason if it found no energy.
 #[derive(Clone, Debug)]
 pub struct Search {
-    /// What was searched, in words.
+    /// Description of the fields and functions that were searched.
     pub covered: String,
-    /// d(T + V)/dt in q and u, where there is no energy: applied loads have no potential that was found, or one that jumps in time.
+    /// d(T + V)/dt in q and u, if there is no energy integral: applied loads have no potential that was found, or one
+    /// that jumps in time.
     pub power: Option<Expr>,
 }
 
 impl Search {
-    /// What was covered, and why there is no energy, in a line; its terms are in `arena`.
+    /// Description of the coverage, and of the reason if there is no energy, in a line; its terms are in `arena`.
     #[must_use]
     pub fn text(&self, arena: &Arena) -> String {
         let Some(power) = self.power else { return self.covered.clone() };
@@ -110,13 +112,10 @@ impl Search {
 
 /// Finds first integrals: the energy T + V, or Jacobi's integral where drives move the mechanism, with the potential of
 /// forces that have one by the rules of [`primitive`]; the momenta of coordinates, with a function of place beside them
-/// where forces depend on velocities;
-/// of translations along the inertial axes and rotations about them through the mass centre and through the
-/// origin, of the whole and of each body; of all fields ξ = A q + b; and of quasi-cyclic
-/// coordinates. Of the momenta only functionally independent
-/// ones are kept.
-///
-/// The second value says what was searched.
+/// where forces depend on velocities; of translations along the inertial axes and rotations about them through the mass
+/// centre and through the origin, of the whole and of each body; of all fields ξ = A q + b; and of quasi-cyclic
+/// coordinates. Of the momenta only functionally independent ones are kept. The second value describes the coverage of
+/// the search.
 pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Comparer) -> (Vec<Integral>, Search) {
     match Basis::new(model, derivations) {
         Some(basis) => {
@@ -130,8 +129,8 @@ pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Compare
     }
 }
 
-/// What a search for integrals starts from. Parameters may be replaced in it by numbers, which may have integrals of
-/// their own.
+/// Equations and fields from which a search for first integrals starts. Parameters may be replaced in it by numbers,
+/// for which there may be further integrals.
 #[derive(Clone)]
 pub struct Basis {
     /// T, V and Q in q and q̇.
@@ -145,7 +144,7 @@ pub struct Basis {
 }
 
 impl Basis {
-    /// The search in a model; nothing without the equations by Kane and by Lagrange.
+    /// The basis of a model; `None` without the equations by Kane and by Lagrange.
     pub fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
         let kane = derivations.get(Formulation::Kane)?.clone();
         let lagrange = derivations.get(Formulation::Lagrange)?.clone();
@@ -210,7 +209,7 @@ struct Searching<'a> {
     /// ∂I/∂(q, u) of what was found.
     gradients: Vec<Vec<Expr>>,
     found: Vec<Integral>,
-    /// Whether forces work and no potential of them was found.
+    /// True if forces do work and no potential of them was found.
     no_potential: bool,
 }
 
@@ -289,7 +288,7 @@ impl Searching<'_> {
         self.keep((field.kind, Some(&field.xi), of_place), momentum, &multipliers);
     }
 
-    /// Keeps an integral unless it is a function of those found; what else a known one is, is noted.
+    /// Keeps an integral unless it is a function of those found; a further kind of a known integral is added to it.
     fn keep(
         &mut self,
         (kind, field, of_place): (IntegralKind, Option<&[Expr]>, Expr),
@@ -353,8 +352,8 @@ impl Searching<'_> {
     }
 }
 
-/// A potential U(q) of the forces: those that are there at rest are −∂U/∂q, and what the others have beyond that does no
-/// work in any motion, as that of a magnetic field. Nothing if there is none, or no rule finds it.
+/// Finds a potential U(q) of the forces. The forces at rest are −∂U/∂q. The rest of the forces does no work in any
+/// motion, as that of a magnetic field. `None` if there is no potential, or no rule finds it.
 fn potential_of(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

@@ -1,18 +1,19 @@
-//! What a first integral is, as data. Its words are made from it, never the other way.
+//! Kinds of first integrals, as data. Names in words are made from them, never the other way.
 
 use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr, Node};
 use crate::model::Model;
 
-/// What is conserved. Coordinates, bodies and axes are positions from 0; axes are of the inertial frame unless
-/// another is named.
+/// Conserved quantity of a first integral. Coordinates, bodies and axes are positions from 0; axes are of the inertial
+/// frame unless another is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum IntegralKind {
     /// T + V, where no applied force works.
     Energy,
     /// T + V with the potential of the applied forces.
     EnergyOfForces,
-    /// T + V less ∂T/∂t', where drives move the mechanism: Jacobi's integral, Σ q̇ ∂L/∂q̇ − L over the coordinates that are not time.
+    /// T + V less ∂T/∂t', where drives move the mechanism: Jacobi's integral, Σ q̇ ∂L/∂q̇ − L over the coordinates
+    /// except time.
     Jacobi,
     /// The generalized momentum ∂L/∂q̇ of a coordinate.
     Coordinate(usize),
@@ -50,7 +51,7 @@ pub enum IntegralKind {
     Symmetry,
 }
 
-/// What an axis passes through.
+/// Point that an axis passes through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pivot {
     /// The mass centre of the whole.
@@ -60,14 +61,14 @@ pub enum Pivot {
 }
 
 impl IntegralKind {
-    /// Whether it is an energy, and not a momentum.
+    /// True for T + V, with or without a potential of applied forces; false for momenta and Jacobi's integral.
     #[must_use]
     pub const fn is_energy(self) -> bool {
         matches!(self, Self::Energy | Self::EnergyOfForces)
     }
 
-    /// What is constant, in full: a momentum with its definition, a symmetry with its components ξ, and the function of place that
-    /// stands beside it, if that is not 0. The terms are in `arena`.
+    /// Full description: a momentum with its definition, a symmetry with its components ξ, and the function of place
+    /// that is added if it is not 0. The terms are in `arena`.
     #[must_use]
     pub fn words(self, model: &Model, arena: &Arena, xi: &[Expr], of_place: Expr) -> String {
         let (title, place) = (self.title(model), beside(arena, of_place));
@@ -87,7 +88,7 @@ impl IntegralKind {
         }
     }
 
-    /// What it is, in few words.
+    /// Short name of the conserved quantity.
     #[must_use]
     pub fn title(self, model: &Model) -> String {
         let body = |at: usize| &model.bodies[at].name;
@@ -158,7 +159,7 @@ impl IntegralKind {
     }
 }
 
-/// ` + c*x`: what stands beside a momentum in a sum; nothing if that is 0.
+/// Text of the term that is added to a momentum, as in ` + c*x`; empty if it is 0.
 pub(super) fn beside(arena: &Arena, of_place: Expr) -> String {
     let mut arena = arena.clone();
     let (content, rest) = arena.split_content(of_place);

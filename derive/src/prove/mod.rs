@@ -27,7 +27,7 @@ use crate::algebra::written::write_down;
 use crate::mechanics::{Derivations, DeriveError, Formulation, LoadDivisor, load_divisors};
 use crate::model::Model;
 
-/// What was proved of a model.
+/// Everything that was proved about a model.
 #[derive(Clone, Debug)]
 pub struct Proof {
     /// Each pair of formulations that the model supports.
@@ -38,16 +38,16 @@ pub struct Proof {
     pub reactions: Vec<ReactionEquation>,
     /// Quantities that stay constant along every motion, functionally independent.
     pub integrals: Vec<Integral>,
-    /// What the search for integrals covered.
+    /// Coverage of the search for integrals.
     pub search: Search,
-    /// Where one of these is zero, the equivalence does not hold: the speeds do not determine q̇, or a load has no value.
+    /// Divisors at whose zeros the equivalence does not hold: the speeds do not determine q̇, or a load has no value.
     pub singular_where: Vec<Expr>,
-    /// Those of them that loads divide by.
+    /// Those among `singular_where` that loads divide by.
     pub loads: Vec<LoadDivisor>,
 }
 
 impl Proof {
-    /// Gives the named terms of all that is proved the names that every document about the model has.
+    /// Gives the named terms of all proved formulas the names that every document about the model uses.
     pub fn write_names(&self, derivations: &mut Derivations) {
         derivations.write_names();
         write_integral_names(&self.integrals, derivations);
@@ -55,22 +55,21 @@ impl Proof {
         write_down(&mut derivations.kinematics.arena, "reaction", &reactions);
     }
 
-    /// Whether the formulations that there are were proved to be one and the same: false where there are no two to
-    /// compare.
+    /// True if there are at least two formulations and all are proved equivalent.
     #[must_use]
     pub fn is_equivalent(&self) -> bool {
         !self.pairs.is_empty() && self.pairs.iter().all(|pair| pair.verdict.is_equal())
     }
 }
 
-/// The first integrals of a model, which [`prove`] finds too: these alone, for who shows no equivalence. Proving that takes
-/// nearly all of the time where loops are closed.
+/// First integrals of a model, without the proof of equivalence; [`prove`] finds them too. That proof takes nearly all
+/// of the time where loops are closed.
 pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
     integrals::find(model, derivations, &mut Comparer::default()).0
 }
 
-/// Gives the named terms of first integrals the names that every document about the model has, once the equations have theirs
-/// ([`Derivations::write_names`]).
+/// Gives the named terms of first integrals the names that every document about the model uses. Call it once the
+/// equations have their names ([`Derivations::write_names`]).
 pub fn write_integral_names(integrals: &[Integral], derivations: &mut Derivations) {
     let values: Vec<Expr> = integrals.iter().map(|integral| integral.expression).collect();
     write_down(&mut derivations.kinematics.arena, "integral", &values);

@@ -1,8 +1,8 @@
 //! Rigid motions of the whole system, or of one of its bodies, that the constraints permit.
 //!
-//! A field ξ(q) is the motion "all of it turns about an axis e through S" iff with q̇ = ξ every moved frame has ω = e
-//! and every moved mass centre has v = e × (r − r_S), and what is not moved has neither. That is a linear
-//! system for ξ with more rows than unknowns; the motion is permitted iff it is consistent.
+//! A field ξ(q) is the rotation of a set of bodies about an axis e through S iff with q̇ = ξ every moved frame has ω =
+//! e, every moved mass centre has v = e × (r − r_S), and everything else rests. That is a linear system for ξ with more
+//! rows than unknowns; the motion is permitted iff it is consistent.
 
 use super::fields::Field;
 use super::kind::{IntegralKind, Pivot};
@@ -15,7 +15,7 @@ use crate::geometry::Vector;
 use crate::mechanics::Kinematics;
 use crate::model::Model;
 
-/// What ω and v should be: for each body the two vectors, or rest.
+/// Prescribed ω and v of a rigid motion: for each body the two vectors, or `None` for rest.
 struct Motion {
     kind: IntegralKind,
     of_body: Vec<Option<(Vector, Vector)>>,
@@ -106,7 +106,7 @@ struct Rows {
     /// (body, whether of ω, frame, axis); nothing for a loop.
     labels: Vec<Option<(usize, bool, usize, usize)>>,
     matrix: Vec<Vec<Expr>>,
-    /// As many independent rows as there are coordinates.
+    /// Positions of independent rows, as many as there are coordinates; fewer if the bodies do not determine q̇.
     chosen: Vec<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! Where a matrix of accelerations is singular, and whether it is where the kinematic equations are.
+//! Zeros of the determinant of a matrix of accelerations, compared with those of the kinematic equations.
 //!
 //! A statement is made only where it is proved for every real state with positive parameters: by the range of the
 //! determinant's values, or by the determinant with the divisor put to zero. Everything else is open.
@@ -13,14 +13,14 @@ use crate::model::Model;
 /// Matrices beyond this many rows are not expanded.
 const MOST_ROWS: usize = 8;
 
-/// What is known of a matrix's singular places.
+/// Known zeros of the determinant of a matrix.
 #[derive(Clone, Debug)]
 pub struct Singularity {
     /// The determinant, simplified.
     pub determinant: Expr,
-    /// Whether the determinant is proved to be zero nowhere.
+    /// True if the determinant is proved never to be zero.
     pub never: bool,
-    /// What becomes of the matrix where a divisor of the kinematic equations vanishes, for each divisor.
+    /// Behaviour of the matrix where a divisor of the kinematic equations vanishes, for each divisor.
     pub at: Vec<Place>,
 }
 
@@ -31,12 +31,12 @@ pub struct Place {
     pub divisor: Expr,
     /// The determinant there.
     pub determinant: There,
-    /// Whether entries of the matrix divide by zero there: near it they are large, and the matrix is ill-conditioned
-    /// even where its determinant is far from zero.
+    /// True if entries of the matrix divide by zero there. Near such a place they are large, and the matrix is
+    /// ill-conditioned even where its determinant is far from zero.
     pub entries_divide: bool,
 }
 
-/// A determinant where a divisor vanishes.
+/// Value of a determinant where a divisor vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum There {
     /// It is zero there.
@@ -47,7 +47,7 @@ pub enum There {
     Open,
 }
 
-/// The determinant of a matrix and what is known of its zeros; nothing for a matrix that is too large.
+/// The determinant of a matrix and its known zeros; `None` if the matrix is too large.
 pub fn singularity(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Expr>]) -> Option<Singularity> {
     if matrix.len() > MOST_ROWS {
         return None;
@@ -56,7 +56,7 @@ pub fn singularity(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Exp
     Some(zeros(model, kinematics, matrix, determinant))
 }
 
-/// What is known of the zeros of the determinant of a matrix.
+/// Known zeros of a given determinant of a matrix.
 pub fn zeros(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant: Expr) -> Singularity {
     let divisors = &model.kinematic_equations.divisors;
     let at = divisors.iter().map(|divisor| place(kinematics, matrix, determinant, *divisor)).collect();

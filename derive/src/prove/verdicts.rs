@@ -8,8 +8,9 @@ use crate::algebra::{Arena, Expr};
 /// Terms times questions above which one question is asked for all.
 const MOST_SINGLE: usize = 2_000_000;
 
-/// Whether both of each pair mean the same. Of large systems, whose entries share most terms, it is asked once: whether
-/// Σ w_i d_i is zero for the differences d_i with a new symbol w_i for each, which it is if and only if all are.
+/// Compares two terms of every pair and gives one verdict. For large systems, whose entries share most terms, one
+/// question is asked: is Σ w_i d_i zero, for the differences d_i with a new symbol w_i for each? It is if and only if
+/// all differences are.
 pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Expr)]) -> Verdict {
     let differences: Vec<Expr> = pairs.iter().map(|(left, right)| arena.sub(*left, *right)).collect();
     let differences: Vec<Expr> = differences.into_iter().filter(|e| *e != Expr::ZERO).collect();

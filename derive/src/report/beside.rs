@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostics;
 use crate::model::Model;
 use std::path::{Path, PathBuf};
 
-/// What the file is called, and what it was called before.
+/// File names of the publication beside a model file: the present one, then the former one.
 const NAMES: [&str; 2] = ["publication.toml", "report.toml"];
 
 /// The file of the publication beside a model file: `publication.toml`, or `report.toml` where that alone is there.
@@ -15,7 +15,7 @@ pub fn beside(path: &Path) -> PathBuf {
     if !new.exists() && old.exists() { old } else { new }
 }
 
-/// Whether a file is called as the publication beside a model is.
+/// True if a path ends in a file name of the publication beside a model.
 #[must_use]
 pub fn is_beside(path: &Path) -> bool {
     path.file_name().is_some_and(|name| NAMES.iter().any(|known| name == *known))

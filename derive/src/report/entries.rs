@@ -25,7 +25,7 @@ enum Kind {
     Initial,
 }
 
-/// Each with its key and what it is called.
+/// The kinds of entries: each with its key and its name in messages.
 const KINDS: [(Kind, &str, &str); 5] = [
     (Kind::Equation, "equation", "an equation"),
     (Kind::Definition, "definition", "a definition"),
@@ -54,11 +54,11 @@ fn keys(kind: Kind) -> Vec<&'static str> {
 /// One entry as it stands in the file.
 pub struct Item<'a> {
     pub table: &'a DeTable<'a>,
-    /// What it is called in messages.
+    /// Name of the entry's kind in messages.
     pub what: &'static str,
-    /// Its header.
+    /// Place of its header, as a byte range.
     pub span: Range<usize>,
-    /// How its formulas are written.
+    /// Notation of its formulas.
     pub notation: Notation,
 }
 

@@ -23,21 +23,21 @@ type Formulas = (Vec<Expr>, Vec<String>);
 /// The entries of a matrix row by row: as terms, and as they are printed.
 type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
 
-/// What a matrix must fit.
+/// Requirements on a matrix: its width, and the symbols that no entry may contain.
 #[derive(Clone, Copy)]
 struct Fit<'a> {
     /// Entries of a row, if that is known.
     columns: Option<usize>,
-    /// Why so many.
+    /// Reason for the number of columns, given as help in an error.
     help: &'a str,
-    /// What the system is solved for, and no entry may contain.
+    /// Unknowns of the system; no entry may contain one.
     unknowns: &'a [Expr],
-    /// How its entries are written.
+    /// Notation of its entries.
     notation: Notation,
 }
 
 impl<'a> Loading<'a, '_> {
-    /// `[[system]]`
+    /// Reads an entry of `[[system]]`: matrix · unknowns = right.
     pub fn system(&mut self, item: &Item<'a>) -> Option<System> {
         let formulation = self.formulation(item);
         let frame = self.frame(item, formulation);
@@ -79,7 +79,7 @@ impl<'a> Loading<'a, '_> {
         })
     }
 
-    /// `[[listing]]`
+    /// Reads an entry of `[[listing]]`: a program that computes the derivative of a state.
     pub fn listing(&mut self, item: &Item<'a>) -> Option<Listing> {
         let formulation = self.formulation(item);
         let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");

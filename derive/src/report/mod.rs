@@ -3,8 +3,8 @@
 //! A report file belongs to a model. Its formulas are read into the arena of the model, so read it before
 //! [`crate::mechanics::derive_all`], whose arena starts as a clone: every handle stays valid there.
 //!
-//! Invariant: nothing is repaired or judged here. What is wrong with the *form* of a file is an error;
-//! what is wrong with a printed *equation* is for a comparison to find.
+//! Invariant: nothing is repaired or judged here. A wrong *form* of a file is an error; a wrong printed *equation* is
+//! left for a comparison to find.
 //!
 //! Abbreviations are replaced by their formulas while reading. The names of derived quantities stay symbols, which no
 //! model can declare, until [`Names::resolve`] says what they are worth: so an entry may be read, and its errors
@@ -70,7 +70,7 @@ pub struct Report {
     pub source: Source,
     /// The title.
     pub title: String,
-    /// What was transcribed, in words.
+    /// Description of the source that was transcribed, in words.
     pub reference: String,
     /// Shorthand of the text, in the order of the file: (name, formula).
     pub abbreviations: Vec<(String, Expr)>,
@@ -87,33 +87,33 @@ pub struct Entry {
     pub id: String,
     /// The section of the text.
     pub section: String,
-    /// What was garbled here, and how it was read.
+    /// Garbled part of the print, and the way it was read; `None` if the print was clear.
     pub repaired: Option<String>,
-    /// A remark.
+    /// Remark of the transcriber.
     pub note: Option<String>,
-    /// How its formulas are written.
+    /// Notation of its formulas.
     pub notation: Notation,
-    /// Near which point its formulas hold, if not everywhere.
+    /// Point near which its formulas hold; `None` if they hold everywhere.
     pub near: Option<Approximation>,
     /// The place of the id in the file.
     pub span: Range<usize>,
-    /// What is printed.
+    /// Content of the entry: an equation, a definition, a system, a listing or a number.
     pub kind: EntryKind,
 }
 
-/// That formulas hold near a point, up to an order in the deviations from it.
+/// Statement that formulas hold near a point, up to an order in the deviations from it.
 #[derive(Clone, Debug)]
 pub struct Approximation {
-    /// The order, from 1 on.
+    /// Highest order in the deviations that is kept, at least 1.
     pub order: u32,
     /// The point, at least one value.
     pub values: Vec<PointValue>,
 }
 
-/// What stays near a value.
+/// Value near which one variable stays.
 #[derive(Clone, Debug)]
 pub struct PointValue {
-    /// A coordinate, a time derivative, a speed or a reaction.
+    /// Name of a coordinate, a time derivative, a speed or a reaction.
     pub name: String,
     /// Its symbol.
     pub symbol: Expr,
@@ -121,7 +121,7 @@ pub struct PointValue {
     pub value: Expr,
 }
 
-/// What an entry states.
+/// Kinds of content of an entry, with their data.
 #[derive(Clone, Debug)]
 pub enum EntryKind {
     /// A value of a derived quantity.
@@ -133,7 +133,7 @@ pub enum EntryKind {
         /// Its text.
         text: String,
     },
-    /// What nothing can contradict.
+    /// Definition of the text, which no derivation can contradict.
     Definition {
         /// The text.
         text: String,
@@ -149,7 +149,7 @@ pub enum EntryKind {
 /// matrix · unknowns = right, as printed. Any number of rows; as many columns as unknowns.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// What it is to be compared with.
+    /// Formulation that the system is compared with.
     pub formulation: Formulation,
     /// The frame of the components: for Newton–Euler only.
     pub frame: Option<usize>,
@@ -174,7 +174,7 @@ pub struct System {
 /// A program that computes the derivative of a state (q, v): v is u, or q̇ for Lagrange.
 #[derive(Clone, Debug)]
 pub struct Listing {
-    /// What it is to be compared with.
+    /// Formulation that the listing is compared with.
     pub formulation: Formulation,
     /// z(1), z(2), …: coordinates, then as many speeds, each once.
     pub state: Vec<Expr>,
@@ -208,7 +208,7 @@ pub struct Initial {
 }
 
 impl Report {
-    /// What it is called where people read of it: its title, or that it has none.
+    /// Title of the publication for headings, or "A publication without a title" if it is blank.
     #[must_use]
     pub fn heading(&self) -> &str {
         match self.title.trim() {

@@ -1,11 +1,11 @@
-//! What a report's names of derived quantities stand for.
+//! Values of the names that a report gives to derived quantities.
 
 use super::Report;
 use crate::algebra::Expr;
 use crate::algebra::calculus::Substitution;
 use crate::mechanics::Quantities;
 
-/// Symbols of the text with the derived values that they stand for; those that cannot be had, with the reason.
+/// Symbols of the text with the derived values that they stand for; a symbol without a value has a reason.
 pub struct Names {
     /// (symbol, value in q and u)
     values: Vec<(Expr, Expr)>,

@@ -1,4 +1,5 @@
-//! `about` and `order`: that formulas of a publication hold near a point only, up to an order in the deviations from it.
+//! `about` and `order`: formulas of a publication that hold near a point only, up to an order in the deviations from
+//! it.
 
 use super::read::Loading;
 use super::{Approximation, PointValue};
@@ -11,8 +12,8 @@ use toml::de::{DeTable, DeValue};
 const MOST: u32 = 4;
 
 impl<'a> Loading<'a, '_> {
-    /// The point and the order that a table states; those of the file where it states none, and nothing where it states an empty
-    /// point.
+    /// Reads the point and the order that a table states. Returns those of the file if the table states none, and
+    /// `None` if it states an empty point.
     pub fn near(&mut self, table: &'a DeTable<'a>) -> Option<Approximation> {
         let order = self.order(table);
         let Some(value) = self.reader.get(table, "about") else {

@@ -74,18 +74,18 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Report, Diagnostics> {
     Ok(Report { source: source.clone(), title, reference, abbreviations, names, entries })
 }
 
-/// What has been read so far.
+/// State of reading a report: the file, the model, and the names and entries read so far.
 pub struct Loading<'a, 'm> {
     pub reader: Reader<'a>,
     pub model: &'m mut Model,
     pub words: Words,
-    /// How formulas are written where their entry does not say.
+    /// Notation of formulas whose entry states none.
     pub notation: Notation,
-    /// Near which point formulas hold where their entry does not say.
+    /// Point near which formulas hold whose entry states none.
     pub near: Option<Approximation>,
-    /// Where each id stands.
+    /// Place of each id in the file.
     pub ids: FxHashMap<String, Range<usize>>,
-    /// Where each set states a quantity.
+    /// Place where each set states a quantity.
     pub values: FxHashMap<(String, Expr), Range<usize>>,
 }
 

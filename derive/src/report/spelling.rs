@@ -1,4 +1,4 @@
-//! How a publication writes the names of a model: `[symbols]`, and what LaTeX makes of names by itself.
+//! Symbols of a publication for the names of a model: those of `[symbols]`, and the usual LaTeX form of a name.
 
 use crate::algebra::notation::{Notation, Spell, Symbol, Unknown, read_symbol};
 use crate::algebra::print::latex_name;
@@ -8,23 +8,23 @@ use rustc_hash::FxHashMap;
 /// Symbols of a publication and the names that they stand for.
 #[derive(Default)]
 pub struct Spellings {
-    /// What `[symbols]` says of LaTeX: a symbol without its dots, how many of these, the name.
+    /// Names by LaTeX symbols of `[symbols]`; the key is the symbol without its dots, and the number of its dots.
     latex: FxHashMap<(String, usize), String>,
-    /// What it says of programs.
+    /// Names by program variables of `[symbols]`.
     variables: FxHashMap<String, String>,
-    /// Names as LaTeX writes them if nothing else is said: each name whose symbol looks so.
+    /// Names by their usual LaTeX symbols, for symbols absent from `[symbols]`; several names may share one.
     usual: FxHashMap<String, Vec<String>>,
     /// Names of several letters, which LaTeX sets in roman type.
     words: Vec<String>,
 }
 
-/// What a symbol of `[symbols]` is already.
+/// Outcome of entering a symbol of `[symbols]`.
 pub enum Stated {
-    /// Nothing: it has its name now.
+    /// The symbol was free and now stands for its name.
     New,
-    /// Another name's.
+    /// The symbol already stands for this other name.
     Taken(String),
-    /// No symbol of any notation.
+    /// The text is no symbol in any notation.
     NoSymbol,
 }
 
@@ -91,7 +91,7 @@ impl Spellings {
 /// Looks up the symbols of one formula.
 pub struct Speller<'a> {
     pub spellings: &'a Spellings,
-    /// Whether what it last said may be said at many places.
+    /// True if the last error may recur at many places.
     pub repeated: bool,
 }
 
@@ -139,7 +139,7 @@ fn quoted(text: &str) -> String {
     if text.contains('\\') { format!("'{text}'") } else { format!("\"{text}\"") }
 }
 
-/// Whether a text is a name of the language of model files.
+/// True if a text is a name in the language of model files.
 fn is_name(text: &str) -> bool {
     text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
@@ -158,7 +158,7 @@ fn variable(text: &str) -> Option<String> {
     (fits && name.split('.').all(is_name)).then_some(text)
 }
 
-/// What a file may call a notation.
+/// Names that a file may give as its notation.
 pub fn notations() -> [&'static str; 6] {
     let [a, b, c, d, e] = Notation::ALL.map(Notation::name);
     [a, b, c, "sympy", d, e]

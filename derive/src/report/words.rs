@@ -1,4 +1,4 @@
-//! What a name in a formula of a report stands for.
+//! Meanings of the names in the formulas of a report.
 
 use super::spelling::{Speller, Spellings, Stated};
 use crate::algebra::calculus::Differential;
@@ -19,10 +19,10 @@ const PRIMES: usize = 2;
 /// memory.
 const MAX_EXPANSION: usize = 200_000;
 
-/// What a name stands for.
+/// Meaning of a name in the formulas of a report.
 #[derive(Clone, Copy)]
 enum Word {
-    /// A quantity of the model, with what it is called.
+    /// A quantity of the model, with the name of its kind.
     Model(&'static str, Expr),
     /// A formula or the symbol of a derived quantity, that the file declares.
     Declared(Expr),
@@ -35,10 +35,10 @@ enum Word {
 /// All names that formulas of a report may use.
 pub struct Words {
     known: FxHashMap<String, Word>,
-    /// Where the file declares them.
+    /// Place where the file declares each name.
     places: FxHashMap<String, Range<usize>>,
     order: Vec<String>,
-    /// How the publication writes them.
+    /// Symbols that the publication writes for the names.
     spellings: Spellings,
     /// Terms that abbreviations have put into formulas so far.
     expansion: usize,
@@ -233,7 +233,7 @@ impl Words {
         })
     }
 
-    /// What an unknown name may have been meant to be.
+    /// Advice for an unknown name, for instance the nearest known name.
     fn advice(&self, name: &str) -> String {
         let plain = name.trim_end_matches('\'');
         match (name, self.known.get(plain)) {

@@ -1,4 +1,4 @@
-//! States that are asked about: what is held, what is sought near a guess, and by which numbers of the file.
+//! States with unknowns: some numbers are held, others are sought near a guess.
 
 use super::SceneOutput;
 use super::inputs::bind;
@@ -11,7 +11,7 @@ use crate::read::{Located, Reader};
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// A state, and what of it may be changed so that something holds there.
+/// A state, and the numbers of it that are sought so that conditions hold there.
 #[derive(Clone, Debug, Default)]
 pub struct Asked {
     /// Values of the parameters, in the order of the model.
@@ -26,7 +26,7 @@ pub struct Asked {
     pub sought: Vec<usize>,
     /// Numbers that the file names for itself: name, symbol, value.
     pub names: Vec<(String, Expr, DoubleDouble)>,
-    /// What to show; nothing if the file does not say.
+    /// Outputs to show; empty if the file states none.
     pub outputs: Vec<SceneOutput>,
 }
 
@@ -53,8 +53,8 @@ const KEYS: [&str; 19] = [
     "source",
 ];
 
-/// Reads a state, or the start of a scene, with what is sought of it. Numbers may stand in the stead of those of the file: of its
-/// names, of parameters, and of states.
+/// Reads a state, or the start of a scene, with the quantities sought of it. Given numbers replace those of the file:
+/// of its names, of parameters, and of states.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the file.
@@ -120,7 +120,7 @@ fn state_names(model: &Model) -> impl Iterator<Item = String> {
 type StatedValue = (Number, Expr, bool);
 
 impl<'a> Values<'a, '_> {
-    /// What every state file may have, its own names among it.
+    /// Reads the entries that every state file may have, among them its own names.
     pub(super) fn state_file(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         self.reader.schema(table);
         self.reader.allow(table, "a state file", &KEYS);
@@ -153,7 +153,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// Whether a name means something in formulas of the model's scenes.
+    /// True if a name means something in formulas of the model's scenes.
     fn is_of_model(&self, name: &str) -> bool {
         let model = &self.model;
         let own = |known: &str| known == name;

@@ -81,13 +81,14 @@ impl Grid {
         if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
     }
 
-    /// The names of what varies, in the order in which they were given.
+    /// Names of the numbers that vary, in the order in which they were given.
     #[must_use]
     pub fn names(&self) -> Vec<&str> {
         self.axes.iter().map(|axis| axis.name.as_str()).collect()
     }
 
-    /// What is probably not meant: an angle that goes to more than a turn, written as people write degrees.
+    /// Warnings about angles that were probably meant in degrees: they exceed one turn and have few decimals. One line
+    /// each.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
         let of = |axis: &Axis| {
@@ -138,7 +139,7 @@ fn stated_parameters(scene: &Scene, model: &mut Model) -> Result<Vec<Number>, Di
     Ok(parameters.expect("reported if missing"))
 }
 
-/// What an axis is read for.
+/// Scene and parameters for which an axis is read.
 struct Context<'c> {
     scene: &'c Scene,
     /// Values of all parameters of the scene.
@@ -222,7 +223,7 @@ impl Values<'_, '_> {
         }
     }
 
-    /// Where a number of this name stands in a scene.
+    /// Finds the number of a scene that has this name; reports a name that cannot be swept.
     pub(super) fn place(&mut self, name: &str, span: std::ops::Range<usize>, scene: &Scene) -> Option<Varied> {
         let model = &self.model;
         let by_rates = matches!(scene.exact.motion, Stated::Rates(_));

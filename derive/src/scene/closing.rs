@@ -8,7 +8,7 @@ use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// What may be left where every coordinate is stated, in as many digits as people write.
+/// Residual up to which a loop counts as closed if every coordinate is stated, in as many digits as people write.
 const STATED: f64 = 1e-9;
 impl<'a> Values<'a, '_> {
     /// The guesses of a scene for the coordinates that its start leaves open.
@@ -40,8 +40,9 @@ impl<'a> Values<'a, '_> {
         Some(guesses)
     }
 
-    /// Closes the loops by the coordinates that are not stated, or says by how much they are open. Variables that constraints fix are held at the values that
-    /// the start states of them, by their constraints. Returns what was solved for.
+    /// Closes the loops by the coordinates that are not stated, or reports by how much they are open. Variables that
+    /// constraints fix are held, by their constraints, at the values that the start states. Returns the coordinates
+    /// that were solved for.
     pub(super) fn close(
         &mut self,
         q: &mut [Option<Number>],
@@ -50,7 +51,7 @@ impl<'a> Values<'a, '_> {
         place: Range<usize>,
     ) -> Option<Vec<Closed>> {
         let free: Vec<usize> = (0..q.len()).filter(|at| q[*at].is_none()).collect();
-        // Where nothing is free they are looked at when all is known.
+        // If nothing is free, held variables are checked when all values are known.
         let held = if free.is_empty() { &[] } else { held };
         if self.model.loops.is_empty() && held.is_empty() {
             return Some(Vec::new());

@@ -1,7 +1,7 @@
 //! Contacts of a scene: where bodies meet, how they part, and what slows or holds them along the contact.
 //!
-//! Which contacts matter and how much a collision costs is what a scene supposes of its mechanism: the equations of the model stay
-//! what they are, and so does their hash.
+//! Contacts, and the energy that a collision costs, are assumptions of a scene about its mechanism. The equations of
+//! the model do not change with them, nor does their hash.
 
 use super::places::Places;
 use super::values::{Number, Values};
@@ -15,7 +15,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
-/// How much of the closing velocity, or of the impulse of compression, comes back.
+/// Law of restitution: it determines how much of the closing velocity, or of the impulse of compression, comes back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ImpactLaw {
     /// Newton's: the normal velocity after is −e times the one before, or more where other contacts push.
@@ -39,7 +39,7 @@ pub struct Impact {
     pub gap: Expr,
     /// Its rate in parameters, q and q̇.
     pub rate: Expr,
-    /// Velocities that no longer slip from the moment that the contact closes, in parameters, q, q̇ and u; none where it is smooth.
+    /// Velocities that no longer slip when the contact closes, in parameters, q, q̇ and u; empty for a smooth contact.
     pub slips: Vec<Expr>,
     /// Coulomb friction, for a contact that has it; it then has no velocities that do not slip.
     pub friction: Option<ContactFriction>,
@@ -67,7 +67,7 @@ pub struct ContactFriction {
 pub(super) struct Coefficients {
     /// The coefficient of restitution.
     restitution: Number,
-    /// That of friction, where it has one.
+    /// The coefficient of friction, if the contact has one.
     friction: Option<Number>,
 }
 
@@ -86,7 +86,8 @@ impl Impact {
 
 /// The most contacts of a scene: which of them push is looked for among all of their subsets.
 const MOST: usize = 10;
-/// The most contacts with friction: what they do is looked for among all combinations of sticking, slipping either way and opening.
+/// The most contacts with friction: their behaviour is sought among all combinations of sticking, slipping either way
+/// and opening.
 const MOST_ROUGH: usize = 4;
 /// The key of the section.
 const IMPACTS: &str = "impacts";

@@ -1,4 +1,4 @@
-//! What a scene puts in the stead of a model's inputs: numbers, formulas, tables.
+//! Values that a scene gives to a model's inputs: numbers, formulas, tables.
 
 use super::table::{Interpolation, interpolated};
 use super::values::{Number, Values};
@@ -20,12 +20,12 @@ const INPUTS: &str = "inputs";
 pub struct Given {
     /// In the order of the scene.
     pub bindings: Vec<Binding>,
-    /// Where the section is.
+    /// Byte range of the section in the file.
     pub place: Range<usize>,
 }
 
-/// Reads a scene for its model, which gets the formulas that the scene gives to its inputs: it is derived with them, and no other
-/// scene of it may have been read.
+/// Reads a scene for its model, and puts the formulas that the scene gives to inputs into the model. Equations are
+/// derived with these formulas, so no other scene of this model may have been read.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
@@ -71,7 +71,7 @@ impl<'a> Values<'a, '_> {
         given
     }
 
-    /// Whether a number for an input is one of its parameter.
+    /// True if a number given to an input is the value of a parameter.
     fn takes_numbers(&self, input: &Input) -> bool {
         input.is_parameter && self.model.bindings.iter().all(|binding| binding.input != input.name)
     }
@@ -79,7 +79,7 @@ impl<'a> Values<'a, '_> {
     /// The inputs to which the scene gives numbers, which are parameters, by place.
     pub(super) fn numbers_of_inputs(&mut self, table: &'a DeTable<'a>) -> Vec<(usize, Number, Range<usize>)> {
         let mut numbers = Vec::new();
-        // What is wrong with the section is reported where its formulas are read.
+        // Errors of the section are reported where its formulas are read.
         let Some(section) = table.get(INPUTS).and_then(|value| value.get_ref().as_table()) else { return numbers };
         for (name, value) in self.reader.entries(section) {
             let input = self.model.inputs.iter().find(|input| input.name == name.text);
@@ -98,7 +98,7 @@ impl<'a> Values<'a, '_> {
         numbers
     }
 
-    /// Whether a formula mentions nothing.
+    /// True if a formula is a number: it contains no name.
     fn is_number(formula: &Located) -> bool {
         let number = StatedUnit::of(&formula.text).map_or_else(|| formula.clone(), |stated| stated.number(formula));
         let mut known = |arena: &mut Arena, name: &str| match name {
@@ -108,7 +108,7 @@ impl<'a> Values<'a, '_> {
         parse(&mut Arena::new(), &number.text, &mut known).is_ok()
     }
 
-    /// Whether all that a formula mentions can be in an input; reports what cannot.
+    /// True if every name in a formula may occur in an input; reports those that may not.
     fn is_signal(&mut self, formula: &Located) -> bool {
         if Self::is_number(formula) {
             return true;

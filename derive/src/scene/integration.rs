@@ -1,4 +1,4 @@
-//! How a scene is integrated: method, solve, tolerances, steps, and the variables to integrate in.
+//! Integration of a scene: method, solve, tolerances, steps, and the variables to integrate in.
 
 use super::values::{Number, Values};
 use crate::algebra::Rational;
@@ -23,13 +23,13 @@ pub(crate) const SOLVES: [&str; Solve::ALL.len()] = [Solve::ALL[0].name(), Solve
 /// The one of them that takes no steps.
 pub const QUADRATURE: &str = "quadrature";
 
-/// How the accelerations are found.
+/// Method by which the accelerations are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Solve {
-    /// By elimination when the code was generated.
+    /// Elimination, when the code is generated.
     #[default]
     Eliminated,
-    /// By solving the linear system at each state.
+    /// Solution of the linear system at each state.
     Numeric,
 }
 
@@ -47,7 +47,7 @@ impl Solve {
     }
 }
 
-/// What each step of a run is projected onto.
+/// Invariant onto which each step of a run is projected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Project {
     /// The energy that the run has at its start.
@@ -67,12 +67,12 @@ impl Project {
     }
 }
 
-/// How to integrate.
+/// Settings of the integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Integration {
     /// The method's name, one of [`METHODS`].
     pub method: String,
-    /// How accelerations are found; the model decides if nothing is said.
+    /// Method by which accelerations are found; `None` leaves it to the model.
     pub solve: Option<Solve>,
     /// Relative tolerance.
     pub rtol: f64,
@@ -86,13 +86,13 @@ pub struct Integration {
     pub step_limit: u64,
     /// Number of equally spaced samples of the output; by default four points for each step.
     pub samples: Option<usize>,
-    /// Whether leaving the model's domain ends the run.
+    /// True if leaving the model's domain ends the run.
     pub domain_stops: bool,
-    /// Whether and onto what each step is projected.
+    /// Invariant onto which each step is projected, if any.
     pub project: Option<Project>,
     /// The distance that is integrated instead of a coordinate.
     pub distance: Option<Distance>,
-    /// Whether the scene's own equations may choose a distance: not if the file says `distance = "none"`.
+    /// True if the scene's own equations may choose a distance; false if the file says `distance = "none"`.
     pub may_measure: bool,
 }
 
@@ -100,7 +100,7 @@ const KEYS: [&str; 11] =
     ["method", "solve", "rtol", "atol", "step", "max_step", "step_limit", "samples", "domain", "project", "distance"];
 
 impl<'a> Values<'a, '_> {
-    /// The section `integration`; what is not said is the default.
+    /// The section `integration`; settings that are not stated have their defaults.
     pub fn integration(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Integration {
         let section = self.section(table, "integration");
         if let Some(section) = section {
@@ -232,7 +232,7 @@ impl<'a> Values<'a, '_> {
         found.map(|quarter_turns| Distance { coordinate, quarter_turns })
     }
 
-    /// One of these words.
+    /// Reads a key whose value is one of these words.
     pub fn choice(
         &mut self,
         section: Option<&'a DeTable<'a>>,

@@ -11,33 +11,33 @@ use tripos_traits::{DoubleDouble, Scalar};
 /// Steps of Newton's method, and halvings of one.
 const STEPS: usize = 100;
 const HALVINGS: usize = 40;
-/// What may be left of a loop, over the sum of the sizes of what it is made of.
+/// Residual up to which a loop counts as closed, over the sum of the sizes of its terms.
 const OPEN: f64 = 1e-13;
-/// What may be left likewise where all coordinates are held: they may be stated with fewer digits.
+/// Such a bound for a pose in which all coordinates are held: they may be stated with fewer digits.
 const HELD: f64 = 1e-9;
 /// Singular values below the largest times this do not count.
 const RANK: f64 = 1e-10;
-/// Where one of all loops is below the largest times this, they are dependent: a pose that is a double root is found to half
-/// of the digits.
+/// Ratio of the least to the largest singular value up to which loops are dependent. A pose that is a double root is
+/// found to half of the digits.
 const SINGULAR: f64 = 1e-6;
 
-/// The loops of a model, first those that tie it, then those that follow from them where all are closed; behind them variables that constraints fix, where they
-/// are held at values.
+/// Loops of a model: first those that tie it, then those that follow from them where all are closed. Behind them are
+/// variables that constraints fix, if they are held at values.
 pub struct Loops {
     values: Tape,
     slopes: Tape,
     names: Vec<String>,
-    /// How many tie the mechanism, and how many loops there are.
+    /// Number of loops that tie the mechanism; `count` is the number of all loops.
     independent: usize,
     count: usize,
-    /// At what the variables are held, to 32 digits.
+    /// Values at which the variables are held, to 32 digits.
     held: Vec<DoubleDouble>,
 }
 
-/// Where a search ended.
+/// Result of a search for a closed pose.
 pub(super) struct Found {
     pub q: Vec<f64>,
-    /// How far each loop is open.
+    /// Residual of each loop, in its unit.
     pub open: Vec<f64>,
     pub is_closed: bool,
     /// The pseudo-inverse of the slopes along the coordinates that were free.
@@ -83,13 +83,13 @@ impl Loops {
         }
     }
 
-    /// What each loop is called, and each variable that is held.
+    /// Names of the loops, then of the variables that are held.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         self.names.iter().map(String::as_str)
     }
 
-    /// Each loop that is to follow from the others: its name, how far it is open, in its unit, and that over the sum of the sizes of
-    /// what it is made of.
+    /// Loops that are to follow from the others: the name and residual of each, in its unit, and the residual over the
+    /// sum of the sizes of its terms.
     #[must_use]
     pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64, f64)> {
         let (open, slopes) = (self.open(p, q), self.slopes(p, q));
@@ -98,8 +98,8 @@ impl Loops {
         following.collect()
     }
 
-    /// A closed pose near another, of which some coordinates are held, to 32 digits; nothing where none is found, or the loops do not
-    /// determine the coordinates that are free.
+    /// Finds a closed pose near another, to 32 digits, in which some coordinates are held. `None` if none is found, or
+    /// if the loops do not determine the free coordinates.
     #[must_use]
     pub fn close(&self, p: &[DoubleDouble], q: &[DoubleDouble], free: &[usize]) -> Option<Vec<DoubleDouble>> {
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
@@ -131,13 +131,13 @@ impl Loops {
         Some(precise)
     }
 
-    /// How far each loop is open, in its unit.
+    /// Name and residual of each loop, in its unit.
     #[must_use]
     pub fn openings(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64)> {
         self.names.iter().map(String::as_str).zip(self.open(p, q)).collect()
     }
 
-    /// A loop that is to follow from the others and whose slopes do not.
+    /// Name of a loop that is to follow from the others, and whose slopes do not; `None` if all do.
     pub(super) fn not_following(&self, p: &[f64], q: &[f64]) -> Option<&str> {
         let slopes = self.slopes(p, q);
         let axes = slopes.rows(0, self.independent).transpose().qr().q();
@@ -148,7 +148,7 @@ impl Loops {
         })
     }
 
-    /// How far each loop is open, and each variable that is held from its value, in its unit.
+    /// Residual of each loop, then the deviation of each held variable from its value, in its unit.
     pub(super) fn open(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         let mut open = self.values.evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
@@ -157,7 +157,7 @@ impl Loops {
         open
     }
 
-    /// By how much each loop is open, to 32 digits: [`Self::open`].
+    /// Residuals as [`Self::open`] returns them, to 32 digits.
     pub(super) fn open_extended(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut open = self.values.to::<DoubleDouble>().evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
@@ -171,20 +171,20 @@ impl Loops {
         DMatrix::from_row_slice(values.len() / q.len().max(1), q.len(), &values)
     }
 
-    /// Whether every loop is closed to this part of what it is made of.
+    /// True if the residual of every loop is at most this part of the size of its terms.
     pub(super) fn is_closed(&self, p: &[f64], q: &[f64], open: &[f64], part: f64) -> bool {
         let slopes = self.slopes(p, q);
         open.iter().enumerate().all(|(row, open)| open.abs() <= part * size(&slopes, row, q))
     }
 
-    /// Whether the slopes of the loops are dependent.
+    /// True if the slopes of the loops are dependent.
     pub(super) fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
         let values = self.slopes(p, q).rows(0, self.independent).singular_values();
         self.independent > 0 && values.min() <= SINGULAR * values.max()
     }
 
-    /// Newton's method with halved steps, along these coordinates alone; where the loops leave some of them open, by the
-    /// smallest change.
+    /// Runs Newton's method with halved steps, along these coordinates alone. If the loops leave some of them open, it
+    /// takes the smallest change.
     pub(super) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> Found {
         let mut q = start.to_vec();
         let mut open = DVector::from_vec(self.open(p, &q));
@@ -224,7 +224,7 @@ impl Loops {
     }
 }
 
-/// The sum of the sizes of what a loop is made of.
+/// Sum of the sizes of the terms of a loop: |slope| max(1, |q|) of every coordinate.
 fn size(slopes: &DMatrix<f64>, row: usize, q: &[f64]) -> f64 {
     slopes.row(row).iter().zip(q).map(|(slope, q)| (slope * q).abs().max(slope.abs())).sum()
 }

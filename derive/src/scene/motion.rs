@@ -19,11 +19,11 @@ const MOST: usize = 1_000_000;
 pub struct Motion {
     /// Values of the parameters, in the order of the model.
     pub parameters: Vec<DoubleDouble>,
-    /// How it is given.
+    /// Form in which the motion is given.
     pub given: Given,
 }
 
-/// How a motion is given.
+/// Form of a given motion.
 #[derive(Clone, Debug)]
 pub enum Given {
     /// Coordinates, speeds and accelerations at instants.
@@ -48,11 +48,12 @@ pub struct Moving {
 /// Coordinates as functions of t.
 #[derive(Clone, Debug)]
 pub struct Formulas {
-    /// t.
+    /// Symbol of time t.
     pub time: Expr,
-    /// Each coordinate with its first and its second derivative, in parameters and t; nothing for those that loops are to determine.
+    /// Each coordinate with its first and its second derivative, in parameters and t; `None` for those that loops
+    /// determine.
     pub coordinates: Vec<Option<[Expr; 3]>>,
-    /// Where the others are looked for at first.
+    /// Guesses from which the search for the other coordinates starts; 0 for all others.
     pub guesses: Vec<f64>,
     /// The instants, s.
     pub instants: Vec<f64>,

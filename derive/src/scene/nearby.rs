@@ -1,6 +1,6 @@
-//! Scenes beside one: what derivatives of a start by one of its numbers are taken from.
+//! Neighbours of a scene, from which derivatives of its start by one of its numbers are computed.
 //!
-//! Invariant: every number that follows from the one that changes follows it to 32 digits: formulas, speeds from rates, and
+//! Invariant: every number that depends on the changed one follows it to 32 digits: formulas, speeds from rates, and
 //! coordinates that close loops.
 
 use super::state::Start;
@@ -56,7 +56,7 @@ impl<'a> Nearby<'a> {
         self.value
     }
 
-    /// The unit of what changes.
+    /// Unit of the number that changes.
     #[must_use]
     pub fn unit(&self) -> Unit {
         match self.place {

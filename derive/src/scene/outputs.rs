@@ -1,4 +1,4 @@
-//! What a scene wants to see, and what no rigid-body equations can show it.
+//! Outputs of a scene, and messages for quantities that rigid-body equations cannot show.
 
 use super::SceneOutput;
 use super::values::Values;
@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 /// Names of energies in outputs; a model's own names go first.
 pub const ENERGIES: [&str; 3] = ["kinetic_energy", "potential_energy", "total_energy"];
 
-/// Words for what is not in the equations, and what is said to who asks for it.
+/// Words for quantities that are not in the equations, and the message to a user who asks for one.
 const NOT_THERE: [(&[&str], &str); 4] = [
     (
         &["impact", "bounce", "rebound", "collision", "restitution"],

@@ -1,4 +1,5 @@
-//! Positions and velocities that formulas of scenes name: `p(P) @ N [3]`, `v(wheel, P) @ N [1]`, `omega(B) @ N [3]`, `distance(P, Q)`.
+//! Positions and velocities that formulas of scenes name: `p(P) @ N [3]`, `v(wheel, P) @ N [1]`, `omega(B) @ N [3]`,
+//! `distance(P, Q)`.
 
 use crate::algebra::calculus::Differential;
 use crate::algebra::parse::{VelocityName, VelocityOf};
@@ -12,7 +13,7 @@ use crate::model::Model;
 pub(super) struct Places(Option<(Frames, Motion)>);
 
 impl Places {
-    /// What a formula names, in q and q̇, or what of it the model does not have.
+    /// Component that a formula names, in q and q̇, or a message about a part of it that the model does not have.
     pub fn component(&mut self, model: &Model, arena: &mut Arena, name: &VelocityName<'_>) -> Result<Expr, Refused> {
         let (frames, motion) = self.0.get_or_insert_with(|| {
             let mut frames = Frames::new(&model.frames);
@@ -50,7 +51,7 @@ impl Places {
     }
 }
 
-/// What is wrong with a name, and what may be meant.
+/// Message about an unknown name, and the name that may be meant.
 type Refused = (String, Option<String>);
 
 fn place<'n>(what: &str, mut known: impl Iterator<Item = &'n str> + Clone, name: &str) -> Result<usize, Refused> {

@@ -1,8 +1,9 @@
 //! The motion at a start: the rates of all coordinates, from those that a file states and from the constraints.
 //!
-//! All conditions are linear in the rates: motion constraints, stated rates, speeds, and rates of variables that constraints fix. They are solved in
-//! doubles by singular values, and then to 32 digits with the same factors. Where a rate is left open the file has to state more: a speed
-//! does not tell the motion in a dead point, and a rate does not if it is that of a coordinate that cannot move.
+//! All conditions are linear in the rates: motion constraints, stated rates, speeds, and rates of variables that
+//! constraints fix. They are solved in doubles by singular values, and then to 32 digits with the same factors. If a
+//! rate is left open, the file has to state more. A speed does not determine the motion at a dead point, nor does the
+//! rate of a coordinate that cannot move.
 
 use super::start::Closed;
 use super::values::{Number, Values, doubles, extended};
@@ -18,12 +19,12 @@ use tripos_traits::{DoubleDouble, Scalar};
 const RANK: f64 = 1e-9;
 /// Components of a direction above this take part in it.
 const PART: f64 = 1e-6;
-/// How far a condition may be broken, over the largest rate and the length of its row.
+/// Residual up to which a condition holds, over the largest rate and the length of its row.
 const RESIDUAL: f64 = 1e-9;
 /// Refinements: each gives sixteen more digits.
 const REFINEMENTS: usize = 3;
 
-/// What a file states of a motion, by the places in the model.
+/// Motion that a file states, by indices into the lists of the model.
 #[derive(Default)]
 pub(super) struct StatedMotion {
     /// Rates of coordinates.
@@ -34,8 +35,8 @@ pub(super) struct StatedMotion {
     pub speeds: Vec<(usize, DoubleDouble)>,
 }
 
-/// What is linear in the rates, as one tape of parameters, coordinates and rates: motion constraints, generalized speeds, and the rates of variables that
-/// constraints fix.
+/// Terms that are linear in the rates, as one tape of parameters, coordinates and rates: motion constraints,
+/// generalized speeds, and the rates of variables that constraints fix.
 fn linear_in_rates(model: &Model) -> Tape {
     let arena = &mut model.arena.clone();
     let (coordinates, rates) = (model.q(), model.q_dot());
@@ -70,7 +71,8 @@ enum Of {
 }
 
 impl Values<'_, '_> {
-    /// The rates of all coordinates to 32 digits; reports rates that are left open, and statements that contradict one another.
+    /// Solves for the rates of all coordinates, to 32 digits. Reports rates that are left open, and statements that
+    /// contradict one another.
     pub(super) fn solve_motion(
         &mut self,
         stated: &StatedMotion,

@@ -5,10 +5,11 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
 use crate::model::{Model, TIME};
 use tripos_traits::DoubleDouble;
 
-/// The samples of a CSV file with the columns `q`, `u` and `u'` of the model's names, and `t` if it is there; other columns are no matter.
+/// Reads the samples of a CSV file with the columns `q`, `u` and `u'` of the model's names, and `t` if it is there.
+/// Other columns are ignored.
 ///
 /// # Errors
-/// [`Diagnostics`] with what is wrong with it.
+/// [`Diagnostics`] with the errors of the file.
 pub fn load_samples(source: &Source, model: &Model) -> Result<Vec<Moving>, Diagnostics> {
     let wrong =
         |message: String, help: String| Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)]);

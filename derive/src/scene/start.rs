@@ -1,4 +1,4 @@
-//! Where a scene begins, as its file states it.
+//! Start of a scene, as its file states it.
 
 use crate::algebra::Rational;
 use tripos_traits::DoubleDouble;
@@ -12,16 +12,16 @@ pub struct Exact {
     pub rational: Vec<Option<Rational>>,
     /// The coordinates.
     pub q: Vec<DoubleDouble>,
-    /// What moves.
+    /// Speeds or rates at the start.
     pub motion: Stated,
 }
 
-/// How a file states the motion at an instant.
+/// Motion at an instant, as a file states it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stated {
-    /// By every generalized speed u.
+    /// Every generalized speed u.
     Speeds(Vec<DoubleDouble>),
-    /// By every q′.
+    /// The rate q′ of every coordinate.
     Rates(Vec<DoubleDouble>),
 }
 
@@ -38,6 +38,6 @@ pub struct Closed {
     pub name: String,
     /// Its value.
     pub value: f64,
-    /// Whether it is a rate, which follows from the motion constraints and from what the start states of the motion.
+    /// True if it is a rate, which follows from the motion constraints and from the motion that the start states.
     pub is_rate: bool,
 }

@@ -25,16 +25,16 @@ pub struct Start {
     pub closed: Vec<Closed>,
 }
 
-/// How far a stated constrained variable may be from where its constraint puts it.
+/// Deviation up to which a stated variable satisfies the constraint that fixes it, over one plus the size of its value.
 const RESIDUAL: f64 = 1e-9;
 
-/// What is stated of a list, by its places.
+/// Numbers that are stated in a list, with their indices.
 fn by_place(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
     let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.extended())));
     stated.collect()
 }
 
-/// What files call the rate of a coordinate.
+/// Name of the rate of a coordinate in files.
 fn model_rate(model: &Model, at: usize) -> String {
     format!("{}'", model.coordinates[at].name)
 }
@@ -42,8 +42,9 @@ fn model_rate(model: &Model, at: usize) -> String {
 impl<'a> Values<'a, '_> {
     /// Every coordinate, and every speed or every q′: as (q, u).
     ///
-    /// Coordinates may be left out that close the loops, or that follow from stated values of variables that constraints fix; guesses of them are under the
-    /// key `guess` of `file`. Rates may be left out that follow from the others.
+    /// Coordinates may be left out that close the loops, or that follow from stated values of variables that
+    /// constraints fix. Guesses of them are under the key `guess` of `file`. Rates that follow from the others may be
+    /// left out.
     pub fn state(&mut self, file: &'a DeTable<'a>, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
         let before = self.reader.errors.len();
         let (n, p) = (self.model.coordinates.len(), self.model.speeds.len());
@@ -158,8 +159,8 @@ impl<'a> Values<'a, '_> {
         Some(())
     }
 
-    /// Reports what is missing beside the variables, this many, and their rates that are stated though constraints fix them; speeds and rates must not be
-    /// mixed.
+    /// Reports coordinates, speeds and rates that have no value. `held` and `fixed` are the numbers of stated variables
+    /// that constraints fix and of their stated rates. Speeds and rates must not be mixed.
     fn complete(
         &mut self,
         table: &'a DeTable<'a>,

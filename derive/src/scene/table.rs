@@ -1,7 +1,7 @@
 //! Tables of measured or planned signals as formulas of time.
 //!
-//! Between its rows a table is a polynomial. The formula adds up what the signal changes by in each interval, of a clock that goes on in
-//! that alone, so that nothing large is subtracted.
+//! Between its rows a table is a polynomial. The formula adds up the changes of the signal in all intervals. Each is a
+//! function of a clock that runs in that interval alone, so that nothing large is subtracted.
 
 use nalgebra::{DMatrix, DVector};
 use std::fmt::Write;
@@ -10,17 +10,17 @@ use std::path::Path;
 /// Rows that a table may have.
 const MOST_ROWS: usize = 250;
 
-/// What a table is between its rows.
+/// Interpolation of a table between its rows.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
-    /// Lines.
+    /// Straight lines.
     Linear,
-    /// The cubic spline with two continuous derivatives, and three next to the ends (C. de Boor, *A Practical Guide to Splines* (1978),
-    /// chapter IV: not-a-knot).
+    /// The cubic spline with two continuous derivatives, and three next to the ends (C. de Boor, *A Practical Guide to
+    /// Splines* (1978), chapter IV: not-a-knot).
     Cubic,
 }
 
-/// What is wrong with a table, and what would help.
+/// Message about a table, and advice.
 type Wrong = (String, String);
 
 /// The formula in t of a column of a CSV file over the column of time, for a run over `span`.

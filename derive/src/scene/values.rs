@@ -20,9 +20,9 @@ use tripos_traits::DoubleDouble;
 /// A number of a file.
 #[derive(Clone, Debug)]
 pub struct Number {
-    /// Rounded.
+    /// The number rounded to a double.
     pub double: f64,
-    /// As it is, where that is known: not for function values such as √2.
+    /// Exact value, where it is known: not for function values such as √2.
     pub exact: Option<Rational>,
     /// To 32 digits, where they are known.
     extended: DoubleDouble,
@@ -63,14 +63,14 @@ pub enum Varied {
     Speed(usize),
 }
 
-/// What does not change from one reading of a file to the next: its formulas, parsed.
+/// Parsed formulas of a file, which do not change from one reading to the next.
 #[derive(Default)]
 pub struct Terms {
-    /// By their places in the file.
+    /// Formulas by their places in the file.
     formulas: FxHashMap<usize, Term>,
     /// The generalized speeds as functions of parameters, q and q̇.
     pub(super) speeds: Option<Tape>,
-    /// What is linear in the rates: constraints and speeds.
+    /// Terms that are linear in the rates: constraints and speeds.
     pub(super) conditions: Option<Tape>,
 }
 
@@ -78,7 +78,7 @@ pub struct Terms {
 struct Term {
     expression: Expr,
     tape: Tape,
-    /// Whether it mentions a parameter.
+    /// True if the formula contains a parameter.
     varies: bool,
     /// Its value, once it was evaluated, if it mentions no parameter.
     constant: Option<Number>,
@@ -106,7 +106,7 @@ pub struct Values<'a, 'm> {
     pub instant: Option<Number>,
     /// Numbers that the file names for itself.
     pub names: Vec<(String, Expr, Number)>,
-    /// Whether formulas that are not rational are evaluated to 32 digits, as derivatives of a start need them.
+    /// True if formulas that are not rational are evaluated to 32 digits, as derivatives of a start require.
     pub is_wide: bool,
 }
 
@@ -182,7 +182,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// What is wrong with the value of a parameter that is stated to be positive.
+    /// Message about a parameter that is stated to be positive and is not; otherwise `None`.
     fn not_positive(&self, at: usize, number: &Number) -> Option<String> {
         let parameter = &self.model.parameters[at];
         (parameter.positive && number.double <= 0.0)
@@ -246,7 +246,7 @@ impl<'a> Values<'a, '_> {
         Some(number)
     }
 
-    /// Whether a formula that was evaluated mentions a parameter.
+    /// True if a formula that was evaluated contains a parameter.
     pub fn mentions(&self, formula: &Located, parameter: usize) -> bool {
         let term = self.terms.formulas.get(&formula.span.start);
         term.is_some_and(|t| self.model.arena.mentions(t.expression, self.model.parameters[parameter].symbol))
@@ -362,7 +362,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// A formula with what bodies exert on one another put in.
+    /// A formula, in which forces and torques between bodies are replaced by terms in reactions.
     fn with_interactions(&mut self, e: Expr, stated: &[StatedInteraction]) -> Option<Expr> {
         let mut pairs = Vec::new();
         for interaction in stated {

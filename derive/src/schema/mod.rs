@@ -1,7 +1,8 @@
-//! JSON Schemas of the files that people write, for editors: what keys there are, of what kind, and what they mean.
+//! JSON Schemas of the files that people write, for editors: their keys, with kinds and meanings.
 //!
-//! The tables beside this file say of each format what its reader takes; a test holds their keys against what readers know. A schema tells form: what names mean,
-//! units and mathematics are the readers' own.
+//! The tables beside this file state for each format what its reader accepts; a test compares their keys with those
+//! that the readers know. A schema describes form. The meaning of names, units and mathematics are checked by the
+//! readers.
 //!
 //! JSON Schema, draft 7, which editors of TOML know (<https://json-schema.org/draft-07>).
 
@@ -17,7 +18,7 @@ use serde_json::{Map, Value, json};
 pub enum Format {
     /// A mechanism, `model.toml`.
     Model,
-    /// What to run.
+    /// A run of a mechanism.
     Scene,
     /// One instant, given or sought.
     State,
@@ -69,7 +70,7 @@ impl Format {
     }
 }
 
-/// A key of a table, and what it means.
+/// A key of a table, and its meaning.
 pub(crate) struct Key {
     name: &'static str,
     kind: Kind,
@@ -77,10 +78,10 @@ pub(crate) struct Key {
     about: &'static str,
 }
 
-/// What may stand under a key.
+/// Kind of value that may stand under a key.
 #[derive(Clone, Copy)]
 pub(crate) enum Kind {
-    /// Words.
+    /// A text in words.
     Text,
     /// A number, or mathematics in quotes.
     Formula,
@@ -88,21 +89,21 @@ pub(crate) enum Kind {
     Vector,
     /// True or false.
     Flag,
-    /// A whole number from so many on.
+    /// A whole number that is at least this.
     Whole(u32),
     /// 1, 2 or 3.
     Axis,
-    /// One of these words.
+    /// A text that is one of these words.
     Word(&'static [&'static str]),
     /// The version of the format.
     Version,
-    /// A list.
+    /// A list of values of this kind.
     List(&'static Kind),
     /// A table whose keys are names, of things of this kind.
     Named(&'static Kind),
     /// A table with these keys.
     Table(&'static [Key]),
-    /// One of these.
+    /// A value of one of these kinds.
     Either(&'static [Kind]),
 }
 
@@ -116,7 +117,7 @@ pub(crate) const fn needed(name: &'static str, kind: Kind, about: &'static str) 
     Key { name, kind, is_needed: true, about }
 }
 
-/// What every format may state.
+/// Key that states the version of the format, which every format may have.
 pub(crate) const VERSION: Key = key("schema", Kind::Version, "the version of the format");
 
 /// The line of text that every entry may have.

@@ -1,4 +1,4 @@
-//! A whole chart: what a scene is charted to, its reference, its measurements.
+//! Whole chart of a scene: the charted span, the reference and the measurements.
 
 use super::{Measurement, Plan, Truth, measure};
 use crate::case::cases;
@@ -17,21 +17,21 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{Method, Options, Output, Stop};
 use tripos_traits::Real;
 
-/// Measurements and what they were held against.
+/// Measurements of a scene, with the reference and the quantities that they are measured against.
 pub struct Session {
-    /// Every point.
+    /// All measured points.
     pub list: Vec<Measurement>,
-    /// What errors are differences from.
+    /// Reference solution from which errors are measured.
     pub reference: Reference,
-    /// What is conserved.
+    /// First integrals of the motion.
     pub watch: Watch,
-    /// In what runs are compared, as a sentence, if not in all states.
+    /// Sentence that names the compared quantities; `None` if runs are compared in all states.
     pub compared: Option<String>,
     /// The instant at which errors were taken, s.
     pub until: f64,
-    /// Why that is before the end of the scene, if it is.
+    /// Reason why that instant is before the end of the scene; `None` if it is the end.
     pub cut: Option<String>,
-    /// What could not be charted, each with the reason.
+    /// Cases that could not be charted, each with the reason.
     pub left_out: Vec<String>,
 }
 
@@ -53,7 +53,7 @@ pub fn chart(
     let mut compared = Compared::new(model, &scene)?;
     let said = compared.said();
     if compared.is_empty() {
-        // Whole states show nothing of what the scene asks for: they are compared themselves.
+        // Whole states show none of the requested outputs, so the states themselves are compared.
         scene.states_outputs = false;
         compared = Compared::new(model, &scene)?;
         cases.retain(|case| case.reduction.is_none());

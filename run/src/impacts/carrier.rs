@@ -1,6 +1,6 @@
-//! The numbers that a run with contacts is made in.
+//! Kinds of numbers in which a run with contacts is computed: plain doubles, or numbers with slopes.
 //!
-//! What is decided, which contacts close, push and open, is decided by values alone; numbers with slopes beside their values go along.
+//! Values alone decide which contacts close, push and open. Slopes accompany the values and decide nothing.
 
 use super::contacts::Contacts;
 use super::happening::Happening;
@@ -9,58 +9,59 @@ use super::kept::Kept;
 use super::meeting::After;
 use tripos_sim::{RightHandSide, SimError};
 
-/// How the equations of a run are had, anew for each use.
+/// Function that makes the equations of a run, anew for each use.
 pub type Equations<'a> = dyn Fn() -> Result<Box<dyn RightHandSide<f64> + 'a>, SimError> + 'a;
 
-/// A state at which velocities jump, or at which contacts are let go or held from there on.
+/// A state at which velocities jump, or from which contacts are held or released.
 pub struct Crossing<'c> {
-    /// When, s.
+    /// Instant of the crossing, s.
     pub t: f64,
-    /// What happens; nothing where the run begins.
+    /// Change of a contact that caused the crossing; `None` at the start of the run.
     pub happening: Option<Happening>,
-    /// The state before.
+    /// State before the crossing.
     pub before: &'c [f64],
-    /// The contacts that were held before.
+    /// Contacts that were held before.
     pub kept: &'c Kept,
-    /// The state after, and how it came about.
+    /// State after the crossing, with the impact and the contacts that are held from there on.
     pub after: &'c After,
 }
 
-/// Where a gap is at its least, and next to nothing.
+/// A minimum of a gap that stays open but comes close to zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approach {
-    /// The contact.
+    /// Index of the contact.
     pub contact: usize,
-    /// When, s.
+    /// Instant of the minimum, s.
     pub t: f64,
-    /// The state.
+    /// State at the minimum.
     pub y: Vec<f64>,
 }
 
-/// What a run with contacts asks of the numbers it is made in.
+/// Operations that a run with contacts needs of the numbers in which it is computed.
 pub trait Carrier<S> {
-    /// The equations with the forces of these contacts.
+    /// Makes the equations with the forces of these held contacts.
     ///
     /// # Errors
     /// [`SimError`] if the question makes no sense.
     fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
 
-    /// Is told of each step inside a part, and when it ends, s: of all but the last.
+    /// Receives the end of each step inside a part of the run, s, except that of the last step.
     fn stepped(&self, _t: f64) {}
 
-    /// How small a gap must be at its least to be told of, as a part of what it is made of; nothing if that is of no use.
+    /// Relative gap below which a minimum of the gap is reported, over the size of the gap's terms. `None` if no report
+    /// is wanted.
     fn near(&self) -> Option<f64> {
         None
     }
 
-    /// Is told where the gap of a contact that stays open is at its least, and so small: derivatives may end there.
+    /// Receives a minimum of an open gap that is below [`Self::near`]. Derivatives may end there.
     fn nears(&self, _approach: &Approach) {}
 
-    /// The state after a crossing: the values that it has, and whatever goes along with them.
+    /// State after a crossing: its values, and the slopes that accompany them, if any.
     fn across(&self, crossing: &Crossing<'_>, before: &[S]) -> Vec<S>;
 }
 
-/// Doubles, with which nothing goes along.
+/// Carrier of plain doubles, which have no slopes.
 pub struct Doubles<'a> {
     pub contacts: &'a Contacts<'a>,
     pub equations: &'a Equations<'a>,

@@ -7,14 +7,15 @@ use tripos_sim::{EventRecord, Kind, Mode, Solution};
 use tripos_traits::Real;
 
 impl Bouncing<'_> {
-    /// What is held from the start, and what of that slips or sticks.
+    /// Events at the start: the contacts that are held, and those of them that slip or stick.
     pub(super) fn at_start(&self, base: usize, kept: &Kept, from: (f64, &[f64])) -> Vec<EventRecord> {
         let closed = kept.which.iter().map(|at| Happening::Closes(*at));
         let rough = kept.iter().filter_map(|(at, mode)| begun(at, None, Some(mode)));
         closed.chain(rough).map(|happening| self.record(base, happening, from, Kind::AtStart)).collect()
     }
 
-    /// Puts in place of what ended a part of a run, of contacts with friction, what they do from there on.
+    /// Replaces the events by which contacts with friction ended a part of the run by events for the modes that begin
+    /// there.
     pub(super) fn tell<S: Real>(&self, whole: &mut Solution<S>, base: usize, (before, after): (&Kept, &Kept)) {
         let count = self.contacts.impacts.len();
         let is_rough = |event: &EventRecord| {
@@ -31,7 +32,7 @@ impl Bouncing<'_> {
         }
     }
 
-    /// A record of a contact.
+    /// Makes the event record of a contact.
     fn record(&self, base: usize, happening: Happening, (t, y): (f64, &[f64]), kind: Kind) -> EventRecord {
         let event = base + happening.event(self.contacts.impacts.len());
         let name = happening.name(self.contacts.impacts);
@@ -39,7 +40,7 @@ impl Bouncing<'_> {
     }
 }
 
-/// What a contact with friction begins to do, if anything.
+/// Change of a contact with friction between two modes; `None` if nothing new begins.
 fn begun(contact: usize, before: Option<Mode>, after: Option<Mode>) -> Option<Happening> {
     match (before, after) {
         (Some(_), None) => Some(Happening::Opens(contact)),

@@ -1,4 +1,4 @@
-//! What is wrong with a part of a run that did not see what it had to.
+//! Checks of a finished part of a run for changes of contacts that it missed.
 
 use super::held::Held;
 use super::kept::Kept;
@@ -6,11 +6,11 @@ use super::{Bouncing, OVERLAP, values};
 use tripos_sim::{Failure, Mode, Solution, Stop};
 use tripos_traits::Real;
 
-/// A determinant below this part of what it is without slipping makes forces grow beyond bounds.
+/// Determinant, relative to its value without slip, below which forces grow without bound.
 pub const NEARLY: f64 = 1e-3;
 
 impl Bouncing<'_> {
-    /// What is said where a gap is below zero at the end of a part that did not see it close.
+    /// Failure if a gap is negative at the end of a part that did not see it close; otherwise `None`.
     pub(super) fn overlapping<S: Real>(&self, part: &Solution<S>, kept: &Kept) -> Option<Failure> {
         let y_end = values(&part.y_end);
         let rates = self.contacts.rates(&y_end);
@@ -30,21 +30,22 @@ impl Bouncing<'_> {
         Some(Failure { code: "contact", message })
     }
 
-    /// What is said where a contact with friction is not as it was held at the end of a part that did not see it change.
+    /// Failure if a contact with friction left its mode within a part that did not see the change; otherwise `None`.
     pub(super) fn unseen<S: Real>(&self, part: &Solution<S>, forces: &mut Held<'_>) -> Option<Failure> {
         let kept = forces.kept;
         if kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
             return None;
         }
         let (t, y) = (part.t_end, values(&part.y_end));
-        // What cannot be computed cannot be checked either.
+        // Modes cannot be checked where the forces cannot be computed.
         let (free, along) = match forces.free(t, &y).and_then(|free| Ok((forces.forces(&free)?, free))) {
             Ok((along, free)) => (free, along),
             Err(failure) => return Some(failure),
         };
         let accelerations = &free.accelerations + &free.response.compliance * &along;
         let rows = |contact: usize| (self.contacts.rows[contact][0], self.contacts.rows[contact][1]);
-        // What slips no faster than this rests: a small part of its speed in this part, and of that which all of the energy would give it.
+        // A slip no faster than this counts as rest. The limit is a small fraction of its largest speed in this part,
+        // or of the speed that all the energy would give it.
         let energy = self.contacts.kinetic_energy(&y);
         let largest = |row: usize| {
             let most = (2.0 * energy * free.response.compliance[(row, row)]).max(0.0).sqrt();
@@ -75,7 +76,7 @@ impl Bouncing<'_> {
         Some(Failure { code: "contact", message })
     }
 
-    /// What is said where forces of what slips grow beyond bounds, so that steps come to an end.
+    /// Failure if steps became too short because the forces of slipping contacts grow without bound; otherwise `None`.
     pub(super) fn jammed<S: Real>(&self, part: &Solution<S>, forces: &Held<'_>) -> Option<Failure> {
         let ends = matches!(part.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::NotConverged { .. });
         let (first, _) = forces.kept.slipping().next().filter(|_| ends)?;
@@ -83,7 +84,7 @@ impl Bouncing<'_> {
         (determinant.abs() < NEARLY).then(|| self.jams(first, part.t_end))
     }
 
-    /// That forces of what slips are not determined any more.
+    /// Failure that reports a slipping contact whose forces are no longer determined.
     pub(super) fn jams(&self, contact: usize, t: f64) -> Failure {
         let name = &self.contacts.impacts[contact].name;
         let message = format!(

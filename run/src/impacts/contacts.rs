@@ -1,8 +1,8 @@
 //! The contacts of a scene as numbers: gaps, the velocities along them, and what impulses and forces along them do.
 //!
-//! Everything is told of the permitted motions, q̇ = W u + w: impulses and forces go along the slopes of velocities in u, and change u
-//! by the inverse of the kinetic energy's matrix in u. So what ties the mechanism, loops and rolling among it, holds after an impact as before it, whichever
-//! variables are integrated.
+//! All quantities refer to the permitted motions, q̇ = W u + w. Impulses and forces act along the slopes of velocities
+//! in u, and change u by the inverse of the kinetic energy's matrix in u. So the constraints of the mechanism, such as
+//! loops and rolling, hold after an impact as before it, whichever variables are integrated.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use tripos_derive::Model;
@@ -13,10 +13,10 @@ use tripos_derive::scene::{Impact, ImpactLaw};
 use tripos_sim::{Closed, Failure, Mode, Undecided};
 use tripos_traits::{Enclosure, Interval, Lengths, System};
 
-/// Roundings of what a gap is made of below which it is closed.
+/// Gap up to which a contact counts as closed, relative to the size of the gap's terms.
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 
-/// Roundings of it that a flight must rise to be told from them.
+/// Least height of a flight that can be told from rounding, relative to the size of the gap's terms.
 const TOLD: f64 = 4096.0 * f64::EPSILON;
 
 /// The contacts of a scene in the variables that are integrated.
@@ -24,52 +24,53 @@ pub struct Contacts<'a> {
     pub system: &'a dyn System<f64>,
     pub parameters: &'a [f64],
     pub impacts: &'a [Impact],
-    /// Each gap in numbers and in ranges.
+    /// Tapes of each gap, in numbers and in ranges.
     pub gaps: Vec<(Tape, Tape<Enclosure>)>,
-    /// ∂gap/∂q, a row for each contact.
+    /// ∂gap/∂q, one row for each contact.
     slopes: Tape,
     /// The velocities of all rows, then their slopes along q and v, row by row, in parameters and state.
     pub rates: Tape,
-    /// The rows of each contact: that of its gap, then those of its slips, one of them where it has friction.
+    /// Rows of each contact: that of its gap, then those of its slips. A contact with friction has one slip.
     pub rows: Vec<Vec<usize>>,
-    /// How many rows there are.
+    /// Number of rows of all contacts.
     pub count: usize,
     /// The slip of each contact with friction, in parameters and state, in numbers and in ranges.
     pub slips: Vec<Option<(Tape, Tape<Enclosure>)>>,
 }
 
-/// The rows of all contacts at a state.
+/// Velocities along the rows of all contacts at a state, with their slopes.
 pub struct Rates {
-    /// The velocities.
+    /// Velocities along all rows.
     pub values: DVector<f64>,
-    /// Their slopes along the state, a row each.
+    /// Slopes of the velocities along the state, one row each.
     pub slopes: DMatrix<f64>,
 }
 
-/// How speeds, impulses and the kinetic energy go together at a state.
+/// Matrices that relate speeds, impulses and the kinetic energy at a state.
 pub struct Operators {
-    /// The motion variables that each speed alone gives, a column each.
+    /// Motion variables that each speed alone gives, one column each.
     pub basis: DMatrix<f64>,
-    /// The velocities of all rows by speeds, W.
+    /// Velocities of all rows per unit of each speed, W.
     pub of_u: DMatrix<f64>,
     /// M, the matrix of the kinetic energy in speeds, factored.
     pub inertia: Cholesky<f64, Dyn>,
 }
 
-/// What impulses do at a state.
+/// Response of the velocities to impulses at a state.
 pub struct Response {
-    /// The velocities of all rows.
+    /// Velocities of all rows before the impulses.
     pub velocities: DVector<f64>,
-    /// The parts of them that are there without speeds.
+    /// Parts of these velocities that remain if all speeds are zero.
     pub driven: DVector<f64>,
-    /// The change of the motion variables by a unit of impulse along each row, a column each.
+    /// Change of the motion variables per unit of impulse along each row, one column each.
     pub changes: DMatrix<f64>,
-    /// The change of the velocities of all rows, G.
+    /// Change of the velocities of all rows per unit of impulse, G.
     pub compliance: DMatrix<f64>,
 }
 
 impl<'a> Contacts<'a> {
-    /// The contacts of a scene of this model, for equations in the rates of coordinates or in generalized speeds.
+    /// Prepares the contacts of a scene of this model, for equations in the rates of coordinates or in generalized
+    /// speeds.
     pub fn new(
         model: &Model,
         impacts: &'a [Impact],
@@ -113,32 +114,33 @@ impl<'a> Contacts<'a> {
         Self { system, parameters, impacts, gaps, slopes, rates, rows, count: velocities.len(), slips }
     }
 
-    /// The coefficient of friction of a contact that has one.
+    /// Coefficient of friction of a contact; `None` if it has no friction.
     pub fn friction(&self, contact: usize) -> Option<f64> {
         self.impacts[contact].friction.as_ref().map(|friction| friction.coefficient)
     }
 
-    /// Whether friction at a contact has any force: without, it slips either way.
+    /// True if the friction of a contact has any force: its coefficient is above zero. Otherwise the contact slips
+    /// either way.
     pub fn is_rough(&self, contact: usize) -> bool {
         self.friction(contact).is_some_and(|mu| mu > 0.0)
     }
 
-    /// What a contact does that is held and does not slip.
+    /// Mode of a contact that is held and does not slip.
     pub fn firm(&self, contact: usize) -> Mode {
         if self.impacts[contact].friction.is_some() { Mode::Sticks } else { Mode::Pushes }
     }
 
-    /// The coefficient of restitution by which Newton's law turns the velocity of a gap: what opens gives nothing back.
+    /// Coefficient of restitution by which Newton's law reverses the velocity of a gap; zero for a gap that opens.
     pub fn turns(&self, contact: usize, velocities: &DVector<f64>) -> f64 {
         if velocities[self.rows[contact][0]] < 0.0 { self.impacts[contact].restitution } else { 0.0 }
     }
 
-    /// Parameters and a state.
+    /// Inputs of a tape: the parameters, then a state.
     fn inputs(&self, y: &[f64]) -> Vec<f64> {
         [self.parameters, y].concat()
     }
 
-    /// The coordinates of a state, and their count.
+    /// Number of coordinates in a state.
     fn coordinates(&self) -> usize {
         self.system.lengths().coordinates
     }
@@ -154,7 +156,7 @@ impl<'a> Contacts<'a> {
         DMatrix::from_row_slice(self.impacts.len(), n, &self.slopes.evaluate(&self.inputs(&y[..n])))
     }
 
-    /// The rows of all contacts.
+    /// Computes the velocities along the rows of all contacts, and their slopes.
     pub fn rates(&self, y: &[f64]) -> Rates {
         let out = self.rates.evaluate(&self.inputs(y));
         let (values, slopes) = out.split_at(self.count);
@@ -164,8 +166,8 @@ impl<'a> Contacts<'a> {
         }
     }
 
-    /// What a gap is made of: the size of which rounding is a part. That of coordinates, and that of all that is computed on the way, such as
-    /// lengths that cancel.
+    /// Size of the terms that a gap is computed from, relative to which its rounding is measured. It adds the terms of
+    /// the coordinates and those of the computation, such as lengths that cancel.
     pub fn made_of(&self, contact: usize, y: &[f64]) -> f64 {
         let of_coordinates: f64 =
             self.gap_slopes(y).row(contact).iter().zip(y).map(|(slope, q)| (slope * q).abs()).sum();
@@ -177,12 +179,13 @@ impl<'a> Contacts<'a> {
         if on_the_way.is_finite() { of_coordinates + on_the_way } else { of_coordinates }
     }
 
-    /// How small a gap must be to be one of rounding, or to close within `instant` s.
+    /// Gap up to which a contact counts as closed: rounding, or a gap that closes within `instant` s.
     pub fn closing_gap(&self, contact: usize, y: &[f64], rates: &Rates, instant: f64) -> f64 {
         ROUNDINGS * self.made_of(contact, y) + rates.values[self.rows[contact][0]].abs() * instant
     }
 
-    /// The velocity at which a flight under this acceleration takes no longer than `least` s, or rises no higher than can be told from rounding.
+    /// Velocity below which a flight under this acceleration is too short. Such a flight takes at most `least` s, or
+    /// rises no higher than rounding.
     pub fn slow(&self, contact: usize, y: &[f64], acceleration: f64, least: f64) -> f64 {
         let (height, a) = (TOLD * self.made_of(contact, y), acceleration.abs());
         (0.5 * least * a).max((2.0 * a * height).sqrt())
@@ -194,10 +197,10 @@ impl<'a> Contacts<'a> {
         self.system.kinetic_energy(self.parameters, q, v)
     }
 
-    /// How speeds and impulses go together.
+    /// Computes the matrices that relate speeds, impulses and the kinetic energy.
     ///
     /// # Errors
-    /// [`Failure`] where something that moves has no inertia.
+    /// [`Failure`] where a permitted motion has no inertia.
     pub fn operators(&self, y: &[f64], rates: &Rates) -> Result<Operators, Failure> {
         let n = self.coordinates();
         let q = &y[..n];
@@ -222,10 +225,10 @@ impl<'a> Contacts<'a> {
         Ok(Operators { basis, of_u, inertia })
     }
 
-    /// What impulses along the rows do.
+    /// Computes the response of the velocities to impulses along the rows.
     ///
     /// # Errors
-    /// As [`Contacts::operators`].
+    /// The same as [`Contacts::operators`].
     pub fn response(&self, y: &[f64], rates: &Rates) -> Result<Response, Failure> {
         let Operators { basis, of_u, inertia } = self.operators(y, rates)?;
         let (q, v) = y.split_at(self.coordinates());
@@ -236,14 +239,15 @@ impl<'a> Contacts<'a> {
         Ok(Response { velocities: rates.values.clone(), driven, changes: &basis * &moved, compliance: &of_u * moved })
     }
 
-    /// The motion variables of speeds.
+    /// Motion variables that belong to these speeds.
     fn variables(&self, q: &[f64], u: &[f64]) -> DVector<f64> {
         let mut v = vec![0.0; self.system.lengths().variables];
         self.system.motion_variables(self.parameters, q, u, &mut v);
         DVector::from_vec(v)
     }
 
-    /// The matrix of the kinetic energy in u, by its second differences, which are exact but for rounding: T is a quadratic form.
+    /// Matrix of the kinetic energy in u, by second differences. These are exact except for rounding, since T is a
+    /// quadratic form.
     fn inertia(&self, q: &[f64], basis: &DMatrix<f64>, rest: &DVector<f64>) -> DMatrix<f64> {
         let energy = |shift: DVector<f64>| self.system.kinetic_energy(self.parameters, q, (rest + shift).as_slice());
         let still = energy(DVector::zeros(rest.len()));
@@ -251,7 +255,7 @@ impl<'a> Contacts<'a> {
         let diagonal: Vec<f64> = (0..speeds)
             .map(|i| energy(basis.column(i).into_owned()) + energy(-basis.column(i)) - 2.0 * still)
             .collect();
-        // Directions of one energy, so that no speed drowns in the unit of another.
+        // Scales the directions to one energy, so that no speed drowns in the unit of another.
         let unit: Vec<DVector<f64>> = (0..speeds).map(|i| basis.column(i) / diagonal[i].sqrt()).collect();
         DMatrix::from_fn(speeds, speeds, |i, j| {
             if i == j {
@@ -263,7 +267,7 @@ impl<'a> Contacts<'a> {
         })
     }
 
-    /// These contacts, closed at one instant, and where their rows are among all.
+    /// System of these contacts, closed at one instant, and the indices of their rows among all rows.
     pub fn closed(&self, response: &Response, contacts: &[usize]) -> (Closed, Vec<usize>) {
         let all: Vec<usize> = contacts.iter().flat_map(|at| self.rows[*at].clone()).collect();
         let mut next = 0..;
@@ -273,15 +277,16 @@ impl<'a> Contacts<'a> {
         (Closed { compliance, rows, friction }, all)
     }
 
-    /// Whether the scene has Poisson's law: else Newton's.
+    /// True if the scene has Poisson's law of impact; otherwise it has Newton's.
     pub fn is_poisson(&self) -> bool {
         self.impacts.first().is_some_and(|impact| impact.law == ImpactLaw::Poisson)
     }
 
-    /// The impulses of contacts that are closed together, along all rows, by the law of the scene, from the velocities of all rows before.
+    /// Impulses along all rows of contacts that are closed together. The scene's law of impact gives them from the
+    /// velocities of all rows before.
     ///
     /// # Errors
-    /// [`Undecided`] if none part them, or different ones would.
+    /// [`Undecided`] if no impulses part the contacts, or several do.
     pub fn impulses(
         &self,
         response: &Response,
@@ -299,7 +304,7 @@ impl<'a> Contacts<'a> {
         Ok(self.spread(&some?, &rows))
     }
 
-    /// Values of some rows among those of all, the others being 0.
+    /// Spreads the values of some rows over all rows; the others are 0.
     pub fn spread(&self, some: &DVector<f64>, rows: &[usize]) -> DVector<f64> {
         let mut all = DVector::zeros(self.count);
         for (row, value) in rows.iter().zip(some.iter()) {
@@ -309,7 +314,7 @@ impl<'a> Contacts<'a> {
     }
 }
 
-/// The slopes of a term along symbols.
+/// Partial derivatives of a term by symbols.
 fn along(arena: &mut Arena, e: Expr, symbols: &[Expr]) -> Vec<Expr> {
     symbols.iter().map(|symbol| Differential::partial(*symbol).apply(arena, e)).collect()
 }

@@ -1,8 +1,8 @@
-//! What happens to contacts, and the events by which that is reported.
+//! Changes of contacts, and the events by which they are reported.
 
 use tripos_derive::scene::Impact;
 
-/// Why a part of a run ended, or what a contact begins to do, by the place of the contact.
+/// Change of a contact that ends a part of a run, or that begins there. It holds the index of the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Happening {
     /// A gap closed.
@@ -11,18 +11,18 @@ pub enum Happening {
     Opens(usize),
     /// A force along a contact is more than friction can bear.
     Slips(usize),
-    /// A contact no longer slips. Where a part ended so it may slip the other way from there.
+    /// A contact no longer slips. It may slip the other way in the next part.
     Sticks(usize),
     /// A contact slips the other way.
     Reverses(usize),
     /// The forces of what slips are no longer determined.
     Jams(usize),
-    /// A gap is as small as it becomes before it grows again: nothing changes there.
+    /// A gap is at its minimum and grows again: no contact changes.
     Nears(usize),
 }
 
 impl Happening {
-    /// The contact, and the place among what may happen to it.
+    /// Index of the contact, and of the kind of change.
     fn parts(self) -> (usize, usize) {
         match self {
             Self::Closes(at) => (at, 0),
@@ -35,25 +35,25 @@ impl Happening {
         }
     }
 
-    /// The contact.
+    /// Index of the contact that changes.
     pub fn contact(self) -> usize {
         self.parts().0
     }
 
-    /// Its number among the events of so many contacts.
+    /// Number of this change among the events of this many contacts.
     pub fn event(self, contacts: usize) -> usize {
         let (at, what) = self.parts();
         what * contacts + at
     }
 
-    /// What has a number.
+    /// Change that has this event number; `None` if there is none.
     pub fn of_event(event: usize, contacts: usize) -> Option<Self> {
         let at = event % contacts;
         let what = [Self::Closes, Self::Opens, Self::Slips, Self::Sticks, Self::Reverses, Self::Jams, Self::Nears];
         what.get(event / contacts).map(|what| what(at))
     }
 
-    /// The name of its event.
+    /// Name of the event of this change.
     pub fn name(self, impacts: &[Impact]) -> String {
         let name = &impacts[self.contact()].name;
         let what = match self {

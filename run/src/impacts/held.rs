@@ -1,8 +1,9 @@
 //! Motions in which contacts are held closed.
 //!
-//! The forces of held contacts keep the velocities along their rows at zero: G λ + a = 0 with the accelerations a that the rows would have without
-//! them. Where a contact slips, its row along the slip is let go, and friction, −μ s times its force along the gap, stands in the same system. They join whatever
-//! equations run, as v̇ + M⁻¹ Wᵀ λ, and steps end on the contacts, as on any constraint.
+//! The forces of held contacts keep the velocities along their rows at zero: G λ + a = 0, where a is the accelerations
+//! of the rows without these forces. Where a contact slips, its row along the slip is released. Friction, −μ s times
+//! the force along the gap with s the sign of the slip, enters the same system. The forces join any equations, as v̇ +
+//! M⁻¹ Wᵀ λ. Each step ends on the contacts, as on any constraint.
 
 use super::contacts::{Contacts, Rates, Response};
 use super::kept::Kept;
@@ -13,26 +14,26 @@ use tripos_sim::{Failure, RightHandSide};
 pub struct Held<'a> {
     pub rhs: Box<dyn RightHandSide<f64> + 'a>,
     pub contacts: &'a Contacts<'a>,
-    /// Which are held, and how.
+    /// Contacts that are held, with the mode of each.
     pub kept: &'a Kept,
 }
 
-/// What the contacts would do at a state without forces, and what forces do.
+/// Motion of the contacts at a state without their forces, and the response to forces.
 pub struct Free {
     /// ẏ without forces.
     pub rates: Vec<f64>,
-    /// The accelerations of all rows.
+    /// Accelerations of all rows without the forces.
     pub accelerations: DVector<f64>,
-    /// The sizes of what these are the sums of.
+    /// Sizes of the terms whose sums these accelerations are.
     pub sizes: DVector<f64>,
     pub response: Response,
 }
 
-/// Below this part of what would stop all that an acceleration is made of a force is rounding.
+/// Forces below this fraction of [`Free::force_of_size`] count as rounding.
 const ROUNDED: f64 = 1e-12;
 
 impl Free {
-    /// The force that would stop all that the acceleration of a row is made of.
+    /// Force that would cancel all terms of a row's acceleration if they had one sign.
     pub fn force_of_size(&self, row: usize) -> f64 {
         let g = self.response.compliance[(row, row)];
         if g > 0.0 { self.sizes[row] / g } else { 0.0 }
@@ -40,7 +41,7 @@ impl Free {
 }
 
 impl Held<'_> {
-    /// What the contacts would do without forces.
+    /// Computes the motion of the contacts without their forces.
     ///
     /// # Errors
     /// [`Failure`] where the equations have no value.
@@ -57,7 +58,7 @@ impl Held<'_> {
     /// The forces of the held contacts along all rows.
     ///
     /// # Errors
-    /// [`Failure`] where there are none.
+    /// [`Failure`] where the forces are not finite.
     pub fn forces(&self, free: &Free) -> Result<DVector<f64>, Failure> {
         let (closed, rows) = self.contacts.closed(&free.response, &self.kept.which);
         let some = closed.hold(&free.accelerations.select_rows(&rows), &self.kept.modes).ok_or_else(|| Failure {
@@ -67,14 +68,14 @@ impl Held<'_> {
         Ok(self.contacts.spread(&some, &rows))
     }
 
-    /// By how much the force along the gap of a contact is above what is none but for rounding, in N where the gap is in m; not a number where it has none.
+    /// Force along the gap of a contact plus a margin for rounding, in N where the gap is in m. NaN where it has none.
     pub fn normal(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let row = self.contacts.rows[contact][0];
         let force = self.free(t, y).and_then(|free| Ok(self.forces(&free)?[row] + ROUNDED * free.force_of_size(row)));
         force.unwrap_or(f64::NAN)
     }
 
-    /// By how much the force along the slip of a contact that sticks is below what friction can bear; not a number where it has none.
+    /// Friction limit of a sticking contact minus the size of its force along the slip. NaN where it has no force.
     pub fn margin(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let mu = self.contacts.friction(contact).unwrap_or(0.0);
         let forces = self.free(t, y).and_then(|free| self.forces(&free));
@@ -82,7 +83,7 @@ impl Held<'_> {
         forces.map_or(f64::NAN, |forces| mu * forces[rows[0]] - forces[rows[1]].abs())
     }
 
-    /// The determinant of the system that the forces follow from, in units in which all rows are alike; not a number where there is none.
+    /// Determinant of the system that gives the forces, in units in which all rows are alike. NaN where there is none.
     pub fn determinant(&self, y: &[f64]) -> f64 {
         let response = self.contacts.response(y, &self.contacts.rates(y));
         let of = |response: Response| self.contacts.closed(&response, &self.kept.which).0.determinant(&self.kept.modes);
@@ -100,7 +101,7 @@ impl Held<'_> {
         power.unwrap_or(f64::NAN)
     }
 
-    /// The rows that are held.
+    /// Indices of the rows that are held.
     pub fn rows(&self) -> Vec<usize> {
         self.kept.rows(self.contacts)
     }

@@ -1,36 +1,36 @@
-//! Which contacts are held, and what each of them does.
+//! Contacts that are held, and the mode of each of them.
 
 use super::contacts::Contacts;
 use tripos_sim::Mode;
 
-/// Contacts that are held, each with what it does: it pushes, sticks or slips.
+/// Contacts that are held, each with its mode: it pushes, sticks or slips.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Kept {
     pub which: Vec<usize>,
-    /// In the same order.
+    /// Modes of the contacts, in the same order.
     pub modes: Vec<Mode>,
 }
 
-/// No contacts.
+/// Empty list of held contacts.
 pub static NONE: Kept = Kept { which: Vec::new(), modes: Vec::new() };
 
 impl Kept {
-    /// Whether nothing is held.
+    /// True if no contact is held.
     pub fn is_empty(&self) -> bool {
         self.which.is_empty()
     }
 
-    /// The contacts with what they do.
+    /// Iterates over the held contacts with their modes.
     pub fn iter(&self) -> impl Iterator<Item = (usize, Mode)> + '_ {
         self.which.iter().copied().zip(self.modes.iter().copied())
     }
 
-    /// What a contact does; nothing if it is not held.
+    /// Mode of a contact; `None` if it is not held.
     pub fn mode(&self, contact: usize) -> Option<Mode> {
         self.iter().find(|(at, _)| *at == contact).map(|(_, mode)| mode)
     }
 
-    /// Adds a contact.
+    /// Adds a contact with its mode.
     pub fn push(&mut self, contact: usize, mode: Mode) {
         self.which.push(contact);
         self.modes.push(mode);
@@ -44,7 +44,7 @@ impl Kept {
         })
     }
 
-    /// The rows that are held: of what slips that of the gap alone.
+    /// Indices of the rows that are held; for a slipping contact only the row of its gap.
     pub fn rows(&self, contacts: &Contacts<'_>) -> Vec<usize> {
         let held = |(at, mode): (usize, Mode)| {
             let rows = &contacts.rows[at];

@@ -1,4 +1,4 @@
-//! What happens where contacts are closed together: an impact, and which of them are held from there on.
+//! Impacts of contacts that are closed together, and the contacts that are held afterwards.
 
 use super::checked::NEARLY;
 use super::contacts::Response;
@@ -9,7 +9,7 @@ use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
 use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
 
-/// Contacts that are closed at one instant, those of them that were held before, and what happens there.
+/// Contacts that are closed at one instant, those of them that were held before, and the change there.
 pub struct Meeting<'m> {
     pub closed: &'m [usize],
     pub kept: &'m Kept,
@@ -17,7 +17,7 @@ pub struct Meeting<'m> {
 }
 
 impl Meeting<'_> {
-    /// The contact that opens there.
+    /// Contact that opens there; `None` if none does.
     fn opens(&self) -> Option<usize> {
         match self.happening {
             Some(Happening::Opens(contact)) => Some(contact),
@@ -26,61 +26,62 @@ impl Meeting<'_> {
     }
 }
 
-/// A meeting whose impact is over, if there was one.
+/// A meeting of contacts after its impact, if there was one.
 pub struct Met<'m> {
     pub meeting: &'m Meeting<'m>,
     pub is_hit: bool,
-    /// By what the velocities of rows are measured.
+    /// Reference speed of each row: a velocity far below it counts as zero.
     pub scale: &'m DVector<f64>,
-    /// The accelerations of rows before.
+    /// Accelerations of the rows before the meeting.
     pub before: &'m DVector<f64>,
-    /// Whether the forces before were about to grow beyond bounds.
+    /// True if the forces before were about to grow without bound.
     pub is_jamming: bool,
 }
 
-/// What becomes of contacts that are closed: which are held, and which would bounce too short.
+/// Contacts that are held after a meeting, and contacts whose next bounce would be too short.
 struct Settled {
     kept: Kept,
     short: Vec<usize>,
-    /// Those that would bounce too short and are not held, as if they were.
+    /// Contacts that would bounce too short and are not held, with the modes that they would have.
     more: Kept,
 }
 
-/// How many impacts at one instant may follow one another.
+/// Largest number of impacts that may follow one another at one instant.
 const MOST: usize = 1_000;
 
-/// A state after velocities jumped, if they did, and which contacts are held from there on.
+/// State after a meeting, at which velocities may have jumped, and the contacts that are held from there on.
 #[derive(Clone, Debug)]
 pub struct After {
     pub y: Vec<f64>,
     pub record: Option<ImpactRecord>,
     pub kept: Kept,
-    /// The contacts that were closed.
+    /// Contacts that were closed at the instant.
     pub closed: Vec<usize>,
-    /// Those that had impulses by the law of impact, together: one list after the other where an impact closes what had opened. None if nothing was hit.
+    /// Contacts that had impulses together by the law of impact, one list for each impact of the instant. A further
+    /// impact follows where one closes a contact that had opened. Empty if nothing was hit.
     pub hits: Vec<Vec<usize>>,
-    /// Which of them were then brought to rest, and what each did meanwhile.
+    /// Contacts of these that were then brought to rest, each with its mode meanwhile.
     pub rested: Kept,
 }
 
 impl After {
-    /// A state at which nothing is closed.
+    /// State at which no contact is closed.
     pub fn unchanged(y: &[f64]) -> Self {
         let none = Kept::default;
         Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), hits: Vec::new(), rested: none() }
     }
 }
 
-/// An impact.
+/// An impact, and the contacts that it hit.
 struct Hit {
     blow: Blow,
     /// The contacts that hit, one list for each impact of the instant: [`After::hits`].
     hits: Vec<Vec<usize>>,
-    /// By what the velocities of rows are measured: their parts before, and what each impulse did to them.
+    /// Reference speed of each row: its parts before, and the changes by each impulse.
     scale: DVector<f64>,
 }
 
-/// Impulses along all rows together, and what they did.
+/// Impulses along all rows together, and their effects.
 struct Blow {
     y: Vec<f64>,
     impulses: DVector<f64>,
@@ -89,7 +90,7 @@ struct Blow {
 }
 
 impl Bouncing<'_> {
-    /// Contacts that are closed at an instant: an impact if one of them closes further, then what is held.
+    /// Handles contacts that are closed at an instant: an impact if one of them closes further, then the holding.
     pub(super) fn meet(
         &self,
         (t, y): (f64, &[f64]),
@@ -135,7 +136,7 @@ impl Bouncing<'_> {
         Ok(After { y: blow.y, record, kept, closed, hits, rested })
     }
 
-    /// That an impact would create energy.
+    /// Failure that reports an impact that would create energy.
     fn gains(&self, t: f64, meeting: &Meeting<'_>, gained: f64) -> Failure {
         let has_friction = meeting.closed.iter().any(|at| self.contacts.friction(*at).is_some());
         let why = if has_friction {
@@ -147,9 +148,11 @@ impl Bouncing<'_> {
         Failure { code: "impact", message: format!("the impact at t = {t} s would create energy, {gained} J: {why}") }
     }
 
-    /// The impact of contacts that are closed together, and which of them had impulses, one list after the other; no impulses where nothing closes.
+    /// Computes the impact of contacts that are closed together, with a list of the contacts hit in each impact. There
+    /// are no impulses if no contact closes.
     ///
-    /// By Newton's law, which turns velocities, what opens takes no part: where an impact closes it, that is another impact at the same instant.
+    /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact closes it, another
+    /// impact follows at the same instant.
     fn hit(&self, (t, y): (f64, &[f64]), meeting: &Meeting<'_>) -> Result<Hit, Failure> {
         let rates = self.contacts.rates(y);
         let response = self.contacts.response(y, &rates)?;
@@ -164,7 +167,8 @@ impl Bouncing<'_> {
             );
             return Err(Failure { code: "impact", message });
         }
-        // What was held has no velocity but for rounding, by which nothing is measured where all comes to rest.
+        // The velocity of a contact that was held is rounding and starts no impact: where everything comes to rest, the
+        // reference speed is as small.
         let (mut all, mut hits) = (DVector::zeros(self.contacts.count), Vec::<Vec<usize>>::new());
         while meeting.opens().is_none() {
             let now = &response.velocities + &response.compliance * &all;
@@ -181,7 +185,7 @@ impl Bouncing<'_> {
             let hit: Vec<usize> = closed.iter().copied().filter(takes_part).collect();
             let impulses = self.contacts.impulses(&response, &now, &hit);
             let impulses = impulses.map_err(|why| self.undecided(t, &hit, "no impulses part what closes", &why))?;
-            // What an impulse gave and another took away is rounding as well.
+            // Impulses that cancel one another leave rounding as well.
             scale += response.compliance.abs() * impulses.abs();
             all += impulses;
             hits.push(hit);
@@ -191,7 +195,7 @@ impl Bouncing<'_> {
         if blow.loss < -told { Err(self.gains(t, meeting, -blow.loss)) } else { Ok(Hit { blow, hits, scale }) }
     }
 
-    /// That impacts of contacts that are closed follow one another without end.
+    /// Failure that reports impacts of closed contacts that follow one another without end.
     fn unending(&self, t: f64, closed: &[usize]) -> Failure {
         let names: Vec<String> = closed.iter().map(|at| format!("`{}`", self.contacts.impacts[*at].name)).collect();
         let message = format!(
@@ -201,7 +205,8 @@ impl Bouncing<'_> {
         Failure { code: "impact", message }
     }
 
-    /// Which of the contacts that are closed and at rest are pushed together and stay so, and of which others the next flight would be too short.
+    /// Finds the closed contacts at rest that are pushed together and stay so, and those others whose next flight would
+    /// be too short.
     fn settle(&self, free: &mut Held<'_>, (t, y): (f64, &[f64]), met: &Met<'_>) -> Result<Settled, Failure> {
         let (meeting, scale) = (met.meeting, met.scale);
         let now = free.free(t, y)?;
@@ -211,7 +216,7 @@ impl Bouncing<'_> {
             let rests = !met.is_hit && meeting.kept.mode(*at).is_some();
             rests || velocity(at).abs() <= NOTHING * scale[normal(at)]
         };
-        // What a flight of the shortest time could give.
+        // Largest velocity whose flight is too short.
         let slow = |at: &usize, accelerations: &DVector<f64>| {
             self.contacts.slow(*at, y, accelerations[normal(at)], self.least)
         };
@@ -221,13 +226,13 @@ impl Bouncing<'_> {
             meeting.closed.iter().copied().filter(stays).partition(|at| is_still(at) || is_slow(at));
         let (modes, forces) = self.modes(free, (t, y), &now, &rest, met)?;
         let accelerations = &now.accelerations + &now.response.compliance * &forces;
-        // Where friction presses as much as it comes of, a force passes beyond bounds, and nothing opens.
+        // Where friction adds as much pressure as causes it, a force passes infinity and the contact does not open.
         let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();
         if let Some(contact) = meeting.opens().filter(|at| met.is_jamming && closes(at)) {
             return Err(self.jams(contact, t));
         }
         let nothing = |at: &usize| NOTHING * now.accelerations.amax().max(now.sizes[normal(at)]);
-        // What neither pushes nor opens stays as well, if that takes no friction.
+        // A contact that neither pushes nor opens stays held as well, if that takes no friction.
         let lies = |at: &usize| self.contacts.rows[*at].len() == 1 && accelerations[normal(at)] <= nothing(at);
         let mut kept = Kept::default();
         for (at, mode) in rest.iter().zip(modes) {
@@ -253,7 +258,8 @@ impl Bouncing<'_> {
         Ok(Settled { kept, short, more })
     }
 
-    /// What takes the last velocities from contacts that are to be held, and whether one of them slips that is not to; nothing if they have none.
+    /// Computes the impulses that remove the last velocities of contacts that are to be held. The flag is true if a
+    /// contact slips that must not. `None` if there are no velocities.
     fn bring_to_rest(&self, y: &[f64], kept: &Kept, met: &Met<'_>) -> Result<Option<(Blow, bool)>, Failure> {
         let response = self.contacts.response(y, &self.contacts.rates(y))?;
         if kept.rows(self.contacts).iter().all(|row| response.velocities[*row] == 0.0) {
@@ -274,7 +280,7 @@ impl Bouncing<'_> {
         Ok(Some((struck(y, &response, self.contacts.spread(&some, &rows)), slipping)))
     }
 
-    /// By what the velocities of rows are measured: their parts by each motion variable, and what drives them.
+    /// Reference speeds of the rows: the sum of their parts by each motion variable, and the part of moving obstacles.
     fn speeds(&self, y: &[f64]) -> Result<DVector<f64>, Failure> {
         let rates = self.contacts.rates(y);
         let driven = self.contacts.response(y, &rates)?.driven;
@@ -287,7 +293,7 @@ impl Bouncing<'_> {
     }
 }
 
-/// What impulses along all rows do to a state.
+/// Applies impulses along all rows to a state.
 fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
     let mut after = y.to_vec();
     let changes = &response.changes * &impulses;
@@ -302,8 +308,9 @@ fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
     Blow { y: after, impulses, loss, work }
 }
 
-/// How much energy impulses must add to be told from rounding, J: a small part of what each does to the velocity before it and to that after it, and what it does to a velocity
-/// that is none beside what it is made of. Both may cancel: an elastic impact turns each velocity, and adds nothing.
+/// Least energy that impulses must add to be told from rounding, J. It is the sum over impulses times a small fraction
+/// of the velocities before and after. Each impulse times a velocity that is rounding is added. Both may cancel: an
+/// elastic impact reverses each velocity and adds nothing.
 fn told(response: &Response, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
     let (before, after) = (&response.velocities, &response.velocities + &response.compliance * impulses);
     let of = |row: usize| NOTHING.sqrt() * (before[row].abs() + after[row].abs()) + NOTHING * scale[row];

@@ -1,12 +1,13 @@
 //! Runs of scenes with contacts: bodies meet, bounce, stay together and part again.
 //!
-//! A run is made of parts. Each ends at the root of a gap that closes, or of a force that no longer pushes, and the next one begins at that
-//! instant with the velocities that the law of impact leaves: no step goes across a jump. What an impact does follows from all contacts that are closed at
-//! its instant together ([`tripos_sim::Closed`]); what is closed and would be pushed together is held ([`held`]). A contact with friction is held along its gap, and along
-//! its slip while it sticks ([`slipping`]): where it begins to slip, or no longer does, another part begins.
+//! A run consists of parts. Each part ends at the root of a gap that closes, or of a force that no longer pushes. The
+//! next part begins at that instant with the velocities that the law of impact leaves: no step crosses a jump. The
+//! effect of an impact follows from all contacts that are closed at its instant together ([`tripos_sim::Closed`]).
+//! Closed contacts that would be pushed together are held ([`held`]). A contact with friction is held along its gap,
+//! and along its slip while it sticks ([`slipping`]). Another part begins where it begins or ceases to slip.
 //!
-//! Bounces that become ever shorter have no end in numbers: where the next flight would be shorter than [`LEAST`] of the time scale, or no higher than the
-//! rounding of its gap can tell, the contact is held instead.
+//! Bounces that become ever shorter have no end in numbers. The contact is held instead where its next flight would be
+//! shorter than [`LEAST`] of the time scale, or no higher than the rounding of its gap.
 //!
 //! The work of impacts is part of the work of the run, so that T + V less the work is constant across them.
 
@@ -42,25 +43,27 @@ use watching::passed_on;
 /// Power at a state, W.
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// The part of the time scale, which is the later of the ends of the span, that the shortest flight lasts: 2⁻³⁸. Instants are known to some 2⁻⁵⁰ of it.
+/// Duration of the shortest flight, 2⁻³⁸, relative to the time scale, which is the later of the ends of the span.
+/// Instants are known to some 2⁻⁵⁰ of it.
 pub const LEAST: f64 = 1.0 / 274_877_906_944.0;
-/// What counts as no velocity, over the largest of the contacts' before an impact, and as no acceleration likewise.
+/// Relative size up to which a velocity counts as zero, over the largest of the contacts before an impact.
+/// Accelerations likewise.
 const NOTHING: f64 = 1e-10;
-/// Up to when a gap that opens may be at its least by rounding, over the larger of the instant and 1 s.
+/// Time after the opening of a gap within which a minimum counts as rounding, over the larger of the instant and 1 s.
 const OPENED: f64 = 1e-3;
-/// The part of what it is made of by which no gap is below zero.
+/// Overlap up to which a gap does not count as negative, relative to the size of the gap's terms.
 const OVERLAP: f64 = 1e-8;
 
 /// A run with contacts under way.
 pub struct Bouncing<'a> {
     pub contacts: &'a Contacts<'a>,
     pub equations: &'a Equations<'a>,
-    /// The shortest flight, s.
+    /// Duration of the shortest flight, s.
     pub least: f64,
 }
 
 impl Bouncing<'_> {
-    /// Integrates from y0 over a span that goes on in time, in the numbers of a carrier.
+    /// Integrates from y0 over a span that goes forward in time, in the numbers of a carrier.
     ///
     /// # Errors
     /// [`SimError`] if the question makes no sense.
@@ -83,7 +86,7 @@ impl Bouncing<'_> {
         let (mut kept, mut changes) = (after.kept, 0);
         let mut whole = self.part(carrier, (span, &y), &kept, options, events, power.as_mut())?;
         whole.events.splice(..0, self.at_start(base, &kept, (span.0, &after.y)));
-        // The first sample shows what follows: nothing is left to be accounted for.
+        // The first sample shows the state after the impact: its work need not be added.
         whole.impacts.extend(after.record);
         while let Some(happening) = self.happening(&whole, base) {
             let before = values(&whole.y_end);
@@ -129,7 +132,7 @@ impl Bouncing<'_> {
         Ok(whole)
     }
 
-    /// What happens at the start: bodies that overlap are refused, those that touch may hit, be held or part.
+    /// Handles the start: refuses bodies that overlap; bodies that touch may hit, be held or part.
     fn begin(&self, t: f64, y: &[f64]) -> Result<Result<After, Failure>, SimError> {
         let rates = self.contacts.rates(y);
         let mut closed = Vec::new();
@@ -152,7 +155,7 @@ impl Bouncing<'_> {
         self.meet((t, y), &Meeting { closed: &closed, kept: &NONE, happening: None })
     }
 
-    /// What follows where a part of the run ended.
+    /// Finds the state and the held contacts after the end of a part of the run.
     fn next(
         &self,
         happening: Happening,
@@ -173,7 +176,7 @@ impl Bouncing<'_> {
         self.meet((t, y), &Meeting { closed: &closed, kept, happening: Some(happening) })
     }
 
-    /// A part of the run, with these contacts held.
+    /// Integrates a part of the run with these contacts held.
     fn part<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
@@ -216,7 +219,7 @@ impl Bouncing<'_> {
             over: Some(&mut stepped),
             yields: None,
         };
-        // Steps that are as long as the solution is smooth hide a flight that is far shorter.
+        // Long steps on a smooth solution would hide a flight that is far shorter.
         if options.method == Method::Taylor && options.step.is_none() {
             let flight = self.first_flight(&mut anew()?, span.0, &values(y));
             options.initial_step = options.initial_step.into_iter().chain(flight).reduce(f64::min);
@@ -233,7 +236,8 @@ impl Bouncing<'_> {
         Ok(part)
     }
 
-    /// Takes out of a part that began at `begun`, s, with a state where gaps were at their least, and tells a carrier of those that were next to nothing.
+    /// Reports minima of gaps that are close to zero to the carrier, and removes the events of all minima from a part.
+    /// The part began at `begun`, s, in the state `y`.
     fn tell_approaches<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
@@ -250,7 +254,7 @@ impl Bouncing<'_> {
             let Some(contact) = nears(event) else { continue };
             let states = part.y.iter().map(|y| values(y)).chain([event.y.clone()]);
             let size = states.map(|y| self.contacts.made_of(contact, &y)).fold(0.0, f64::max);
-            // What has just opened grows from nothing.
+            // A gap that has just opened grows from zero.
             let opens = self.contacts.gap(contact, y) <= near * size;
             let has_opened = opens && event.t - begun <= OPENED * event.t.abs().max(1.0);
             if !has_opened && self.contacts.gap(contact, &event.y) <= near * size {
@@ -260,7 +264,8 @@ impl Bouncing<'_> {
         part.events.retain(|event| nears(event).is_none());
     }
 
-    /// How long the shortest flight takes, there and back, of the contacts that part at the start of a part, s.
+    /// Duration of the shortest flight, there and back, of the contacts that part at the start of a part, s. `None` if
+    /// none does.
     fn first_flight(&self, motion: &mut Held<'_>, t: f64, y: &[f64]) -> Option<f64> {
         let mut slopes = vec![0.0; y.len()];
         // Where there is no motion its run says so.
@@ -277,10 +282,11 @@ impl Bouncing<'_> {
         free.filter_map(flight).reduce(f64::min)
     }
 
-    /// Leaves out of a part what is of its contacts alone, and says if it could not be kept on them.
+    /// Removes the events and projections of the contacts from a part. The part fails if its state could not be kept on
+    /// them.
     fn tidy<S: Real>(&self, part: &mut Solution<S>, (base, own): (usize, usize), forces: &mut Held<'_>) {
         let kept = forces.kept;
-        // What starts on a contact begins at 0; forces that grow beyond bounds do not cross it.
+        // A function that starts on a contact begins at 0, and a force that grows without bound does not cross 0.
         part.events.retain(|event| event.event < base || !matches!(event.kind, Kind::AtStart | Kind::Pole));
         let failure = if part.stop.is_failure() {
             self.jammed(part, forces)
@@ -301,21 +307,22 @@ impl Bouncing<'_> {
         }
     }
 
-    /// What of the contacts ended a run that so far is this, beside `base` events of others.
+    /// Change of a contact that ended the run so far; `None` if something else did. `base` is the number of other
+    /// events.
     fn happening<S>(&self, whole: &Solution<S>, base: usize) -> Option<Happening> {
         let Stop::Event { .. } = whole.stop else { return None };
-        // Of those of one instant the first has the word: events of others come before contacts.
+        // The first event of an instant counts: other events come before contacts.
         let first = whole.events.iter().find(|event| event.terminal)?;
         Happening::of_event(first.event.checked_sub(base)?, self.contacts.impacts.len())
     }
 }
 
-/// A state in doubles.
+/// Rounds a state to doubles.
 fn values<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }
 
-/// Counts an impact at the end of a run among its work, from the sample at its instant on, which shows what is after it.
+/// Adds an impact at the end of a run to its work. The sample at that instant shows the state after the impact.
 fn count<S>(whole: &mut Solution<S>, record: ImpactRecord) {
     let gained = record.work - record.loss;
     whole.impacts.push(record);
@@ -330,7 +337,7 @@ fn count<S>(whole: &mut Solution<S>, record: ImpactRecord) {
     }
 }
 
-/// The state at the end of a run, and its sample if there is one, after velocities jumped.
+/// Sets the end of a run, and its sample if there is one, to the state after velocities jumped.
 fn jumped<S: Real>(whole: &mut Solution<S>, y: &[S]) {
     if whole.t.last().is_some_and(|t| t.total_cmp(&whole.t_end).is_eq())
         && let Some(last) = whole.y.last_mut()

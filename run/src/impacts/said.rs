@@ -1,9 +1,9 @@
-//! What is said of a run with contacts.
+//! Notes on a run with contacts.
 
 use tripos_derive::scene::Impact;
 use tripos_sim::Solution;
 
-/// Which contacts of a scene are held since their bounces became too short, and since when first.
+/// Notes which contacts are held because their bounces became too short, and from which instant on.
 pub fn said(impacts: &[Impact], solution: &Solution) -> Vec<String> {
     let mut notes = Vec::new();
     let mut known: Vec<&[usize]> = Vec::new();

@@ -1,4 +1,4 @@
-//! What contacts with friction do: which of them stick and which slip.
+//! Modes of contacts with friction: which contacts stick and which slip.
 
 use super::Bouncing;
 use super::NOTHING;
@@ -8,11 +8,11 @@ use super::meeting::Met;
 use nalgebra::DVector;
 use tripos_sim::{Failure, Found, Mode, Undecided};
 
-/// How far ahead it is looked at where two modes move alike at an instant and part after it, in shortest flights.
+/// Time ahead, in shortest flights, at which modes are compared that agree at an instant and part after it.
 const AHEAD: f64 = 16384.0;
 
 impl Bouncing<'_> {
-    /// The accelerations of rows with the forces of what was held, if that has friction: how slips came about.
+    /// Accelerations of the rows with the forces of held contacts, from which slips came about; zeros without friction.
     pub(super) fn approach(&self, held: &mut Held<'_>, (t, y): (f64, &[f64])) -> Result<DVector<f64>, Failure> {
         if held.kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
             return Ok(DVector::zeros(self.contacts.count));
@@ -22,7 +22,7 @@ impl Bouncing<'_> {
         Ok(free.accelerations + free.response.compliance * forces)
     }
 
-    /// The sign of the velocity at which a contact with friction slips; nothing if it does not.
+    /// Sign of the velocity at which a contact with friction slips; `None` if it does not slip.
     pub(super) fn slips(&self, contact: usize, velocities: &DVector<f64>, met: &Met<'_>) -> Option<f64> {
         self.contacts.friction(contact)?;
         let row = self.contacts.rows[contact][1];
@@ -30,16 +30,16 @@ impl Bouncing<'_> {
         let rests = !met.is_hit
             && (met.meeting.happening == Some(Happening::Sticks(contact))
                 || met.meeting.kept.mode(contact) == Some(Mode::Sticks)
-                // What came to rest at this instant as well.
+                // Contacts that came to rest at this instant as well.
                 || velocity.abs() <= met.before[row].abs() * self.least);
         let is_still = rests || velocity.abs() <= NOTHING * met.scale[row];
         (!is_still).then(|| velocity.signum())
     }
 
-    /// What contacts do that are closed and at rest along their gaps, and their forces along all rows.
+    /// Finds the modes of contacts that are closed and at rest along their gaps, and their forces along all rows.
     ///
     /// # Errors
-    /// [`Failure`] where Coulomb's law does not say it, or says more than one thing.
+    /// [`Failure`] where Coulomb's law allows no mode, or more than one.
     pub(super) fn modes(
         &self,
         free: &mut Held<'_>,
@@ -66,7 +66,8 @@ impl Bouncing<'_> {
         Ok((one.modes, self.contacts.spread(&one.forces, &rows)))
     }
 
-    /// Which of some modes that move alike at an instant agrees with the laws shortly after it; the firmest if none does.
+    /// Index of the modes that agree with the laws shortly after the instant, where all agree. Zero, the firmest, if
+    /// none does.
     fn lasting(
         &self,
         free: &mut Held<'_>,
@@ -88,7 +89,8 @@ impl Bouncing<'_> {
         found.iter().position(|found| system.allows(&accelerations, slips, &found.modes)).unwrap_or(0)
     }
 
-    /// That contacts that are closed do not say what they do: `what` where nothing has friction.
+    /// Failure that reports closed contacts whose modes are undecided. `what` is its message where no contact has
+    /// friction.
     pub(super) fn undecided(&self, t: f64, contacts: &[usize], what: &str, why: &Undecided) -> Failure {
         let name = |at: &usize| format!("`{}`", self.contacts.impacts[*at].name);
         let names = contacts.iter().map(name).collect::<Vec<_>>().join(", ");

@@ -1,4 +1,5 @@
-//! The events at which parts of a run end: gaps that close, forces that no longer push or are more than friction bears, slips that end.
+//! Events at which parts of a run end: gaps that close, forces that no longer push or exceed friction, and slips that
+//! end.
 
 use super::Bouncing;
 use super::happening::Happening;
@@ -7,14 +8,15 @@ use super::kept::Kept;
 use tripos_sim::{Direction, Effect, Event, InRanges, Mode, SimError};
 use tripos_traits::{Enclosure, Scalar};
 
-/// The part of what it would be without slipping that a determinant is at least to be told from rounding.
+/// Least determinant that can be told from rounding, relative to its value without slip.
 const TOLD: f64 = 1e-9;
 
 impl Bouncing<'_> {
-    /// What is watched while contacts are held, with what it means; `anew` gives the equations for each event of forces.
+    /// Lists the events to watch while contacts are held, with their meaning. `anew` gives the equations for each event
+    /// of forces.
     ///
     /// # Errors
-    /// As `anew`.
+    /// Those of `anew`.
     pub(super) fn watched<'e>(
         &'e self,
         kept: &'e Kept,
@@ -48,7 +50,7 @@ impl Bouncing<'_> {
         Ok(list)
     }
 
-    /// The events that gaps which are open are at their least.
+    /// Events for the minima of open gaps.
     pub(super) fn approaches(&self, kept: &Kept) -> Vec<(Happening, Event<'_>)> {
         let contacts = self.contacts;
         let free = (0..contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
@@ -61,7 +63,7 @@ impl Bouncing<'_> {
         free.map(event).collect()
     }
 
-    /// The event that a gap closes.
+    /// Event for a gap that closes.
     fn closing(&self, contact: usize) -> Event<'_> {
         let contacts = self.contacts;
         let p = contacts.parameters;
@@ -90,7 +92,7 @@ impl Bouncing<'_> {
         }
     }
 
-    /// The event that a contact that slips this way no longer does.
+    /// Event for the end of a slip in the direction `way`; `None` if the contact has no friction.
     fn stopping(&self, contact: usize, way: f64) -> Option<(Happening, Event<'_>)> {
         let p = self.contacts.parameters;
         let (numbers, ranges) = self.contacts.slips[contact].as_ref()?;
@@ -113,7 +115,7 @@ impl Bouncing<'_> {
         Some((happening, Event { ranges, ..event }))
     }
 
-    /// The event that a function falls below 0.
+    /// Event for a function that falls below 0.
     fn falling<'e>(
         &self,
         happening: Happening,
@@ -124,7 +126,7 @@ impl Bouncing<'_> {
     }
 }
 
-/// An event of others, for one part of a run.
+/// Lends an event of the caller to one part of a run.
 pub fn passed_on<'e>(event: &'e mut Event<'_>) -> Event<'e> {
     let function = &mut event.function;
     let ranges = event.ranges.as_mut().map(|ranges| {

@@ -1,7 +1,8 @@
-//! Motions by formulas of t: poses that loops close, speeds and accelerations that follow.
+//! Motions given by formulas of t: poses that close the loops, and the speeds and accelerations that follow.
 //!
-//! The rates of the coordinates that have formulas, q̇ = W u + w, give u; their second derivatives q̈ = W u̇ + (Ẇ u + ẇ) give u̇. Where
-//! more of them have formulas than there are speeds, constraints are obeyed or the motion is refused.
+//! The rates of the coordinates that have formulas, q̇ = W u + w, give u. Their second derivatives, q̈ = W u̇ + (Ẇ u +
+//! ẇ), give u̇. If more coordinates have formulas than there are speeds, the motion must obey the constraints;
+//! otherwise it is refused.
 
 use super::least::{Least, doubles};
 use crate::{Error, Mechanism};
@@ -12,13 +13,14 @@ use tripos_derive::mechanics::motion_rates;
 use tripos_derive::scene::{Formulas, Given, Loops, Motion, Moving};
 use tripos_traits::DoubleDouble;
 
-/// What a motion may break its constraints by, over the sizes of the rates.
+/// Tolerance of constraints in a given motion, relative to the largest given rate or 1.
 const BROKEN: f64 = 1e-9;
 
-/// A motion at its instants.
+/// Coordinates, speeds and accelerations of a motion at each of its instants.
 ///
 /// # Errors
-/// [`Error::Stopped`] if formulas have no value at an instant, leave the motion open, break a constraint, or loops cannot be closed.
+/// [`Error::Stopped`] if formulas have no value at an instant, leave the motion open, break a constraint, or loops
+/// cannot be closed.
 pub fn moments(model: &Mechanism, motion: &Motion) -> Result<Vec<Moving>, Error> {
     let formulas = match &motion.given {
         Given::Samples(list) => return Ok(list.clone()),
@@ -35,14 +37,14 @@ pub fn moments(model: &Mechanism, motion: &Motion) -> Result<Vec<Moving>, Error>
     Ok(list)
 }
 
-/// What computes a motion by formulas.
+/// Evaluates a motion that is given by formulas.
 struct Course {
     names: Vec<String>,
     speeds: usize,
-    /// Coordinates with formulas, and those that loops determine.
+    /// Indices of the coordinates with formulas; `free` holds those that the loops determine.
     given: Vec<usize>,
     free: Vec<usize>,
-    /// q, q̇ and q̈ of each of the former, in parameters and t.
+    /// q, q̇ and q̈ of each coordinate with a formula, in parameters and t.
     formulas: Tape<DoubleDouble>,
     /// q̇ and d(q̇)/dt of each coordinate, and W row by row, in parameters, q, u and u̇.
     rates: Tape<DoubleDouble>,
@@ -81,7 +83,7 @@ impl Course {
         })
     }
 
-    /// The motion at an instant, with a pose near by to begin from.
+    /// Computes the motion at an instant. `near` is a pose near by to begin from.
     fn at(&self, p: &[DoubleDouble], t: f64, near: &[DoubleDouble]) -> Result<Moving, Error> {
         let stopped = |why: String| Error::Stopped(format!("no motion at t = {t} s: {why}"));
         let values = self.formulas.evaluate(&[p, &[DoubleDouble::from(t)]].concat());
@@ -101,7 +103,7 @@ impl Course {
         Ok(Moving { t: Some(t), q, u, rates })
     }
 
-    /// Why loops are not closed in a pose.
+    /// Explains why the loops are not closed in a pose.
     fn not_closed(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> String {
         let names =
             |list: &[usize]| list.iter().map(|at| format!("`{}`", self.names[*at])).collect::<Vec<_>>().join(", ");
@@ -120,7 +122,8 @@ impl Course {
         )
     }
 
-    /// Speeds, or with `order` 1 their rates, with which the given coordinates have these derivatives; the tape is read with those at 0.
+    /// Finds the speeds, or with `order` 1 their rates, that give the coordinates with formulas the `wanted`
+    /// derivatives. The tape is evaluated with these unknowns at 0.
     fn match_rates(
         &self,
         stopped: &dyn Fn(String) -> Error,

@@ -1,32 +1,32 @@
-//! Least squares to 32 digits, of systems whose matrix may have any shape and rank.
+//! Least squares to 32 digits, for systems whose matrix may have any shape and rank.
 
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::DoubleDouble;
 
-/// Singular values below the largest times this do not count.
+/// Singular values below this fraction of the largest count as zero.
 const RANK: f64 = 1e-10;
 
-/// What solves a system: the pseudo-inverse of its matrix, in doubles.
+/// Solves a linear system by the pseudo-inverse of its matrix, which is computed in doubles.
 pub struct Least {
     inverse: DMatrix<f64>,
     rank: usize,
 }
 
-/// The least x of those that leave least.
+/// Least-squares solution of the least norm.
 pub struct Found {
     pub x: Vec<DoubleDouble>,
-    /// What is left of the right side.
+    /// Residual: the right side minus the matrix times `x`.
     pub left: Vec<DoubleDouble>,
     pub rank: usize,
 }
 
-/// Rounded.
+/// Rounds 32-digit numbers to doubles.
 pub fn doubles(list: &[DoubleDouble]) -> Vec<f64> {
     list.iter().map(|x| x.hi()).collect()
 }
 
 impl Least {
-    /// For a matrix, row by row.
+    /// Computes the pseudo-inverse of a matrix, given row by row.
     pub fn new(rows: &[&[DoubleDouble]]) -> Self {
         let columns = rows.first().map_or(0, |row| row.len());
         let matrix = DMatrix::from_fn(rows.len(), columns, |i, j| rows[i][j].hi());
@@ -40,7 +40,7 @@ impl Least {
         Self { inverse, rank }
     }
 
-    /// Solves for a right side; each step of refinement gives sixteen digits more.
+    /// Solves for a right side. Each step of refinement gives sixteen digits more.
     pub fn solve(&self, rows: &[&[DoubleDouble]], right: &[DoubleDouble]) -> Found {
         let mut x = vec![DoubleDouble::from(0.0); self.inverse.nrows()];
         let left_of = |x: &[DoubleDouble]| -> Vec<DoubleDouble> {

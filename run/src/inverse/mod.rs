@@ -1,9 +1,9 @@
 //! Inverse dynamics: the forces that a given motion needs, and the inputs that give them.
 //!
-//! Along the speeds, M u̇ − f must act beside all loads that the model states, f being without the inputs that are asked for. Where loads
-//! are linear in these, f holds B r; r is the least in length of those that give most of what must act, and what they leave is said.
-//! Large mechanisms compute M u̇ − f by recursion (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980)
-//! 69–76), as all equations of such.
+//! Generalized forces M u̇ − f must act along the speeds, in addition to all loads that the model states; f leaves out
+//! the wanted inputs. Where loads are linear in the inputs r, f contains B r. r is the least-squares solution of the
+//! least norm, and its residual is reported. Large mechanisms compute M u̇ − f by recursion, as they do all their
+//! equations (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76).
 
 mod courses;
 mod least;
@@ -21,10 +21,10 @@ use tripos_derive::mechanics::Unsolved;
 use tripos_derive::scene::{Loops, Moving};
 use tripos_traits::DoubleDouble;
 
-/// What inputs may leave of the forces, over the largest term that these are made of.
+/// Residual of the forces up to which inputs count as giving them, relative to the largest term of the forces.
 const LEFT: f64 = 1e-10;
 
-/// What computes forces and inputs of a mechanism.
+/// Inverse dynamics of a mechanism: computes the forces of a motion, and the inputs that give them.
 pub struct Inverse {
     /// Names of the speeds along which forces act.
     pub speeds: Vec<String>,
@@ -36,26 +36,27 @@ pub struct Inverse {
     loops: Loops,
 }
 
-/// What a motion needs at an instant.
+/// Forces and inputs that a motion needs at an instant.
 #[derive(Clone, Debug)]
 pub struct Forces {
-    /// M u̇ − f with the inputs at 0, one a speed: power over the speed's unit.
+    /// M u̇ − f with the inputs at 0, one per speed. Its unit is power over the unit of the speed.
     pub along: Vec<DoubleDouble>,
-    /// The inputs that give these: the least where several do; none where no inputs give them.
+    /// Inputs that give these forces, with the least norm where several do. `None` where no inputs give them.
     pub inputs: Option<Vec<f64>>,
-    /// What inputs leave of the forces at best, one a speed.
+    /// Residual of the forces that the best inputs leave, one per speed.
     pub left: Vec<f64>,
-    /// Dimensions of the forces that inputs reach in this pose.
+    /// Dimension of the space of forces that the inputs reach in this pose.
     pub reached: usize,
-    /// The most that a loop is open by, in its unit.
+    /// Largest opening of a loop, in the unit of the loop.
     pub open: f64,
 }
 
 impl Inverse {
-    /// For inputs of a model, or parameters of it that loads are linear in, by name; all inputs of the model if none is named.
+    /// Prepares a model for inputs, or for parameters in which its loads are linear, given by name. If `names` is
+    /// empty, all inputs of the model are taken.
     ///
     /// # Errors
-    /// [`Error`] if the model cannot be derived, has not such inputs, or forces are not linear in them.
+    /// [`Error`] if the model cannot be derived, lacks one of the inputs, or has forces that are not linear in them.
     pub fn new(model: &Mechanism, names: &[String]) -> Result<Self, Error> {
         let places = places(model, names)?;
         let symbols: Vec<Expr> = places.iter().map(|at| model.parameters[*at].symbol).collect();
@@ -89,7 +90,7 @@ impl Inverse {
         })
     }
 
-    /// The forces of a motion at an instant, and the inputs that give them.
+    /// Computes the forces that a motion needs at an instant, and the inputs that give them.
     ///
     /// # Errors
     /// [`Error::Stopped`] where a force has no value.
@@ -134,7 +135,7 @@ fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
     Error::request(what, "name with --input those in which forces are linear")
 }
 
-/// The places of these parameters; of all inputs of the model, if none is named.
+/// Indices of the named parameters, or of all inputs of the model if `names` is empty.
 fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
     if names.is_empty() {
         return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());

@@ -1,23 +1,23 @@
-//! Where a run changed its speeds, and what is said of it.
+//! Parts of a run that are made in all rates, and the notes on them.
 
 use tripos_derive::mechanics::By;
 
-/// A part of a run in all rates.
+/// Part of a run that is made in all rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
-    /// From when on, s.
+    /// Instant of its beginning, s.
     pub from: f64,
-    /// Until when, s; nothing if to the end.
+    /// Instant of its end, s; `None` if it lasts to the end of the run.
     pub to: Option<f64>,
-    /// Whether the constraints were next to dependent.
+    /// True if the constraints were nearly dependent.
     pub is_singular: bool,
-    /// How many times as coarse the tolerances were.
+    /// Factor by which the tolerances were widened.
     pub coarser: f64,
 }
 
-/// What to say of the changes of a run whose speeds have these names, first of all.
+/// Notes on the changes of a run whose speeds have these names, the most important first.
 pub fn said(changes: &[Change], speeds: &[String], by: &By) -> Vec<String> {
-    /// As many are said one by one.
+    /// Greatest number of changes that are listed one by one.
     const MOST: usize = 3;
     let list = speeds.join(", ");
     let do_not = if speeds.len() == 1 { "does not" } else { "do not" };

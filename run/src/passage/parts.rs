@@ -1,14 +1,14 @@
-//! Parts of a run: how they are made, and how they are put together.
+//! Options of the parts of a run, and the joining of their solutions.
 
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{Kind, Options, Output, Solution};
 use tripos_traits::{AbsoluteTolerance, Method, System};
 
-/// The coarsest relative tolerance that others are replaced by.
+/// Coarsest relative tolerance to which others are widened.
 const COARSEST: f64 = 1e-3;
 
-/// The options of a part in all rates, n of them: neither series nor Jacobians are known where no speeds are chosen, and all rates have the least of the
-/// absolute tolerances of the speeds.
+/// Options of a part in all rates, for n coordinates. Without chosen speeds neither series nor Jacobians are known, so
+/// DOP853 replaces methods that need them. All rates have the least of the speeds' absolute tolerances.
 pub(super) fn options_in_rates(options: &Options, n: usize) -> Options {
     let mut options = options.clone();
     if let AbsoluteTolerance::Each(list) = &options.atol {
@@ -22,7 +22,7 @@ pub(super) fn options_in_rates(options: &Options, n: usize) -> Options {
     options
 }
 
-/// The options with tolerances this many times as coarse.
+/// Options with tolerances this many times as coarse.
 pub(super) fn coarsened(options: &Options, times: f64) -> Options {
     let atol = match &options.atol {
         AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(times * atol),
@@ -31,7 +31,7 @@ pub(super) fn coarsened(options: &Options, times: f64) -> Options {
     Options { rtol: options.rtol.max((times * options.rtol).min(COARSEST)), atol, ..options.clone() }
 }
 
-/// The options of what is left of a run over a span.
+/// Options of the rest of a run over a span.
 #[must_use]
 pub fn rest<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Options {
     let output = match &options.output {
@@ -46,7 +46,7 @@ pub fn rest<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Optio
     Options { output, step_limit, initial_step: None, ..options.clone() }
 }
 
-/// A run with its next part.
+/// Joins a run with its next part.
 #[must_use]
 pub fn joined<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) -> Solution<S> {
     let skipped = usize::from(!matches!(options.output, Output::At(_)));
@@ -87,8 +87,8 @@ pub fn joined<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) 
     }
 }
 
-/// An account of a run by chosen speeds as of one in all rates, whose constraints begin with the same, and of which the first part of a state is the
-/// same.
+/// Extends a projection report of a run by chosen speeds to all rates. The constraints of both begin with the same
+/// ones, and their states begin with the same coordinates.
 pub(super) fn widened(report: &ProjectionReport, rates: &dyn System<f64>) -> ProjectionReport {
     let wide = |list: &[f64], kept: usize, count: usize| {
         let mut list = list[..kept].to_vec();

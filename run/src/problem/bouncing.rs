@@ -18,7 +18,7 @@ impl Problem<'_> {
         Contacts::new(self.model, &self.scene.impacts, of, in_rates)
     }
 
-    /// The run by parts, from impact to impact.
+    /// Runs in parts, from impact to impact.
     pub(super) fn bouncing(
         &self,
         from: ((f64, f64), &[f64]),
@@ -32,10 +32,10 @@ impl Problem<'_> {
         self.bounce(&contacts, &doubles, from, options, events, power)
     }
 
-    /// The run by parts, from impact to impact, in the numbers of a carrier.
+    /// Runs in parts, from impact to impact, in the numbers of a carrier.
     ///
     /// # Errors
-    /// [`SimError`] if the question makes no sense.
+    /// [`SimError`] if the request is invalid.
     pub(crate) fn bounce<S: Real>(
         &self,
         contacts: &Contacts<'_>,
@@ -51,10 +51,10 @@ impl Problem<'_> {
         bouncing.solve(carrier, (span, y0), options, events, power)
     }
 
-    /// y′ while these contacts are held.
+    /// Derivative y′ while these contacts are held.
     ///
     /// # Errors
-    /// [`Failure`] where it has no value.
+    /// [`Failure`] where the derivative has no value.
     pub(crate) fn flow(&self, contacts: &Contacts<'_>, kept: &Kept, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
         let unknown = |error: SimError| Failure { code: "not-finite", message: error.to_string() };
         let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept };
@@ -64,10 +64,10 @@ impl Problem<'_> {
     }
 }
 
-/// Refuses to run a scene with contacts as it cannot be run.
+/// Refuses a scene with contacts that cannot be run as it asks.
 ///
 /// # Errors
-/// [`Error::Request`] where contacts are no part of how the scene is to be run, and what to do instead.
+/// [`Error::Request`] if the way of running the scene does not allow contacts. It has advice.
 pub(super) fn check(scene: &Scene, by: &By) -> Result<(), Error> {
     let how = &scene.integration;
     let (what, help) = if scene.impacts.is_empty() {

@@ -1,4 +1,4 @@
-//! Equations in all rates beside those in chosen speeds.
+//! Runs by equations in all rates where those in chosen speeds fail.
 
 use super::{Power, Problem};
 use crate::code::Code;
@@ -7,14 +7,15 @@ use crate::passage::{self, Chosen};
 use tripos_sim::{Event, Options, Solution};
 
 impl<'a> Problem<'a> {
-    /// These equations, in all rates with multipliers, beside those in chosen speeds, which run as far as they hold.
+    /// Adds equations in chosen speeds, which run as far as they hold. These equations, in all rates with multipliers,
+    /// run elsewhere.
     #[must_use]
     pub fn beside(self, chosen: Chosen<'a>) -> Self {
         Self { chosen: Some(chosen), ..self }
     }
 
-    /// The run of the scene by these equations alone; `None` if their speeds fail on the way, or hardly determine the motion there, as `rates`, the same
-    /// equations in all rates, tell.
+    /// The run of the scene by these equations alone. `None` if their speeds fail on the way, or hardly determine the
+    /// motion there; `rates`, the same equations in all rates, tell so.
     ///
     /// # Errors
     /// As [`Problem::solve`].
@@ -34,7 +35,7 @@ impl<'a> Problem<'a> {
         run.map_err(|error| refused(self.scene, &error))
     }
 
-    /// The run by chosen speeds, and by all rates where these fail.
+    /// Runs by chosen speeds, and by all rates where these fail.
     pub(super) fn changing(
         &self,
         chosen: Chosen<'_>,
@@ -47,7 +48,7 @@ impl<'a> Problem<'a> {
         let run = speeds.right_hand_side().and_then(|mut rhs| {
             let systems = (self.system(), speeds.system(), self.scene.parameters.as_slice());
             let start = (self.scene.span, y0);
-            // Without a power that is asked for only what has a potential works.
+            // Unless a power is given, forces must all have a potential.
             let keeps_energy = !self.mechanism.is_driven() && (power.is_some() || !self.system().has_power());
             passage::solve(systems, rhs.as_mut(), start, &self.options(options), events, (power, keeps_energy))
         });

@@ -11,7 +11,7 @@ impl Problem<'_> {
     /// Parameters and the integrated state at the start, to 32 digits.
     ///
     /// # Errors
-    /// [`Error::Request`] if a definition of a speed mentions what has no value at the start.
+    /// [`Error::Request`] if the definition of a speed mentions a symbol that has no value at the start.
     pub fn extended_start(&self) -> Result<ExtendedStart, Error> {
         let (system, exact) = (self.code.extended(), &self.scene.exact);
         let (p, mut q) = (exact.parameters.clone(), exact.q.clone());
@@ -26,7 +26,7 @@ impl Problem<'_> {
         Ok((p, [q, v].concat()))
     }
 
-    /// What is shown of an integrated state, in twice the precision of a double.
+    /// Shown quantities of an integrated state, in twice the precision of a double.
     #[must_use]
     pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let system = self.code.extended();
@@ -46,7 +46,7 @@ impl Problem<'_> {
         [q, u].concat()
     }
 
-    /// What is shown of an integrated state, without rounding a distance away.
+    /// Shown quantities of an integrated state in doubles. A coordinate given by its distance keeps all digits.
     #[must_use]
     pub fn precise_state(&self, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();

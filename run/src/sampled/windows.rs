@@ -1,4 +1,4 @@
-//! The windows of a run whose inputs are set from outside, and what a second run tells of its errors.
+//! Windows of a run whose inputs are set from outside, and its errors by comparison with a second run.
 
 use super::{Decision, Sample, SampledRun};
 use crate::code::Form;
@@ -10,14 +10,14 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{EventRecord, Method, Options, Output, Solution, Stop};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Scalar};
 
-/// How much finer the second run is.
+/// Ratio of the second run's tolerances to those of the first.
 const FINER: f64 = 0.1;
-/// Its tolerances where the first has equal steps.
+/// Tolerances of the second run if the first has equal steps.
 const EQUAL: f64 = 1e-12;
-/// The longest of its steps, over a window: the first run may take each window in one.
+/// Longest step of the second run, relative to a window. The first run may take each window in one step.
 const PART_OF_WINDOW: f64 = 0.4;
 
-/// How the second run is made.
+/// Options of the second run, made from those of the first.
 pub fn finer(first: &Options) -> Options {
     let step_limit = first.step_limit.saturating_mul(10);
     if first.step.is_some() {
@@ -31,7 +31,7 @@ pub fn finer(first: &Options) -> Options {
     Options { rtol: FINER * first.rtol, atol, step_limit, output: Output::Ends, ..first.clone() }
 }
 
-/// A closed loop, and in whose terms its states are.
+/// Closed loop: a problem, its inputs and the instants at which they are set.
 pub struct Loop<'a> {
     pub problem: &'a Problem<'a>,
     pub balance: &'a Balance,
@@ -41,7 +41,7 @@ pub struct Loop<'a> {
     pub names: &'a [String],
 }
 
-/// One way through all windows.
+/// Run through all windows.
 pub struct Way {
     t: Vec<f64>,
     states: Vec<Vec<f64>>,
@@ -55,7 +55,7 @@ pub struct Way {
 }
 
 impl Loop<'_> {
-    /// Goes through all windows from an integrated state, with the parameters of a scene where nothing is decided.
+    /// Runs through all windows from an integrated state. Parameters that are not decided are those of the scene.
     pub fn run(
         &self,
         scene: &Scene,
@@ -102,7 +102,7 @@ impl Loop<'_> {
         }
     }
 
-    /// One window, with the options of the whole.
+    /// Runs one window, with the options of the whole.
     fn window(
         &self,
         problem: &Problem<'_>,
@@ -151,7 +151,7 @@ impl Loop<'_> {
         Ok(values)
     }
 
-    /// A run with the errors that a second one tells.
+    /// Result of a run, with the errors that a second one gives.
     pub fn told(&self, first: Way, second: Option<&Way>, form: Form) -> SampledRun {
         let mut decisions = first.decisions;
         let mut errors_at_end = None;
@@ -159,7 +159,7 @@ impl Loop<'_> {
             for (own, other) in decisions.iter_mut().zip(&second.decisions) {
                 own.errors = Some(apart(&own.state, &other.state));
             }
-            // An event that ends both does so at two instants, and its state is what is asked for.
+            // An event that ends both runs has a different instant in each; the error of its state is wanted.
             let as_far = decisions.len() == second.decisions.len();
             let both_ended = as_far && first.stop == second.stop && !first.stop.is_failure();
             errors_at_end = both_ended.then(|| apart(&first.end, &second.end));
@@ -190,16 +190,16 @@ impl Loop<'_> {
     }
 }
 
-/// No value is known better than to some roundings.
+/// Least relative error of a value: some roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// The errors of values that a second run has otherwise.
+/// Errors of values by their difference from a second run.
 fn apart(own: &[f64], other: &[f64]) -> Vec<f64> {
     own.iter().zip(other).map(|(a, b)| (a - b).abs() + ROUNDING * a.abs()).collect()
 }
 
 impl Way {
-    /// Goes on with a window.
+    /// Adds a window to the run.
     fn take(&mut self, problem: &Problem<'_>, solution: &Solution) {
         // A window begins where the one before it ended.
         let known = self.t.last().copied();

@@ -1,8 +1,9 @@
 //! Derivatives of runs that change their speeds on the way, as differences of whole runs.
 //!
-//! Slopes are carried along by equations in chosen speeds. Beside a place where these fail, slopes would be divided by what vanishes there. The run itself
-//! goes through such places in all rates; so it is made with eight other values of a number, at finer tolerances, and the derivative is a difference of
-//! order 4. Its error is told by the same rule with twice the step, and by the errors of the runs over the step.
+//! Slopes are carried along by equations in chosen speeds. Near a state where these fail, slopes would be divided by a
+//! number that vanishes there. The run itself passes such states in the rates of all coordinates. So it is repeated
+//! with eight other values of a number, at finer tolerances, and the derivative is a difference of order 4. Its error
+//! comes from the same rule with twice the step, and from the errors of the runs over the step.
 
 use super::difference::CENTRAL;
 use crate::error::Error;
@@ -14,41 +15,42 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Nearby, Scene};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Real, Scalar, larger};
 
-/// The step by the size of the number that changes.
+/// Step of the differences, relative to the size of the number that changes.
 const STEP: f64 = 1.0 / 1024.0;
-/// What counts as the size of a number of the start that is smaller, in its unit; a parameter that is not zero has its own size.
+/// Least size of a number of the start, in its unit: a smaller number counts as this large. A parameter that is not
+/// zero has its own size.
 const LEAST: f64 = 0.01;
-/// How much finer the tolerances are, and the finest.
+/// Factor by which the tolerances of the other runs are finer; `FINEST` is the least of them.
 const FINER: f64 = 0.01;
 const FINEST: f64 = 1e-13;
 
-/// What says how derivatives were found.
+/// Text that tells how these derivatives were found.
 pub const WORDS: &str = "differences of eight runs beside this one, since it changes its speeds";
 
-/// What is differentiated, and how it is run.
+/// Derivatives by differences that are asked for: quantities, scene and equations.
 pub struct Apart<'a> {
     pub mechanism: &'a Mechanism,
     pub scene: &'a Scene,
-    /// Numbers that have other values than the file of the scene says.
+    /// Numbers whose values differ from the file of the scene.
     pub set: &'a [(String, f64)],
     pub by: &'a By,
-    /// What is differentiated: states, outputs and energies at the end.
+    /// Names of the differentiated quantities: states, outputs and energies at the end.
     pub names: &'a [String],
 }
 
-/// Derivatives by one number.
+/// Derivatives of all quantities by one number.
 pub struct Difference {
     pub unit: Unit,
-    /// The derivative of each number that is shown, with its error where that is known.
+    /// Derivative of each shown number, with its error where that is known.
     pub values: Vec<f64>,
     pub errors: Option<Vec<f64>>,
-    /// The derivative of the instant of the end.
+    /// Derivative of the instant of the end.
     pub t_end: f64,
-    /// The derivatives of the instants of events; `None` where a run beside has others.
+    /// Derivatives of the instants of events; `None` if another run has another number of them.
     pub events: Option<Vec<f64>>,
 }
 
-/// What a run tells, its end first, and the errors of the names.
+/// Results of one run: values at its end with their errors, the instant of the end, and those of events.
 struct Told {
     values: Vec<f64>,
     errors: Option<Vec<f64>>,
@@ -57,10 +59,11 @@ struct Told {
 }
 
 impl Apart<'_> {
-    /// The derivatives by the number of this name.
+    /// Computes the derivatives by the number of this name.
     ///
     /// # Errors
-    /// [`Error::Input`] for a name that is no number of the scene; [`Error::Stopped`] if a run beside ends otherwise than this one.
+    /// [`Error::Input`] for a name that is no number of the scene; [`Error::Stopped`] if another run ends otherwise
+    /// than this one.
     pub fn by(&self, name: &str, run: &Run) -> Result<Difference, Error> {
         let mut nearby = Nearby::new(self.scene, self.mechanism, self.set, name)?;
         let (value, unit) = (nearby.value(), nearby.unit());
@@ -111,7 +114,7 @@ impl Apart<'_> {
             None => energies.1,
         };
         let known = run.digits.as_ref().and_then(|digits| digits.errors_at_end());
-        // An energy is off by what its states are off by, as far as the largest of them tells.
+        // The largest known error of the states stands for the error of an energy.
         let worst = known.map(|errors| errors.iter().copied().fold(0.0, larger));
         let error = |name: &String| place(name).map_or(worst, |at| known.and_then(|errors| errors.get(at).copied()));
         Ok(Told {
@@ -123,7 +126,7 @@ impl Apart<'_> {
     }
 }
 
-/// A scene beside, at finer tolerances.
+/// Scene with finer tolerances.
 fn finer(mut scene: Scene) -> Scene {
     let how = &mut scene.integration;
     let finer = |x: f64| if x > 0.0 { (FINER * x).max(FINEST.min(x)) } else { x };

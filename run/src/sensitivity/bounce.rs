@@ -11,10 +11,10 @@ use std::cell::RefCell;
 use tripos_sim::{Corner, RightHandSide, SimError, Tangents};
 use tripos_traits::{Flow, Real, Scalar, Series, Tangent};
 
-/// What computes rates with slopes, and what their Taylor coefficients.
+/// Functions that compute rates with slopes, and, if they exist, their Taylor coefficients.
 pub type Parts<'a, const K: usize> = (&'a dyn Flow<Tangent<K>>, Option<&'a dyn Series<Tangent<K>>>);
 
-/// Numbers with slopes by some seeds, on their way from impact to impact.
+/// Carrier of numbers with slopes by some seeds, from impact to impact.
 pub struct Bounced<'a, const K: usize> {
     pub problem: &'a Problem<'a>,
     pub parts: Parts<'a, K>,
@@ -25,15 +25,16 @@ pub struct Bounced<'a, const K: usize> {
     pub contacts: &'a Contacts<'a>,
     wide: Wide<'a>,
     told: Told<K>,
-    /// How small a gap counts as touched; nothing if that is not watched.
+    /// Relative gap below which a contact counts as touched; `None` if that is not watched.
     pub near: Option<f64>,
-    /// Where gaps are that small.
+    /// Minima of gaps that are below `near`.
     pub approaches: RefCell<Vec<Approach>>,
     pub way: RefCell<Way>,
 }
 
 impl<'a, const K: usize> Bounced<'a, K> {
-    /// A run of a problem with these contacts, before its start; gaps as small as `near`, as a part of what they are made of, count as touched.
+    /// Prepares a run of a problem with these contacts. Gaps below `near`, relative to the size of their terms, count
+    /// as touched.
     pub fn new(
         problem: &'a Problem<'a>,
         parts: Parts<'a, K>,
@@ -49,7 +50,7 @@ impl<'a, const K: usize> Bounced<'a, K> {
     }
 }
 
-/// The derivative along a direction of the rates of the equations of a problem without contacts.
+/// Derivative along a direction of the rates that the equations of a problem have without contacts.
 pub fn rates_along<const K: usize>(
     problem: &Problem<'_>,
     flow: &dyn Flow<Tangent<K>>,
@@ -68,10 +69,10 @@ pub fn rates_along<const K: usize>(
     slopes(&rates, 0)
 }
 
-/// Refuses a crossing at the instant of a jump of the drive: what comes first is not told.
+/// Refuses a crossing at the instant of a jump of the drive: their order is not known.
 ///
 /// # Errors
-/// Why there is no derivative.
+/// Reason why there is no derivative.
 pub fn meets_no_corner(corners: &[Corner], crossing: &Crossing<'_>) -> Result<(), String> {
     let t = crossing.t;
     let meets = |corner: &Corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs();

@@ -1,8 +1,10 @@
-//! How impulses and forces of contacts change with parameters and state.
+//! Derivatives of the impulses and forces of contacts by parameters and state.
 //!
-//! Both follow from a linear system while the set of contacts that push stays: M a − Wᵀ Λ = 0 and W a + c = 0 along the rows that do, with c what the rows
-//! would do without them: accelerations, or velocities times what of them is to go. With a and Λ known, their derivatives follow from those of the residuals, by the same matrices
-//! once more. Friction of what slips stands in the same system ([`super::grip`]). The residuals' are differences in 32 digits ([`super::difference`]), which need no second text of what a contact is.
+//! Impulses and forces follow from a linear system while the set of pushing contacts stays: M a − Wᵀ Λ = 0, and W a + c
+//! = 0 along the rows that push. c is the motion of these rows without them: accelerations, or the parts of velocities
+//! that are to be removed. With a and Λ known, their derivatives follow from those of the residuals, by the same
+//! matrices. Friction of slipping contacts stands in the same system ([`super::grip`]). The derivatives of the
+//! residuals are differences in 32 digits ([`super::difference`]), so contacts need no second definition.
 
 use super::difference::along;
 use super::grip::Grip;
@@ -12,7 +14,7 @@ use tripos_derive::algebra::evaluate::Tape;
 use tripos_sim::Failure;
 use tripos_traits::{DoubleDouble, Lengths, Scalar, System};
 
-/// What is small beside what it is made of.
+/// Fraction of the size of its terms below which a derivative counts as zero.
 pub const SMALL: f64 = 1e-7;
 
 /// The contacts of a scene in 32 digits.
@@ -21,70 +23,71 @@ pub struct Wide<'a> {
     system: &'a dyn System<DoubleDouble>,
     gaps: Vec<Tape<DoubleDouble>>,
     rates: Tape<DoubleDouble>,
-    /// How small a gap counts as touched, as a part of what it is made of.
+    /// Relative gap below which a contact counts as touched, over the size of the gap's terms.
     pub near: f64,
 }
 
-/// A direction: of parameters and of the integrated state.
+/// Direction of parameters and of the integrated state, along which derivatives are taken.
 #[derive(Clone, Copy)]
 pub struct Direction<'d> {
     pub parameters: &'d [f64],
     pub state: &'d [f64],
 }
 
-/// What rows would do without impulses or forces: c.
+/// Motion c of the rows without impulses or forces, with its derivative.
 pub enum Without<'c> {
-    /// Accelerate, at these rates of the state, which change so.
+    /// Accelerations: from the rates of the state, whose derivatives are `by`.
     Accelerate { rates: &'c [f64], by: &'c [f64] },
-    /// Keep these parts of their velocities, in the order of all rows, which change so.
+    /// Velocities: from the parts of them that impulses remove, in the order of all rows. `by` holds the derivatives of
+    /// the parts.
     Move { parts: &'c [f64], by: &'c [f64] },
 }
 
-/// Contacts at a state, with what acts along their rows: impulses, or forces.
+/// Contacts at a state, with the impulses or forces along their rows.
 pub struct Acting<'c> {
     pub y: &'c [f64],
     pub operators: &'c Operators,
     /// Λ along all rows.
     pub impulses: &'c DVector<f64>,
-    /// The rows along which they follow from c, and friction that follows from them.
+    /// Rows along which Λ follows from c, and the friction that follows from Λ.
     pub grip: &'c Grip,
 }
 
-/// The derivative along a direction of what acts.
+/// Derivative of impulses or forces along a direction, and of their effect.
 pub struct Change {
     /// The slopes of Λ along all rows.
     pub impulses: DVector<f64>,
-    /// The slopes of what it adds to the motion variables, or to their rates.
+    /// Slopes of the changes of the motion variables that Λ causes, or of their rates.
     pub variables: DVector<f64>,
-    /// The slopes of the speeds that it adds, or of their rates.
+    /// Slopes of the changes of the speeds that Λ causes, or of their rates.
     pub speeds: DVector<f64>,
-    /// By what the rows measure a change, in their unit times the root of that of the compliance.
+    /// Size of the terms of the change along the rows, each over the root of its compliance.
     pub size: f64,
-    /// Whether rows that follow from others are not moved as these are: then nothing holds all of them.
+    /// True if dependent rows do not move alike: then no impulses or forces hold all of them.
     pub is_apart: bool,
 }
 
 impl Change {
-    /// The change, if contacts of which one follows from the others move alike.
+    /// Returns the change if dependent contacts move alike.
     ///
     /// # Errors
-    /// Why there is none.
+    /// Reason why there is no derivative.
     pub fn together(self) -> Result<Self, String> {
         if self.is_apart { Err(APART.to_owned()) } else { Ok(self) }
     }
 }
 
-/// Why contacts that hold the same motion have no derivative.
+/// Reason why dependent contacts have no derivative.
 pub const APART: &str = "contacts of which one follows from the others do not move alike";
 
 impl<'a> Wide<'a> {
-    /// Those of contacts of equations that are known to 32 digits.
+    /// Prepares contacts whose equations are known to 32 digits.
     pub fn new(contacts: &'a Contacts<'a>, system: &'a dyn System<DoubleDouble>, near: f64) -> Self {
         let gaps = contacts.gaps.iter().map(|(gap, _)| gap.to()).collect();
         Self { contacts, system, gaps, rates: contacts.rates.to(), near }
     }
 
-    /// The derivative of a gap, and the size of what it is made of.
+    /// Derivative of a gap, and the size of its terms.
     pub fn gap(&self, contact: usize, y: &[f64], direction: Direction<'_>) -> (f64, f64) {
         let p = self.contacts.parameters;
         let n = self.system.lengths().coordinates;
@@ -94,7 +97,7 @@ impl<'a> Wide<'a> {
         (change, size(change, slopes.row(contact).iter().zip(direction.state).map(|(slope, d)| slope * d)))
     }
 
-    /// The derivative of the velocity along a row, and the size of what it is made of.
+    /// Derivative of the velocity along a row, and the size of its terms.
     pub fn velocity(&self, row: usize, y: &[f64], direction: Direction<'_>) -> (f64, f64) {
         let x = [self.contacts.parameters, y].concat();
         let change = along(&x, &[direction.parameters, direction.state].concat(), |x| self.rates.evaluate(x))[row];
@@ -102,7 +105,7 @@ impl<'a> Wide<'a> {
         (change, size(change, slopes.row(row).iter().zip(direction.state).map(|(slope, d)| slope * d)))
     }
 
-    /// The derivative of what acts: Λ follows along its rows, and changes by `given` beside that.
+    /// Derivative of impulses or forces: Λ follows from c along its rows, and changes by `given` besides.
     pub fn change(
         &self,
         acting: &Acting<'_>,
@@ -147,7 +150,7 @@ impl<'a> Wide<'a> {
             let terms: f64 = of_u.row(*row).iter().zip(moved.iter()).map(|(of, moved)| (of * moved).abs()).sum();
             let whole: f64 = slopes.row(*row).iter().zip(own).map(|(slope, own)| (slope * own).abs()).sum();
             let g = compliance[(*row, *row)];
-            // What integration leaves of slopes counts as what the row does, by the part by which anything changes.
+            // Slopes have errors of integration. They count as the motion of the row times the largest relative change.
             let rounded = part * whole + ROUNDED * g.max(0.0).sqrt() * energy;
             let of_row = second[at].abs() + aside[*row].abs() + of_state + terms + rounded;
             size = size.max(if g > 0.0 { of_row / g.sqrt() } else { 0.0 });
@@ -158,7 +161,7 @@ impl<'a> Wide<'a> {
         Ok(Change { impulses, variables, speeds: moved, size, is_apart })
     }
 
-    /// M a − Wᵀ Λ, W a + c along the rows that follow, and what a adds to the motion variables.
+    /// Residuals M a − Wᵀ Λ, then W a + c along the rows that follow, then the change of the motion variables by a.
     fn residuals(
         &self,
         x: &[DoubleDouble],
@@ -210,7 +213,7 @@ struct Motions<'m> {
 }
 
 impl Motions<'_> {
-    /// The motion variables of speeds.
+    /// Motion variables that belong to these speeds.
     fn variables(&self, u: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut v = vec![DoubleDouble::from_f64(0.0); self.system.lengths().variables];
         self.system.motion_variables(self.p, self.q, u, &mut v);
@@ -221,7 +224,7 @@ impl Motions<'_> {
         self.system.kinetic_energy(self.p, self.q, v)
     }
 
-    /// What speeds add to the motion variables.
+    /// Change of the motion variables by speeds a.
     fn added(&self, basis: &[Vec<DoubleDouble>], a: &DVector<f64>) -> Vec<DoubleDouble> {
         let mut out = vec![DoubleDouble::from_f64(0.0); self.system.lengths().variables];
         for (column, a) in basis.iter().zip(a.iter()) {
@@ -248,15 +251,15 @@ fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
     a.iter().zip(b).fold(DoubleDouble::from_f64(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// What of the change of all motion counts at least among what that of a row is made of: what is below is rounding.
+/// Fraction of the change of the whole motion that counts at least among a row's terms: a change below it is rounding.
 const ROUNDED: f64 = 1e-5;
 
-/// The largest part of itself, or of its unit, by which anything changes along a direction.
+/// Largest change of any number along a direction, relative to its size or 1.
 fn part_of(x: &[f64], direction: &[f64]) -> f64 {
     x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(1.0)).fold(0.0, f64::max)
 }
 
-/// The size of what a derivative is made of: parts that states have, and what parameters leave.
+/// Size of the terms of a derivative: its parts by the state, and the rest, which parameters cause.
 fn size(change: f64, parts: impl Iterator<Item = f64>) -> f64 {
     let (sum, size) = parts.fold((0.0, 0.0), |(sum, size), part: f64| (sum + part, size + part.abs()));
     size + (change - sum).abs()

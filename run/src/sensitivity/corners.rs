@@ -1,7 +1,8 @@
-//! Instants at which the equations jump or bend, as they move with what is differentiated by.
+//! Instants at which the equations jump or bend, and their derivatives.
 //!
-//! Where the instant of a jump moves, slopes of the state jump at it, which steps that end there do ([`tripos_sim::Corner`]); where that of a bend moves, they
-//! do not. What is left is refused: jumps at which there is no derivative, and steps that go across.
+//! Slopes of the state jump where the instant of a jump moves; steps that end there apply it ([`tripos_sim::Corner`]).
+//! They do not jump where the instant of a bend moves. All else is refused: jumps at which there is no derivative, and
+//! steps that go across.
 
 use super::start::Seed;
 use crate::error::Error;
@@ -9,12 +10,13 @@ use crate::problem::Problem;
 use tripos_sim::{Corner, DIRECTIONS, Options};
 use tripos_traits::Tangent;
 
-/// By what part of a number moved instants are told from those that stay.
+/// Shift of an instant, relative to it plus 1 s, below which it counts as fixed. The shift is its derivative times the
+/// size of the number.
 const MOVED: f64 = 1e-9;
-/// Roundings of an instant within which two are one.
+/// Relative distance below which two instants count as one.
 const ONE: f64 = 64.0 * f64::EPSILON;
 
-/// The corners of a run with these parameters, and how they move.
+/// Corners of a run with these parameters, with their derivatives.
 pub fn corners<const K: usize>(problem: &Problem<'_>, parameters: &[Tangent<K>]) -> Vec<Corner> {
     let of = |(at, jumps): (Tangent<K>, bool)| {
         let mut moves = [0.0; DIRECTIONS];
@@ -24,7 +26,7 @@ pub fn corners<const K: usize>(problem: &Problem<'_>, parameters: &[Tangent<K>])
     problem.model.corners(parameters).into_iter().map(of).collect()
 }
 
-/// Refuses what moves an instant at which the equations jump or bend where there is no derivative by it.
+/// Refuses a number that moves a jump or bend of the equations where there is no derivative by it.
 ///
 /// # Errors
 /// [`Error::Request`], with the reason.

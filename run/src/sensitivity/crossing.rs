@@ -1,13 +1,16 @@
-//! How slopes jump where velocities do, and where contacts are let go, held, stick or slip from there on.
+//! Jumps of slopes where velocities jump, and where contacts are released, held, stick or slip from there on.
 //!
-//! At an instant t(p) a motion y⁻(t, p) is taken to y⁺ = R(y⁻, p), from rates f⁻ to f⁺. Slopes at a fixed instant go from s⁻ to
-//! s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp, with dt/dp = −(g_y s⁻ + g_p)/(g_y f⁻) of what is zero there: a gap, a force, what friction bears beyond it, or a slip ([`super::zero`]).
-//! M. A. Aizerman & F. R. Gantmakher, "On the stability of periodic motions", *Journal of Applied Mathematics and Mechanics* 22 (1958), 1065–1078; P. C. Müller,
-//! "Calculation of Lyapunov exponents for dynamic systems with discontinuities", *Chaos, Solitons & Fractals* 5 (1995), 1671–1681. The map is linear in s⁻ and p: forwards it is applied to slopes, and a sweep
-//! backwards takes its transpose.
+//! At an instant t(p) a motion y⁻(t, p) is taken to y⁺ = R(y⁻, p), from rates f⁻ to f⁺. Slopes at a fixed instant go
+//! from s⁻ to s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp. The instant has the derivative dt/dp = −(g_y s⁻ + g_p)/(g_y
+//! f⁻), where g is zero there: a gap, a force, the margin of friction, or a slip ([`super::zero`]). M. A. Aizerman & F.
+//! R. Gantmakher, "On the stability of periodic motions", *Journal of Applied Mathematics and Mechanics* 22 (1958),
+//! 1065–1078; P. C. Müller, "Calculation of Lyapunov exponents for dynamic systems with discontinuities", *Chaos,
+//! Solitons & Fractals* 5 (1995), 1671–1681. The map is linear in s⁻ and p: forwards it is applied to slopes, and a
+//! backward sweep takes its transpose.
 //!
-//! R is differentiated with the set of contacts that push, and with what sticks and slips, as it is. Where that changes with what is varied, where contacts that change together do not stay together, or close without a velocity,
-//! there is no derivative, and it is said why.
+//! R is differentiated with the sets of contacts that push, stick and slip held fixed. There is no derivative, and the
+//! reason is given, where these sets change with the varied number, where contacts that change together do not stay
+//! together, or where contacts close without a velocity.
 
 use super::contacts::{Acting, Change, Direction, SMALL, Wide, Without};
 use super::forces::{Forces, NOTHING, RatesAlong, Varied};
@@ -21,37 +24,37 @@ use tripos_sim::{Failure, Mode};
 /// The rates at an instant and a state while contacts are held.
 pub type Flow<'c> = dyn Fn(&Kept, f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c;
 
-/// A crossing, and what all directions need of it.
+/// A crossing, with the data that all directions need.
 pub struct Crossed<'c> {
     wide: &'c Wide<'c>,
     crossing: &'c Crossing<'c>,
     rates_along: &'c RatesAlong<'c>,
-    /// What is zero at the instant.
+    /// Functions that are zero at the instant.
     zeros: Zeros<'c>,
     strikes: Vec<Strike>,
-    /// The rates after, with the forces of contacts that are held.
+    /// Rates after the crossing, with the forces of held contacts.
     rates: Vec<f64>,
-    /// These forces; nothing where no contact is held.
+    /// Forces of the contacts that are held after the crossing; `None` where no contact is held.
     forces: Option<Forces>,
 }
 
-/// A direction, taken across a crossing.
+/// Result of taking a direction across a crossing.
 pub struct Across {
-    /// How the instant moves.
+    /// Derivative of the instant.
     pub later: f64,
-    /// The slopes after it.
+    /// Slopes of the state after the crossing.
     pub slopes: Vec<f64>,
-    /// How the impulses of each strike change.
+    /// Derivatives of the impulses of each strike.
     changes: Vec<Change>,
-    /// The slopes before each strike.
+    /// Slopes of the state before each strike.
     before: Vec<Vec<f64>>,
 }
 
 impl<'c> Crossed<'c> {
-    /// A crossing in a motion of which `flow` gives the rates while contacts are held.
+    /// Prepares a crossing in a motion whose rates `flow` gives while contacts are held.
     ///
     /// # Errors
-    /// Why there is no derivative there by anything.
+    /// Reason why there is no derivative by anything.
     pub fn new(
         wide: &'c Wide<'c>,
         crossing: &'c Crossing<'c>,
@@ -84,10 +87,10 @@ impl<'c> Crossed<'c> {
         })
     }
 
-    /// How the instant moves, and the slopes after it, from those before.
+    /// Derivative of the instant, and the slopes of the state after it, from those before.
     ///
     /// # Errors
-    /// Why there are none.
+    /// Reason why there are none.
     pub fn across(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(f64, Vec<f64>), String> {
         self.begins_together(varied, state)?;
         self.zeros.stay_together(varied, state)?;
@@ -97,13 +100,13 @@ impl<'c> Crossed<'c> {
         Ok((across.later, across.slopes))
     }
 
-    /// Whether contacts hold the same motion, so that there are derivatives by what moves them alike only.
+    /// True if contacts hold the same motion: then only numbers that move them alike have derivatives.
     pub fn shares(&self) -> bool {
         let before = &self.zeros.coming.forces;
         before.iter().chain(&self.forces).any(Forces::are_shared)
     }
 
-    /// Whether there may be derivatives by some numbers only, of those that change the state before.
+    /// True if only some of the numbers that change the state before may have derivatives.
     pub fn asks(&self) -> bool {
         let is_open = |strike: &Strike| {
             let compliance =
@@ -120,10 +123,10 @@ impl<'c> Crossed<'c> {
             || !self.at_rest().is_empty()
     }
 
-    /// The map of slopes as it is, whether or not what it supposes stays so along this direction.
+    /// Takes slopes across the crossing, without checking that the sets of contacts stay fixed along this direction.
     ///
     /// # Errors
-    /// Where something has no value.
+    /// Reason, where a value does not exist.
     pub fn linear(&self, varied: &Varied<'_>, state: &[f64]) -> Result<Across, String> {
         let later = self.zeros.later(varied, state)?;
         let mut slopes: Vec<f64> = state.iter().zip(&self.zeros.coming.rates).map(|(s, f)| s + f * later).collect();
@@ -147,7 +150,7 @@ impl<'c> Crossed<'c> {
         self.wide.contacts.rows[contact][0]
     }
 
-    /// How the impulses of a strike change, if they follow from what this grip holds, where those of the strike before change so.
+    /// Derivative of the impulses of a strike if they follow from `grip`. `last` is that of the strike before.
     fn strike(
         &self,
         (strike, grip): (&Strike, &Grip),
@@ -162,7 +165,7 @@ impl<'c> Crossed<'c> {
         let e = along_rows(contacts, |at| contacts.impacts[at].restitution);
         let turns = along_rows(contacts, |at| contacts.turns(at, &velocities));
         let by_e = along_rows(contacts, |at| varied.restitutions[at]);
-        // What opens gives nothing back, whatever its coefficient.
+        // An opening contact gives nothing back, whatever its coefficient.
         let by_turns =
             along_rows(contacts, |at| if velocities[self.normal(at)] < 0.0 { varied.restitutions[at] } else { 0.0 });
         let nothing = DVector::zeros(contacts.count);
@@ -188,7 +191,7 @@ impl<'c> Crossed<'c> {
         format!("whether the contact `{}` pushes or opens there changes with `{}`", self.name(contact), varied.name)
     }
 
-    /// Refuses at the start to open a contact that is closed there, or to let it overlap.
+    /// Refuses at the start a number that opens a closed contact, or lets it overlap.
     fn begins_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
         if self.crossing.happening.is_some() {
             return Ok(());
@@ -210,7 +213,7 @@ impl<'c> Crossed<'c> {
         Ok(())
     }
 
-    /// Refuses impulses of which others would follow where the number changes.
+    /// Refuses a number that changes which contacts take part in an impact, or how.
     fn stays_decided(&self, varied: &Varied<'_>, across: &Across) -> Result<(), String> {
         let largest = across.changes.iter().map(|change| change.size).fold(0.0, f64::max);
         for (at, (strike, change)) in self.strikes.iter().zip(&across.changes).enumerate() {
@@ -248,20 +251,20 @@ impl<'c> Crossed<'c> {
         Ok(())
     }
 
-    /// The contacts that are held afterwards without a force.
+    /// Contacts that are held afterwards without a force.
     fn lying(&self) -> Vec<usize> {
         let Some(forces) = &self.forces else { return Vec::new() };
         forces.kept().map(|(at, _)| at).filter(|at| forces.is_nothing(self.normal(*at))).collect()
     }
 
-    /// The contacts that stick afterwards at the limit of their friction.
+    /// Contacts that stick afterwards at the limit of their friction.
     fn at_limit(&self) -> Vec<usize> {
         let Some(forces) = &self.forces else { return Vec::new() };
         let sticks = forces.kept().filter(|(_, mode)| *mode == Mode::Sticks).map(|(at, _)| at);
         sticks.filter(|at| forces.is_at_limit(self.wide.contacts, *at)).collect()
     }
 
-    /// The contacts that begin to slip at the start.
+    /// Contacts that begin to slip at the start.
     fn at_rest(&self) -> Vec<usize> {
         let Some(forces) = self.forces.as_ref().filter(|_| self.crossing.happening.is_none()) else {
             return Vec::new();
@@ -277,7 +280,8 @@ impl<'c> Crossed<'c> {
         slips.filter(is_still).collect()
     }
 
-    /// Refuses contacts that lie without a force, where one would come, that stick at the limit, where they would slip, and that begin to slip, where they would slip the other way.
+    /// Refuses a number that gives a force to a contact that lies without one. Refuses one that makes a contact slip
+    /// that sticks at its limit, or that moves a contact that begins to slip at rest.
     fn stays_held(&self, varied: &Varied<'_>, slopes: &[f64]) -> Result<(), String> {
         let Some(forces) = &self.forces else { return Ok(()) };
         let contacts = self.wide.contacts;

@@ -2,21 +2,22 @@
 
 use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
-/// The step by the size of what changes. Rules of order 4 are off by STEP⁴ of it, some 3e-21, and rounding by 1e-32/STEP.
+/// Step relative to the size of the numbers that change. Rules of order 4 have an error of STEP⁴, some 3e-21, and a
+/// rounding of 1e-32/STEP.
 pub const STEP: f64 = 1.0 / 131_072.0;
 
 /// A rule of order 4: the places in steps, and twelve times the weights. M. Abramowitz & I. A. Stegun, *Handbook of
 /// Mathematical Functions* (1964), table 25.2.
 pub const CENTRAL: [(i32, i64); 4] = [(-2, 1), (-1, -8), (1, 8), (2, -1)];
 
-/// Values on one side.
+/// A one-sided rule of order 4: the places in steps, and twelve times the weights.
 pub const FORWARD: [(i32, i64); 5] = [(0, -25), (1, 48), (2, -36), (3, 16), (4, -3)];
 
-/// The derivative of values that were taken at the places of a rule.
+/// Derivative from values that were taken at the places of a rule.
 pub fn difference(list: &[Vec<DoubleDouble>], rule: &[(i32, i64)], step: DoubleDouble) -> Vec<f64> {
     let twelve = DoubleDouble::int(12) * step;
     let count = list.first().map_or(0, Vec::len);
-    // Weights add up to 0: what does not change has no derivative, not even one of rounding.
+    // Weights add up to 0: a value that does not change has a derivative of exactly 0.
     let sum = |at: usize| {
         let rise = list.iter().map(|values| values[at] - list[0][at]);
         let terms = rise.zip(rule).map(|(rise, (_, weight))| rise * DoubleDouble::int(*weight));
@@ -25,11 +26,11 @@ pub fn difference(list: &[Vec<DoubleDouble>], rule: &[(i32, i64)], step: DoubleD
     (0..count).map(|at| (sum(at) / twelve).to_f64()).collect()
 }
 
-/// Components of a state that are smaller than this count as if they had this size, in their unit: a state passes through zero,
+/// Least size of a component of a state, in its unit: a smaller one counts as this large. A state passes through zero;
 /// a length that matters does not.
 const FLOOR: f64 = 1e-6;
 
-/// The derivative of a function at `x` along a direction.
+/// Derivative of a function at `x` along a direction.
 pub fn along(x: &[f64], direction: &[f64], of: impl Fn(&[DoubleDouble]) -> Vec<DoubleDouble>) -> Vec<f64> {
     let part = x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(FLOOR)).fold(0.0, larger);
     if !(part > 0.0 && part.is_finite()) {

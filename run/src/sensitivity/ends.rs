@@ -1,4 +1,4 @@
-//! Derivatives at the end of a run and at its events, and how well they are known.
+//! Derivatives at the end of a run and at its events, and their errors.
 
 use super::corners::corners;
 use super::equations::{Carried, From};
@@ -14,13 +14,13 @@ use tripos_traits::{Scalar, Tangent, larger};
 
 /// Derivatives at the end of a run, by each seed.
 pub struct End {
-    /// Derivatives of what is shown: total ones, if an event ends the run.
+    /// Derivatives of the shown quantities; total ones if an event ends the run.
     pub shown: Vec<Vec<f64>>,
-    /// Derivatives of the instant.
+    /// Derivatives of the instant of the end.
     pub t: Vec<f64>,
 }
 
-/// The derivatives at the end of a run.
+/// Computes the derivatives at the end of a run.
 ///
 /// # Errors
 /// [`Error::Request`] if the parameters are not those of the equations.
@@ -50,7 +50,7 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     Ok(End { shown, t })
 }
 
-/// y′ at a state, while these contacts are held.
+/// Rates y′ at a state while these contacts are held.
 fn rates(parts: &Parts<'_>, kept: &Kept, (t, y): (f64, &[f64])) -> Result<Vec<f64>, Error> {
     if !kept.is_empty() {
         let rates = parts.problem.flow(&parts.problem.contacts(), kept, t, y);
@@ -63,7 +63,7 @@ fn rates(parts: &Parts<'_>, kept: &Kept, (t, y): (f64, &[f64])) -> Result<Vec<f6
     Ok([q_dot, v_dot].concat())
 }
 
-/// The derivatives of the instants of the events of a run; `t_end` are those of its end.
+/// Computes the derivatives of the instants of a run's events; `t_end` holds those of its end.
 ///
 /// # Errors
 /// As [`end`].
@@ -95,11 +95,11 @@ fn instant(
         let along = parts.quantities.slopes(&place, &seed.parameters, state).watched[event.event];
         -along / flow
     });
-    // How what only touches zero moves is not told.
+    // There is no derivative where the function of an event only touches zero.
     Ok((flow.abs() > 0.0).then(|| later.collect()))
 }
 
-/// A state between samples and its slopes, by a short run from the last sample before it.
+/// A state between samples and its slopes, from a short run that begins at the last sample before it.
 type State = (Vec<f64>, Vec<Vec<f64>>);
 
 fn on_the_way(parts: &Parts<'_>, carried: &Carried, t: f64) -> Result<Option<State>, Error> {
@@ -118,15 +118,15 @@ fn on_the_way(parts: &Parts<'_>, carried: &Carried, t: f64) -> Result<Option<Sta
     Ok((run.solution.stop == Stop::End).then_some((run.solution.y_end, run.end)))
 }
 
-/// No derivative is known better than to some roundings of itself.
+/// Least relative error of a derivative: eight roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Errors of the derivatives at the end by each seed, and by which run.
+/// Errors of the derivatives at the end by each seed, and the run that gave them.
 type Assessed = (Option<Vec<Vec<f64>>>, Option<String>);
 
-/// The errors of the derivatives at the end, as a second run tells: one with other steps, from numbers one rounding away.
+/// Errors of the derivatives at the end, from a second run with other steps, from numbers one rounding away.
 ///
-/// What the two differ by shortly before the end counts as well: two motions that swing about each other meet now and then.
+/// Differences shortly before the end count as well: two motions that swing about each other meet now and then.
 ///
 /// # Errors
 /// [`Error`] if the second run makes no sense where the first did.
@@ -153,7 +153,7 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<
         }
         let its = Parts { problem: &beside, ..*parts };
         let theirs = end(&its, &run)?.shown;
-        // A contact that only the second run nearly touches leaves it without some derivatives: it tells nothing of them.
+        // The second run has no derivatives where it alone nearly touches a contact: it tells nothing of them.
         let pairs = || own.shown.iter().flatten().zip(theirs.iter().flatten());
         if pairs().any(|(own, other)| other.is_nan() && !own.is_nan()) {
             continue;
@@ -174,10 +174,12 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<
     Ok((None, None))
 }
 
-/// What is no part of a run on either side of an instant at which slopes jump, over the larger of the instant and 1 s.
+/// Time next to an instant at which slopes jump in which samples are not compared, over the larger of the instant and 1
+/// s.
 const BESIDE: f64 = 1e-6;
 
-/// Two samples shortly before the end, if there are such: none next to an instant at which slopes jump, on the other side of which a second run may be.
+/// Indices of two samples shortly before the end, if there are such. None is next to an instant at which slopes jump: a
+/// second run may be on the other side of it.
 fn before(parts: &Parts<'_>, carried: &Carried) -> Vec<usize> {
     let (t, t_end) = (&carried.solution.t, carried.solution.t_end);
     let p: Vec<Tangent<1>> = parts.problem.scene.parameters.iter().map(|p| Tangent::from_f64(*p)).collect();

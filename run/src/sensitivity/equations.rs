@@ -19,7 +19,7 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{Accompanied, Event, Lent, Options, Output, RightHandSide, Solution, Tangents, integrate};
 use tripos_traits::{CompiledSystem, Derivative, InTangents, Method, Tangent};
 
-/// Equations of which values are computed with slopes.
+/// Equations that give values with slopes.
 pub struct Equations {
     /// Equations in doubles.
     pub code: Code,
@@ -28,10 +28,10 @@ pub struct Equations {
 }
 
 impl Equations {
-    /// Those of a mechanism that a method can run, compiled if they are compiled with slopes.
+    /// Prepares the equations of a mechanism for a method; they are compiled if a version with slopes is compiled.
     ///
     /// # Errors
-    /// As [`code`].
+    /// Those of [`code`].
     pub fn new(mechanism: &Mechanism, scene: &Scene, by: &By, method: Method) -> Result<Self, Error> {
         let distance = scene.integration.distance;
         let mut code = code(mechanism, by, distance, Ready::Solved)?;
@@ -47,12 +47,12 @@ impl Equations {
         Ok(Self { code, one: OnceCell::new(), four: OnceCell::new() })
     }
 
-    /// Whether slopes of Taylor coefficients are to be had.
+    /// True if Taylor coefficients can be computed with slopes.
     pub fn has_series(&self) -> bool {
         compiled(&self.code).is_none() && self.code.system().has_taylor()
     }
 
-    /// What computes rates with one slope.
+    /// Functions that compute rates with one slope.
     pub fn one(&self) -> Parts<'_, 1> {
         match (&self.code, compiled(&self.code)) {
             (Code::Interpreted(system), _) => parts(self.one.get_or_init(|| Derivative(system.double.to()))),
@@ -69,10 +69,10 @@ impl Equations {
         }
     }
 
-    /// A run with its derivatives by each of the seeds, from a state with slopes along each of them.
+    /// Makes a run with its derivatives by each of the seeds, from a state with slopes along each of them.
     ///
-    /// The derivatives are those of the run itself: of its steps, as they are. Four are carried along at once; where there are more,
-    /// the same run is made again for each four.
+    /// These are the derivatives of the run itself, along the steps that it takes. Four are carried along at once; if
+    /// there are more, the same run is made again for each four.
     ///
     /// # Errors
     /// [`Error::Request`] if the question makes no sense.
@@ -103,25 +103,25 @@ impl Equations {
     }
 }
 
-/// From where a run with slopes begins: an instant, a state, and the slopes of that by each seed.
+/// Start of a run with slopes: an instant, a state, and the slopes of the state by each seed.
 pub struct From<'a> {
     /// First and last instant, s.
     pub span: (f64, f64),
-    /// The integrated state.
+    /// Integrated state at the first instant.
     pub y: &'a [f64],
-    /// Its slopes, a list for each seed.
+    /// Slopes of this state, a list for each seed.
     pub slopes: &'a [Vec<f64>],
 }
 
 /// A run, and the slopes of its integrated states.
 pub struct Carried {
-    /// The run.
+    /// The run in plain doubles.
     pub solution: Solution,
-    /// By each seed, at each sample, of each component.
+    /// Slopes by each seed, at each sample, of each component.
     pub at: Vec<Vec<Vec<f64>>>,
-    /// By each seed, at the end, of each component.
+    /// Slopes by each seed, at the end, of each component.
     pub end: Vec<Vec<f64>>,
-    /// What was met on the way.
+    /// Changes of contacts during the run, and ends of derivatives.
     pub way: Way,
 }
 
@@ -136,7 +136,7 @@ fn compiled(code: &Code) -> Option<InTangents<'static>> {
     }
 }
 
-/// One run in numbers with `K` slopes, whose derivatives end where a contact is just touched.
+/// Makes one run in numbers with `K` slopes. Derivatives end where a contact is just touched.
 fn watched<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -151,7 +151,7 @@ fn watched<const K: usize>(
     Ok(carried)
 }
 
-/// Ends the derivatives by numbers that change a gap where it is at its least and nothing.
+/// Ends the derivatives by numbers that change a gap whose minimum is zero.
 fn end_at<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -179,7 +179,7 @@ fn end_at<const K: usize>(
 }
 
 impl Carried {
-    /// Says that derivatives by a number end at an instant.
+    /// Ends the derivatives by a number at an instant.
     fn over(&mut self, number: usize, t: f64, why: String) {
         self.way.end(number, t, why);
         let later = self.solution.t.iter().zip(&mut self.at[number]).filter(|(sample, _)| **sample >= t);
@@ -188,7 +188,7 @@ impl Carried {
     }
 }
 
-/// One run in numbers with `K` slopes, and where contacts are nearly touched, if that is watched.
+/// Makes one run in numbers with `K` slopes. It lists the contacts that are nearly touched if that is watched.
 fn carry<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -231,7 +231,7 @@ fn carry<const K: usize>(
     Ok((carried, approaches))
 }
 
-/// A run without contacts.
+/// Makes a run without contacts.
 fn smooth<const K: usize>(
     problem: &Problem<'_>,
     (flow, series): Parts<'_, K>,

@@ -1,4 +1,4 @@
-//! The forces of contacts that are held at a state, and how they change.
+//! Forces of contacts that are held at a state, and their derivatives.
 
 use super::contacts::{Acting, Change, Direction, Wide, Without};
 use super::grip::Grip;
@@ -6,20 +6,20 @@ use crate::impacts::{Contacts, Kept, Operators};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
 
-/// What is nothing beside what it is made of.
+/// Fraction of the size of its terms below which a quantity counts as zero.
 pub const NOTHING: f64 = 1e-9;
 
 /// The derivative of the rates of the equations without contacts, along a direction at a state.
 pub type RatesAlong<'c> = dyn Fn(&[f64], Direction<'_>) -> Vec<f64> + 'c;
 
-/// What is varied, and what parameters and the coefficients of contacts do as it changes.
+/// The varied number, with the derivatives of parameters and of coefficients of contacts by it.
 #[derive(Clone, Copy)]
 pub struct Varied<'v> {
     pub name: &'v str,
     pub parameters: &'v [f64],
-    /// By contact: coefficients of restitution.
+    /// Derivatives of the coefficients of restitution, by contact.
     pub restitutions: &'v [f64],
-    /// By contact: coefficients of friction.
+    /// Derivatives of the coefficients of friction, by contact.
     pub frictions: &'v [f64],
 }
 
@@ -27,23 +27,23 @@ pub struct Varied<'v> {
 pub struct Forces {
     kept: Kept,
     y: Vec<f64>,
-    /// The rates of the state without them.
+    /// Rates of the state without the forces.
     free: Vec<f64>,
     operators: Operators,
     grip: Grip,
     /// The forces along all rows.
     along_rows: DVector<f64>,
-    /// What all rows would do without.
+    /// Accelerations of all rows without the forces.
     accelerations: DVector<f64>,
-    /// The rows of which the force is not determined.
+    /// Indices of the rows whose force is not determined.
     shared: Vec<usize>,
 }
 
 impl Forces {
-    /// The forces of contacts that are held at a state with these rates without them.
+    /// Computes the forces of contacts that are held at a state. `free` holds the rates of the state without them.
     ///
     /// # Errors
-    /// [`Failure`] where there are none.
+    /// [`Failure`] where the forces are not finite.
     pub fn new(contacts: &Contacts<'_>, kept: &Kept, y: &[f64], free: Vec<f64>) -> Result<Self, Failure> {
         let rates = contacts.rates(y);
         let (operators, response) = (contacts.operators(y, &rates)?, contacts.response(y, &rates)?);
@@ -60,24 +60,24 @@ impl Forces {
         Ok(Self { kept, y, free, operators, grip, along_rows, accelerations, shared })
     }
 
-    /// The root of G of a row: what a force along it is measured by.
+    /// Root of the compliance G of a row: forces times this root are comparable between rows.
     pub fn unit(&self, row: usize) -> f64 {
         let of_u = self.operators.of_u.row(row);
         (of_u * self.operators.inertia.solve(&of_u.transpose()))[0].sqrt()
     }
 
-    /// The largest of what held rows would do without forces, each in its unit.
+    /// Largest acceleration of held rows without forces, each over the root of its compliance.
     fn largest(&self) -> f64 {
         let size = |row: &usize| self.accelerations[*row].abs() / self.unit(*row);
         self.grip.rows.iter().map(size).fold(0.0, f64::max)
     }
 
-    /// Whether no force is along a row, but for rounding.
+    /// True if the force along a row is zero, except for rounding.
     pub fn is_nothing(&self, row: usize) -> bool {
         self.along_rows[row] * self.unit(row) <= NOTHING * self.largest()
     }
 
-    /// Whether a contact that sticks is at the limit of its friction, but for rounding.
+    /// True if a sticking contact is at the limit of its friction, except for rounding.
     pub fn is_at_limit(&self, contacts: &Contacts<'_>, contact: usize) -> bool {
         let rows = &contacts.rows[contact];
         let Some(mu) = contacts.friction(contact) else { return false };
@@ -85,25 +85,25 @@ impl Forces {
         margin * self.unit(rows[1]) <= NOTHING * self.largest()
     }
 
-    /// Whether the force along a row is not determined, since others hold the same motion.
+    /// True if the force along a row is not determined, since other rows hold the same motion.
     pub fn is_shared(&self, row: usize) -> bool {
         self.shared.contains(&row)
     }
 
-    /// Whether any is not.
+    /// True if the force along any row is not determined.
     pub fn are_shared(&self) -> bool {
         !self.shared.is_empty()
     }
 
-    /// The contacts that are held, and what each does.
+    /// Iterates over the held contacts with their modes.
     pub fn kept(&self) -> impl Iterator<Item = (usize, Mode)> + '_ {
         self.kept.iter()
     }
 
-    /// How they change.
+    /// Derivative of the forces along a direction.
     ///
     /// # Errors
-    /// Why that has no value.
+    /// Reason why it has no value.
     pub fn change(
         &self,
         wide: &Wide<'_>,
@@ -119,7 +119,7 @@ impl Forces {
         wide.change(&acting, &without, direction, &given).map_err(|failure| failure.message)
     }
 
-    /// How the margin of a contact that sticks changes, μ N − |T|, and what that is made of.
+    /// Derivative of the margin of a sticking contact, μ N − |T|, and the size of its terms.
     pub fn margin(&self, contacts: &Contacts<'_>, contact: usize, change: &Change, varied: &Varied<'_>) -> (f64, f64) {
         let (normal, slip) = (contacts.rows[contact][0], contacts.rows[contact][1]);
         let mu = contacts.friction(contact).unwrap_or(0.0);

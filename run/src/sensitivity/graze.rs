@@ -1,31 +1,33 @@
 //! Contacts that are just touched.
 //!
-//! Where a gap comes down to nothing and grows again, a motion beside meets it, or does not: on one side of the touch slopes are those of a flight, on the other they grow as the inverse of the
-//! velocity of the impact, beyond bounds. So there is no derivative by what changes the gap there, nor, as the gap is flat there in time, by what changes its velocity; by all else slopes go on.
+//! A gap comes down to zero and grows again; a neighboring motion closes the contact, or does not. On one side of the
+//! touch, slopes are those of a flight. On the other they grow without bound, as the inverse of the impact velocity. So
+//! there is no derivative by a number that changes the gap there. The gap is flat in time there, so the same holds for
+//! a number that changes its velocity. Derivatives by all other numbers go on.
 
 use super::contacts::{Direction, SMALL, Wide};
 use super::forces::Varied;
 use tripos_sim::Options;
 
-/// How small a gap must be at its least, in units of the relative tolerance of a run, not to be told from one that closes.
+/// Minimum of a gap that cannot be told from zero, in units of the relative tolerance of a run.
 const TOLD: f64 = 8.0;
-/// The least relative tolerance by which that is judged: rounding.
+/// Least relative tolerance in this judgement: rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// How small a gap must be at its least to count as touched, as a part of what it is made of: what a run leaves open.
+/// Relative gap below which a contact counts as touched, over the size of the gap's terms: the error of a run.
 pub fn near(options: &Options) -> f64 {
     TOLD * options.rtol.max(ROUNDING)
 }
 
-/// Why there is no derivative by what is varied where the gap of a contact is at its least, and nothing.
+/// Checks that the varied number does not change the gap of a contact, or its velocity, at a minimum of zero.
 ///
 /// # Errors
-/// The reason, if there is one.
+/// Reason why there is no derivative by the varied number.
 pub fn check(wide: &Wide<'_>, (contact, y): (usize, &[f64]), varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
     let direction = Direction { parameters: varied.parameters, state };
     let row = wide.contacts.rows[contact][0];
     let changes = [wide.gap(contact, y, direction), wide.velocity(row, y, direction)];
-    // What is not a number changes nobody knows how.
+    // A change that is NaN counts as a change.
     if changes.iter().all(|(change, size)| change.abs() <= SMALL * size) {
         return Ok(());
     }

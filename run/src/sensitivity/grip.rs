@@ -1,47 +1,48 @@
-//! What contacts hold: the rows along which their forces follow from what the rows would do, and friction that follows from the forces along gaps.
+//! Rows that contacts hold, along which forces follow from the motion of the rows, and friction, which follows from the
+//! forces along gaps.
 
 use crate::impacts::{Contacts, Kept};
 use nalgebra::{DMatrix, DVector};
 use tripos_sim::{Found, Mode};
 
-/// Singular values below this part of the largest one are rounding.
+/// Singular values below this fraction of the largest are rounding.
 const DEPENDENT: f64 = 1e-11;
-/// Below this part of it they may be.
+/// Singular values below this fraction of the largest may be rounding.
 const DOUBTFUL: f64 = 1e-9;
 
-/// What contacts hold, each as it does.
+/// Rows and friction that contacts hold, by the mode of each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Grip {
-    /// The rows that are held.
+    /// Indices of the held rows.
     pub rows: Vec<usize>,
-    /// Friction of what slips.
+    /// Friction of the slipping contacts.
     pub slips: Vec<Slip>,
 }
 
 /// A contact that slips: its force along the slip is −μ s times that along its gap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
-    /// The contact.
+    /// Index of the contact.
     pub contact: usize,
-    /// The row of its gap.
+    /// Index of the row of its gap.
     pub normal: usize,
-    /// The row of its slip.
+    /// Index of the row of its slip.
     pub along: usize,
-    /// s, the sign of its velocity.
+    /// Sign s of its slip velocity.
     pub way: f64,
-    /// −μ s.
+    /// Friction per force along the gap, −μ s.
     pub factor: f64,
 }
 
 impl Grip {
-    /// What is held in a motion.
+    /// Grip of held contacts in a motion.
     pub fn of(contacts: &Contacts<'_>, kept: &Kept) -> Self {
         let mut grip = Self::default();
         kept.iter().for_each(|(at, mode)| grip.add(contacts, at, mode, true));
         grip
     }
 
-    /// What contacts hold in an impact, in modes that were found.
+    /// Grip of contacts in an impact, in modes that were found.
     pub fn found(contacts: &Contacts<'_>, which: &[usize], found: &Found) -> Self {
         let mut grip = Self::default();
         let each = which.iter().zip(&found.modes).zip(&found.pushes);
@@ -51,7 +52,7 @@ impl Grip {
 
     fn add(&mut self, contacts: &Contacts<'_>, contact: usize, mode: Mode, pushes: bool) {
         let rows = &contacts.rows[contact];
-        // What does not push beside what it is given holds its slip alone.
+        // A contact that does not push beyond its given impulse holds its slip alone.
         let first = usize::from(!pushes);
         match mode {
             Mode::Opens => {}
@@ -64,7 +65,7 @@ impl Grip {
         }
     }
 
-    /// Forces along all rows of those along the rows that are held: a column for each of these.
+    /// Matrix that takes forces along held rows to those along all rows, one column for each held row.
     pub fn spread(&self, count: usize) -> DMatrix<f64> {
         let mut all = DMatrix::zeros(count, self.rows.len());
         for (at, row) in self.rows.iter().enumerate() {
@@ -76,7 +77,8 @@ impl Grip {
         all
     }
 
-    /// How friction changes with its coefficients, which change by these: with forces along gaps, of all rows.
+    /// Derivative of friction along all rows by its coefficients, whose derivatives are `by`, for these forces along
+    /// gaps.
     pub fn of_coefficients(&self, by: &[f64], forces: &DVector<f64>) -> DVector<f64> {
         let mut all = DVector::zeros(forces.len());
         for slip in &self.slips {
@@ -85,7 +87,7 @@ impl Grip {
         all
     }
 
-    /// Friction of forces along gaps.
+    /// Friction along all rows that these forces along gaps cause.
     pub fn of_given(&self, given: &DVector<f64>) -> DVector<f64> {
         let mut all = DVector::zeros(given.len());
         for slip in &self.slips {
@@ -94,7 +96,7 @@ impl Grip {
         all
     }
 
-    /// The linear system of the forces along the rows that are held, for a compliance G of all rows, in units in which rows are alike.
+    /// Linear system of the forces along the held rows, for a compliance G of all rows. Its units make rows alike.
     pub fn system(&self, compliance: &DMatrix<f64>) -> HeldSystem {
         let unit = |row: &usize| {
             let g = compliance[(*row, *row)];
@@ -107,19 +109,19 @@ impl Grip {
     }
 }
 
-/// A λ + c = 0 along rows that are held, with the forces λ along them and what the rows would do without, c.
+/// A λ + c = 0 along held rows, with the forces λ along them and the motion c of the rows without forces.
 pub struct HeldSystem {
     scaled: DMatrix<f64>,
     unit: DVector<f64>,
 }
 
 impl HeldSystem {
-    /// λ of the least size in units in which rows are alike; nothing if it is not finite.
+    /// λ of the least size in units in which rows are alike; `None` if it is not finite.
     pub fn solve(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         self.solved(self.scaled.clone(), c)
     }
 
-    /// x with Aᵀ x + c = 0, likewise.
+    /// x of the least size with Aᵀ x + c = 0; `None` if it is not finite.
     pub fn solve_transposed(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         self.solved(self.scaled.transpose(), c)
     }
@@ -137,7 +139,7 @@ impl HeldSystem {
         Some(svd.solve(&-c, rounding).ok()?.component_mul(&self.unit))
     }
 
-    /// Which of the rows have forces that are not determined, since they hold what others hold as well.
+    /// Flags the rows whose forces are not determined, since other rows hold the same motion.
     pub fn shared(&self) -> Vec<bool> {
         if self.unit.is_empty() || !self.scaled.iter().all(|x| x.is_finite()) {
             return vec![false; self.unit.len()];

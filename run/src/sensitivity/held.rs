@@ -1,7 +1,7 @@
 //! Motions in which contacts are held closed, with slopes.
 //!
-//! Invariant: values are those of [`crate::impacts::Held`] bit by bit. The slopes of forces are those of the linear system that they follow from
-//! ([`super::contacts`]).
+//! Invariant: values are those of [`crate::impacts::Held`], bit by bit. The slopes of forces follow from the linear
+//! system that gives the forces ([`super::contacts`]).
 
 use super::contacts::{Acting, Change, Direction, Wide, Without};
 use super::grip::Grip;
@@ -13,18 +13,18 @@ use tripos_derive::algebra::evaluate::Tape;
 use tripos_sim::{Failure, RightHandSide, Tangents};
 use tripos_traits::{Real, Scalar, Tangent};
 
-/// The gaps and rows of contacts in numbers with slopes.
+/// Gaps and velocities of contacts as tapes in numbers with slopes.
 pub struct Told<const K: usize> {
-    /// Each gap, in parameters and coordinates.
+    /// Tape of each gap, in parameters and coordinates.
     pub gaps: Vec<Tape<Tangent<K>>>,
-    /// The velocities of all rows first, in parameters and state.
+    /// Tape with the velocities of all rows first, in parameters and state.
     pub rates: Tape<Tangent<K>>,
 }
 
-/// Equations with the forces of contacts that are held, with slopes.
+/// Equations with the forces of held contacts, in numbers with slopes.
 pub struct HeldTangents<'a, const K: usize> {
     pub rhs: Tangents<'a, K>,
-    /// In doubles.
+    /// The same equations in doubles.
     pub held: Held<'a>,
     pub wide: &'a Wide<'a>,
     pub told: &'a Told<K>,
@@ -34,18 +34,18 @@ pub struct HeldTangents<'a, const K: usize> {
     pub way: &'a RefCell<Way>,
 }
 
-/// A state in doubles.
+/// Rounds a state to doubles.
 pub fn values<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }
 
-/// The slopes of a state along a direction.
+/// Slopes of a state along the direction of this index.
 pub fn slopes<S: Real>(y: &[S], at: usize) -> Vec<f64> {
     y.iter().map(|y| y.slope(at)).collect()
 }
 
 impl<const K: usize> HeldTangents<'_, K> {
-    /// Adds forces to rates.
+    /// Adds the forces of held contacts, with their slopes, to the rates.
     fn push(&mut self, t: f64, y: &[Tangent<K>], dydt: &mut [Tangent<K>]) -> Result<(), Failure> {
         let state = values(y);
         let free = self.held.free(t, &state)?;
@@ -76,7 +76,7 @@ impl<const K: usize> HeldTangents<'_, K> {
         Ok(())
     }
 
-    /// Gives the values of constraints of contacts, the first of which is at `own`, their slopes.
+    /// Sets the slopes of the constraints of contacts, the first of which has the index `own`.
     fn turn(&self, own: usize, y: &[Tangent<K>], values: &mut [Tangent<K>]) {
         let n = y.len() - self.held.contacts.system.lengths().variables;
         let of_gaps: Vec<Tangent<K>> = [self.parameters, &y[..n]].concat();

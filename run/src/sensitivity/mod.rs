@@ -1,17 +1,19 @@
-//! Sensitivities: the derivatives of what a run shows by parameters and numbers of its start.
+//! Sensitivities: the derivatives of quantities that a run shows by parameters and numbers of its start.
 //!
-//! The run is made in numbers that carry their slopes ([`tripos_traits::Tangent`]): the same equations, compiled or interpreted, give
-//! s′ = f_y s + f_p beside y′ = f by one call, and every method makes of it the derivative of the steps that it takes. So the run is
-//! that without sensitivities, bit by bit; steps are chosen by the errors of its states alone, and what that leaves in the
-//! derivatives is told by a second run, as it is for the states. H. G. Bock, "Numerical treatment of inverse problems in chemical
-//! reaction kinetics", *Modelling of Chemical Reaction Systems* (1981), 102–125: internal numerical differentiation.
+//! The run is made in numbers that carry their slopes ([`tripos_traits::Tangent`]). The same equations, compiled or
+//! interpreted, give s′ = f_y s + f_p with y′ = f by one call. Every method makes of it the derivative of the steps
+//! that it takes. So the run equals the run without sensitivities, bit by bit. Steps are chosen by the errors of the
+//! states alone. A second run gives the errors that this leaves in the derivatives, as it does for the states. H. G.
+//! Bock, "Numerical treatment of inverse problems in chemical reaction kinetics", *Modelling of Chemical Reaction
+//! Systems* (1981), 102–125: internal numerical differentiation.
 //!
-//! Where an event ends the run, its instant depends on what is varied: dt/dp = −(g_y s + g_p)/(g_y f) with g = 0 there, and the
-//! derivatives at the end are total ones, s + f dt/dp. Events that end nothing change nothing.
+//! Where an event ends the run, its instant depends on the varied number: dt/dp = −(g_y s + g_p)/(g_y f) with g = 0
+//! there. The derivatives at the end are total ones, s + f dt/dp. Events that do not end the run change nothing.
 //!
-//! By many numbers at once the derivatives of one number that is shown at the end are found backwards: [`gradient`].
+//! The derivatives of one number that is shown at the end, by many numbers at once, are found backwards: [`gradient`].
 //!
-//! Absent on purpose: a scene's own reduced equations, which hold constants that would have to be differentiated as well.
+//! Absent on purpose: a scene's own reduced equations. They hold constants that would have to be differentiated as
+//! well.
 
 mod apart;
 mod bounce;
@@ -50,31 +52,34 @@ use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 
 /// A run with its derivatives.
 pub struct Sensitivities {
-    /// The run, bit by bit that without derivatives.
+    /// The run, equal bit by bit to the run without derivatives.
     pub run: Run,
-    /// By what is differentiated.
+    /// Names of the numbers by which derivatives are taken.
     pub by: Vec<String>,
-    /// What is differentiated: coordinates, generalized speeds, other outputs of the scene, `kinetic_energy` and `potential_energy`.
+    /// Names of the differentiated quantities: coordinates, generalized speeds, other outputs of the scene,
+    /// `kinetic_energy` and `potential_energy`.
     pub names: Vec<String>,
-    /// The unit of each derivative, a list for each of `by`, in the order of `names`; nothing where that of an output is not known.
+    /// Unit of each derivative, a list for each of `by`, in the order of `names`. `None` where the unit of an output is
+    /// not known.
     pub units: Vec<Vec<Option<String>>>,
-    /// The derivatives at the end, likewise: total ones where an event ends the run, else those at a fixed instant.
+    /// Derivatives at the end, in the same order. They are total ones where an event ends the run, else those at a
+    /// fixed instant.
     pub end: Vec<Vec<f64>>,
-    /// Their estimated errors; nothing if a second run does not come to the same end.
+    /// Estimated errors of these derivatives; `None` if a second run does not come to the same end.
     pub errors: Option<Vec<Vec<f64>>>,
-    /// The derivatives at each sample, at fixed instants, if they were asked for: a list for each of `by`.
+    /// Derivatives at each sample, at fixed instants, if they were asked for: a list for each of `by`.
     pub samples: Vec<Vec<Vec<f64>>>,
-    /// The derivative of the instant at which the run ends, by each of `by`: 0 unless an event ends it.
+    /// Derivative of the instant at which the run ends, by each of `by`: 0 unless an event ends it.
     pub t_end: Vec<f64>,
-    /// The derivatives of the instants of the events of the run; nothing for those that do not cross zero.
+    /// Derivatives of the instants of the events of the run; `None` for events that do not cross zero.
     pub events: Vec<Option<Vec<f64>>>,
-    /// What the second run was, in words.
+    /// Description of the second run.
     pub assessed_by: Option<String>,
-    /// Why derivatives by each of `by` end on the way, and when; nothing where they do not.
+    /// Reason and instant at which derivatives by each of `by` end on the way; `None` where they do not.
     pub ended: Vec<Option<String>>,
 }
 
-/// Where derivatives are wanted.
+/// Instants at which derivatives are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum At {
     /// At the end and at events.
@@ -84,7 +89,7 @@ pub enum At {
 }
 
 impl Sensitivities {
-    /// The derivative at the end of what is shown under a name by a number of the scene.
+    /// Derivative at the end of the quantity with this name, by a number of the scene.
     ///
     /// # Errors
     /// [`Error::Request`] if there is no such name.
@@ -99,7 +104,7 @@ impl Sensitivities {
         Ok(self.end[by][place(&self.names, name, "nothing is differentiated that is called")?])
     }
 
-    /// A derivative that has no value, in words.
+    /// Describes a derivative that has no value; `None` if all have one.
     #[must_use]
     pub fn missing(&self) -> Option<String> {
         let found = self.end.iter().zip(&self.by).find_map(|(list, by)| {
@@ -114,12 +119,13 @@ impl Sensitivities {
     }
 }
 
-/// Runs a scene by whole equations, with the derivatives of what it shows by these of its parameters and numbers of its start. `set`
-/// are those that have other values than the file of the scene says.
+/// Runs a scene by whole equations, with the derivatives of the quantities that it shows by the named parameters and
+/// numbers of its start. `set` holds the numbers whose values differ from the file of the scene.
 ///
 /// # Errors
-/// [`Error::Input`] for a name that the scene does not have; [`Error::Request`] for equations or a method that cannot be differentiated,
-/// and where what is varied moves a jump of the equations in time at which there is no derivative; otherwise as [`crate::simulate`].
+/// [`Error::Input`] for a name that the scene does not have. [`Error::Request`] for equations or a method that cannot
+/// be differentiated, and for a number that moves a jump of the equations at which there is no derivative. Otherwise
+/// those of [`crate::simulate`].
 pub fn sensitivities(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -183,7 +189,7 @@ pub fn sensitivities(
     })
 }
 
-/// The derivatives of a run that changes its speeds on the way.
+/// Derivatives, by differences, of a run that changes its speeds on the way.
 fn by_differences(
     mechanism: &Mechanism,
     (scene, set): (&Scene, &[(String, f64)]),
@@ -217,7 +223,7 @@ fn by_differences(
     })
 }
 
-/// What derivatives are computed from.
+/// Data from which derivatives are computed.
 struct Parts<'a> {
     problem: &'a Problem<'a>,
     equations: &'a Equations,
@@ -225,7 +231,7 @@ struct Parts<'a> {
     seeds: &'a [Seed],
 }
 
-/// Refuses to differentiate by nothing, or by one number twice.
+/// Refuses an empty list of numbers, and a number that is named twice.
 fn check_names(names: &[String]) -> Result<(), Error> {
     if names.is_empty() {
         let help = "name parameters or numbers of the start";
@@ -237,7 +243,7 @@ fn check_names(names: &[String]) -> Result<(), Error> {
     }
 }
 
-/// Refuses equations and runs that are not differentiated.
+/// Refuses equations and runs that cannot be differentiated.
 fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
@@ -259,7 +265,7 @@ fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
     Ok(())
 }
 
-/// What a reader may want to know of the derivatives.
+/// Notes on the derivatives for the reader of a run.
 fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
@@ -277,7 +283,7 @@ fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) ->
     list
 }
 
-/// Where derivatives may lack what jumps of the equations add.
+/// Warning that derivatives may lack the effect of jumps of the equations; `None` if there are no such jumps.
 fn jumps(mechanism: &Mechanism) -> Option<String> {
     let list = mechanism.model.signs_of_states();
     let shown: Vec<String> = list.iter().map(|text| format!("`{text}`")).collect();
@@ -289,7 +295,7 @@ fn jumps(mechanism: &Mechanism) -> Option<String> {
     })
 }
 
-/// The derivatives at each sample.
+/// Computes the derivatives at each sample.
 fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, Error> {
     let solution = &carried.solution;
     let mut lists = vec![Vec::with_capacity(solution.t.len()); parts.seeds.len()];

@@ -1,7 +1,8 @@
-//! Derivatives of what a run shows, from those of its states.
+//! Derivatives of the quantities that a run shows, from those of its states.
 //!
-//! Coordinates, and speeds where these are integrated, have the slopes of the state. Everything else is a function of parameters
-//! and state: its derivative along them is a difference in 32 digits ([`super::difference`]), which needs no second text of it.
+//! Coordinates, and speeds where these are integrated, have the slopes of the state. Every other quantity is a function
+//! of parameters and state. Its derivative along them is a difference in 32 digits ([`super::difference`]), which needs
+//! no second definition of it.
 
 use super::difference::along;
 use crate::code::{Code, Ready, code, tape};
@@ -18,20 +19,20 @@ use tripos_sim::Dynamics;
 use tripos_sim::linear::{self, Shape};
 use tripos_traits::{DoubleDouble, Lengths, Scalar};
 
-/// What is differentiated: what a run shows, its energies, and what it watches.
+/// Differentiated quantities: those that a run shows, its energies, and those that it watches.
 pub struct Quantities {
     /// Names of coordinates and generalized speeds, of other outputs, of the kinetic and the potential energy.
     pub names: Vec<String>,
     /// Their units, where they are known.
     pub units: Vec<Option<Unit>>,
-    /// How many of them are coordinates and speeds.
+    /// Number of coordinates and speeds among the names.
     states: usize,
-    /// Other outputs, then what is watched: the domain's conditions and the scene's events.
+    /// Tape of other outputs, then of the watched functions: the domain's conditions and the scene's events.
     tape: Tape<DoubleDouble>,
     outputs: usize,
     needs_accelerations: bool,
     energies: Vec<usize>,
-    /// The force balance, if something mentions a reaction.
+    /// Force balance, if a quantity mentions a reaction.
     balance: Option<Code>,
 }
 
@@ -42,16 +43,16 @@ pub struct Place<'a> {
     reactions: Vec<f64>,
 }
 
-/// The derivative of all quantities along a direction: of what is shown, and of what is watched.
+/// Derivatives of all quantities along a direction: those shown, and those watched.
 pub struct Slopes {
-    /// In the order of [`Quantities::names`].
+    /// Derivatives of the shown quantities, in the order of [`Quantities::names`].
     pub shown: Vec<f64>,
-    /// In the order of the events of a run.
+    /// Derivatives of the watched functions, in the order of the events of a run.
     pub watched: Vec<f64>,
 }
 
 impl Quantities {
-    /// Those of the runs of a scene.
+    /// Prepares the quantities of the runs of a scene.
     ///
     /// # Errors
     /// [`Error`] if one of them needs a reaction that the model does not determine.
@@ -91,7 +92,7 @@ impl Quantities {
         })
     }
 
-    /// How many conditions of the domain and events of the scene are watched.
+    /// Number of watched functions: conditions of the domain, and events of the scene.
     pub fn watched(&self) -> usize {
         self.tape.outputs() - self.outputs
     }
@@ -114,7 +115,7 @@ impl Quantities {
         Ok(Place { problem, y, reactions })
     }
 
-    /// The derivatives along a direction: of parameters, and of the integrated state.
+    /// Derivatives of all quantities along a direction of parameters and of the integrated state.
     pub fn slopes(&self, place: &Place<'_>, parameters: &[f64], state: &[f64]) -> Slopes {
         let problem = place.problem;
         let moved = self.moved_with(problem, state);
@@ -127,7 +128,7 @@ impl Quantities {
         Slopes { shown: all, watched }
     }
 
-    /// The slopes of the state that are shown as they are: of coordinates, and of speeds where these are integrated.
+    /// Slopes of the state that are shown directly: those of coordinates, and of speeds where these are integrated.
     fn moved_with(&self, problem: &Problem<'_>, state: &[f64]) -> Vec<f64> {
         let is_rate = problem.by.formulation().is_some_and(Formulation::is_in_rates);
         let known = if is_rate { problem.model.coordinates.len() } else { self.states };

@@ -1,8 +1,8 @@
-//! How the start of a run and its parameters change with one number of a scene.
+//! Derivatives of the start of a run and of its parameters by one number of a scene.
 //!
-//! A start may follow from a number in many ways: by formulas, by loops that are closed, by speeds that rates determine. Its
-//! derivative is a difference of starts in 32 digits, of order 4 in its step, and right to some 20 digits: in doubles, to
-//! rounding.
+//! A start may follow from a number in many ways: by formulas, by closed loops, by speeds that rates determine. Its
+//! derivative is a difference of starts in 32 digits, of order 4 in the step. It is right to some 20 digits: in
+//! doubles, to rounding.
 
 use super::difference::{CENTRAL, FORWARD, STEP, difference};
 use super::forces::Varied;
@@ -13,12 +13,12 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{Impact, Nearby, Scene};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
-/// A number of a scene, and the derivatives of all that a run begins with by it.
+/// A number of a scene, and the derivatives by it of the parameters and the start of a run.
 #[derive(Clone)]
 pub struct Seed {
-    /// Its name.
+    /// Name of the number.
     pub name: String,
-    /// Its unit.
+    /// Unit of the number.
     pub unit: Unit,
     /// Slopes of the parameters, in the order of the model.
     pub parameters: Vec<f64>,
@@ -26,17 +26,18 @@ pub struct Seed {
     pub state: Vec<f64>,
     /// Slopes of the restitutions of contacts.
     pub restitutions: Vec<f64>,
-    /// Slopes of their coefficients of friction, 0 for those that have none.
+    /// Slopes of the coefficients of friction of contacts, 0 for those that have none.
     pub frictions: Vec<f64>,
-    /// Whether the span of the scene changes with it, too.
+    /// True if the span of the scene changes with the number, too.
     pub moves_span: bool,
 }
 
 impl Seed {
-    /// The derivatives by the number of this name of a scene in which some numbers were set.
+    /// Computes the derivatives by the number of this name, in a scene in which the numbers in `set` were set.
     ///
     /// # Errors
-    /// [`Error::Input`] for a name that is no parameter and no number of the start, and where no scenes are beside this one.
+    /// [`Error::Input`] for a name that is no parameter and no number of the start, and where no neighboring scenes
+    /// exist.
     pub fn new(problem: &Problem<'_>, set: &[(String, f64)], name: &str) -> Result<Self, Error> {
         let mut nearby = Nearby::new(problem.scene, problem.mechanism, set, name)?;
         let (value, unit) = (nearby.value(), nearby.unit());
@@ -62,7 +63,7 @@ impl Seed {
         Ok(Self { name: name.to_owned(), unit, parameters, state, restitutions, frictions, moves_span })
     }
 
-    /// Refuses a coefficient of friction that begins at 0: which way friction acts is then not told.
+    /// Refuses a coefficient of friction that begins at 0: the direction of friction is not known there.
     ///
     /// # Errors
     /// [`Error::Request`], with the reason.
@@ -78,7 +79,7 @@ impl Seed {
         })
     }
 
-    /// What is varied with it.
+    /// Derivatives of the parameters and of the coefficients of contacts by this number.
     pub fn varied(&self) -> Varied<'_> {
         let Self { name, parameters, restitutions, frictions, .. } = self;
         Varied { name, parameters, restitutions, frictions }
@@ -88,14 +89,14 @@ impl Seed {
 /// Scenes at the places of a rule for differences, and the rule.
 type Around = (Vec<Scene>, &'static [(i32, i64)]);
 
-/// The scenes at the places of a rule for differences: around the number, or on the one side of it where there are any.
+/// Scenes at the places of a rule for differences: on both sides of the number, or on one side if only that exists.
 fn scenes(at: &mut dyn FnMut(i32) -> Result<Scene, Diagnostics>) -> Result<Around, Error> {
     let mut by = |rule: &'static [(i32, i64)], side: i32| -> Result<Vec<Scene>, Diagnostics> {
         rule.iter().map(|(place, _)| at(side * place)).collect()
     };
     match by(&CENTRAL, 1) {
         Ok(list) => Ok((list, &CENTRAL)),
-        // A number at the edge of what it may be.
+        // The number is at the edge of its range.
         Err(error) => Ok((by(&FORWARD, 1).map_err(|_| error)?, &FORWARD)),
     }
 }

@@ -1,4 +1,5 @@
-//! An impact as a sequence of impulses, each of which follows from the velocities before it by what one set of contacts holds.
+//! An impact as a sequence of impulses. Each follows from the velocities before it and the rows that one set of
+//! contacts holds.
 
 use super::forces::NOTHING;
 use super::grip::Grip;
@@ -6,36 +7,38 @@ use crate::impacts::{Contacts, Crossing, Kept, Operators, Response};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Share};
 
-/// What impulses follow from.
+/// Law that gives the impulses of a strike.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law {
-    /// They take 1 + e of the velocities along gaps, by Newton's law.
+    /// Impulses remove 1 + e of the velocities along gaps, by Newton's law.
     Turn,
-    /// They take velocities away; of what is given along gaps there is friction too, by Poisson's law.
+    /// Impulses remove the velocities; impulses that are given along gaps cause friction, too, by Poisson's law.
     Stop { given: Option<DVector<f64>> },
-    /// They are parts e of the impulses of the strike before along gaps, by Poisson's law.
+    /// Impulses along gaps are parts e of those of the strike before, by Poisson's law.
     Return(DVector<f64>),
 }
 
-/// Impulses at a state.
+/// Impulses at a state, with the law that gives them.
 pub struct Strike {
-    /// The state before.
+    /// State before the impulses.
     pub y: Vec<f64>,
     pub operators: Operators,
     pub law: Law,
-    /// Along all rows.
+    /// Impulses along all rows.
     pub impulses: DVector<f64>,
-    /// What they follow from.
+    /// Rows from whose motion the impulses follow, and friction.
     pub grip: Grip,
-    /// The contacts that neither push nor open.
+    /// Contacts that neither push nor open.
     pub undecided: Vec<usize>,
-    /// The contacts that are turned by Newton's law though their gaps have no velocity: had they one that opens, they would take no part.
+    /// Contacts that Newton's law reverses though their gaps have no velocity. They would take no part if their gaps
+    /// opened.
     pub resting: Vec<usize>,
-    /// What contacts with friction could hold as well, moving alike.
+    /// Other sets of rows and friction that contacts with friction may hold, for the same motion.
     pub others: Vec<Grip>,
 }
 
-/// The impulses of a crossing, one after the other. What is held afterwards is brought to rest, also where it is.
+/// Computes the impulses of a crossing, one after the other. Contacts that are held afterwards are brought to rest,
+/// even if they rest already.
 ///
 /// # Errors
 /// [`Failure`] where something has no value.
@@ -64,7 +67,7 @@ pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<S
     Ok(made.list)
 }
 
-/// The coefficients of restitution along gaps, 0 along slips.
+/// Coefficients of the contacts along their gaps, 0 along slips.
 pub fn along_rows(contacts: &Contacts<'_>, of: impl Fn(usize) -> f64) -> DVector<f64> {
     let mut all = DVector::zeros(contacts.count);
     contacts.rows.iter().enumerate().for_each(|(at, rows)| all[rows[0]] = of(at));
@@ -83,7 +86,7 @@ impl Making<'_> {
         self.contacts.response(&self.y, &self.contacts.rates(&self.y))
     }
 
-    /// Impulses that push, from what velocities a law takes.
+    /// Adds impulses that push, from the velocities that a law removes.
     fn push(&mut self, which: &[usize], law: Law) -> Result<(), Failure> {
         let contacts = self.contacts;
         let response = self.response()?;
@@ -113,7 +116,8 @@ impl Making<'_> {
         self.add(law, contacts.spread(&impulses, &rows), grip, (of(&|share| share == Share::Neither), Vec::new()))
     }
 
-    /// Notes which of the contacts of the last strike had gaps without a velocity; what was held has none whatever is varied.
+    /// Notes the contacts of the last strike whose gaps had no velocity. A contact that was held is left out: it has
+    /// none whatever is varied.
     fn note_resting(&mut self, hit: &[usize], kept: &Kept) {
         let contacts = self.contacts;
         let Some(strike) = self.list.last_mut() else { return };
@@ -126,7 +130,7 @@ impl Making<'_> {
         strike.resting = hit.iter().copied().filter(|at| kept.mode(*at).is_none() && rests(at)).collect();
     }
 
-    /// Parts e of the impulses so far along gaps.
+    /// Adds the parts e of the impulses so far along gaps, and returns them.
     fn give_back(&mut self) -> Result<DVector<f64>, Failure> {
         let nothing = || DVector::zeros(self.contacts.count);
         let compression = self.list.last().map_or_else(nothing, |strike| strike.impulses.clone());
@@ -135,7 +139,7 @@ impl Making<'_> {
         Ok(given)
     }
 
-    /// Impulses that bring contacts to rest.
+    /// Adds impulses that bring contacts to rest.
     fn rest(&mut self, still: &Kept) -> Result<(), Failure> {
         let contacts = self.contacts;
         let response = self.response()?;

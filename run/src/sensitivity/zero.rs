@@ -1,4 +1,4 @@
-//! What is zero at an instant at which contacts change, and how that instant moves with what is varied.
+//! Functions that are zero at an instant at which contacts change, and the derivative of that instant.
 
 use super::contacts::{Direction, SMALL, Wide};
 use super::forces::{Forces, NOTHING, RatesAlong, Varied};
@@ -9,13 +9,13 @@ use tripos_sim::Mode;
 /// A function of the state that is zero where a contact changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum What {
-    /// The gap of a contact that closes.
+    /// Gap of a contact that closes.
     Gap,
-    /// The force along the gap of one that opens.
+    /// Force along the gap of a contact that opens.
     Force,
-    /// By how much the force along the slip of one that sticks is below what friction bears.
+    /// Friction limit of a sticking contact minus its force along the slip.
     Margin,
-    /// The velocity at which one slips.
+    /// Slip velocity of a contact that slips.
     Slip,
 }
 
@@ -27,40 +27,40 @@ struct Zero {
     rate: f64,
 }
 
-/// How an instant moves, and the size of what that is made of.
+/// Derivative of an instant, and the size of its terms.
 #[derive(Clone, Copy)]
 struct Moves {
     by: f64,
     size: f64,
 }
 
-/// What comes to a crossing.
+/// State of a motion that arrives at a crossing, with its rates and forces.
 pub struct Coming<'c> {
     pub wide: &'c Wide<'c>,
     pub crossing: &'c Crossing<'c>,
     pub rates_along: &'c RatesAlong<'c>,
-    /// The rates before, with the forces of contacts that are held.
+    /// Rates before the crossing, with the forces of held contacts.
     pub rates: Vec<f64>,
-    /// These forces; nothing where no contact is held.
+    /// Forces of the held contacts; `None` where no contact is held.
     pub forces: Option<Forces>,
 }
 
-/// What is zero at a crossing.
+/// Functions that are zero at a crossing.
 pub struct Zeros<'c> {
     pub coming: Coming<'c>,
-    /// What it happens by; nothing at the start, and where a contact is only touched.
+    /// Zero that causes the crossing; `None` at the start, and where a contact is only touched.
     first: Option<Zero>,
-    /// What else is zero at the same instant by itself, and stays so only if it moves alike.
+    /// Other zeros at the same instant that arise by themselves. They stay together only if they move alike.
     others: Vec<Zero>,
     /// Contacts that are touched without a velocity.
     touched: Vec<usize>,
 }
 
 impl<'c> Zeros<'c> {
-    /// What is zero where this comes to a crossing.
+    /// Finds the functions that are zero at a crossing.
     ///
     /// # Errors
-    /// Why there is no derivative there by anything.
+    /// Reason why there is no derivative by anything.
     pub fn new(coming: Coming<'c>) -> Result<Self, String> {
         let (list, touched) = zeros(&coming)?;
         let mut list = list.into_iter();
@@ -68,23 +68,23 @@ impl<'c> Zeros<'c> {
         Ok(Self { coming, first, others: list.collect(), touched })
     }
 
-    /// Whether more than one contact changes, or one is only touched.
+    /// True if more than one contact changes, or one is only touched.
     pub fn ask(&self) -> bool {
         !self.others.is_empty() || !self.touched.is_empty()
     }
 
-    /// How the instant moves: not at all at the start.
+    /// Derivative of the instant; zero at the start.
     ///
     /// # Errors
-    /// Why that has no value.
+    /// Reason why it has no value.
     pub fn later(&self, varied: &Varied<'_>, state: &[f64]) -> Result<f64, String> {
         self.first.as_ref().map_or(Ok(0.0), |zero| Ok(self.coming.moves(zero, varied, state)?.by))
     }
 
-    /// Refuses what is zero at one instant and does not stay together.
+    /// Refuses a number that moves zeros of one instant apart.
     ///
     /// # Errors
-    /// What does not, and by what.
+    /// Reason, with the contacts and the number.
     pub fn stay_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
         let (wide, y) = (self.coming.wide, self.coming.crossing.before);
         self.touched.iter().try_for_each(|contact| graze::check(wide, (*contact, y), varied, state))?;
@@ -110,7 +110,7 @@ impl<'c> Zeros<'c> {
     }
 }
 
-/// What is zero, first that by which it happens, and the contacts that are touched without a velocity.
+/// Zeros of a crossing, the one that causes it first, and the contacts that are touched without a velocity.
 fn zeros(of: &Coming<'_>) -> Result<(Vec<Zero>, Vec<usize>), String> {
     let Crossing { happening, kept, after, .. } = of.crossing;
     let Some(happening) = *happening else { return Ok((Vec::new(), Vec::new())) };
@@ -144,13 +144,13 @@ fn zeros(of: &Coming<'_>) -> Result<(Vec<Zero>, Vec<usize>), String> {
     Ok((list, touched))
 }
 
-/// How a gap that is nothing comes to it.
+/// Ways in which a gap of zero is reached.
 enum Closing {
-    /// It grows.
+    /// The gap grows.
     Opens,
-    /// It is at its least, but for what a run leaves open.
+    /// The gap is at its minimum, within the error of a run.
     Touches,
-    /// It closes, at this rate.
+    /// The gap closes at this rate.
     Closes(f64),
 }
 
@@ -163,7 +163,8 @@ impl Coming<'_> {
         self.wide.contacts.rows[contact][0]
     }
 
-    /// What of a contact that was held is zero, if it changes by itself at the instant: not because others do.
+    /// Function that is zero where a held contact changes by itself; `None` if it does not change, or because others
+    /// do.
     fn changes(&self, contact: usize, mode: Mode) -> Option<What> {
         let forces = self.forces.as_ref()?;
         match (mode, self.crossing.after.kept.mode(contact)) {
@@ -177,7 +178,7 @@ impl Coming<'_> {
         }
     }
 
-    /// How a gap that is nothing comes to it.
+    /// Finds the way in which a gap of zero is reached.
     fn closes(&self, contact: usize) -> Closing {
         let (contacts, y) = (self.wide.contacts, self.crossing.before);
         let slopes = contacts.gap_slopes(y);
@@ -188,7 +189,7 @@ impl Coming<'_> {
         let slopes = contacts.rates(y).slopes;
         let (acceleration, _) =
             sum(slopes.row(self.normal(contact)).iter().zip(&self.rates).map(|(slope, rate)| slope * rate));
-        // Without the impact it would become no smaller than this.
+        // Depth to which the gap would go without the impact.
         let depth = if acceleration > 0.0 { 0.5 * rate * rate / acceleration } else { f64::INFINITY };
         if rate >= -NOTHING * scale || depth <= self.wide.near * contacts.made_of(contact, y) {
             return Closing::Touches;
@@ -196,7 +197,7 @@ impl Coming<'_> {
         Closing::Closes(rate)
     }
 
-    /// A zero of a contact that was held.
+    /// Zero of a contact that was held, with the rate at which it is crossed.
     fn crosses(&self, what: What, contact: usize) -> Result<Zero, String> {
         let still = vec![0.0; self.wide.contacts.parameters.len()];
         let none = vec![0.0; self.wide.contacts.impacts.len()];
@@ -226,7 +227,7 @@ impl Coming<'_> {
         Ok(Zero { what, contact, rate })
     }
 
-    /// The derivative of what is zero along a direction, and the size of what it is made of.
+    /// Derivative of a zero function along a direction, and the size of its terms.
     fn value(&self, what: What, contact: usize, varied: &Varied<'_>, state: &[f64]) -> Result<(f64, f64), String> {
         let direction = Direction { parameters: varied.parameters, state };
         match what {
@@ -247,14 +248,14 @@ impl Coming<'_> {
         })
     }
 
-    /// How the instant of a zero moves.
+    /// Derivative of the instant of a zero.
     fn moves(&self, zero: &Zero, varied: &Varied<'_>, state: &[f64]) -> Result<Moves, String> {
         let (change, size) = self.value(zero.what, zero.contact, varied, state)?;
         Ok(Moves { by: -change / zero.rate, size: size / zero.rate.abs() })
     }
 }
 
-/// A sum, and that of the sizes of its terms.
+/// Sum of terms, and the sum of their sizes.
 fn sum(terms: impl Iterator<Item = f64>) -> (f64, f64) {
     terms.fold((0.0, 0.0), |(sum, size), term: f64| (sum + term, size + term.abs()))
 }

@@ -1,4 +1,4 @@
-//! Coordinates that turn frames: arcs from where an axis is at zero to where it is.
+//! Arcs of coordinates that turn frames: from the axis at zero to the axis in the drawn pose.
 
 use super::axes::{along_axis, is_drawn};
 use super::drawing::{Mark, Path, Role, Spot, Word, unit};
@@ -15,13 +15,14 @@ const TINY: f64 = 0.12;
 const SENSE: f64 = 0.9;
 /// The tip of an arc, px.
 const TIP: f64 = 8.0;
-/// What of a way counts as across an axis, and what as along one.
+/// Least share of an arm's length across the turn axis, and the share along one basis vector above which it counts as
+/// along that vector.
 const ACROSS: f64 = 0.7;
 const ALONG: f64 = 0.95;
 
 /// A coordinate that turns a frame about an axis.
 pub struct Angle {
-    /// The coordinate, and what the angle of the turn has beside it.
+    /// The coordinate, and its place in the formula of the turn's angle.
     pub told: Told,
     /// The frame that is turned.
     pub frame: usize,
@@ -31,7 +32,7 @@ pub struct Angle {
     pub axis: usize,
 }
 
-/// What is turned: from where it reaches out, and along which direction of its frame.
+/// Arm whose turn the arc shows: its apex in the inertial frame, and its direction in the turned frame.
 struct Arm {
     apex: Triple,
     direction: Triple,
@@ -48,19 +49,20 @@ impl Angle {
         })
     }
 
-    /// Its axis in the inertial frame.
+    /// Axis of the turn in the inertial frame, of length 1.
     pub fn about(&self, subject: &Subject<'_>) -> Triple {
         transposed(&subject.pose.rotations[self.parent])[self.axis]
     }
 
-    /// By how much it is turned, between minus and plus half a turn.
+    /// Angle of the turn without whole turns, rad, at least -π and below π.
     pub fn extent(&self) -> f64 {
         let whole = self.told.now - self.told.zero;
         whole - TAU * ((whole + PI) / TAU).floor()
     }
 
-    /// What shows its turn: a way to a point in the frame, along an axis if there is one; else in what is turned with it, if that is
-    /// across; else the next axis, at the mass centre.
+    /// Chooses the arm that shows the turn: the vector to a point that is placed in the turned frame, preferably along
+    /// a basis vector. Else it takes the first vector in a frame that turns with it, if that is across the axis. Else
+    /// it takes the next basis vector, at the mass centre.
     fn arm(&self, subject: &Subject<'_>) -> Arm {
         let ways = |is_own: bool| {
             let list = subject.terms.links.points.iter().enumerate().filter_map(move |(point, link)| {
@@ -94,8 +96,9 @@ impl Angle {
         Arm { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
     }
 
-    /// The direction of the frame across the axis that a way is nearest to, how long the way is across, and what share of it is along
-    /// that; nothing of a way along the axis.
+    /// Finds the basis vector of the frame across the axis that is nearest to a vector, with its sign. Also returns the
+    /// length of the vector across the axis, and the share of its length along the basis vector. `None` for a vector
+    /// that is too close to the axis.
     fn across(&self, subject: &Subject<'_>, way: Triple) -> Option<(Triple, f64, f64)> {
         let inside = rotated_back(&subject.pose.rotations[self.frame], way);
         let (j, k) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
@@ -103,7 +106,7 @@ impl Angle {
         if across < ACROSS * length(inside) {
             return None;
         }
-        // The first of two that are the same to rounding.
+        // Of two components that are equal up to rounding, the first is taken.
         let axis = if inside[k].abs() > inside[j].abs() * (1.0 + 1e-9) { k } else { j };
         let mut direction = [0.0; 3];
         direction[axis] = inside[axis].signum();
@@ -111,7 +114,7 @@ impl Angle {
     }
 }
 
-/// Arcs that are there, by their places.
+/// Places of the arcs drawn so far.
 #[derive(Default)]
 pub struct Arcs(Vec<Spot>);
 
@@ -124,7 +127,7 @@ impl Arcs {
     }
 }
 
-/// Puts the arc of an angle on the sheet. Returns whether it is open, and not only the sense of a turn.
+/// Puts the arc of an angle on the sheet. Returns true if the arc shows the angle, false if it shows only the sense.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &Angle) -> bool {
     let (arm, axis, extent) = (angle.arm(subject), angle.about(subject), angle.extent());
     let apex = subject.camera.spot(arm.apex);
@@ -158,7 +161,7 @@ fn name_axis(
     (apex, to): (Triple, Spot),
 ) {
     let is_at_origin = length(minus(apex, subject.pose.points[0])) < 1e-9;
-    // In a plane the inertial axes are easily followed.
+    // In a planar mechanism the inertial axes are easily followed.
     if frame == 0 && (is_at_origin || subject.is_planar) || is_drawn(subject, frame) || subject.is_generated(frame) {
         return;
     }
@@ -169,7 +172,8 @@ fn name_axis(
     sheet.may_name(Role::Axis, words, to, Some(unit([to[0] - from[0], to[1] - from[1]])), 3.0);
 }
 
-/// Puts an arc from an axis of the frame before to that of a frame that several coordinates turn together, with their names.
+/// Puts one arc with the names of all coordinates that turn a frame together on the sheet. It leads from an axis of the
+/// parent frame to the same axis of this frame.
 pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, (frame, names): (usize, Vec<Word>)) {
     let Some((parent, _)) = subject.terms.links.frames[frame] else { return };
     let [before, after] = [parent, frame].map(|f| transposed(&subject.pose.rotations[f]));
@@ -179,7 +183,7 @@ pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, 
     let place = subject.pose.points[body.map_or(0, |body| body.centre)];
     let apex = subject.camera.spot(place);
     let radius = arcs.radius(apex) + 14.0;
-    // The axis that is turned the most, without turning back.
+    // Takes the axis that is turned the most, without a turn close to 180°.
     let turn = |axis: usize| dot(before[axis], after[axis]).clamp(-1.0, 1.0).acos();
     let axis =
         (0..3).fold(0, |best, axis| if turn(axis) > turn(best) + 1e-6 && turn(axis) < 2.6 { axis } else { best });

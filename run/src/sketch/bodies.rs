@@ -1,34 +1,34 @@
-//! Outlines of solids, from behind to before.
+//! Outlines of solids, drawn from back to front.
 
 use super::drawing::{Mark, Path, Role, Spot};
 use super::sheet::{Sheet, Subject};
 use crate::view::space::{along, cross, dot, length, minus, plus, product, rotated, transposed, unit};
 use crate::view::{Form, Place, Quaternion, Rotation, Solid, Triple};
 
-/// The thinnest that a rod is drawn, px from its middle to its edge.
+/// Least half-width of a drawn rod, px.
 const THIN: f64 = 2.2;
-/// The smallest that a particle is drawn, px.
+/// Least radius of a drawn particle, px.
 const SMALL: f64 = 6.0;
 /// The radius of a pin, px.
 const PIN: f64 = 3.6;
 /// The length of a turn of a spring, and half its width, px.
 const SPRING: (f64, f64) = (11.0, 7.0);
-/// How far a plane goes beyond what stands on it, px.
+/// Width of the margin of a ground plane around the solids over it, px.
 const MARGIN: f64 = 26.0;
 
 /// A solid on the sheet.
 struct Drawn {
-    /// How near it is: what moves in a plane is at one depth.
+    /// Distance towards the viewer, m. In a planar mechanism all solids count as equally near.
     depth: f64,
-    /// Which of those of one depth comes first.
+    /// Drawing order among solids of equal depth: a lower rank is drawn first. The ground has rank 0.
     rank: u8,
     marks: Vec<Mark>,
 }
 
-/// Puts everything that has a shape on the sheet.
+/// Puts all solids on the sheet.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     let mut list: Vec<Drawn> = subject.view.solids.iter().filter_map(|solid| drawn(subject, solid)).collect();
-    // Depths without their last digits, which machines may have different.
+    // Depths are rounded, since their last digits may differ between machines.
     let step = 1e-6 * subject.view.size;
     let key = |drawn: &Drawn| if subject.is_planar { 0.0 } else { (drawn.depth / step).round() };
     let is_ground = |drawn: &Drawn| drawn.rank != 0;
@@ -38,7 +38,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Whether a solid is the pin between others.
+/// True if a solid is a pin that joins others.
 pub fn is_pin(solid: &Solid) -> bool {
     solid.body.is_none() && matches!(solid.form, Form::Sphere { .. })
 }
@@ -57,7 +57,7 @@ fn drawn(subject: &Subject<'_>, solid: &Solid) -> Option<Drawn> {
             } else {
                 (1, Mark::solid(Role::Body, Path::circle(spot, (camera.scale * radius).max(PIN))))
             };
-            // A pin is before what it holds together.
+            // A pin is drawn in front of the solids that it joins.
             (
                 if is_pin(solid) { plus(middle, 0.05 * subject.view.size, camera.towards) } else { middle },
                 rank,
@@ -85,7 +85,7 @@ fn drawn(subject: &Subject<'_>, solid: &Solid) -> Option<Drawn> {
     Some(Drawn { depth: camera.depth(middle), rank, marks })
 }
 
-/// Where the middle of a solid is.
+/// Centre of a solid in the inertial frame, m.
 pub fn middle(subject: &Subject<'_>, at: &Place) -> Triple {
     plus(subject.pose.points[at.point], 1.0, rotated(&subject.pose.rotations[at.frame], at.position))
 }
@@ -95,7 +95,7 @@ fn axes(subject: &Subject<'_>, at: &Place) -> Rotation {
     product(&subject.pose.rotations[at.frame], &rotation(at.turned))
 }
 
-/// The rotation of Euler parameters of length 1.
+/// Rotation matrix of Euler parameters of length 1.
 fn rotation([w, x, y, z]: Quaternion) -> Rotation {
     let column = |v: Triple| {
         // v + 2 w (e × v) + 2 e × (e × v).
@@ -105,7 +105,7 @@ fn rotation([w, x, y, z]: Quaternion) -> Rotation {
     transposed(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
 }
 
-/// The far end, the side and the near end of a cylinder about an axis of length 1.
+/// Far end, side and near end of a cylinder about an axis of length 1.
 fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, (radius, long): (f64, f64)) -> Vec<Mark> {
     let camera = &subject.camera;
     let towards = dot(axis, camera.towards);
@@ -115,19 +115,19 @@ fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, (radius, long):
     let [a, b] = [across[0], across[1]].map(|e| camera.spot(e.map(|x| radius * x)));
     let end = |at: Triple| Mark::solid(Role::Body, Path::ellipse(camera.spot(at), a, b));
     let is_flat = camera.scale * long * (1.0 - towards * towards).max(0.0).sqrt() < 1.5;
-    // What is seen of the side ends where it is along the line of sight.
+    // The visible side is bounded by the lines that touch the line of sight.
     let edge = unit(cross(axis, camera.towards)).filter(|_| !is_flat);
     let Some(edge) = edge.map(|edge| edge.map(|x| radius * x)) else { return vec![end(near)] };
     let corners =
         [(far, 1.0), (near, 1.0), (near, -1.0), (far, -1.0)].map(|(at, side)| camera.spot(plus(at, side, edge)));
     vec![end(far), Mark::solid(Role::Body, Path::polygon(&corners)), end(near)]
         .into_iter()
-        // Seen from aside its ends are lines.
+        // Seen from the side, the ends are lines and are left out.
         .filter(|mark| towards.abs() > 0.02 || mark.path.parts.len() == 3)
         .collect()
 }
 
-/// The faces of a box that are seen.
+/// Visible faces of a box.
 fn faces(subject: &Subject<'_>, at: &Place, size: Triple) -> Vec<Mark> {
     let camera = &subject.camera;
     let (middle, columns) = (middle(subject, at), transposed(&axes(subject, at)));
@@ -165,7 +165,7 @@ fn coil(a: Spot, b: Spot) -> Path {
     Path::line(&spots)
 }
 
-/// A plane under what stands on it: a line with hatching where it is seen from its side, else a piece of it.
+/// Marks of a ground plane under the solids. Seen edge-on it is a line with hatching, else a piece of the plane.
 fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
     let camera = &subject.camera;
     let is_touched = subject.view.is_stated || subject.view.solids.iter().any(|solid| solid.touches.is_some());
@@ -174,7 +174,7 @@ fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
     }
     let columns = transposed(&axes(subject, at));
     let (place, normal) = (middle(subject, at), columns[2]);
-    // Where what is drawn stands over the plane, along its first two axes.
+    // The extent of the solids over the plane, along its first two axes.
     let seen = subject.view.solids.iter().filter(|solid| !matches!(solid.form, Form::Ground { .. }));
     let over = seen.flat_map(|solid| {
         let reach = solid.form.reach();
@@ -201,7 +201,7 @@ fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
     Some(vec![Mark::solid(Role::Ground, Path::polygon(&corners))])
 }
 
-/// How far what is drawn of the solids reaches on a sheet on which a metre is one px: the least and the greatest corner.
+/// Least and greatest corner of the solids and points on a sheet on which a metre is one px.
 pub fn extent(subject: &Subject<'_>) -> (Spot, Spot) {
     let camera = &subject.camera;
     let mut all: Vec<(Spot, f64)> = Vec::new();
@@ -216,7 +216,7 @@ pub fn extent(subject: &Subject<'_>) -> (Spot, Spot) {
             }
         }
     }
-    // Coordinates are told from the origin.
+    // Coordinates are measured from the origin, so points near it count.
     let is_told = |point: &Triple| length(*point) < 6.0 * subject.view.size;
     all.extend(subject.pose.points.iter().filter(|point| is_told(point)).map(|point| (camera.spot(*point), 0.0)));
     all.iter().fold(([f64::MAX; 2], [f64::MIN; 2]), |(low, high), (spot, reach)| {

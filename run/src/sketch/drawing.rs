@@ -1,29 +1,29 @@
-//! What stands on a sheet: paths with what they mean, and labels.
+//! Contents of a sheet: labels, and paths that each have a role.
 
 /// A place on the sheet, to the right and down, px.
 pub type Spot = [f64; 2];
 
-/// What leads on from where a path is.
+/// Next part of a path, from the end of the part before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Part {
-    /// A straight line to here.
+    /// Straight line to this spot.
     Line(Spot),
-    /// A cubic curve of Bézier, by its two handles and its end.
+    /// Cubic Bézier curve, by its two handles and its end.
     Curve([Spot; 3]),
 }
 
 /// A line on the sheet, of straight and of curved parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// Where it begins.
+    /// First spot of the path.
     pub from: Spot,
-    /// How it goes on.
+    /// Parts of the path, each from the end of the one before.
     pub parts: Vec<Part>,
-    /// Whether its end is joined to its beginning.
+    /// True if the end is joined to the beginning.
     pub is_closed: bool,
 }
 
-/// What a mark or label means; how that looks is for who renders it.
+/// Meaning of a mark or label. The renderer decides how each role looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
     /// A plane on which something rolls or slides.
@@ -38,7 +38,7 @@ pub enum Role {
     Spring,
     /// A pin, where bodies meet or one meets the ground.
     Joint,
-    /// A line from which an angle or a length is told.
+    /// Line from which an angle or a length is measured.
     Reference,
     /// An axis of a frame.
     Axis,
@@ -48,12 +48,12 @@ pub enum Role {
     Gravity,
     /// A named point.
     Point,
-    /// A line from a label to what it names.
+    /// Line from a label to the item that it names.
     Leader,
 }
 
 impl Role {
-    /// All of them.
+    /// All roles, in the order of their declaration.
     pub const ALL: [Self; 12] = [
         Self::Ground,
         Self::Support,
@@ -70,25 +70,25 @@ impl Role {
     ];
 }
 
-/// How a path is drawn.
+/// Way in which a path is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paint {
-    /// Its line alone.
+    /// The line alone.
     Line,
-    /// What it encloses, in the colour of its line.
+    /// The enclosed area, in the colour of the line.
     Filled,
-    /// Its line, and what it encloses in the shade of its role, so that nothing behind it shows.
+    /// The line, and the enclosed area in the shade of the role, so that nothing behind it shows.
     Solid,
 }
 
-/// A path that means something.
+/// Path with its role and paint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// What it means.
+    /// Meaning of the mark.
     pub role: Role,
-    /// How it is drawn.
+    /// Way in which the path is drawn.
     pub paint: Paint,
-    /// Where it runs.
+    /// Line or outline of the mark.
     pub path: Path,
 }
 
@@ -105,16 +105,16 @@ pub enum Word {
     Minus,
 }
 
-/// Words at a place.
+/// Text at a place on the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// What it names.
+    /// Role of the named item.
     pub role: Role,
-    /// What it says.
+    /// Text of the label, part by part.
     pub words: Vec<Word>,
-    /// The middle of its box.
+    /// Middle of the label's box.
     pub at: Spot,
-    /// How wide and high its box is, px, estimated since no font is at hand.
+    /// Width and height of the label's box, px, estimated because no font is available.
     pub size: Spot,
 }
 
@@ -133,8 +133,8 @@ impl Path {
         Self { is_closed: true, ..Self::line(corners) }
     }
 
-    /// The arc c + cos t a + sin t b from one t to another, rad: a part of an ellipse with the conjugate semi-diameters a and b, which is
-    /// what a circle in space becomes.
+    /// Arc c + cos t a + sin t b from one t to another, rad. It is part of an ellipse with the conjugate semi-diameters
+    /// a and b, which is the projection of a circle in space.
     pub(super) fn arc(c: Spot, a: Spot, b: Spot, (from, to): (f64, f64)) -> Self {
         let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
         let step = (to - from) / pieces;
@@ -157,12 +157,12 @@ impl Path {
         Self { is_closed: true, ..Self::arc(c, a, b, (0.0, std::f64::consts::TAU)) }
     }
 
-    /// A circle.
+    /// Circle about c.
     pub(super) fn circle(c: Spot, radius: f64) -> Self {
         Self::ellipse(c, [radius, 0.0], [0.0, radius])
     }
 
-    /// What is within a radius of the line from a to b.
+    /// Outline of all spots within a radius of the line from a to b.
     pub(super) fn capsule(a: Spot, b: Spot, radius: f64) -> Self {
         let way = [b[0] - a[0], b[1] - a[1]];
         let long = way[0].hypot(way[1]);
@@ -185,7 +185,7 @@ impl Path {
         Self { from: moved(a, 0.0, 1.0), parts, is_closed: true }
     }
 
-    /// Where it ends.
+    /// Last spot of the path; the first if it has no parts.
     pub(super) fn end(&self) -> Spot {
         match self.parts.last() {
             None => self.from,
@@ -193,7 +193,7 @@ impl Path {
         }
     }
 
-    /// The direction in which it arrives at its end, of length 1; to the right where it has none.
+    /// Direction in which the path arrives at its end, of length 1; to the right if it has none.
     pub(super) fn heading(&self) -> Spot {
         let end = self.end();
         let before = match self.parts.as_slice() {
@@ -204,7 +204,7 @@ impl Path {
         unit([end[0] - before[0], end[1] - before[1]])
     }
 
-    /// Spots along it, no further apart than a step, px.
+    /// Spots along the path, at most a step apart, px.
     #[must_use]
     pub fn spots(&self, step: f64) -> Vec<Spot> {
         let (mut list, mut at) = (vec![self.from], self.from);
@@ -232,42 +232,42 @@ impl Path {
 }
 
 impl Mark {
-    /// A line that means something.
+    /// Mark of a line without a filled area.
     pub(super) fn line(role: Role, path: Path) -> Self {
         Self { role, paint: Paint::Line, path }
     }
 
-    /// An outline that hides what is behind it.
+    /// Outline that hides the marks behind it.
     pub(super) fn solid(role: Role, path: Path) -> Self {
         Self { role, paint: Paint::Solid, path }
     }
 
-    /// A dot.
+    /// Filled circle about a spot.
     pub(super) fn dot(role: Role, at: Spot, radius: f64) -> Self {
         Self { role, paint: Paint::Filled, path: Path::circle(at, radius) }
     }
 
-    /// A path with the tip of an arrow at its end, this long, px.
+    /// Path with an arrow tip of this length at its end, px.
     pub(super) fn arrow(role: Role, path: Path, long: f64) -> [Self; 2] {
         let tip = tip(role, path.end(), path.heading(), long);
         [Self::line(role, path), tip]
     }
 }
 
-/// The tip of an arrow that ends at a spot and goes in this direction.
+/// Tip of an arrow that ends at a spot and points in this direction.
 pub(super) fn tip(role: Role, end: Spot, heading: Spot, long: f64) -> Mark {
     let at = |x: f64, y: f64| [end[0] - x * heading[0] - y * heading[1], end[1] - x * heading[1] + y * heading[0]];
     let corners = [end, at(long, 0.32 * long), at(0.8 * long, 0.0), at(long, -0.32 * long)];
     Mark { role, paint: Paint::Filled, path: Path::polygon(&corners) }
 }
 
-/// The direction of a way on the sheet; to the right where it has none.
+/// Direction of a vector on the sheet, of length 1; to the right if it has none.
 pub(super) fn unit(way: Spot) -> Spot {
     let long = way[0].hypot(way[1]);
     if long > 1e-9 { way.map(|x| x / long) } else { [1.0, 0.0] }
 }
 
-/// The box of what is drawn and written: its least and its greatest corner.
+/// Box of marks and labels: its least and its greatest corner. `None` if there are none.
 pub(super) fn extent<'a>(marks: impl IntoIterator<Item = &'a Mark>, labels: &[Label]) -> Option<(Spot, Spot)> {
     let corners = labels.iter().flat_map(|label| {
         let half = label.size.map(|x| 0.5 * x);

@@ -1,5 +1,5 @@
-//! Coordinates that move points: dimension lines along the axes that they are told along, and arrows where a coordinate is neither such a
-//! length nor an angle.
+//! Marks of coordinates that move points. A length is a dimension line along its axis. An arrow shows a coordinate that
+//! is neither such a length nor an angle.
 
 use super::drawing::{Mark, Path, Role, Spot, Word, tip, unit};
 use super::sheet::{Sheet, Subject};
@@ -7,26 +7,26 @@ use super::terms::Told;
 use crate::view::Triple;
 use crate::view::space::{length, minus, plus, transposed};
 
-/// How far a dimension line is from what it measures, px, and how far its extension lines go beyond it.
+/// Distance of a dimension line from the measured length, and length of its extension lines beyond it, px.
 const AWAY: (f64, f64) = (30.0, 4.0);
 /// The tip of a dimension line, px.
 const TIP: f64 = 8.0;
-/// A length below this, px, is drawn as the sense in which it grows, so long.
+/// Length below which a dimension line is replaced by an arrow, px; the arrow's length follows.
 const TINY: f64 = 9.0;
 const SENSE: f64 = 34.0;
 
-/// A coordinate that is a component of the way to a point.
+/// Coordinate that is a component of the vector to a point.
 pub struct Length {
-    /// The coordinate, and what the component has beside it.
+    /// The coordinate, and its place in the formula of the component.
     pub told: Told,
-    /// The point.
+    /// Index of the point.
     pub point: usize,
-    /// Which component.
+    /// Index of the component, 0 to 2.
     pub component: usize,
 }
 
 impl Length {
-    /// The length that a coordinate is, if it is one.
+    /// The length that a coordinate is; `None` if it is not a component of a point.
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
         (0..subject.pose.points.len()).find_map(|point| {
             let (.., first) = subject.terms.components(point)?;
@@ -38,7 +38,7 @@ impl Length {
         })
     }
 
-    /// From where it is told to where it ends, the components one after another.
+    /// Ends of the length in the inertial frame, m, with the components before it already added.
     fn ends(&self, subject: &Subject<'_>) -> Option<[Triple; 2]> {
         let (from, frame, first) = subject.terms.components(self.point)?;
         let values = subject.terms.values(subject.p, subject.q);
@@ -48,7 +48,7 @@ impl Length {
         Some([self.told.zero, self.told.now].map(|value| plus(corner, value, axes[self.component])))
     }
 
-    /// Across it, away from where the other components lead, of length 1; nothing where it is drawn as it lies.
+    /// Direction across the length, away from the other components, of length 1. `None` if the line is drawn in place.
     fn aside(&self, subject: &Subject<'_>) -> Option<Triple> {
         if !subject.is_planar {
             return None;
@@ -59,7 +59,7 @@ impl Length {
         let other = (0..3).find(|k| *k != self.component && values[first + k].abs() > 0.02 * subject.view.size);
         if let Some(other) = other {
             let sign = values[first + other].signum();
-            // Those before end where it begins; those behind begin where it ends.
+            // Earlier components end at the beginning of this length; later ones begin at its end.
             let side = if other < self.component { sign } else { -sign };
             return Some(axes[other].map(|x| side * x));
         }
@@ -68,7 +68,8 @@ impl Length {
     }
 }
 
-/// Puts the dimension line of a length on the sheet. Returns whether it is open, and not only the sense in which it grows.
+/// Puts the dimension line of a length on the sheet. Returns true if the line shows the length, and false if only an
+/// arrow shows its sense.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, lengths: &Length) -> bool {
     let Some([from, to]) = lengths.ends(subject) else { return false };
     let name = vec![Word::Name(subject.mechanism.coordinates[lengths.told.coordinate].name.clone())];
@@ -97,7 +98,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, lengths: &Length) -> bool 
     true
 }
 
-/// An arrow from a spot in the direction in which something grows.
+/// Puts an arrow with a name on the sheet, from a spot in the direction in which a coordinate grows.
 fn grows(subject: &Subject<'_>, sheet: &mut Sheet, from: Spot, seen: Spot, name: Vec<Word>) {
     let share = seen[0].hypot(seen[1]);
     let way = if share < 0.05 { subject.camera.seen(subject.camera.right) } else { unit(seen) };
@@ -106,7 +107,7 @@ fn grows(subject: &Subject<'_>, sheet: &mut Sheet, from: Spot, seen: Spot, name:
     sheet.name(Role::Coordinate, name, at(10.0 + 0.6 * SENSE), Some([-way[1], way[0]]), 4.0);
 }
 
-/// Puts an arrow on the sheet where a coordinate moves the mechanism the most. Returns whether it moves anything.
+/// Puts an arrow at the point that a coordinate moves the most. Returns true if the coordinate moves a point.
 pub fn draw_motion(subject: &Subject<'_>, sheet: &mut Sheet, coordinate: usize) -> bool {
     let step = 1e-6 * (1.0 + subject.q[coordinate].abs());
     let mut q = subject.q.to_vec();
@@ -115,7 +116,7 @@ pub fn draw_motion(subject: &Subject<'_>, sheet: &mut Sheet, coordinate: usize) 
     let ways = moved.points.iter().zip(&subject.pose.points).map(|(to, from)| minus(*to, *from).map(|x| x / step));
     let ways: Vec<Triple> = ways.collect();
     let most = ways.iter().map(|way| length(*way)).fold(0.0, f64::max);
-    // The first of those that move about as much.
+    // Takes the first of the points that move about equally far.
     let point = ways.iter().position(|way| length(*way) > 0.999 * most);
     let Some(point) = point.filter(|_| most.is_finite() && most > 1e-6 * subject.view.size) else { return false };
     let name = vec![Word::Name(subject.mechanism.coordinates[coordinate].name.clone())];

@@ -1,46 +1,47 @@
-//! Where labels stand: near what they name, on no other label, and on as few lines as may be.
+//! Placement of labels: near the items that they name, clear of other labels, and on as few lines as possible.
 //!
-//! Each label has candidates in rings about its anchor. One after another takes the cheapest, the dearest needs first; then each is
-//! taken up and set down again, twice. Costs are rounded, so that machines whose last digits differ place alike.
+//! Each label has candidate places in rings about its anchor. The labels choose one after another, the needed ones
+//! first, and take the cheapest place. Each then chooses again, twice. Costs are rounded, so that machines whose last
+//! digits differ give the same places.
 
 use super::drawing::{Label, Mark, Path, Role, Spot, Word, unit};
 use tripos_derive::algebra::print::name_parts;
 
-/// How far the box of a label is from its anchor in each ring, px, beside what it asks for.
+/// Distances of a label's box from its anchor in each ring, px, beyond the wished gap.
 const RINGS: [f64; 10] = [0.0, 5.0, 11.0, 18.0, 27.0, 38.0, 52.0, 70.0, 92.0, 118.0];
-/// Directions of candidates.
+/// Number of directions in which candidates lie in a ring.
 const DIRECTIONS: usize = 24;
-/// What a label on another costs: more than all else.
+/// Cost of a label on another one: more than all other costs together.
 const OVERLAP: f64 = 1e5;
-/// What is left out rather than placed at more than this.
+/// Cost above which an optional label is left out.
 const WORTH: f64 = 24.0;
-/// From how far on a line leads to what is named, px.
+/// Distance of a label from its item, px, from which on a leader line joins them.
 const LEADER: f64 = 24.0;
-/// How near a label may come to another and to a line, px.
+/// Least distances of a label from another label and from a line, px.
 const CLEAR: (f64, f64) = (2.0, 1.0);
-/// A line counts by spots this far apart, px.
+/// Distance of the spots that represent a line, px.
 const STEP: f64 = 2.5;
-/// How high a line of words is, px.
+/// Height of a line of text, px.
 const HIGH: f64 = 17.0;
 
-/// A label that is to be placed.
+/// Label that is to be placed.
 #[derive(Clone, Debug)]
 pub struct Wish {
-    /// What it names.
+    /// Role of the named item.
     pub role: Role,
-    /// What it says.
+    /// Text of the label, part by part.
     pub words: Vec<Word>,
-    /// What it stands beside.
+    /// Spot beside which the label stands.
     pub anchor: Spot,
-    /// In which direction from there, if that matters.
+    /// Preferred direction from the anchor, of length 1; `None` if any will do.
     pub towards: Option<Spot>,
-    /// How far from there at least, px.
+    /// Least distance from the anchor, px.
     pub gap: f64,
-    /// Whether it may be left out where there is no room.
+    /// True if the label must be placed, false if it may be left out for lack of room.
     pub is_needed: bool,
 }
 
-/// The width of words, px: a little wide, as no font is at hand.
+/// Estimated width of a text, px. It is a little too wide, because no font is available.
 fn width(words: &[Word]) -> f64 {
     let of = |word: &Word| match word {
         Word::Name(name) => {
@@ -54,7 +55,7 @@ fn width(words: &[Word]) -> f64 {
     words.iter().map(of).sum::<f64>() + 1.0
 }
 
-/// Labels of all wishes that are needed and of those for which there is room, and lines to what is far from its label.
+/// Labels of all needed wishes and of the optional ones that find room, and leader lines of distant labels.
 pub fn placed(wishes: &[Wish], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
     let ink: Vec<(Spot, f64)> = marks.iter().flat_map(ink).collect();
     let sizes: Vec<Spot> = wishes.iter().map(|wish| [width(&wish.words), HIGH]).collect();
@@ -85,7 +86,7 @@ pub fn placed(wishes: &[Wish], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
     (labels, leaders)
 }
 
-/// Spots of a line with how much a label on each costs.
+/// Spots of a line, each with the cost of a label on it.
 fn ink(mark: &Mark) -> Vec<(Spot, f64)> {
     let weight = match mark.role {
         Role::Ground => 0.2,
@@ -98,7 +99,7 @@ fn ink(mark: &Mark) -> Vec<(Spot, f64)> {
     mark.path.spots(STEP).into_iter().map(|spot| (spot, weight)).collect()
 }
 
-/// Where a label may stand, and what that costs beside other labels.
+/// Candidate places of a label, each with its cost apart from other labels.
 fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> {
     let half = size.map(|x| 0.5 * x);
     let mut list = Vec::with_capacity(RINGS.len() * DIRECTIONS);
@@ -111,10 +112,10 @@ fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> 
             let reach = gap + half[0] * way[0].abs() + half[1] * way[1].abs() - 0.3 * half[1].min(half[0]);
             let spot = [0, 1].map(|i| wish.anchor[i] + reach * way[i]);
             let turned = wish.towards.map_or(0.0, |to| 1.0 - to[0] * way[0] - to[1] * way[1]);
-            // Along the sides of a box there is more room than at its corners.
+            // There is more room along the sides of a box than at its corners.
             let slanted = 0.4 * (way[0] * way[1]).abs();
             let on: f64 = ink.iter().filter(|(at, _)| holds(spot, half, *at)).map(|(_, weight)| weight).sum();
-            // The name of a body that is far from it would be taken for that of another.
+            // A body's name far from its body would be taken for that of another.
             let further_cost = if wish.role == Role::Body { 4.0 } else { 2.2 };
             let cost = on + further_cost * ring as f64 + 0.12 * further + 5.0 * turned + slanted;
             list.push((spot, (cost * 1e3).round() / 1e3));
@@ -127,17 +128,17 @@ fn holds(middle: Spot, half: Spot, at: Spot) -> bool {
     (0..2).all(|i| (at[i] - middle[i]).abs() <= half[i] + CLEAR.1)
 }
 
-/// Whether two boxes, by middle and size, lie on one another.
+/// True if two boxes, by middle and size, overlap or are too close.
 fn overlaps(a: (Spot, Spot), b: (Spot, Spot)) -> bool {
     (0..2).all(|i| (a.0[i] - b.0[i]).abs() < 0.5 * (a.1[i] + b.1[i]) + CLEAR.0)
 }
 
-/// A line to what is named, where the label is far from it.
+/// Leader line from a label to its anchor; `None` if the label is near it.
 fn leader(wish: &Wish, spot: Spot, size: Spot) -> Option<Mark> {
     let way = [wish.anchor[0] - spot[0], wish.anchor[1] - spot[1]];
     let towards = unit(way);
     let long = way[0].hypot(way[1]);
-    // From the edge of the box to just beside the anchor.
+    // The leader runs from the edge of the box to just beside the anchor.
     let edge = (0..2).map(|i| 0.5 * size[i] / towards[i].abs().max(1e-9)).fold(f64::MAX, f64::min) + 1.0;
     let gap = long - edge - 3.0_f64.max(wish.gap - 4.0);
     if gap < LEADER {

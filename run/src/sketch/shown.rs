@@ -1,4 +1,4 @@
-//! The pose that is drawn: that of a start, with other values for angles and lengths that would not be seen there.
+//! Drawn pose: that of a start, with other values for angles and lengths that could not be seen there.
 
 use super::terms::Terms;
 use crate::code::tape;
@@ -10,34 +10,35 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::model::TIME;
 use tripos_derive::scene::load;
 
-/// Angles that are drawn where the start has about 0, degrees, one after another.
+/// Angles that replace values of about 0 at the start, degrees, one after another.
 const ANGLES: [f64; 6] = [30.0, 40.0, 25.0, 50.0, 35.0, 45.0];
-/// Lengths that are drawn where the start has about 0 or more than the sheet can hold, as shares of the size of the mechanism.
+/// Lengths that replace values of about 0, or values too large for the sheet. They are shares of the size of the
+/// mechanism.
 const LENGTHS: [f64; 3] = [0.8, 0.65, 0.5];
-/// Angles, rad, and lengths, as a share, below which nothing of them is seen, and the share above which nothing else is.
+/// Angle, rad, and share of a length below which it is not seen, and share above which it hides everything else.
 const UNSEEN: (f64, f64, f64) = (0.14, 0.06, 1.8);
 
-/// A coordinate that is drawn at another value than the start has.
+/// Coordinate that is drawn at another value than at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Changed {
-    /// The coordinate.
+    /// Index of the coordinate.
     pub coordinate: usize,
-    /// Its value at the start.
+    /// Value of the coordinate at the start.
     pub was: f64,
     /// The value that is drawn.
     pub is: f64,
 }
 
-/// Which coordinates turn a frame about an axis, and which are a component of a way.
+/// Coordinates that turn a frame about an axis, and coordinates that are a component of a vector to a point.
 pub struct Kinds {
-    /// Angles.
+    /// Indices of the coordinates that are angles.
     pub angles: Vec<usize>,
-    /// Lengths.
+    /// Indices of the coordinates that are lengths.
     pub lengths: Vec<usize>,
 }
 
 impl Kinds {
-    /// The kinds of the coordinates of a mechanism.
+    /// Sorts the coordinates of a mechanism.
     pub fn new(mechanism: &Mechanism, terms: &Terms, at: Configuration<'_>) -> Self {
         let told = |term: usize, c: usize| terms.told(mechanism, (at.parameters, at.q), term, c).is_some();
         let frames = 0..mechanism.frames.len();
@@ -52,10 +53,11 @@ impl Kinds {
     }
 }
 
-/// What is drawn of a start, and what is changed of it. What loops hold stays as it is.
+/// Coordinates that are drawn for a start, and the changes from it. Coordinates of a mechanism with loops stay
+/// unchanged.
 ///
 /// # Errors
-/// [`Error::Request`] if a shape has a length that is nothing at these parameters.
+/// [`Error::Request`] if a shape has a length that is not positive at these parameters.
 pub fn shown(
     mechanism: &Mechanism,
     terms: &Terms,
@@ -72,7 +74,7 @@ pub fn shown(
     for (c, angle) in tiny.zip(ANGLES.iter().cycle()) {
         q[*c] = angle.to_radians().copysign(if start[*c] < 0.0 { -1.0 } else { 1.0 });
     }
-    // How large it is without what places it.
+    // The size of the mechanism, without the lengths that only place it.
     let mut without = q.clone();
     kinds.lengths.iter().for_each(|c| without[*c] = 0.0);
     let pose = poses.of(at.parameters, &without);
@@ -81,7 +83,7 @@ pub fn shown(
     let size = if reaches(&pose) > 1e-9 || view.size.to_bits() != 1.0_f64.to_bits() {
         view.size
     } else {
-        // A particle that lengths alone place is as large as they are.
+        // A particle that only lengths place counts as large as the lengths.
         let largest = kinds.lengths.iter().map(|c| start[*c].abs()).fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
     };
@@ -107,33 +109,33 @@ fn near_turn(angle: f64) -> f64 {
     angle - TAU * ((angle + PI) / TAU).floor()
 }
 
-/// Two digits of a length.
+/// Rounds a length to two digits.
 fn rounded(x: f64) -> f64 {
     format!("{x:.1e}").parse().unwrap_or(x)
 }
 
-/// Whether everything has a place, inside the domain of the model as far as the pose alone says.
+/// True if every frame and point has finite values inside the domain of the model. Only conditions on the pose count.
 fn is_good(mechanism: &Mechanism, poses: &Poses, p: &[f64], q: &[f64]) -> bool {
     let pose = poses.of(p, q);
     let inputs = [mechanism.p(), mechanism.q()].concat();
     let is_inside = |positive| {
-        // What needs speeds or reactions says nothing of a pose.
+        // Conditions on speeds or reactions say nothing about a pose.
         let Ok(tape) = tape(&mechanism.arena, &inputs, &[positive], "a condition") else { return true };
         tape.evaluate(&[p, q].concat())[0] > 0.0
     };
     is_somewhere(&pose) && mechanism.domain.iter().all(|condition| is_inside(condition.positive))
 }
 
-/// Whether every point has a place.
+/// True if every frame and point has finite values.
 pub fn is_somewhere(pose: &Pose) -> bool {
     pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
 }
 
-/// A start of a mechanism that no scene gives one: the parameters of its file, all coordinates 0; with loops, closed from angles and
-/// lengths that are not.
+/// Start of a mechanism without a scene: the parameter values of the model file, and all coordinates 0. A model with
+/// loops is closed from angles and lengths other than 0.
 ///
 /// # Errors
-/// [`Error::Request`] if a parameter has no value, or loops do not close from there.
+/// [`Error::Request`] if a parameter has no value, or the loops do not close from there.
 pub fn without_scene(mechanism: &Mechanism) -> Result<(Vec<f64>, Vec<f64>), Error> {
     let help = "give a scene, or --at with a state file, which gives it one";
     let value = |p: &tripos_derive::model::Parameter| {

@@ -1,4 +1,4 @@
-//! The ground where joints stand on it: pins on their supports, rails, and walls that springs are held by.
+//! Ground at joints: pins on their supports, rails, and walls that hold springs.
 
 use super::drawing::{Mark, Path, Role, Spot, unit};
 use super::sheet::{Sheet, Subject};
@@ -6,11 +6,11 @@ use crate::view::space::{cross, length, minus};
 use crate::view::{Form, Triple};
 use tripos_derive::model::ReactionKind;
 
-/// From the pin to the ground, and half the width of that, px.
+/// Height of a pin over the ground, and half the width of its support, px.
 const STAND: (f64, f64) = (13.0, 15.0);
-/// From one line of the hatching to the next, and how long each is, px.
+/// Distance of the lines of the hatching, and length of each, px.
 const HATCH: (f64, f64) = (5.5, 6.5);
-/// How far a rail goes to each side of what runs on it, px.
+/// Length of a rail to each side of the point that runs on it, px.
 const RAIL: f64 = 62.0;
 
 /// Puts supports on the sheet.
@@ -30,7 +30,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Points at which the ground holds something: of joints, of reactions, and ends of rods and springs.
+/// Points at which the ground holds something: joints, reactions, and ends of rods and springs.
 fn held(subject: &Subject<'_>) -> Vec<usize> {
     let mechanism = subject.mechanism;
     let hung = mechanism.hung.iter().filter(|hung| hung.on.is_none()).map(|hung| hung.point);
@@ -44,7 +44,7 @@ fn held(subject: &Subject<'_>) -> Vec<usize> {
     hung.chain(pushed).chain(ends).chain(resting).collect()
 }
 
-/// The ends of what joins two points.
+/// Ends of each rod and spring, as indices of points.
 fn ways(subject: &Subject<'_>) -> Vec<[usize; 2]> {
     let solids = subject.view.solids.iter();
     solids
@@ -55,7 +55,7 @@ fn ways(subject: &Subject<'_>) -> Vec<[usize; 2]> {
         .collect()
 }
 
-/// Where rods and springs lead to from a point, on the sheet, added up.
+/// Sum of the unit vectors on the sheet from a point along its rods and springs.
 fn leads(subject: &Subject<'_>, point: usize) -> Spot {
     let mut sum = [0.0; 2];
     for [a, b] in ways(subject) {
@@ -69,7 +69,7 @@ fn leads(subject: &Subject<'_>, point: usize) -> Spot {
     sum
 }
 
-/// The support of a pin that rests: away from what it holds; a wall, where a spring alone is held.
+/// Marks of the support of a fixed pin, away from its rods. A wall if only a spring is held there.
 fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
     let (spot, leads) = (subject.spot(point), leads(subject, point));
     let is_of_spring = |solid: &crate::view::Solid| match solid.form {
@@ -88,7 +88,7 @@ fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
         let ends = [-1.0, 1.0].map(|side| [spot[0] + side * 16.0 * behind[1], spot[1] - side * 16.0 * behind[0]]);
         return wall(ends, behind);
     }
-    // Above what hangs, else below.
+    // The support is above a hanging mechanism, else below.
     let down = if leads[1] > 0.35 { -1.0 } else { 1.0 };
     let foot = |side: f64| [spot[0] + side * 0.62 * STAND.1, spot[1] + down * STAND.0];
     let mut marks = vec![Mark::solid(Role::Support, Path::polygon(&[spot, foot(1.0), foot(-1.0)]))];
@@ -98,7 +98,7 @@ fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
     marks
 }
 
-/// The direction in which a point moves, if it moves along one line, of length 1.
+/// Direction of length 1 in which a point moves; `None` unless it moves along one line.
 fn rail(subject: &Subject<'_>, point: usize) -> Option<Triple> {
     let here = subject.pose.points[point];
     let ways: Vec<Triple> = subject.far.iter().map(|pose| minus(pose.points[point], here)).collect();
@@ -108,7 +108,7 @@ fn rail(subject: &Subject<'_>, point: usize) -> Option<Triple> {
     ways.iter().all(is_along).then_some(way)
 }
 
-/// A rail beside what runs on it.
+/// Marks of a rail beside the point that runs on it.
 fn guide(subject: &Subject<'_>, point: usize, way: Triple) -> Vec<Mark> {
     let camera = &subject.camera;
     let (spot, seen) = (subject.spot(point), camera.seen(way));
@@ -116,7 +116,7 @@ fn guide(subject: &Subject<'_>, point: usize, way: Triple) -> Vec<Mark> {
         return Vec::new();
     }
     let along = unit(seen);
-    // Below what runs, or to the left of it.
+    // The rail is below the point, or to the left of it.
     let below = if along[0].abs() > 0.5 { [-along[1], along[0]] } else { [along[1], -along[0]] };
     let below = if below[1] < -1e-9 || (below[1].abs() < 1e-9 && below[0] > 0.0) { below.map(|x| -x) } else { below };
     let reach = subject.view.solids.iter().filter(|solid| solid.form.points().contains(&point) && solid.body.is_some());

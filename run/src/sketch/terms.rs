@@ -1,4 +1,4 @@
-//! How frames turn and points are placed, in numbers: the terms that a coordinate's angle or length is read off.
+//! Turns of frames and positions of points as numbers: the terms from which a coordinate's angle or length is read.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -7,29 +7,29 @@ use crate::view::Links;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 
-/// What is the same, of numbers of order one.
+/// Relative difference below which two numbers count as equal.
 const SAME: f64 = 1e-9;
 
-/// The terms of a mechanism's frames and points.
+/// Terms that give a mechanism's frames and points.
 pub struct Terms {
     tape: Tape,
-    /// How frames and points follow from them.
+    /// Dependence of frames and points on the terms.
     pub links: Links,
-    /// The first term of each frame and of each point.
+    /// Index of the first term of each frame; below, of each point.
     frames: Vec<usize>,
     points: Vec<usize>,
 }
 
-/// A term that is a coordinate, or its opposite, beside what does not depend on it.
+/// Term that is a coordinate times 1 or -1, plus a rest that does not depend on it.
 #[derive(Clone, Copy, Debug)]
 pub struct Told {
-    /// The coordinate.
+    /// Index of the coordinate.
     pub coordinate: usize,
-    /// 1 or -1.
+    /// Factor of the coordinate, 1 or -1.
     pub sign: f64,
-    /// What the term is where the coordinate is 0.
+    /// Value of the term at coordinate 0.
     pub zero: f64,
-    /// What it is now.
+    /// Value of the term in the present pose.
     pub now: f64,
 }
 
@@ -37,7 +37,8 @@ impl Terms {
     /// Terms of this mechanism.
     ///
     /// # Errors
-    /// [`Error::Request`] if a place depends on what is neither a parameter nor a coordinate; a model that was read has none such.
+    /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No loaded model has
+    /// one.
     pub fn new(mechanism: &Mechanism) -> Result<Self, Error> {
         let links = Links::of(mechanism);
         let inputs = [mechanism.p(), mechanism.q()].concat();
@@ -57,24 +58,25 @@ impl Terms {
         Ok(Self { tape, links, frames, points })
     }
 
-    /// The angle that a frame is turned by about an axis.
+    /// Turn of a frame about a single axis: the parent frame, the axis, and the index of the angle's term.
     pub fn turn(&self, frame: usize) -> Option<(usize, usize, usize)> {
         let (parent, axis) = self.links.frames[frame]?;
         Some((parent, axis?, self.frames[frame]))
     }
 
-    /// The three components of a point: from where, in which frame, and the place of the first.
+    /// Vector to a point: the point and the frame that it is measured from, and the index of its first component's
+    /// term.
     pub fn components(&self, point: usize) -> Option<(usize, usize, usize)> {
         let (parent, frame) = self.links.points[point]?;
         Some((parent, frame, self.points[point]))
     }
 
-    /// Whether a term mentions a coordinate.
+    /// True if a term mentions a coordinate.
     pub fn mentions(&self, mechanism: &Mechanism, term: usize, coordinate: usize) -> bool {
         mechanism.arena.mentions(self.links.values[term], mechanism.coordinates[coordinate].symbol)
     }
 
-    /// The terms that turn a frame and mention a coordinate.
+    /// True if the turn of a frame mentions a coordinate.
     pub fn turns_by(&self, mechanism: &Mechanism, frame: usize, coordinate: usize) -> bool {
         let count = match self.links.frames[frame] {
             None => 0,
@@ -84,12 +86,12 @@ impl Terms {
         (self.frames[frame]..self.frames[frame] + count).any(|term| self.mentions(mechanism, term, coordinate))
     }
 
-    /// All of them.
+    /// Values of all terms.
     pub fn values(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         self.tape.evaluate(&[p, q].concat())
     }
 
-    /// What a term says of a coordinate, if it is that or its opposite beside what does not depend on it.
+    /// Reads a coordinate from a term. `None` unless the term is the coordinate or its opposite plus a rest without it.
     pub fn told(
         &self,
         mechanism: &Mechanism,

@@ -1,4 +1,4 @@
-//! What a sketch shows, in words: for who cannot see it, and below it.
+//! Description of a sketch in words, as its caption and for readers who cannot see it.
 
 use super::angles::Angle;
 use super::axes::along_axis;
@@ -10,21 +10,21 @@ use crate::view::space::dot;
 use crate::view::{Form, Solid};
 use tripos_derive::model::{TIME, Unit};
 
-/// How each coordinate is drawn.
+/// Mark that shows a coordinate.
 pub enum Shown {
-    /// As an arc.
+    /// An arc; false if it shows only the sense.
     Arc(Angle, bool),
-    /// As a dimension line.
+    /// A dimension line; false if it shows only the sense.
     Line(Length, bool),
-    /// With others, as the turn of a frame.
+    /// One arc for several coordinates, as the turn of this frame.
     Together(usize),
-    /// As an arrow at what it moves.
+    /// An arrow at the point that it moves.
     Arrow,
-    /// By its name alone: it moves nothing that is drawn.
+    /// The name alone: the coordinate moves nothing that is drawn.
     Name,
 }
 
-/// Sentences: from where it is seen, what is drawn, and what the coordinates are.
+/// Sentences on the view, the drawn bodies and the coordinates.
 pub fn about(subject: &Subject<'_>, shown: &[(usize, Shown)], has_gravity: bool) -> String {
     let mut sentences = vec![seen(subject, has_gravity)];
     sentences.extend(bodies(subject));
@@ -51,7 +51,7 @@ fn seen(subject: &Subject<'_>, has_gravity: bool) -> String {
     }
 }
 
-/// An inertial axis, by its name, that a direction is along.
+/// Name of the inertial axis along a direction, with its sign; `None` if the direction is along no axis.
 fn axis_of(subject: &Subject<'_>, direction: Triple) -> Option<String> {
     let (axis, is_along) = along_axis(subject, 0, direction)?;
     let name = subject.mechanism.frames[0].name.to_lowercase();
@@ -106,12 +106,12 @@ fn coordinates(subject: &Subject<'_>, shown: &[(usize, Shown)]) -> Option<String
     (!list.is_empty()).then(|| format!("{}.", list.join("; ")))
 }
 
-/// A sentence: at which values it is drawn, and which of them the start has otherwise.
+/// Sentence with the drawn values of the coordinates, and those of the start where they differ.
 pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
     let all = subject.mechanism.coordinates.iter().zip(subject.q).enumerate().filter(|(_, (c, _))| c.name != TIME);
     let value = |at: usize, x: f64| {
         let coordinate = &subject.mechanism.coordinates[at];
-        // Euler parameters are numbers, and other plain ones angles.
+        // Euler parameters are plain numbers; other plain coordinates are angles.
         let is_angle = coordinate.unit.is_plain() && Angle::of(subject, at).is_some();
         if is_angle {
             format!("{}°", digits(x.to_degrees()))
@@ -131,20 +131,20 @@ pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
     format!("Drawn{at}, to be seen; {of} has {}.", list.join(", "))
 }
 
-/// A unit behind a number; nothing of one that has none.
+/// Unit after a number; empty for plain numbers.
 fn unit(unit: &Unit) -> String {
     if unit.is_plain() { String::new() } else { format!(" {unit}") }
 }
 
-/// Three significant digits; what rounding leaves of 0 is 0.
+/// Three significant digits. Rounding errors of 0 are shown as 0.
 fn digits(x: f64) -> String {
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
     let short: f64 = format!("{x:.2e}").parse().unwrap_or(x);
-    // Not -0.
+    // Adding 0 turns -0 into 0.
     (short + 0.0).to_string()
 }
 
-/// The directions of rods and springs, which should be seen long.
+/// Directions of rods and springs, which should be seen long.
 pub fn ways(subject: &Subject<'_>) -> Vec<Triple> {
     let ends = subject.view.solids.iter().filter_map(|solid| match solid.form {
         Form::Rod { ends, .. } | Form::Spring { ends } => Some(ends),
@@ -153,7 +153,7 @@ pub fn ways(subject: &Subject<'_>) -> Vec<Triple> {
     ends.map(|[a, b]| crate::view::space::minus(subject.pose.points[b], subject.pose.points[a])).collect()
 }
 
-/// The axes of an angle's frames in the inertial frame that are turned about.
+/// Axes of the angles in the inertial frame.
 pub fn turns(subject: &Subject<'_>, angles: &[Angle]) -> Vec<Triple> {
     angles.iter().map(|angle| angle.about(subject)).collect()
 }

@@ -1,4 +1,4 @@
-//! Errors of each solve along a passage, beside condition numbers: what a numeric solve loses, and why.
+//! Errors of each solve along a passage, with condition numbers: the digits that a numeric solve loses, and the reason.
 
 use super::findings::{Findings, Looked, Row, Study, Topic};
 use super::ladder::passage;
@@ -14,10 +14,10 @@ use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, Options, Output, linear};
 use tripos_traits::{DoubleDouble, Real, Scalar, System, larger};
 
-/// Distances from the singular surface at which matrices are looked at, for one decade.
+/// Number of distances from the singular surface, per decade, at which matrices are examined.
 const PER_DECADE: usize = 6;
 
-/// A state of the passage: what the kinematic equations divide by, coordinates, speeds.
+/// A state of the passage: divisor of the kinematic equations, coordinates, speeds.
 struct Waypoint {
     divisor: f64,
     q: Vec<f64>,
@@ -36,8 +36,8 @@ fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint)
     u_dot
 }
 
-/// The largest error of u̇ in units of the largest u̇, not a number where the linear system has no solution, and the
-/// condition numbers (plain, equilibrated) of the matrix.
+/// Largest error of u̇ in units of the largest u̇, NaN where the linear system has no solution, and the condition
+/// numbers (plain, equilibrated) of the matrix.
 fn look(
     case: &Case,
     extended: &dyn System<DoubleDouble>,
@@ -71,7 +71,7 @@ fn look(
     Ok((error, 1.0 / linear::plain_reciprocal_condition(&matrix, n), 1.0 / linear::reciprocal_condition(&matrix, n)))
 }
 
-/// States along the first passage of the narrowest rung, some in each decade of the divisor.
+/// States along the first passage of the narrowest rung, up to `PER_DECADE` in each decade of the divisor.
 fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     let model = study.model;
     let mut narrow: Option<(f64, f64, Scene)> = None;
@@ -111,7 +111,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     Ok(list)
 }
 
-/// What is drawn: in each panel a curve for each formulation, by its name and in its own look.
+/// Curves of the figure: in each panel one for each formulation, by its name and in its own look.
 #[derive(Default)]
 struct Curves {
     eliminated: Vec<Series>,
@@ -163,7 +163,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         for place in &places {
             let exact = exact(study, lagrange.extended(), place);
             let (error, cond, equilibrated) = look(case, case.code.extended(), &scene, place, &exact)?;
-            // Below half a unit in the last place an error is none.
+            // An error below half a unit in the last place counts as none.
             error_points.push((place.divisor, larger(error, 1e-17)));
             plain.push((place.divisor, cond));
             scaled.push((place.divisor, equilibrated));

@@ -1,4 +1,4 @@
-//! The domain: what stops a run that has left the world its equations describe.
+//! Domain of the equations: the conditions that stop a run where its equations no longer describe the motion.
 
 use super::findings::{Findings, Row, Study, Topic};
 use crate::code::{Ready, code};

@@ -1,4 +1,4 @@
-//! Long runs: whether what is conserved drifts for ever or stays bounded, by method; and tolerances finer than
+//! Long runs: whether conserved quantities drift for ever or stay bounded, by method; and tolerances finer than
 //! rounding.
 
 use super::findings::{Findings, Row, Study, Topic};
@@ -15,7 +15,7 @@ use tripos_sim::stability::{Trend, trend};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::larger;
 
-/// How many spans of the scene a long run takes.
+/// Length of a long run in spans of the scene, for a quick and for a full study.
 const SPANS: [f64; 2] = [20.0, 200.0];
 /// Steps of a fixed-step run in one span.
 const FIXED: f64 = 400.0;
@@ -79,10 +79,10 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-/// A word, and (time, how far from the start).
+/// A word for the trend of the energy, and pairs of time and distance from the start.
 type Told = (&'static str, Vec<(f64, f64)>);
 
-/// One long run: whether the energy drifts, in a word, and how far it is from its start, sample by sample.
+/// Makes one long run: tells in a word whether the energy drifts, and how far it is from its start at each sample.
 fn energy_along(
     problem: &Problem<'_>,
     y0: &[f64],
@@ -94,7 +94,7 @@ fn energy_along(
     let run = problem.integrate_over(span, y0, options, &mut []).map_err(|e| refused(problem.scene, &e))?;
     let run = uninterrupted(run)?;
     let drifts = watch.course(problem, &run, energy);
-    // Of a run that did not arrive nothing is said.
+    // A run that did not arrive has no trend.
     let word = match trend(&drifts) {
         _ if run.stop.is_failure() => "stopped",
         Trend::Secular => "secular",
@@ -123,7 +123,7 @@ fn energy_along(
     Ok((word, points))
 }
 
-/// A tolerance below the rounding of the variables makes a run longer and no better: it must be said.
+/// Runs with a tolerance below the rounding of the variables. It makes a run longer and no better, so a warning is due.
 fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings: &mut Findings) -> Result<(), Error> {
     for (tolerance, case) in [(1e-12, "1e-12"), (1e-18, "1e-18")] {
         let options = Options {

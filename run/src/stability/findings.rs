@@ -1,4 +1,4 @@
-//! What the studies work on, and what they find.
+//! Inputs of the studies, and their findings.
 
 use crate::figure::Figure;
 use crate::follow::Progress;
@@ -6,53 +6,53 @@ use crate::mechanism::Mechanism;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Scene, Solve};
 
-/// One number that was found.
+/// One number that a study found.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
-    /// Which study.
+    /// Name of the study.
     pub check: &'static str,
-    /// Which equations; empty where it does not matter.
+    /// Name of the equations; empty where it does not matter.
     pub formulation: String,
-    /// How accelerations were found.
+    /// Name of the solve for accelerations.
     pub solve: &'static str,
-    /// The method.
+    /// Name of the integration method.
     pub method: &'static str,
-    /// Which rung, instant or tolerance.
+    /// Rung, instant or tolerance to which the value belongs.
     pub case: String,
-    /// What the value is.
+    /// Name of the quantity.
     pub quantity: &'static str,
-    /// The value; none where a run did not get there.
+    /// Value of the quantity; `None` where a run did not get there.
     pub value: Option<f64>,
-    /// What theory or the reference says.
+    /// Value by theory or by the reference; `None` if there is none.
     pub expected: Option<f64>,
-    /// Where and why a run stopped, or what to know.
+    /// Place and reason of a run's stop, or a note on the value.
     pub remark: String,
 }
 
 /// A run past a singular surface: a cell of the heat map.
 #[derive(Clone, Debug)]
 pub struct Passed {
-    /// Which equations.
+    /// Equations that were integrated.
     pub by: By,
-    /// How accelerations were found.
+    /// Name of the solve for accelerations.
     pub solve: &'static str,
-    /// The method.
+    /// Name of the integration method.
     pub method: &'static str,
-    /// What was integrated.
+    /// Variable that was integrated.
     pub variable: Variable,
-    /// How near it came: the least size of what the kinematic equations divide by.
+    /// Least distance of the passage: the smallest size of the divisor of the kinematic equations.
     pub least: f64,
-    /// The error at the end; none if the run did not get there.
+    /// Error at the end; `None` if the run did not get there.
     pub error: Option<f64>,
-    /// Accepted steps.
+    /// Number of accepted steps.
     pub steps: u64,
-    /// Why it ended.
+    /// Reason why the run ended.
     pub stop: String,
-    /// Where it ended, s.
+    /// Instant at which the run ended, s.
     pub t_end: f64,
 }
 
-/// What a study is of.
+/// Topic of a study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Topic {
     /// Passages near a singular surface.
@@ -61,9 +61,9 @@ pub enum Topic {
     Conditioning,
     /// The domain of the equations.
     Domain,
-    /// How errors grow.
+    /// Growth of small errors.
     Growth,
-    /// What is conserved, over long runs.
+    /// Drift of conserved quantities over long runs.
     Drift,
 }
 
@@ -84,19 +84,19 @@ impl Topic {
 /// Accelerations and a matrix at one place of a passage.
 #[derive(Clone, Debug)]
 pub struct Looked {
-    /// Which equations.
+    /// Equations that give the accelerations.
     pub by: By,
-    /// How accelerations were found.
+    /// Solve for the accelerations.
     pub solve: Solve,
-    /// The size of what the kinematic equations divide by.
+    /// Size of the divisor of the kinematic equations.
     pub divisor: f64,
-    /// How far the accelerations are from those with 32 digits, in units of the largest.
+    /// Largest error of the accelerations against those with 32 digits, in units of the largest acceleration.
     pub error: f64,
-    /// The condition number of the matrix with its rows and columns scaled.
+    /// Condition number of the matrix with its rows and columns scaled.
     pub equilibrated: f64,
 }
 
-/// What is integrated past a singular surface.
+/// Variable that is integrated past a singular surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variable {
     /// The coordinate itself.
@@ -116,26 +116,26 @@ impl Variable {
     }
 }
 
-/// What the studies found.
+/// Findings of all studies.
 #[derive(Default)]
 pub struct Findings {
-    /// Every number.
+    /// Rows of the table: every number that was found.
     pub rows: Vec<Row>,
     /// The cells of the heat map of passages.
     pub passages: Vec<Passed>,
-    /// What was seen along the narrowest passage, on the way in.
+    /// Accelerations and matrices along the narrowest passage, on the way in.
     pub looked: Vec<Looked>,
-    /// Whether the motion leaves the domain of its equations.
+    /// True if the motion leaves the domain of its equations.
     pub left_domain: bool,
     /// Figures by file name.
     pub figures: Vec<(&'static str, Figure)>,
-    /// What to take away, a line each.
+    /// Conclusions, one line each.
     pub statements: Vec<Statement>,
     /// The study that was interrupted, if one was: those after it were not begun.
     pub unfinished: Option<Topic>,
 }
 
-/// What to take away, in a sentence.
+/// Conclusion of a study, in a sentence.
 #[derive(Clone, Debug)]
 pub struct Statement {
     /// The study that found it.
@@ -144,20 +144,20 @@ pub struct Statement {
     pub text: String,
 }
 
-/// What a study works on.
+/// Model, scene and options on which a study works.
 pub struct Study<'a> {
     /// The model.
     pub model: &'a Mechanism,
     /// The scene.
     pub scene: &'a Scene,
-    /// Whether less is to be run.
+    /// True if a shorter study with fewer runs is wanted.
     pub quick: bool,
-    /// What is being done.
+    /// Receiver of progress messages.
     pub progress: &'a dyn Progress,
 }
 
 impl Findings {
-    /// Adds what to take away from a study.
+    /// Adds a conclusion of a study.
     pub(super) fn say(&mut self, study: Topic, text: String) {
         self.statements.push(Statement { study, text });
     }

@@ -93,7 +93,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-/// A run at a tolerance: how many steps it took, and its error at each of these instants.
+/// Makes a run at a tolerance: gives the number of its steps, and its error at each of these instants.
 fn errors_along(
     problem: &Problem<'_>,
     y0: &[f64],

@@ -27,21 +27,21 @@ const METHODS: [(Method, f64); 5] = [
     (Method::Gauss6, 1e-11),
     (Method::Rk4, 1e-12),
 ];
-/// How a scene's own equations are stepped. Their states are of very different sizes near the surface, and none loses
-/// digits there: an absolute tolerance alone lets all of them be kept.
+/// Method for a scene's own equations. Their states are of very different sizes near the surface, and none loses digits
+/// there: an absolute tolerance alone lets all of them be kept.
 const OWN: Way = Way::Absolute(Method::Dop853, 1e-14);
-/// How many of them a quick study takes.
+/// Number of methods that a quick study takes.
 const QUICK: usize = 2;
 
 /// The passage of a motion by a singular surface.
 pub struct Passage {
-    /// When it is nearest, s.
+    /// Instant at which the motion is nearest to the surface, s.
     pub t: f64,
-    /// The distance then: the absolute value of what the kinematic equations divide by.
+    /// Distance at that instant: the absolute value of the divisor of the kinematic equations.
     pub least: f64,
 }
 
-/// The first place of a scene at which a divisor of the kinematic equations is least.
+/// Finds the first passage of a scene: a minimum of a divisor of the kinematic equations. `None` if there is none.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -67,7 +67,7 @@ pub fn passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>, Erro
     Ok(least.map(|at| Passage { t: run.t[at], least: values[at] }))
 }
 
-/// One rung: the reference at the passage and at the end.
+/// One rung of the ladder: a scene, with the reference at its passage and at its end.
 struct Rung {
     scene: Scene,
     reference: Reference,
@@ -143,15 +143,15 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-/// What is integrated in a row.
+/// Variable that is integrated in a row of the heat map.
 #[derive(Clone, Copy)]
 struct Integrated {
-    /// The distance that the equations of the whole model are written in.
+    /// Distance in which the equations of the whole model are written.
     distance: Option<Distance>,
     variable: Variable,
 }
 
-/// One run of one rung: its rows and its cell.
+/// Makes one run of one rung: adds its rows, and gives its cell.
 fn cell(
     study: &Study<'_>,
     findings: &mut Findings,
@@ -221,9 +221,9 @@ fn cell(
     Ok(Cell::Value(last))
 }
 
-/// How one part of a passage ended.
+/// End of one part of a passage.
 struct Arrival {
-    /// Why it stopped before its end, if it did.
+    /// Reason why the part stopped before its end; `None` if it did not.
     stop: Option<String>,
     t_end: f64,
     steps: u64,
@@ -253,7 +253,7 @@ fn arrive(
     }
 }
 
-/// The best and the worst of the narrowest passage that arrived.
+/// Adds the best and the worst run through the narrowest passage, and the uncertainty of the references.
 fn summary(findings: &mut Findings, rungs: &[Rung]) {
     let Some(narrow) = rungs.iter().min_by(|a, b| a.least.total_cmp(&b.least)) else { return };
     let describe = |p: &Passed| format!("{}, {}, {}, in the {}", p.by.name(), p.solve, p.method, p.variable.name());

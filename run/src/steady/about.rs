@@ -1,4 +1,4 @@
-//! A mechanism near a steady motion: its linear system, its modes, and what they say.
+//! A mechanism near a steady motion: its linear system, its modes, and its stability.
 
 use super::Question;
 use super::control::{Transfer, reached, transfers};
@@ -11,67 +11,67 @@ use crate::{Error, Mechanism};
 use nalgebra::DMatrix;
 use tripos_derive::scene::Asked;
 
-/// A linear system near a steady motion.
+/// Linear system near a steady motion, with its modes, stability and transfer functions.
 #[derive(Clone, Debug)]
 pub struct About {
     /// Names of all states of the mechanism: coordinates, then speeds.
     pub all: Vec<String>,
-    /// The place of time among them, if the model names it: drives go on with it.
+    /// Index of time among the states; `None` if the model does not name it. Drives go on with time.
     pub time: Option<usize>,
-    /// Where it is.
+    /// Steady motion about which the system is linear.
     pub steady: Steady,
-    /// What the motion goes along, and how fast: a rate for each symmetry.
+    /// Symmetries along which the motion goes, in words, each with its rate.
     pub moves: Vec<(String, f64)>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
     /// Names of the outputs.
     pub outputs: Vec<String>,
-    /// The system.
+    /// Matrices of the linear system.
     pub system: Quotient,
-    /// Its eigenvalues.
+    /// Eigenvalues of the linear system.
     pub modes: Vec<Mode>,
-    /// What they say.
+    /// Stability of the motion by the eigenvalues.
     pub stability: Stability,
-    /// Names of states that tell the steady motions of its family from one another, as many as it has parameters; none where A does
-    /// nothing in some directions and no steady motions were found there.
+    /// Names of states that tell the steady motions of its family apart, as many as the family has parameters. Empty if
+    /// A maps directions to zero but no steady motions were found there.
     pub family: Vec<String>,
-    /// In how many directions A does nothing.
+    /// Number of independent directions that A maps to zero.
     pub still: usize,
-    /// Dimensions that the inputs reach.
+    /// Number of dimensions that the inputs reach.
     pub controllable: usize,
-    /// Dimensions that the outputs show.
+    /// Number of dimensions that the outputs show.
     pub observable: usize,
-    /// Each input to each output.
+    /// Transfer functions from each input to each output.
     pub transfers: Vec<Transfer>,
 }
 
 impl About {
-    /// Coordinates and speeds by name, with their values; time is none of them.
+    /// Coordinates and speeds by name, with their values; time is left out.
     pub fn states(&self) -> impl Iterator<Item = (&str, f64)> + '_ {
         let all = self.all.iter().zip(&self.steady.x).enumerate().filter(|(at, _)| Some(*at) != self.time);
         all.map(|(_, (name, x))| (name.as_str(), x.hi()))
     }
 }
 
-/// What is asked of a linearisation.
+/// Options of a linearisation.
 #[derive(Clone, Debug, Default)]
 pub struct Wanted {
     /// Inputs, by name: inputs of the model, or parameters. All inputs of the model if none is given.
     pub inputs: Vec<String>,
-    /// Whether states that symmetries shift are kept.
+    /// True if states that symmetries shift are kept.
     pub whole: bool,
-    /// Whether a state that is not steady is taken as it is, with the loops closed by the coordinates that are sought.
+    /// True if a state that is not steady is accepted, with the loops closed by the coordinates that are sought.
     pub as_is: bool,
 }
 
-/// What to do where a state is not steady.
+/// Advice for a state that is not steady.
 const ASK: &str = "put what may change under [guess], or ask `tripos equilibria` for what is near";
 
-/// Linearises a mechanism about a steady motion: the state that is asked about, with what is sought of it solved for.
+/// Linearises a mechanism about a steady motion: the state that is asked about, with its sought states solved for.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived or has not such inputs, if the state is not steady and none is near it that could be, and
-/// if it is singular.
+/// [`Error`] if the model cannot be derived or lacks one of the inputs, if the state is not steady and no steady state
+/// was found near it, and if it is singular.
 pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<About, Error> {
     let mut question = Question::new(model, asked, &wanted.inputs)?;
     let unknowns = Unknowns { states: asked.sought.clone(), moves: true };
@@ -86,7 +86,8 @@ pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<Ab
 }
 
 impl Question {
-    /// The linear system near a steady motion, with all that is said of it; `whole` keeps what symmetries shift.
+    /// Linear system near a steady motion, with its modes and stability; `whole` keeps the states that symmetries
+    /// shift.
     ///
     /// # Errors
     /// [`Error::Stopped`] in a singular pose, and where a slope has no value.
@@ -94,7 +95,8 @@ impl Question {
         self.about_in(model, steady, whole, true)
     }
 
-    /// Linearises about a steady motion, with its family looked for or not: on the way to a crossing nobody asks for it.
+    /// Linearises about a steady motion. `with_family` looks for its family, which the search for a crossing does not
+    /// need.
     pub(super) fn about_in(
         &mut self,
         model: &Mechanism,
@@ -129,7 +131,7 @@ impl Question {
     }
 }
 
-/// Rows of a matrix by which its columns are told from one another, the largest first.
+/// Indices, in ascending order, of rows of a matrix that tell its columns apart. Large rows are preferred.
 fn leading(columns: &DMatrix<f64>) -> Vec<usize> {
     let mut left = columns.clone();
     let mut rows = Vec::new();
@@ -145,7 +147,7 @@ fn leading(columns: &DMatrix<f64>) -> Vec<usize> {
 }
 
 impl Question {
-    /// Why a state is not steady, with what to do.
+    /// Error that tells why a state is not steady, and what to do.
     #[must_use]
     pub fn unbalanced(&self, steady: &Steady, help: &str) -> Error {
         let rates = steady.unbalanced.iter().map(|(at, left)| format!("{}' is left at {left:.6e}", self.names[*at]));
@@ -158,7 +160,7 @@ impl Question {
         }
     }
 
-    /// What a motion goes along, where it goes.
+    /// Symmetries along which a motion goes, in words, with its rates.
     fn moves(&self, model: &Mechanism, steady: &Steady) -> Vec<(String, f64)> {
         let all = self.flow.symmetries.iter().zip(&steady.along).enumerate();
         let all = all.filter(|(at, _)| Some(*at) != self.by_time);

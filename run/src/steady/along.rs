@@ -1,4 +1,4 @@
-//! A steady motion followed along a number: where eigenvalues pass the imaginary axis, and where it ends.
+//! A steady motion followed along a number: the crossings of the imaginary axis by eigenvalues, and its end.
 
 use super::Question;
 use super::about::About;
@@ -10,22 +10,22 @@ use crate::{Error, Mechanism};
 use tripos_derive::scene::Asked;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Halvings of an interval on the way to a crossing, at most, and its width beside the number where it is found.
+/// Largest number of halvings of an interval for a crossing; `WIDTH` is the relative width at which they end.
 const HALVINGS: usize = 200;
 const WIDTH: f64 = 4.0 * f64::EPSILON;
-/// Crossings that are told apart between two values.
+/// Largest number of crossings that are told apart between two values.
 const MOST_CROSSINGS: usize = 32;
 
 /// A steady motion at one value of the number.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// The value.
+    /// Value of the number.
     pub value: f64,
-    /// What is near it there.
+    /// Linear system of the steady motion there.
     pub about: About,
 }
 
-/// What happens between values.
+/// Kind of change of a steady motion between two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CrossingKind {
     /// A real eigenvalue passes 0: other steady motions branch off, or it exchanges stability with them.
@@ -48,29 +48,29 @@ impl CrossingKind {
     }
 }
 
-/// Where a steady motion changes its stability, or ends.
+/// Change of stability of a steady motion, or its end.
 #[derive(Clone, Debug)]
 pub struct Crossing {
-    /// What happens.
+    /// Kind of the change.
     pub kind: CrossingKind,
-    /// At which value.
+    /// Value of the number at the change.
     pub value: f64,
-    /// The angular frequency there, rad/s: 0 but for a pair.
+    /// Angular frequency there, rad/s; 0 except for a pair.
     pub frequency: f64,
 }
 
 /// A steady motion along a number.
 #[derive(Clone, Debug, Default)]
 pub struct Course {
-    /// At the values that were asked for, as far as it goes.
+    /// Points at the values that were asked for, as far as the motion goes.
     pub points: Vec<Point>,
-    /// What happens between them.
+    /// Crossings between the points.
     pub crossings: Vec<Crossing>,
-    /// Why it ends before the last value.
+    /// Reason why the motion ends before the last value; `None` if it does not.
     pub ended: Option<String>,
 }
 
-/// Follows a steady motion over values of a number of the state file, which `asked` puts in.
+/// Follows a steady motion over values of a number of the state file; `asked` gives the request at a value.
 ///
 /// # Errors
 /// [`Error`] as [`super::equilibria`], at the first value.
@@ -84,7 +84,7 @@ pub fn follow(
     along((model, &mut question), asked, values)
 }
 
-/// Follows a steady motion, as [`follow`] does, of a question that was put already.
+/// Follows a steady motion, as [`follow`] does, for a question that exists already.
 pub(super) fn along(
     (model, question): (&Mechanism, &mut Question),
     asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
@@ -95,7 +95,7 @@ pub(super) fn along(
     let start = asked(*first)?;
     let mut unknowns = unknowns(question, &start);
     if let Some(last) = values.last() {
-        // What the number moves is held.
+        // States that the number moves are held.
         let other = asked(*last)?;
         unknowns.states.retain(|at| start.x[*at] == other.x[*at]);
     }
@@ -120,7 +120,7 @@ pub(super) fn along(
     Ok(course)
 }
 
-/// On the way along a number.
+/// Data of a steady motion that is followed along a number.
 struct Way<'w> {
     model: &'w Mechanism,
     question: &'w mut Question,
@@ -129,12 +129,12 @@ struct Way<'w> {
 }
 
 impl Way<'_> {
-    /// The steady motion at a value, sought from one that is near.
+    /// Finds the steady motion at a value, from one that is near.
     fn point(&mut self, value: f64, near: Option<&Steady>) -> Result<Point, Error> {
         self.point_in(value, near, true)
     }
 
-    /// The steady motion at a value of the parameter, with its family looked for or not.
+    /// Finds the steady motion at a value of the parameter; `with_family` looks for its family.
     fn point_in(&mut self, value: f64, near: Option<&Steady>, with_family: bool) -> Result<Point, Error> {
         let asked = (self.asked)(value)?;
         self.question.at(&asked.parameters);
@@ -149,7 +149,7 @@ impl Way<'_> {
         Ok(Point { value, about: self.question.about_in(self.model, steady, false, with_family)? })
     }
 
-    /// The last value at which it is found, between one at which it is and one at which it is not.
+    /// Last value at which the motion is found, between a value at which it is found and one at which it is not.
     fn end(&mut self, from: &Point, to: f64) -> f64 {
         let (mut near, mut last, mut beyond) = (from.about.steady.clone(), from.value, to);
         for _ in 0..HALVINGS {
@@ -165,9 +165,10 @@ impl Way<'_> {
         last
     }
 
-    /// Eigenvalues that pass the imaginary axis between two points: one that is real where the product of all that are not the family's
-    /// changes its sign, which is known where eigenvalues near 0 are not; a pair where the number of those that grow changes by two. Two
-    /// real ones that meet and become a pair pass nothing.
+    /// Finds the eigenvalues that cross the imaginary axis between two points. A real one crosses where the product of
+    /// all eigenvalues except those of the family changes its sign; this is known even where eigenvalues near 0 are
+    /// not. A pair crosses where the number of growing eigenvalues changes by two. Two real ones that meet and become a
+    /// pair cross nothing.
     fn crossings(&mut self, from: &Point, to: &Point) -> Result<Vec<Crossing>, Error> {
         let family = from.about.still;
         let is_negative = |point: &Point| is_negative(&point.about.system.a, family);
@@ -194,7 +195,8 @@ impl Way<'_> {
         Ok(list)
     }
 
-    /// The last point, to rounding, where something is as at the beginning, and the first one where it is not, by halving.
+    /// Brackets by halving, to rounding, the first point at which `what` differs from its value at `from`. Returns the
+    /// last point before it, and that point.
     fn change<T: PartialEq>(
         &mut self,
         from: &Point,
@@ -217,14 +219,14 @@ impl Way<'_> {
     }
 }
 
-/// How many eigenvalues grow.
+/// Number of eigenvalues that grow.
 fn growing(point: &Point) -> usize {
     let grows = |mode: &&Mode| mode.grows();
     point.about.modes.iter().filter(grows).count()
 }
 
-/// Whether the coefficient of s^family in det(s − A), ± the sum of the products of n − family eigenvalues, is negative (D. K. Faddeev's
-/// recurrence).
+/// True if the coefficient of s^family in det(s − A) is negative. It is ± the sum of the products of n − family
+/// eigenvalues (D. K. Faddeev's recurrence).
 fn is_negative(a: &Wide, family: usize) -> bool {
     let n = a.rows.len();
     let one = DoubleDouble::int(1);

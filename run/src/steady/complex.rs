@@ -49,13 +49,13 @@ impl Complex {
         self.re.hi().hypot(self.im.hi())
     }
 
-    /// z r, with a real number.
+    /// Product z r with a real number.
     #[must_use]
     pub fn scaled(self, r: DoubleDouble) -> Self {
         Self { re: self.re * r, im: self.im * r }
     }
 
-    /// The square root with a real part that is not negative.
+    /// Square root whose real part is not negative.
     #[must_use]
     pub fn sqrt(self) -> Self {
         let half = DoubleDouble::from_f64(0.5);
@@ -71,7 +71,7 @@ impl Complex {
         if is_left { Self { re: small * sign, im: large * sign } } else { Self { re: large, im: small } }
     }
 
-    /// Whether both parts are finite.
+    /// True if both parts are finite.
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.re.is_finite() && self.im.is_finite()

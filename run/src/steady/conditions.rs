@@ -1,4 +1,5 @@
-//! Rest and steady motion in closed form: what must vanish in letters, and its solutions where exact algebra finds them.
+//! Rest and steady motion in closed form: the terms that must vanish, in letters, and the solutions that exact algebra
+//! finds.
 
 use super::newton::Steady;
 use crate::{Error, Mechanism};
@@ -9,48 +10,48 @@ use tripos_derive::algebra::print::{latex, text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_traits::DoubleDouble;
 
-/// How far a number may be from a formula, beside its size or 1, where it is said to be on its branch.
+/// Distance of a number from a formula, relative to its size or 1, up to which it lies on the formula's branch.
 const NEAR: f64 = 1e-9;
 
-/// A formula as people write it.
+/// A formula in the notation of model files and in LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Formula {
-    /// In the language of model files.
+    /// Formula in the language of model files.
     pub text: String,
-    /// In LaTeX, for math mode.
+    /// Formula in LaTeX, for math mode.
     pub latex: String,
 }
 
-/// What something is.
+/// A name and its value, both as formulas.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Told {
     /// An unknown, its square, or a sine, cosine or tangent of it.
     pub name: Formula,
-    /// Its value.
+    /// Formula of the value.
     pub value: Formula,
 }
 
 /// A velocity along a symmetry.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Velocity {
-    /// Its letter: the rate of a coordinate, where it is that.
+    /// Letter of the velocity; the rate of a coordinate where it is one.
     pub name: String,
-    /// Along what it moves the mechanism.
+    /// Motion of the mechanism along the symmetry, in words.
     pub along: String,
-    /// Whether it is the rate of a coordinate.
+    /// True if it is the rate of a coordinate.
     pub is_rate: bool,
 }
 
-/// Solutions that are told by formulas; angles up to whole turns.
+/// Solutions that are given by formulas; angles up to whole turns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Solved {
-    /// What the unknowns are that were solved for, in those that are left free.
+    /// Formulas of the unknowns that were solved for, in those that are left free.
     pub solved: Vec<Told>,
-    /// What must be so for them to be real, such as `l*cos(q) >= 0`.
+    /// Conditions for the unknowns to be real, such as `l*cos(q) >= 0`.
     pub needs: Vec<Formula>,
-    /// What is not 0.
+    /// Divisors, which must not be 0.
     pub divided_by: Vec<Formula>,
-    /// What must vanish beside, and was not solved for.
+    /// Terms that must vanish, too, but were not solved for.
     pub left: Vec<Formula>,
     branch: Branch,
 }
@@ -58,28 +59,28 @@ pub struct Solved {
 /// Rest, or motion along symmetries, in closed form.
 #[derive(Clone, Debug)]
 pub struct Conditions {
-    /// Whether these are conditions of rest, with all velocities 0.
+    /// True if these are conditions of rest, with all velocities 0.
     pub rest: bool,
-    /// The velocities along symmetries, none at rest.
+    /// Velocities along symmetries; empty at rest.
     pub along: Vec<Velocity>,
-    /// The generalized speeds in coordinates and these velocities.
+    /// Generalized speeds in coordinates and these velocities.
     pub speeds: Vec<Told>,
     /// Velocities, coordinates and parameters that were solved for, the preferred ones first.
     pub unknowns: Vec<String>,
-    /// What must vanish.
+    /// Terms that must vanish.
     pub equations: Vec<Formula>,
-    /// How many more equations there are that are too large to be brought to a form that is read.
+    /// Number of further equations that are too large for a readable form.
     pub too_large: usize,
-    /// What the equations divide by: where one of these is 0 nothing is said.
+    /// Divisors of the equations: where one of these is 0 the conditions say nothing.
     pub divided_by: Vec<Formula>,
-    /// All solutions elsewhere, each proved by putting it back: all there are, if `complete`.
+    /// Solutions where no divisor is 0, each proved by substitution: all of them if `complete`.
     pub branches: Vec<Solved>,
-    /// Whether the search came to its end within its budget.
+    /// True if the search ended within its budget.
     pub complete: bool,
     symbols: Vec<Expr>,
 }
 
-/// Rest and steady motion of a mechanism in closed form.
+/// Conditions of rest and of steady motion of a mechanism in closed form.
 #[derive(Clone)]
 pub struct ClosedForm {
     /// Rest, then motion along symmetries, if it has any.
@@ -88,8 +89,9 @@ pub struct ClosedForm {
     is_angle: Vec<bool>,
 }
 
-/// Conditions of rest and of steady motion in letters, solved where exact algebra solves them; for these names rather than others: velocities and
-/// coordinates, and parameters, which are solved for if they are named.
+/// Finds the conditions of rest and of steady motion in letters, and solves them where exact algebra can. It prefers to
+/// solve for the names in `asked`: velocities, coordinates, and parameters, which are solved for only if they are
+/// named.
 ///
 /// # Errors
 /// [`Error`] if the model cannot be derived, depends on time, or has no such names.
@@ -147,7 +149,7 @@ fn formula(arena: &Arena, e: Expr) -> Formula {
     Formula { text: text(arena, e), latex: latex(arena, e) }
 }
 
-/// What a relation tells of: the unknown, its square, or a function of the angle.
+/// Left side of a relation: the unknown, its square, or a function of the angle.
 fn subject(arena: &mut Arena, relation: &Relation) -> Expr {
     match relation.kind {
         Kind::Value => relation.unknown,
@@ -187,7 +189,8 @@ fn solved(arena: &mut Arena, branch: Branch) -> Solved {
 }
 
 impl ClosedForm {
-    /// The conditions that a motion is under, by their place, and the branches that it lies on, by its numbers: nothing is proved by that.
+    /// Index of the conditions that a motion is under, and indices of the branches on which it lies, by its numbers.
+    /// This proves nothing. `None` if no conditions apply.
     #[must_use]
     pub fn branches_at(&self, parameters: &[DoubleDouble], steady: &Steady) -> Option<(usize, Vec<usize>)> {
         let at = self.list.iter().position(|conditions| conditions.rest == steady.is_rest())?;
@@ -199,7 +202,7 @@ impl ClosedForm {
         Some((at, (0..conditions.branches.len()).filter(holds).collect()))
     }
 
-    /// Whether a branch holds, by numbers.
+    /// True if a branch holds, by numbers.
     fn holds(&self, conditions: &Conditions, branch: &Branch, values: &[DoubleDouble]) -> bool {
         let mut arena = self.arena.clone();
         let sides = branch.solved.iter().map(|relation| [subject(&mut arena, relation), relation.value]);

@@ -1,4 +1,4 @@
-//! What inputs reach and outputs show of a linear system, and its transfer functions.
+//! Dimensions of a linear system that inputs reach and outputs show, and its transfer functions.
 
 use super::complex::Complex;
 use super::dense::Wide;
@@ -7,11 +7,11 @@ use crate::Error;
 use nalgebra::DMatrix;
 use tripos_traits::DoubleDouble;
 
-/// What is left of a direction, beside its length, when those reached are taken out of it, below which it is none.
+/// Length of a unit direction, after the reached directions are taken out of it, up to which it counts as zero.
 const NOTHING: f64 = 1e-9;
 
-/// The number of dimensions that inputs reach: the rank of (B, A B, A² B, …), direction by direction, so that powers of A do not
-/// hide any (Kalman's condition). Of (Aᵀ, Cᵀ), what outputs show.
+/// Number of dimensions that inputs reach: the rank of (B, A B, A² B, …), found direction by direction, so that powers
+/// of A do not hide any (Kalman's condition). For (Aᵀ, Cᵀ), the number of dimensions that outputs show.
 #[must_use]
 pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
     let mut basis: Vec<nalgebra::DVector<f64>> = Vec::new();
@@ -19,7 +19,7 @@ pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
     let mut next: Vec<nalgebra::DVector<f64>> =
         b.column_iter().filter(|c| c.norm() > 0.0).map(|c| c.into_owned().normalize()).collect();
     while let Some(mut direction) = next.pop() {
-        // Twice, for what rounding leaves.
+        // Twice, since rounding leaves a rest.
         for _ in 0..2 {
             for known in &basis {
                 direction -= known * known.dot(&direction);
@@ -30,7 +30,7 @@ pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
         }
         direction.normalize_mut();
         let moved = a * &direction;
-        // What A makes nothing of, beside its size, reaches nothing.
+        // A direction that A maps to zero, relative to its size, reaches nothing further.
         if moved.norm() > f64::EPSILON * size {
             next.insert(0, moved.normalize());
         }
@@ -42,9 +42,9 @@ pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
 /// y(s)/r(s) of one output and one input, (n₀ sᵐ + n₁ sᵐ⁻¹ + …)/(sᵏ + …).
 #[derive(Clone, Debug)]
 pub struct Transfer {
-    /// The place of the input.
+    /// Index of the input.
     pub input: usize,
-    /// The place of the output.
+    /// Index of the output.
     pub output: usize,
     /// Coefficients of the numerator, that of the highest power first.
     pub numerator: Vec<f64>,
@@ -81,7 +81,7 @@ pub fn transfers(a: &Wide, b: &Wide, c: &Wide, d: &Wide) -> Result<Vec<Transfer>
     Ok(list)
 }
 
-/// det(s − A), the coefficient of the highest power first.
+/// Coefficients of det(s − A), that of the highest power first.
 fn characteristic(a: &Wide) -> Result<Vec<DoubleDouble>, Error> {
     let mut coefficients = vec![Complex::from_f64(1.0)];
     if !a.rows.is_empty() {

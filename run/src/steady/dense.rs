@@ -3,38 +3,38 @@
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Rows by columns, to 32 digits.
+/// Matrix of numbers of 32 digits.
 #[derive(Clone, Debug, Default)]
 pub struct Wide {
-    /// Row by row.
+    /// Entries, row by row.
     pub rows: Vec<Vec<DoubleDouble>>,
 }
 
 impl Wide {
-    /// Zeros.
+    /// Matrix of zeros.
     #[must_use]
     pub fn zeros(rows: usize, columns: usize) -> Self {
         Self { rows: vec![vec![DoubleDouble::int(0); columns]; rows] }
     }
 
-    /// From columns of one length.
+    /// Matrix with these columns, which have one length.
     #[must_use]
     pub fn from_columns(rows: usize, columns: &[Vec<DoubleDouble>]) -> Self {
         Self { rows: (0..rows).map(|row| columns.iter().map(|column| column[row]).collect()).collect() }
     }
 
-    /// How many columns, 0 without rows.
+    /// Number of columns; 0 without rows.
     pub fn columns(&self) -> usize {
         self.rows.first().map_or(0, Vec::len)
     }
 
-    /// These rows and columns of it.
+    /// Part of the matrix with these rows and columns.
     #[must_use]
     pub fn part(&self, rows: &[usize], columns: &[usize]) -> Self {
         Self { rows: rows.iter().map(|row| columns.iter().map(|column| self.rows[*row][*column]).collect()).collect() }
     }
 
-    /// self + sign · a b.
+    /// Sum self + sign · a b.
     #[must_use]
     pub fn plus(&self, sign: f64, a: &Self, b: &Self) -> Self {
         let sign = DoubleDouble::from_f64(sign);
@@ -49,19 +49,19 @@ impl Wide {
         sum
     }
 
-    /// In doubles.
+    /// Rounds the matrix to doubles.
     #[must_use]
     pub fn rounded(&self) -> DMatrix<f64> {
         DMatrix::from_fn(self.rows.len(), self.columns(), |row, column| self.rows[row][column].hi())
     }
 
-    /// Row by row in doubles.
+    /// Rows of the matrix, rounded to doubles.
     #[must_use]
     pub fn doubles(&self) -> Vec<Vec<f64>> {
         self.rows.iter().map(|row| row.iter().map(|x| x.hi()).collect()).collect()
     }
 
-    /// The solution X of self · X = right, by Gauss with row pivots; nothing where it is singular.
+    /// Solution X of self · X = right, by Gauss with row pivots; `None` where the matrix is singular.
     #[must_use]
     pub fn solve(&self, right: &Self) -> Option<Self> {
         let n = self.rows.len();
@@ -88,8 +88,8 @@ impl Wide {
     }
 }
 
-/// A correction of least length for which a x + r is as small as can be, after columns are brought to one size; what is smaller than
-/// this of the largest singular value counts as nothing.
+/// Shortest correction x for which a x + r is smallest, after columns are scaled to one size. Singular values below
+/// `relative` times the largest count as zero. `None` if an entry is not finite.
 pub fn least(a: &DMatrix<f64>, r: &DVector<f64>, relative: f64) -> Option<DVector<f64>> {
     if a.ncols() == 0 || a.nrows() == 0 {
         return Some(DVector::zeros(a.ncols()));
@@ -106,7 +106,7 @@ pub fn least(a: &DMatrix<f64>, r: &DVector<f64>, relative: f64) -> Option<DVecto
     Some(DVector::from_fn(found.len(), |j, _| found[j] / columns[j]))
 }
 
-/// An orthonormal basis of the x with a x = 0, singular values below `relative` of the largest (or of 1) being nothing.
+/// Orthonormal basis of all x with a x = 0. Singular values up to `relative` times the largest count as zero.
 pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
     let n = a.ncols();
     if a.nrows() == 0 || n == 0 {
@@ -122,7 +122,7 @@ pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
     if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }
 }
 
-/// An orthonormal basis of so many directions in which a square matrix does least.
+/// Orthonormal basis of the `count` directions that a square matrix moves least.
 pub fn least_moved(a: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
     let svd = a.clone().svd(false, true);
     let v_t = svd.v_t.unwrap_or_else(|| DMatrix::identity(a.ncols(), a.ncols()));

@@ -1,10 +1,12 @@
-//! Eigenvalues of small matrices in 32 digits, which of them coincide, whether they grow, and which states take part in them.
+//! Eigenvalues of small matrices in 32 digits, with their multiplicity, their growth, and the states that take part in
+//! them.
 //!
-//! Rounding takes an eigenvalue of k-fold multiplicity apart by a k-th root of what was rounded. Eigenvalues are taken for one where
-//! the symmetric functions of their differences vanish beside rounding: the coefficients of the characteristic polynomial of their
-//! part of the Schur form. What is left of that part without its eigenvalue is nilpotent: its powers tell whether solutions are
-//! bounded or grow like a power of t (F. R. Gantmacher, *The Theory of Matrices*, chapter VIII; J. H. Wilkinson, *The Algebraic
-//! Eigenvalue Problem*, 1965, chapter 2). What is neither clearly 0 nor clearly not is said to be undecided.
+//! Rounding splits an eigenvalue of multiplicity k by the k-th root of the rounding. Eigenvalues count as one where the
+//! symmetric functions of their differences vanish, compared with rounding. These are the coefficients of the
+//! characteristic polynomial of their part of the Schur form. That part without its eigenvalue is nilpotent: its powers
+//! tell whether solutions are bounded or grow like a power of t (F. R. Gantmacher, *The Theory of Matrices*, chapter
+//! VIII; J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965, chapter 2). A quantity that is neither clearly 0
+//! nor clearly different from 0 is reported as undecided.
 
 use super::complex::Complex;
 use super::dense::Wide;
@@ -13,57 +15,58 @@ use crate::Error;
 use nalgebra::DMatrix;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// What is below the first of these beside what rounding makes of it is 0; what is above the second is not 0.
+/// Multiple of its rounding up to which a quantity is 0. From the multiple `NOT_ZERO` on it is not 0.
 const ZERO: f64 = 1e3;
 const NOT_ZERO: f64 = 1e7;
-/// How far off entries of a matrix are beside their size, and below which part of the size of the matrix an entry is rounding alone.
+/// Relative error of the entries of a matrix. Entries below `NOTHING` times the size of the matrix are rounding alone.
 const DIGITS: f64 = 1e-27;
 const NOTHING: f64 = 1e-24;
-/// How far apart eigenvalues are looked at that may coincide, over the root of what is not clearly 0.
+/// Largest distance of eigenvalues that may coincide, over the root of the least size that is clearly not 0.
 const APART: f64 = 3.0;
 
-/// An eigenvalue with what it means.
+/// An eigenvalue with its error, its multiplicity, and the shares of the states in it.
 #[derive(Clone, Debug)]
 pub struct Mode {
-    /// Its real and imaginary part, 1/s; parts that are not told from 0 are 0.
+    /// Real and imaginary part of the eigenvalue, 1/s. A part that cannot be told from 0 is 0.
     pub value: [f64; 2],
-    /// How much larger an error of the matrix may be in it: the size of the projector onto its vectors, which is 1/|yᴴ x| of its left
-    /// and right vectors of length 1 where it is simple. 1 at best, large near values that nearly coincide.
+    /// Factor by which an error of the matrix may be larger in the eigenvalue: the size of the projector onto its
+    /// vectors. For a simple eigenvalue this is 1/|yᴴ x| of its left and right vectors of length 1. It is 1 at best,
+    /// and large near values that nearly coincide.
     pub condition: f64,
-    /// How far off it may be, 1/s.
+    /// Largest error that the eigenvalue may have, 1/s.
     pub error: f64,
-    /// How much of it each state has, from 0 to 1 with sum 1: |y_k x_k|.
+    /// Share of each state in the eigenvalue, from 0 to 1 with sum 1: |y_k x_k|.
     pub shares: Vec<f64>,
-    /// How many eigenvalues coincide with it, itself among them.
+    /// Number of eigenvalues that coincide with it, itself included.
     pub multiplicity: usize,
-    /// The power of t by which solutions grow beside e^(λ t): 0 where it has as many vectors as its multiplicity, k − 1 where its
-    /// largest Jordan block has k rows.
+    /// Power of t by which solutions grow beside e^(λ t). It is 0 where the eigenvalue has as many vectors as its
+    /// multiplicity, and k − 1 where its largest Jordan block has k rows.
     pub power: usize,
-    /// The number of independent vectors that it has.
+    /// Number of independent vectors of the eigenvalue.
     pub vectors: usize,
-    /// Whether its digits do not tell if its real part is 0, or, where it is, whether it coincides with others.
+    /// True if its digits do not tell whether its real part is 0, or, where it is 0, whether it coincides with others.
     pub is_undecided: bool,
 }
 
 impl Mode {
-    /// Whether solutions grow with it exponentially.
+    /// True if solutions grow exponentially with it.
     #[must_use]
     pub fn grows(&self) -> bool {
         self.value[0] > 0.0
     }
 
-    /// Whether its real part is 0.
+    /// True if its real part is 0.
     #[must_use]
     pub fn is_neutral(&self) -> bool {
         self.value[0].abs() <= 0.0
     }
 }
 
-/// The eigenvalues of a square matrix, those with the largest real part first. Its entries are known to 27 digits, and may be off by a
-/// part `uncertain` of the size of the matrix beside.
+/// Eigenvalues of a square matrix, those with the largest real part first. Its entries are known to 27 digits, and may
+/// have a further error of `uncertain` times the size of the matrix.
 ///
 /// # Errors
-/// [`Error::Stopped`] if they are not found.
+/// [`Error::Stopped`] if the eigenvalues are not found.
 pub fn modes(a: &Wide, uncertain: f64) -> Result<Vec<Mode>, Error> {
     if a.rows.is_empty() {
         return Ok(Vec::new());
@@ -79,7 +82,7 @@ pub fn modes(a: &Wide, uncertain: f64) -> Result<Vec<Mode>, Error> {
     Ok(list.into_iter().flat_map(|mode| std::iter::repeat_n(mode.clone(), mode.multiplicity)).collect())
 }
 
-/// Modes whose values below the real axis are those above it, to the last digit.
+/// Modes in exact pairs: values below the real axis mirror those above it, to the last digit.
 fn in_pairs(modes: Vec<Mode>) -> Vec<Mode> {
     let count = |is_side: fn(f64) -> bool| -> usize {
         modes.iter().filter(|mode| is_side(mode.value[1])).map(|mode| mode.multiplicity).sum()
@@ -98,8 +101,9 @@ fn in_pairs(modes: Vec<Mode>) -> Vec<Mode> {
     list
 }
 
-/// A similar matrix whose rows and columns are of like sizes, by powers of two (B. N. Parlett & C. Reinsch, Numer. Math. 13, 1969), and by
-/// how much it may be off. Entries that are not clear of their uncertainty scale nothing.
+/// Similar matrix whose rows and columns are of like sizes, scaled by powers of two, and its possible error (B. N.
+/// Parlett & C. Reinsch, Numer. Math. 13, 1969). Entries that are not clear of their uncertainty do not count in the
+/// scaling.
 fn balanced(a: &Wide, uncertain: f64) -> (Wide, f64) {
     let rounded = a.rounded();
     let (size, off) = (rounded.norm(), uncertain * rounded.norm());
@@ -119,13 +123,13 @@ fn balanced(a: &Wide, uncertain: f64) -> (Wide, f64) {
     (scaled, noise.norm())
 }
 
-/// Eigenvalues that are one, by their places on the diagonal.
+/// Eigenvalues that coincide, by their indices on the diagonal.
 struct Group {
     places: Vec<usize>,
     is_undecided: bool,
 }
 
-/// Whether something is 0, by how large it is beside what rounding makes of it.
+/// Decision whether a quantity is 0, by its size compared with its rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Size {
     Zero,
@@ -153,17 +157,17 @@ impl Size {
     }
 }
 
-/// A Schur form whose eigenvalues are sorted into such as are one.
+/// A Schur form, with the data that sort its eigenvalues into groups that coincide.
 struct Spectrum {
     form: Schur,
     values: Vec<Complex>,
-    /// How far off entries may be, and the size of the matrix.
+    /// Possible error of entries; `size` is that of the matrix.
     noise: f64,
     size: f64,
 }
 
 impl Spectrum {
-    /// The eigenvalues in groups of such as coincide, the largest groups first.
+    /// Eigenvalues in groups that coincide, the largest groups first.
     fn groups(&self) -> Vec<Group> {
         let n = self.values.len();
         let mut left: Vec<usize> = (0..n).collect();
@@ -189,7 +193,7 @@ impl Spectrum {
         groups
     }
 
-    /// Eigenvalues that chains link whose steps are shorter than a reach.
+    /// Groups of eigenvalues that are linked by chains with steps up to `reach`.
     fn linked(&self, among: &[usize], reach: f64) -> Vec<Vec<usize>> {
         let mut left = among.to_vec();
         let mut chains = Vec::new();
@@ -208,7 +212,7 @@ impl Spectrum {
         chains
     }
 
-    /// Whether the symmetric functions of these eigenvalues less their mean are 0, as those of one that is repeated.
+    /// Decides whether these eigenvalues coincide: the symmetric functions of their distances from the mean are 0.
     fn coincide(&self, places: &[usize]) -> Size {
         let part = Part::new(&self.form.with_first(places), places.len());
         // Coefficients of the product of all (s − λ + mean), and those of (s + |λ − mean|), which are no smaller.
@@ -225,13 +229,13 @@ impl Spectrum {
         for (k, coefficient) in coefficients.iter().enumerate().skip(1) {
             ways *= (part.nilpotent.len() + 1 - k) as f64 / k as f64;
             let rounding = ways * self.noise * length.powi(i32::try_from(k).unwrap_or(i32::MAX) - 1);
-            // Where this is below the smallest numbers nothing is told.
+            // A rounding below the smallest positive number would tell nothing.
             most = most.most(Size::of(coefficient.norm(), rounding.max(f64::MIN_POSITIVE)));
         }
         most
     }
 
-    /// What eigenvalues that are one mean.
+    /// Mode of a group of eigenvalues that coincide.
     fn mode(&self, group: &Group) -> Mode {
         let form = self.form.with_first(&group.places);
         let many = group.places.len();
@@ -244,7 +248,7 @@ impl Spectrum {
         let value = [clean(parts[0]), clean(parts[1])];
         let (power, power_is_sure) = part.power(off);
         let (rank, rank_is_sure) = part.rank(off);
-        // What dies away or grows for sure does so whatever it coincides with.
+        // An eigenvalue that surely decays or grows does so whatever it coincides with.
         let is_undecided = match parts[0].1 {
             Size::Zero => group.is_undecided || !power_is_sure || !rank_is_sure,
             Size::Undecided => true,
@@ -263,15 +267,15 @@ impl Spectrum {
     }
 }
 
-/// The part of a Schur form that belongs to eigenvalues that are one.
+/// Part of a Schur form that belongs to eigenvalues that coincide.
 struct Part {
     mean: Complex,
-    /// Without the eigenvalue.
+    /// Block of the Schur form, less the mean on its diagonal.
     nilpotent: Vec<Vec<Complex>>,
 }
 
 impl Part {
-    /// The block of the first `many` rows and columns of a Schur form.
+    /// Takes the block of the first `many` rows and columns of a Schur form.
     fn new(form: &Schur, many: usize) -> Self {
         let sum = (0..many).fold(Complex::default(), |sum, at| sum + form.t[at][at]);
         let mean = sum.scaled(DoubleDouble::int(1) / DoubleDouble::from_f64(many as f64));
@@ -286,7 +290,7 @@ impl Part {
         norm(&self.nilpotent)
     }
 
-    /// The largest power of the nilpotent part that is not 0, and whether that is sure; entries may be off by so much.
+    /// Largest power of the nilpotent part that is not 0, and true if that is sure. Entries may have the error `off`.
     fn power(&self, off: f64) -> (usize, bool) {
         let many = self.nilpotent.len();
         let length = self.norm().max(off);
@@ -304,7 +308,7 @@ impl Part {
         (many - 1, is_sure)
     }
 
-    /// The rank of the nilpotent part, by elimination with the largest pivots, and whether it is sure.
+    /// Rank of the nilpotent part, by elimination with the largest pivots, and true if it is sure.
     fn rank(&self, off: f64) -> (usize, bool) {
         let mut left = self.nilpotent.clone();
         for rank in 0..left.len() {
@@ -338,9 +342,11 @@ fn times(a: &[Vec<Complex>], b: &[Vec<Complex>]) -> Vec<Vec<Complex>> {
     a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
 }
 
-/// The size of the projector P onto the vectors of the first eigenvalues along those of the others, and the shares |P_kk| of the states.
+/// Size of the projector P onto the vectors of the first eigenvalues along those of the others, and the shares |P_kk|
+/// of the states.
 ///
-/// P = Q (1 Z; 0 0) Qᴴ with T₁₁ Z − Z T₂₂ = T₁₂, which is solved column by column; eigenvalues are no nearer than `noise`.
+/// P = Q (1 Z; 0 0) Qᴴ with T₁₁ Z − Z T₂₂ = T₁₂, which is solved column by column. Differences of eigenvalues count as
+/// at least `noise`.
 fn projector(form: &Schur, many: usize, noise: f64) -> (f64, Vec<f64>) {
     let (t, n) = (&form.t, form.t.len());
     let mut z: Vec<Vec<Complex>> = vec![Vec::with_capacity(n - many); many];

@@ -12,7 +12,7 @@ use tripos_derive::flow::{Chosen, InLetters, NotInLetters, Stated};
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
 
-/// How far a state that is sought may be from its guess where that is taken for every value of the letters.
+/// Change of a sought state, relative to its size or 1, up to which its guess holds for every value of the letters.
 const AS_GUESSED: f64 = 1e-12;
 
 /// An entry of a matrix in letters.
@@ -24,21 +24,21 @@ pub enum Entry {
     Formula(View),
 }
 
-/// A, B, C and D in letters, in the states of the linear system that is beside them.
+/// Matrices A, B, C and D in letters, in the states of the linear system to which they belong.
 #[derive(Clone, Debug)]
 pub struct Letters {
-    /// The letters.
+    /// Names of the letters.
     pub names: Vec<String>,
     /// A, B, C and D, row by row.
     pub matrices: [Vec<Vec<Entry>>; 4],
 }
 
-/// The linear system of a steady motion, with these numbers kept as letters: names of the state file, parameters. It is proved that
-/// the motion is steady for all of their values.
+/// Linear system of a steady motion, with these numbers kept as letters: names of the state file, or parameters. It is
+/// proved that the motion is steady for all of their values.
 ///
 /// # Errors
-/// [`Error`] if there are no such letters, if the motion is steady only for some of their values, and if it is
-/// known by numbers alone.
+/// [`Error`] if there are no such letters, if the motion is steady only for some of their values, and if it is known by
+/// numbers alone.
 pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[String]) -> Result<Letters, Error> {
     let question = Question::new(model, asked, &found.inputs)?;
     let symbols = letters.iter().map(|name| letter(model, asked, name)).collect::<Result<Vec<Expr>, Error>>()?;
@@ -56,7 +56,7 @@ pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[St
     let parameters = model.parameters.iter().zip(&asked.rational).zip(&asked.parameters);
     let (mut numbers, mut known) = (Vec::new(), Vec::new());
     for ((parameter, exact), value) in parameters {
-        // An input has its value, too: what it changes is its slope, which is taken before that is put in.
+        // An input has a value, too: its slope is taken before the value is put in.
         if let (false, Some(exact)) = (symbols.contains(&parameter.symbol), exact) {
             numbers.push((parameter.symbol, exact.clone()));
         }
@@ -92,7 +92,7 @@ fn refused(why: &NotInLetters, letters: &[String]) -> Error {
     }
 }
 
-/// The symbol of a letter.
+/// Symbol of the letter with this name.
 fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error> {
     let own = asked.names.iter().map(|(own, symbol, _)| (own.as_str(), *symbol));
     let all: Vec<(&str, Expr)> = own.chain(model.parameters.iter().map(|p| (p.name.as_str(), p.symbol))).collect();
@@ -109,19 +109,19 @@ fn entry(system: &mut InLetters, e: Expr, letters: &[Expr], known: &[(Expr, Doub
 }
 
 impl Entry {
-    /// Whether it is 0 for every value of the letters.
+    /// True if the entry is 0 for every value of the letters.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         matches!(self, Self::Polynomial(list) if list.iter().all(|c| c.abs() <= 0.0))
     }
 
-    /// In the language of model files, numbers in shortest decimals.
+    /// Text in the language of model files, with numbers in shortest decimals.
     #[must_use]
     pub fn text(&self, letter: &str) -> String {
         text_of(&self.view(letter, &|x| x.to_string()))
     }
 
-    /// As marks, for any notation; `decimals` writes numbers that are not negative.
+    /// View of the entry, for any notation; `decimals` writes numbers that are not negative.
     #[must_use]
     pub fn view(&self, letter: &str, decimals: &dyn Fn(f64) -> String) -> View {
         let coefficients = match self {
@@ -145,7 +145,7 @@ impl Entry {
 }
 
 impl Question {
-    /// What a numeric elimination chose, for an exact one.
+    /// Choices of a numeric elimination, which an exact one repeats.
     fn chosen(&self, found: &About) -> Chosen {
         let (values, _) = self.program.evaluate(&self.wide, &self.parameters, &found.steady.x, &[]);
         let carriers = found.steady.carriers();

@@ -8,11 +8,12 @@ use tripos_derive::scene::Asked;
 /// A steady motion over two numbers: its course along the first, for each value of the second.
 #[derive(Clone, Debug)]
 pub struct Map {
-    /// The second number, with the course there, or why there is none.
+    /// Values of the second number, each with the course there, or the reason why there is none.
     pub rows: Vec<(f64, Result<Course, Error>)>,
 }
 
-/// Follows a steady motion over values of one number of the state file for each value of another; `asked` puts both in.
+/// Follows a steady motion over values of one number of the state file, for each value of another. `asked` gives the
+/// request at both.
 ///
 /// # Errors
 /// [`Error`] as [`super::follow`], if there is no steady motion to begin with at any of the second values.

@@ -1,9 +1,10 @@
-//! Equilibria, steady motions and what is near them: by the exact slopes of a mechanism's equations, in 32 digits.
+//! Equilibria, steady motions and the linear systems near them, by the exact slopes of a mechanism's equations in 32
+//! digits.
 //!
-//! A steady motion is one that the symmetries of the mechanism carry along: x' = f(x) is a combination Σ c ζ(x) of its symmetries
-//! ([`tripos_derive::flow`]), so that nothing changes that a symmetry does not change. Rest is the one with c = 0. Near it
-//! the differences from it, in the frame that moves along, obey d' = (Df − Σ c Dζ) d; what the symmetries shift is left out
-//! (J. E. Marsden, Lectures on Mechanics, 1992, chapter 5: relative equilibria).
+//! A steady motion is one that the symmetries of the mechanism carry along: x' = f(x) is a combination Σ c ζ(x) of its
+//! symmetries ([`tripos_derive::flow`]). So every quantity that the symmetries leave unchanged is constant. Rest is the
+//! case c = 0. Differences from a steady motion, in the frame that moves along, obey d' = (Df − Σ c Dζ) d. The states
+//! that the symmetries shift are left out (J. E. Marsden, Lectures on Mechanics, 1992, chapter 5: relative equilibria).
 
 mod about;
 mod along;
@@ -43,43 +44,44 @@ use tripos_derive::prove::IntegralKind;
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
 
-/// A mechanism whose states are asked about.
+/// Steady motions of a mechanism at given parameters: its equations, and the functions that are asked for.
 pub struct Question {
-    /// The equations, of first order.
+    /// Equations of first order.
     pub flow: Flow,
     /// Names of the states: coordinates, then speeds.
     pub names: Vec<String>,
-    /// How many of them are coordinates.
+    /// Number of coordinates among the states.
     pub coordinates: usize,
-    /// The place of time among them, if the model names it.
+    /// Index of time among the states; `None` if the model does not name it.
     pub(super) time: Option<usize>,
-    /// The place of the shift of time among the symmetries: it carries every state along at the rate 1.
+    /// Index of the shift of time among the symmetries: it carries every state along at the rate 1.
     pub(super) by_time: Option<usize>,
     /// Names of the loops.
     loops: Vec<String>,
-    /// Which states are angles.
+    /// Flags of the states that are angles.
     is_angle: Vec<bool>,
-    /// The parameters that are inputs, by their places.
+    /// Indices of the parameters that are inputs.
     inputs: Vec<usize>,
     /// Names of the outputs.
     outputs: Vec<String>,
-    /// The outputs in states.
+    /// Terms of the outputs in states.
     output_terms: Vec<Expr>,
-    /// What is computed at a state.
+    /// Program of all functions that are computed at a state.
     program: Program,
-    /// What tells where the equations are singular.
+    /// Test for states at which the equations are singular.
     poles: poles::Poles,
-    /// What computes it in 32 digits.
+    /// Tape of the program in 32 digits.
     wide: Tape<DoubleDouble>,
     /// Values of the parameters.
     parameters: Vec<DoubleDouble>,
 }
 
 impl Question {
-    /// The question at the numbers of a state file, with these inputs: parameters by name, all inputs of the model if none is named.
+    /// Prepares a model with the numbers of a state file, for these inputs: parameters by name, or all inputs of the
+    /// model if none is named.
     ///
     /// # Errors
-    /// [`Error`] if the model cannot be derived, depends on time, or has not such inputs or outputs.
+    /// [`Error`] if the model cannot be derived, depends on time, or lacks one of the inputs or outputs.
     pub fn new(model: &Mechanism, asked: &Asked, inputs: &[String]) -> Result<Self, Error> {
         let inputs = places(model, inputs)?;
         let symbols: Vec<Expr> = inputs.iter().map(|at| model.parameters[*at].symbol).collect();
@@ -119,7 +121,7 @@ impl Question {
         })
     }
 
-    /// Whether coordinates change at a state, by its speeds or at rates that are given.
+    /// True if coordinates change at a state, by its speeds or at given rates.
     pub(super) fn moves_at(&self, x: &[DoubleDouble]) -> bool {
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
         let (values, _) = self.program.evaluate(self.program.tape(), &doubles(&self.parameters), &doubles(x), &[]);
@@ -128,19 +130,19 @@ impl Question {
         speeds || values.flow[..self.coordinates].iter().enumerate().any(goes_on)
     }
 
-    /// Asks at other values of the parameters.
+    /// Sets other values of the parameters.
     pub fn at(&mut self, parameters: &[DoubleDouble]) {
         self.parameters = parameters.to_vec();
     }
 }
 
-/// The equations of a model that moves, and that do not depend on time, though the model may name it.
+/// Equations of a model that moves. They do not depend on time, though the model may name it.
 fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
     model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")?;
     let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
     let Some(time) = model.time() else { return Ok(flow) };
     if flow.by_time(model).is_some() {
-        // A rotation that a drive makes in time is the shift of time itself.
+        // A rotation by a drive in time is the shift of time itself.
         flow.symmetries.retain(|field| field.kind == IntegralKind::Coordinate(time) || field.along[time] == Expr::ZERO);
         return Ok(flow);
     }
@@ -153,7 +155,7 @@ fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
     Err(Error::request(what, help))
 }
 
-/// The places of these parameters; of all inputs of the model, if none is named.
+/// Indices of these parameters, or of all inputs of the model if none is named.
 fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
     if names.is_empty() {
         return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());

@@ -1,5 +1,5 @@
-//! Newton's method for states that symmetries carry along, with slopes in doubles and what is left in 32 digits: each step gives
-//! some fifteen digits more.
+//! Newton's method for states that symmetries carry along, with slopes in doubles and residuals in 32 digits: each step
+//! gives some fifteen digits more.
 
 use super::Question;
 use super::dense::least;
@@ -9,83 +9,85 @@ use tripos_derive::flow::Rates;
 use tripos_derive::scene::{Asked, Loops};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Steps of Newton's method, halvings of one, and what counts as nothing beside the largest singular value.
+/// Largest number of Newton steps. `HALVINGS` is that of halvings of one; singular values below `NOTHING` of the
+/// largest are zero.
 const STEPS: usize = 60;
 const HALVINGS: usize = 14;
 const NOTHING: f64 = 1e-11;
-/// What is left of a field, over its size, when those before it are taken out, above which it is independent of them.
+/// Relative size above which a field is independent: that of its rest, after the fields before it are taken out.
 const INDEPENDENT: f64 = 1e-8;
-/// What is left where 32 digits tell no more, and the most that an angle may be changed at once, rad.
+/// Residual below which 32 digits tell no more. `MOST_TURN` is the largest change of an angle at once, rad.
 const EXACT: f64 = 1e-27;
 const MOST_TURN: f64 = 1.0;
-/// A change that is more than this part of the one before it is slow: a step that gives digits makes it smaller by far.
+/// Ratio of a change to the one before it above which convergence is slow: a regular step is smaller by far.
 const SLOW: f64 = 0.05;
-/// What may be left of a rate, beside its size or 1, where a motion is called steady.
+/// Residual of a rate, relative to its size or 1, up to which a motion counts as steady.
 pub const BALANCED: f64 = 1e-9;
 
-/// A state, and how the symmetries carry it along.
+/// A state, and the velocities at which the symmetries carry it along.
 #[derive(Clone, Debug)]
 pub struct Steady {
-    /// Coordinates, then speeds.
+    /// Values of the coordinates, then of the speeds.
     pub x: Vec<DoubleDouble>,
-    /// c, one a symmetry: the velocity along it.
+    /// Velocities c along the symmetries, one each.
     pub along: Vec<DoubleDouble>,
-    /// The largest of what is left of x' − Σ c ζ, and of the loops that tie the mechanism.
+    /// Largest residual of x' − Σ c ζ, and of the loops that tie the mechanism.
     pub residual: f64,
-    /// How far off the state may be, beside its size or 1: the last change of it, where changes became small no faster than by a
-    /// factor, as where steady motions meet; 0 elsewhere.
+    /// Possible error of the state, relative to its size or 1. It is the last change of the state where changes shrank
+    /// by no more than a factor, as where steady motions meet; 0 elsewhere.
     pub uncertain: f64,
-    /// What is left of the rate of a state, by its place, where it is not balanced.
+    /// Residuals of the rates that are not balanced, with the indices of their states.
     pub unbalanced: Vec<(usize, f64)>,
-    /// By how much loops are open that are not closed, by their places.
+    /// Openings of the loops that are not closed, with the indices of the loops.
     pub open: Vec<(usize, f64)>,
-    /// The place of the shift of time among the symmetries: what goes on with time alone is at rest beside its drives.
+    /// Index of the shift of time among the symmetries. A state that moves with time alone is at rest relative to its
+    /// drives.
     by_time: Option<usize>,
 }
 
 impl Steady {
-    /// Whether the state is carried along as it is.
+    /// True if the symmetries carry the state along: all rates are balanced, and the loops are closed.
     #[must_use]
     pub fn is_steady(&self) -> bool {
         self.residual.is_finite() && self.unbalanced.is_empty() && self.open.is_empty()
     }
 
-    /// The symmetries that carry it along, by their places.
+    /// Indices of the symmetries that carry the state along.
     #[must_use]
     pub fn carriers(&self) -> Vec<usize> {
         (0..self.along.len()).filter(|at| self.along[*at].hi().abs() > 0.0).collect()
     }
 
-    /// The velocities along the symmetries that are no shift of time.
+    /// Velocities along all symmetries except the shift of time.
     #[must_use]
     pub fn velocities(&self) -> Vec<DoubleDouble> {
         let others = self.along.iter().enumerate().filter(|(at, _)| Some(*at) != self.by_time);
         others.map(|(_, c)| *c).collect()
     }
 
-    /// Whether nothing moves.
+    /// True if only the shift of time, or nothing, carries the state along.
     #[must_use]
     pub fn is_rest(&self) -> bool {
         self.along.iter().enumerate().all(|(at, c)| Some(at) == self.by_time || c.hi().abs() <= BALANCED)
     }
 }
 
-/// Which unknowns there are: states, by their places, and velocities along symmetries.
+/// Unknowns of a search: states, by their indices, and velocities along symmetries.
 #[derive(Clone, Debug)]
 pub struct Unknowns {
-    /// Places of states.
+    /// Indices of the unknown states.
     pub states: Vec<usize>,
-    /// Whether the symmetries may carry the state along.
+    /// True if the symmetries may carry the state along.
     pub moves: bool,
 }
 
-/// What is sought at once: states, and velocities along these symmetries.
+/// Unknowns of one solve: states, and velocities along these symmetries.
 struct Sought {
     states: Vec<usize>,
     along: Vec<usize>,
 }
 
-/// A guess on its way, with what is left there.
+/// A guess of Newton's method, with its residuals.
 struct Guess {
     x: Vec<DoubleDouble>,
     along: Vec<DoubleDouble>,
@@ -107,12 +109,13 @@ impl Guess {
         Self { x, along, values, left, uncertain: 0.0 }
     }
 
-    /// The length of what is left, each part in its weight.
+    /// Length of the residual, each part with its weight.
     fn size(&self, weights: &[f64]) -> f64 {
         self.left.iter().zip(weights).map(|(left, weight)| (left.hi() * weight).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// A weight for each of the first parts of what is left: a large rate need not be balanced to more digits than others. The rest has none.
+    /// Weights of the first parts of the residual: a large rate need not be balanced to more digits than others. The
+    /// rest has the weight 0.
     fn weights(&self, first: usize) -> Vec<f64> {
         let beside = |at: usize| self.values.flow.get(at).map_or(1.0, |rate| rate.hi().abs().max(1.0));
         (0..self.left.len()).map(|at| if at < first { 1.0 / beside(at) } else { 0.0 }).collect()
@@ -120,25 +123,27 @@ impl Guess {
 }
 
 impl Question {
-    /// The nearest steady state to a guess, by these unknowns; the guess itself, with what is left there, where there is none near.
+    /// Finds the steady state nearest to a guess, by these unknowns. If none is near, the guess is returned with its
+    /// residuals.
     #[must_use]
     pub fn settle(&self, x: &[DoubleDouble], unknowns: &Unknowns) -> Steady {
         let others = (0..self.program.sizes.symmetries).filter(|at| Some(*at) != self.by_time);
         let all = if unknowns.moves { others.collect() } else { Vec::new() };
         let none = self.standing();
-        // First what carries the guess along, so that the guess itself is changed no more than it must be.
+        // First the velocities that carry the guess along, so that the guess itself is changed no more than it must be.
         let carried = self.improved(x, none.clone(), &Sought { states: Vec::new(), along: all.clone() });
         let near = self.improved(x, carried.along, &Sought { states: unknowns.states.clone(), along: all });
         if !unknowns.moves {
             return self.told(near);
         }
-        // Where symmetries do the same at a state, as a spin and a turn of a top that stands upright, the first is what moves it.
+        // Where symmetries act alike at a state, as spin and turn of an upright top, the first one carries it along.
         let along = self.independent(&near.values.symmetries);
         let settled = self.improved(&near.x, none, &Sought { states: Vec::new(), along });
         self.told(Guess { uncertain: near.uncertain, ..settled })
     }
 
-    /// The state that was asked about, carried along by nothing; of what is sought of it only the coordinates that close the loops are solved for.
+    /// Takes the state that was asked about as it is, carried along by no symmetry. Only the sought coordinates that
+    /// close the loops are solved for.
     ///
     /// # Errors
     /// [`Error::Request`] if the loops are not closed by these.
@@ -158,8 +163,8 @@ impl Question {
         Err(Error::request(what, "state coordinates that close them, or put as many as close them under [guess]"))
     }
 
-    /// Newton's method from a guess, as long as it helps: first with all loops, then with those that tie the mechanism, since the numbers of
-    /// a file let the others close to its digits only.
+    /// Improves a guess by Newton's method as long as it helps: first with all loops, then with those that tie the
+    /// mechanism. The numbers of a file close the other loops only to its digits.
     fn improved(&self, x: &[DoubleDouble], along: Vec<DoubleDouble>, unknowns: &Sought) -> Guess {
         let sizes = self.program.sizes;
         let guess = Guess::new(self, x.to_vec(), along);
@@ -170,7 +175,7 @@ impl Question {
         self.improved_by(near, unknowns, sizes.states + sizes.ties)
     }
 
-    /// Newton's method for the first parts of what is left.
+    /// Improves a guess by Newton's method for the first parts of the residual.
     fn improved_by(&self, guess: Guess, unknowns: &Sought, first: usize) -> Guess {
         let mut guess = guess;
         let weights = guess.weights(first);
@@ -188,7 +193,7 @@ impl Question {
         guess
     }
 
-    /// What is better than a guess on the way that Newton's method goes.
+    /// Takes one step of Newton's method; `None` if no part of it reduces the residual.
     fn step(&self, guess: &Guess, unknowns: &Sought, weights: &[f64]) -> Option<Guess> {
         let mut jacobian = self.slopes_of_left(guess, unknowns);
         jacobian.row_iter_mut().zip(weights).for_each(|(mut row, weight)| row *= *weight);
@@ -215,31 +220,32 @@ impl Question {
         None
     }
 
-    /// The states that may be changed so that something is balanced: all but time.
+    /// Indices of the states that may be changed for balance: all except time.
     pub(super) fn free_states(&self) -> Vec<usize> {
         (0..self.names.len()).filter(|at| Some(*at) != self.time).collect()
     }
 
-    /// The velocities along symmetries of what rests: time alone goes on.
+    /// Velocities along symmetries of a state at rest: time alone goes on.
     fn standing(&self) -> Vec<DoubleDouble> {
         (0..self.program.sizes.symmetries).map(|at| DoubleDouble::int(i64::from(Some(at) == self.by_time))).collect()
     }
 
-    /// The symmetries, without the shift of time, that do not follow from those before them at a state.
+    /// Indices of the symmetries that are independent of those before them at a state; the shift of time is left out.
     fn independent(&self, fields: &[Vec<DoubleDouble>]) -> Vec<usize> {
         let others: Vec<usize> = (0..fields.len()).filter(|at| Some(*at) != self.by_time).collect();
         let fields: Vec<&Vec<DoubleDouble>> = others.iter().map(|at| &fields[*at]).collect();
         independent(&fields).into_iter().map(|place| others[place]).collect()
     }
 
-    /// The slopes of what is left at a steady state, along these states and the velocities along all symmetries that are independent there.
+    /// Slopes of the residual at a steady state, by these states and by the velocities along all symmetries that are
+    /// independent there.
     pub(super) fn slopes_at(&self, steady: &Steady, states: &[usize]) -> DMatrix<f64> {
         let guess = Guess::new(self, steady.x.clone(), steady.along.clone());
         let along = self.independent(&guess.values.symmetries);
         self.slopes_of_left(&guess, &Sought { states: states.to_vec(), along })
     }
 
-    /// The slopes of what is left, along the unknowns.
+    /// Slopes of the residual by the unknowns.
     fn slopes_of_left(&self, guess: &Guess, unknowns: &Sought) -> DMatrix<f64> {
         let sizes = self.program.sizes;
         let count = sizes.states + sizes.inputs;
@@ -259,7 +265,7 @@ impl Question {
         })
     }
 
-    /// What was found, with what is not balanced there.
+    /// Steady state of a guess, with the residuals that are not balanced.
     fn told(&self, guess: Guess) -> Steady {
         let (rates, loops) = guess.left.split_at(self.program.sizes.states);
         let open = |size: f64, beside: f64| size.is_nan() || size.abs() > BALANCED * beside;
@@ -276,13 +282,13 @@ impl Question {
     }
 }
 
-/// How far two states are apart at most, each number beside its size or 1.
+/// Largest difference of two states, each number relative to its size or 1.
 fn apart(a: &[DoubleDouble], b: &[DoubleDouble]) -> f64 {
     let one = |(a, b): (&DoubleDouble, &DoubleDouble)| (*a - *b).hi().abs() / a.hi().abs().max(1.0);
     a.iter().zip(b).map(one).fold(0.0, f64::max)
 }
 
-/// The fields that do not follow from those before them.
+/// Indices of the fields that do not follow from those before them.
 fn independent(fields: &[&Vec<DoubleDouble>]) -> Vec<usize> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut list = Vec::new();
@@ -290,7 +296,7 @@ fn independent(fields: &[&Vec<DoubleDouble>]) -> Vec<usize> {
         let field = DVector::from_iterator(field.len(), field.iter().map(|x| x.hi()));
         let size = field.norm();
         let mut left = field;
-        // Twice, for what rounding leaves.
+        // Twice, since rounding leaves a rest.
         for _ in 0..2 {
             for known in &basis {
                 left -= known * known.dot(&left);

@@ -1,5 +1,5 @@
-//! States at which the equations of a mechanism are singular by themselves: rates of coordinates do not follow from speeds, or speeds are
-//! accelerated at no cost.
+//! States at which the equations of a mechanism are singular by themselves: speeds do not determine the rates of
+//! coordinates, or some speeds have no inertia.
 
 use super::newton::Steady;
 use crate::Error;
@@ -12,22 +12,22 @@ use tripos_derive::algebra::print::text;
 use tripos_derive::flow::Flow;
 use tripos_traits::DoubleDouble;
 
-/// How far a state must be from where a divisor is 0, beside its size or 1. A state that is such a place is found by Newton's method to half
-/// or a third of the digits, and slopes near it are as large as that is small.
+/// Least distance of a state from a zero of a divisor, relative to its size or 1. Newton's method finds a state at such
+/// a zero only to half or a third of the digits, and slopes near it grow as the distance falls.
 const NEAR: f64 = 1e-7;
-/// The least eigenvalue of a mass matrix whose diagonal is 1, below which it is singular.
+/// Least eigenvalue of a mass matrix with the diagonal 1 below which the matrix is singular.
 const SINGULAR: f64 = 1e-12;
 
-/// What computes divisors and the mass matrix at a state.
+/// Divisors and mass matrix of a mechanism, computed at a state.
 pub(super) struct Poles {
     divisors: Vec<String>,
     speeds: Vec<String>,
-    /// Divisors, their slopes along all states, and the mass matrix row by row.
+    /// Tape of the divisors, their slopes along all states, and the mass matrix row by row.
     tape: Tape,
 }
 
 impl Poles {
-    /// Those of a flow.
+    /// Prepares the divisors and the mass matrix of a flow.
     ///
     /// # Errors
     /// [`UnknownSymbol`] if a divisor has no value in states and parameters.
@@ -47,10 +47,10 @@ impl Poles {
         })
     }
 
-    /// Refuses a state that is singular, or too near one that is for slopes to tell anything.
+    /// Refuses a state that is singular, or too near a singular one for slopes to tell anything.
     ///
     /// # Errors
-    /// [`Error::Request`] with what is singular.
+    /// [`Error::Request`] that names the singular divisor or the speeds without inertia.
     pub(super) fn refuse(&self, parameters: &[DoubleDouble], steady: &Steady) -> Result<(), Error> {
         let known: Vec<f64> = parameters.iter().chain(&steady.x).map(|x| x.hi()).collect();
         let values = self.tape.evaluate(&known);
@@ -59,7 +59,7 @@ impl Poles {
         let near = NEAR.max(10.0 * steady.uncertain);
         for ((name, value), slopes) in self.divisors.iter().zip(divisors).zip(slopes.chunks(steady.x.len().max(1))) {
             let reach = slopes.iter().zip(&steady.x).map(|(slope, x)| slope.abs() * x.hi().abs().max(1.0)).sum::<f64>();
-            // Also where it is not a number.
+            // NaN is refused as well.
             if value.is_nan() || value.abs() <= near * reach || value.abs() <= 0.0 {
                 let what = format!(
                     "the equations are singular at this state: they divide by {name}, which is {value:.1e} there, and slopes have no bound"

@@ -1,4 +1,4 @@
-//! What is left of a linear system near a steady motion when the loops are closed and what symmetries shift is left out.
+//! Linear system near a steady motion, with the loops closed and without the states that symmetries shift.
 
 use super::Question;
 use super::dense::{Wide, least, null_space};
@@ -8,32 +8,32 @@ use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::Rates;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Pivots, beside the largest entry of their column, below which columns are dependent.
+/// Pivot, relative to the largest entry of its column, below which columns are dependent.
 const DEPENDENT: f64 = 1e-9;
 
-/// d' = A d + B r, y = C d + D r, in those states that are kept.
+/// Linear system d' = A d + B r, y = C d + D r, in the states that are kept.
 #[derive(Clone, Debug)]
 pub struct Quotient {
-    /// The states that are kept, by their places.
+    /// Indices of the states that are kept.
     pub kept: Vec<usize>,
-    /// Those that the loops determine.
+    /// Indices of the states that the loops determine.
     pub closed: Vec<usize>,
-    /// Those that symmetries shift, and that nothing that is kept depends on.
+    /// Indices of the states that symmetries shift, and on which no kept state depends.
     pub shifted: Vec<usize>,
-    /// The symmetries that shift these, by their places, where no output tells them apart.
+    /// Indices of the symmetries that shift these states, where no output tells them apart.
     pub(super) symmetries: Vec<usize>,
     /// A, in the order of `kept`.
     pub a: Wide,
-    /// B, a column an input.
+    /// B, one column per input.
     pub b: Wide,
-    /// C, a row an output.
+    /// C, one row per output.
     pub c: Wide,
-    /// D.
+    /// D, one row per output and one column per input.
     pub d: Wide,
 }
 
 impl Question {
-    /// The linear system near a state that the symmetries carry along; `whole` keeps what these shift.
+    /// Linear system near a state that the symmetries carry along; `whole` keeps the states that these shift.
     pub(super) fn quotient(&self, steady: &Steady, whole: bool) -> Result<Quotient, Error> {
         let sizes = self.program.sizes;
         let (values, slopes) = self.program.all_slopes(&self.wide, &self.parameters, &steady.x);
@@ -69,14 +69,15 @@ impl Question {
             return Err(Error::Stopped("a slope has no value that a number can hold at this state".to_owned()));
         }
         let (closed, symmetries) = all.on_loops(&loops(by_state), &loops(by_input), &values.symmetries)?;
-        // What goes on with time is no difference from it, even where differences along symmetries are kept.
+        // A shift of time is no difference from the motion, even where differences along symmetries are kept.
         let left_out: Vec<usize> = (0..sizes.symmetries).filter(|at| !whole || Some(*at) == self.by_time).collect();
         Ok(closed.without(&symmetries, &left_out, self.coordinates))
     }
 }
 
 impl Quotient {
-    /// On the states where the loops are closed, with the symmetries there; by the slopes of the loops along states and inputs.
+    /// Restricts the system and the symmetries to states where the loops are closed. `slopes` and `by_input` are the
+    /// slopes of the loops along states and inputs.
     fn on_loops(self, slopes: &Wide, by_input: &Wide, symmetries: &[Vec<DoubleDouble>]) -> Result<(Self, Wide), Error> {
         let fields = Wide::from_columns(self.kept.len(), symmetries);
         if slopes.rows.is_empty() {
@@ -91,7 +92,7 @@ impl Quotient {
         let rest: Vec<usize> = columns.iter().copied().filter(|at| !found.contains(at)).collect();
         let all: Vec<usize> = (0..slopes.rows.len()).collect();
         let singular = || Error::Stopped("this is a singular pose: its loops cannot be solved for".to_owned());
-        // What is closed follows what is kept, and inputs that the loops depend on.
+        // The closed states follow the kept states, and inputs on which the loops depend.
         let follow = |open: &Wide| {
             let open = Wide::zeros(open.rows.len(), open.columns()).plus(-1.0, &identity(open.rows.len()), open);
             slopes.part(&all, &found).solve(&open).ok_or_else(singular)
@@ -113,7 +114,7 @@ impl Quotient {
         Ok((on, fields.part(&rest, &every)))
     }
 
-    /// Without what these symmetries shift, as far as no output shows it.
+    /// Removes the states that these symmetries shift, as far as no output shows them.
     fn without(self, symmetries: &Wide, left_out: &[usize], coordinates: usize) -> Self {
         let every: Vec<usize> = (0..self.kept.len()).collect();
         let symmetries = &symmetries.part(&every, left_out);
@@ -148,7 +149,8 @@ impl Quotient {
         }
     }
 
-    /// Combinations of symmetries that no output shows, now or later: the largest subspace within ker C that A leaves as it is.
+    /// Combinations of symmetries that no output shows, now or later: the largest subspace within ker C that A leaves
+    /// invariant.
     fn hidden(&self, fields: &DMatrix<f64>) -> DMatrix<f64> {
         let count = fields.ncols();
         let seen = self.c.rounded();
@@ -184,15 +186,15 @@ fn identity(n: usize) -> Wide {
     one
 }
 
-/// Columns combined: fields · hidden. Those that are not mixed stay what they are, to the last digit.
+/// Combines columns, fields · hidden. Columns that are not mixed stay the same, to the last digit.
 fn combined(fields: &Wide, hidden: &DMatrix<f64>) -> Wide {
     let wide =
         Wide { rows: hidden.row_iter().map(|row| row.iter().map(|x| DoubleDouble::from_f64(*x)).collect()).collect() };
     Wide::zeros(fields.rows.len(), hidden.ncols()).plus(1.0, fields, &wide)
 }
 
-/// Rows and columns of a regular square part of full rank, of columns brought to one size: rows of the first group as long as
-/// there are any.
+/// Rows and columns of a regular square part of full rank, after columns are scaled to one size. Rows of the first
+/// group are taken as long as there are any.
 pub fn pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<usize>) {
     let mut left = matrix.clone();
     for mut column in left.column_iter_mut() {
@@ -207,7 +209,7 @@ pub fn pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<us
             let mut best = (DEPENDENT, None);
             for column in (0..left.ncols()).filter(|column| !columns.contains(column)) {
                 for row in group.iter().filter(|row| !rows.contains(row)) {
-                    // The first of equals, but for what rounding makes of them.
+                    // The first of equal entries, except for rounding.
                     if left[(*row, column)].abs() > best.0 * (1.0 + 1e-6) {
                         best = (left[(*row, column)].abs(), Some((*row, column)));
                     }

@@ -1,15 +1,16 @@
 //! The Schur form A = Q T Qᴴ of a real matrix in 32 digits, with its eigenvalues in any order.
 //!
-//! By the shifted QR iteration on a Hessenberg matrix (J. G. F. Francis, Comput. J. 4, 1961; J. H. Wilkinson, *The Algebraic Eigenvalue
-//! Problem*, 1965). Rotations alone change A, so that T belongs to a matrix that differs from A by some 1e-31 of its size.
+//! It is computed by the shifted QR iteration on a Hessenberg matrix (J. G. F. Francis, Comput. J. 4, 1961; J. H.
+//! Wilkinson, *The Algebraic Eigenvalue Problem*, 1965). Only rotations change A, so that T belongs to a matrix that
+//! differs from A by some 1e-31 of its size.
 
 use super::complex::Complex;
 use super::dense::Wide;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// An entry below the diagonal is 0 below this part of its neighbours on the diagonal.
+/// An entry below the diagonal counts as 0 below this fraction of its neighbours on the diagonal.
 const NOTHING: f64 = 1e-32;
-/// Most steps of the iteration for one eigenvalue, and after how many an unusual shift is taken.
+/// Largest number of steps of the iteration for one eigenvalue; after each `UNUSUAL` steps an unusual shift is taken.
 const MOST_STEPS: usize = 200;
 const UNUSUAL: usize = 12;
 
@@ -36,7 +37,7 @@ impl Rotation {
         Self([[a.conj().scaled(inverse), b.conj().scaled(inverse)], [(-b).scaled(inverse), a.scaled(inverse)]])
     }
 
-    /// G M on rows k and k + 1, from a column on.
+    /// Computes G M on rows k and k + 1, from a column on.
     fn rows(&self, m: &mut [Vec<Complex>], k: usize, from: usize) {
         let (above, below) = m.split_at_mut(k + 1);
         for (x, y) in above[k][from..].iter_mut().zip(&mut below[0][from..]) {
@@ -44,7 +45,7 @@ impl Rotation {
         }
     }
 
-    /// M Gᴴ on columns k and k + 1, of the first rows.
+    /// Computes M Gᴴ on columns k and k + 1, for the first rows.
     fn columns(&self, m: &mut [Vec<Complex>], k: usize, rows: usize) {
         let [[a, b], [c, d]] = self.0.map(|row| row.map(Complex::conj));
         for row in &mut m[..rows] {
@@ -54,7 +55,7 @@ impl Rotation {
 }
 
 impl Schur {
-    /// The Schur form of a square matrix; nothing where the iteration does not end, or an entry is not finite.
+    /// Schur form of a square matrix; `None` where the iteration does not end, or an entry is not finite.
     #[must_use]
     pub fn new(a: &Wide) -> Option<Self> {
         let n = a.rows.len();
@@ -84,7 +85,7 @@ impl Schur {
         Some(form)
     }
 
-    /// Takes what is below the first subdiagonal away.
+    /// Removes the entries below the first subdiagonal.
     fn reduce(&mut self) {
         let n = self.t.len();
         for column in 0..n.saturating_sub(2) {
@@ -98,7 +99,7 @@ impl Schur {
         }
     }
 
-    /// G T Gᴴ and Q Gᴴ, with rows and columns k and k + 1.
+    /// Computes G T Gᴴ and Q Gᴴ, with rows and columns k and k + 1.
     fn turn(&mut self, rotation: &Rotation, k: usize, from: usize, rows: usize) {
         rotation.rows(&mut self.t, k, from);
         rotation.columns(&mut self.t, k, rows);
@@ -106,7 +107,7 @@ impl Schur {
         rotation.columns(&mut self.q, k, n);
     }
 
-    /// Where the part that ends with `last` begins: below it an entry is 0.
+    /// Index at which the part that ends with `last` begins: the entry beside it below the diagonal is 0.
     fn split(&mut self, last: usize, size: f64) -> usize {
         let t = &mut self.t;
         for k in (1..=last).rev() {
@@ -120,7 +121,7 @@ impl Schur {
         0
     }
 
-    /// The eigenvalue of the last two rows that is next to their last entry.
+    /// Shift of the iteration: the eigenvalue of the last two rows that is nearest to their last entry.
     fn shift(&self, last: usize, is_unusual: bool) -> Complex {
         let t = &self.t;
         let (a, b, c, d) = (t[last - 1][last - 1], t[last - 1][last], t[last][last - 1], t[last][last]);
@@ -135,7 +136,7 @@ impl Schur {
         if larger.norm() > 0.0 { d - b * c / larger } else { d }
     }
 
-    /// A step of the iteration on the rows from `first` to `last`.
+    /// Takes a step of the iteration on the rows from `first` to `last`.
     fn step(&mut self, first: usize, last: usize, shift: Complex) {
         let n = self.t.len();
         let mut rotations = Vec::with_capacity(last - first);

@@ -8,26 +8,26 @@ use std::f64::consts::{PI, TAU};
 use tripos_derive::scene::Asked;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// What is one steady motion: states that differ by less, beside their size or 1.
+/// Difference of two states, relative to their size or 1, below which they are one steady motion.
 const SAME: f64 = 1e-8;
 /// The first primes, in the bases of which starts are spread (J. H. Halton, Numer. Math. 2, 1960).
 const PRIMES: [u64; 24] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89];
 
-/// What to do where none is found.
+/// Advice if no steady motion is found.
 pub(super) const ELSEWHERE: &str =
     "put what may change under [guess], begin from another state, or seek from more starts around it (--starts)";
 
-/// A steady motion that was found, with what is near it, if that can be told.
+/// A steady motion that was found, with its linear system if there is one.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// Where it is.
+    /// State and velocities of the steady motion.
     pub steady: Steady,
-    /// The linear system there, or why there is none.
+    /// Linear system near it, or the reason why there is none.
     pub about: Result<About, Error>,
 }
 
-/// Which states are sought: those that the file guesses, or else all coordinates where nothing moves at the guess, and all states
-/// where something does.
+/// Unknowns of a search: the states that the file guesses. If it guesses none, all coordinates where nothing moves at
+/// the guess, and all states where something does.
 #[must_use]
 pub fn unknowns(question: &Question, asked: &Asked) -> Unknowns {
     let n = question.coordinates;
@@ -40,8 +40,8 @@ pub fn unknowns(question: &Question, asked: &Asked) -> Unknowns {
     Unknowns { states, moves }
 }
 
-/// What is sought from a guess, in turn until something is found: what the file says; where that only closes loops, or nothing, the steady
-/// motion near it and rest beside it.
+/// Searches from a guess, in turn until something is found. First comes the request of the file. If that only closes
+/// loops, or is empty, the steady motion near the guess and rest beside it follow.
 fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unknowns)>> {
     let n = question.coordinates;
     let mut groups = Vec::new();
@@ -61,11 +61,11 @@ fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unk
     groups
 }
 
-/// Rest positions and, if the guess moves, steady motions: the one that Newton's method finds from the guess, then others that it
-/// finds from so many starts around.
+/// Finds rest positions and, if the guess moves, steady motions: the one that Newton's method finds from the guess,
+/// then others that it finds from `starts` starts around it.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived, and [`Error::Stopped`] if none is found, with what is left at the last guess.
+/// [`Error`] if the model cannot be derived, or if no steady motion is found, with the residuals at the first guess.
 pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<Found>, Error> {
     let mut question = Question::new(model, asked, &[])?;
     let spread = Spread::new(model, asked);
@@ -92,7 +92,7 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     if let (true, Some(first)) = (list.is_empty(), nearest) {
         return Err(question.unbalanced(&first, ELSEWHERE));
     }
-    // Where the equations are singular they do not tell whether it rests: such a state is told where there is no other.
+    // The equations do not tell whether a singular state rests: it is given only if there is no other.
     let is_regular = |steady: &Steady| question.poles.refuse(&question.parameters, steady).is_ok();
     if list.iter().any(is_regular) {
         list.retain(is_regular);
@@ -108,7 +108,7 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     Ok(found)
 }
 
-/// Whether two states are one, angles being the same after whole turns.
+/// True if two states are one, angles being equal after whole turns.
 fn is_same(model: &Mechanism, a: &Steady, b: &Steady) -> bool {
     (0..a.x.len()).all(|at| is_near(model, at, a.x[at].hi(), b.x[at].hi()))
 }
@@ -119,7 +119,7 @@ fn is_near(model: &Mechanism, at: usize, a: f64, b: f64) -> bool {
     difference.abs() <= SAME * a.abs().max(1.0)
 }
 
-/// Whether one of them is the other, moved along symmetries: what these do not shift is the same.
+/// True if one of them is the other, moved along symmetries: the states that these do not shift are equal.
 fn is_shifted(model: &Mechanism, known: &Found, new: &Result<About, Error>) -> bool {
     let (Ok(a), Ok(b)) = (&known.about, new) else { return false };
     a.system.kept == b.system.kept
@@ -131,9 +131,9 @@ fn is_shifted(model: &Mechanism, known: &Found, new: &Result<About, Error>) -> b
             .all(|at| is_near(model, *at, a.steady.x[*at].hi(), b.steady.x[*at].hi()))
 }
 
-/// Where starts may be.
+/// Range of the starts of a search.
 struct Spread {
-    /// How far coordinates and speeds go to both sides: a half turn for angles, a length of the mechanism for ways.
+    /// Reach of coordinates and speeds to both sides: a half turn for angles, else twice the largest length or speed.
     reach: Vec<f64>,
 }
 
@@ -149,7 +149,7 @@ impl Spread {
         Self { reach: of_place.chain(speeds.iter().map(|_| 2.0 * most)).collect() }
     }
 
-    /// The guess with what is sought elsewhere: angles anywhere, the rest about the guess.
+    /// Start of this number: the guess with the sought states moved, angles anywhere and the rest about the guess.
     fn start(&self, guess: &[DoubleDouble], sought: &[usize], start: u64) -> Vec<DoubleDouble> {
         let mut x = guess.to_vec();
         for (place, at) in sought.iter().enumerate() {
@@ -160,7 +160,7 @@ impl Spread {
     }
 }
 
-/// The digits of a number in a base, behind the point in reverse.
+/// Number from 0 to 1 whose digits in a base are those of `number` in reverse.
 fn radical_inverse(mut number: u64, base: u64) -> f64 {
     let (mut value, mut digit) = (0.0, 1.0);
     while number > 0 {

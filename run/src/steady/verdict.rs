@@ -1,4 +1,4 @@
-//! What eigenvalues say of a steady motion.
+//! Stability of a steady motion by its eigenvalues.
 
 use super::Question;
 use super::eigen::Mode;
@@ -6,20 +6,21 @@ use super::newton::Steady;
 use super::quotient::Quotient;
 use tripos_derive::algebra::modular::{ZeroTest, zero_test};
 
-/// What the linear system says of a steady motion.
+/// Stability of a steady motion by its linear system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
     /// Differences grow exponentially.
     Unstable,
-    /// None grows exponentially, and some grow like this power of t, by Jordan blocks of eigenvalues on the imaginary axis.
+    /// No difference grows exponentially, and some grow like this power of t, by Jordan blocks of eigenvalues on the
+    /// imaginary axis.
     Grows(usize),
     /// All differences die away.
     Attracting,
-    /// All die away except those that lead to other motions of its family, which was found.
+    /// All differences die away except those that lead to other motions of its family, which was found.
     AttractingInFamily,
     /// It is at rest at a strict minimum of the energy, and does not leave its neighbourhood (Lagrange, Dirichlet).
     Energy,
-    /// None grows to first order, some do not die away: terms of higher order decide.
+    /// No difference grows to first order, and some do not die away: terms of higher order decide.
     FirstOrder,
     /// An eigenvalue is so near the imaginary axis, or to another one there, that its digits do not tell.
     Undecided,
@@ -28,7 +29,7 @@ pub enum Stability {
 }
 
 impl Stability {
-    /// Its name in JSON.
+    /// Name of the stability in JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -43,13 +44,13 @@ impl Stability {
         }
     }
 
-    /// The power of t like which differences grow, where they grow like one.
+    /// Power of t like which differences grow; `None` if they do not grow so.
     #[must_use]
     pub const fn power(self) -> Option<usize> {
         if let Self::Grows(power) = self { Some(power) } else { None }
     }
 
-    /// What that means.
+    /// Describes the stability in words.
     #[must_use]
     pub fn words(self) -> String {
         let text = match self {
@@ -80,7 +81,8 @@ impl Stability {
 }
 
 impl Question {
-    /// What the eigenvalues say of a motion whose family, as it was found, has so many parameters.
+    /// Stability of a motion by its eigenvalues. `family` is the number of parameters of its family, as far as it was
+    /// found.
     pub(super) fn stability(&mut self, steady: &Steady, system: &Quotient, modes: &[Mode], family: usize) -> Stability {
         if !steady.is_steady() {
             return Stability::NotSteady;
@@ -102,8 +104,8 @@ impl Question {
         }
     }
 
-    /// Whether a mechanism without friction, drive and gyroscopic forces rests at a strict minimum of its potential: there, and only
-    /// there, all of its eigenvalues are imaginary and none is 0.
+    /// True if a mechanism without friction, drive and gyroscopic forces rests at a strict minimum of its potential.
+    /// There, and only there, all of its eigenvalues are imaginary and none is 0.
     fn is_least(&mut self, steady: &Steady, system: &Quotient, modes: &[Mode]) -> bool {
         let [_, _, power] = self.flow.energies;
         let power = self.flow.behind(&[power]);

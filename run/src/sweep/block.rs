@@ -20,45 +20,45 @@ use tripos_derive::scene::{Family, Grid, QUADRATURE, Scene, Solve};
 use tripos_sim::{Event, Options, SimError, Solution, Warning};
 use tripos_traits::InLanes;
 
-/// What all points of a sweep share.
+/// Data of a sweep that all its points share.
 pub struct Sweep<'a> {
     /// The mechanism.
     pub model: &'a Mechanism,
-    /// The scene as its file says it, with the options of the command line.
+    /// The scene as its file gives it, with the options of the command line.
     pub scene: &'a Scene,
-    /// The values that vary.
+    /// Grid of the values that vary.
     pub grid: &'a Grid,
-    /// Which equations.
+    /// Equations of motion of all runs.
     pub by: &'a By,
-    /// What is changed of each point's scene.
+    /// Overrides of each point's scene.
     pub how: &'a Overrides,
-    /// What is conserved, if that is known.
+    /// First integrals that each run is checked against; `None` if they are not known.
     pub watch: Option<Watch>,
-    /// How accelerations are found.
+    /// Way in which accelerations are found.
     pub solve: Solve,
-    /// What is to be said of every run.
+    /// Warnings that hold for every run.
     pub warnings: Vec<String>,
-    /// Whether what moves has mass at a point's parameters.
+    /// Check that all moving bodies have mass at a point's parameters.
     inertia: InertiaCheck<'a>,
-    /// What the table shows of the end of each run.
+    /// Names of the quantities that the table shows at the end of each run.
     pub names: Vec<String>,
-    /// The equations that run; all threads share them.
+    /// Compiled equations that run; all threads share them.
     pub code: Code,
-    /// Those in all rates, that go on where the speeds of a tied mechanism fail.
+    /// Equations in all rates, which go on where the speeds of a constrained mechanism fail.
     rates: Option<Code>,
     balance: Balance,
     shown: Shown,
-    /// Whether a second run of each point tells how many digits are right.
+    /// True if a second run of each point tells the number of correct digits.
     pub tells_digits: bool,
-    /// Set when no more rows are wanted.
+    /// Flag that is set when no more rows are wanted.
     pub stop: AtomicBool,
 }
 
 impl<'a> Sweep<'a> {
-    /// A sweep of a scene that `how` has changed, over a grid that was read for it.
+    /// Sweep of a scene that `how` has changed, over a grid that was read for it.
     ///
     /// # Errors
-    /// [`Error`] if no point could be run by these equations with this method.
+    /// [`Error`] if no point can be run by these equations with this method.
     pub fn new(
         model: &'a Mechanism,
         scene: &'a Scene,
@@ -80,7 +80,7 @@ impl<'a> Sweep<'a> {
             let warnings = try_one_step(&problem)?;
             (problem.solve, warnings, in_rates(&problem)?)
         };
-        // Impacts change what motions conserve.
+        // Impacts change the conserved quantities.
         let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
         let shown = Shown::new(model, scene)?;
         let names = shown.names.clone();
@@ -104,13 +104,14 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Where nothing works that the potential energy leaves out, no constraint drives and nothing bounces, total energy is constant.
+    /// True if the total energy is constant: no force without a potential works, no constraint is driven, and nothing
+    /// bounces.
     fn conserves_energy(&self) -> bool {
         !self.code.system().has_power() && !self.model.is_driven() && self.scene.impacts.is_empty()
     }
 
-    /// What is constant in each motion: the names of the first integrals that were proved; of a large model energy
-    /// alone.
+    /// Names of the quantities that are constant in each motion: the proved first integrals, or only energy for a large
+    /// model.
     pub fn conserved(&self) -> Vec<&str> {
         match &self.watch {
             Some(watch) => watch.integrals.iter().map(|integral| integral.title.as_str()).collect(),
@@ -119,22 +120,22 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// What a thread needs of its own.
+    /// Creates the data that one thread needs of its own.
     ///
     /// # Errors
     /// [`Error`] if the scene's text cannot be read again.
     pub fn worker(&'a self) -> Result<Worker<'a>, Error> {
         let family = Family::new(self.scene, self.model, self.grid)?;
-        // What is compared is looked at on its way.
+        // Assessing digits needs whole runs, so they are not made in lanes.
         let lanes =
             if self.tells_digits { None } else { lanes::equations(self.model, self.scene, self.solve, &self.code) };
         Ok(Worker { sweep: self, family, lanes })
     }
 }
 
-/// Refuses a method that no point could be run by; gives what would be said of every run.
+/// Makes one step. Refuses a method that cannot run any point; returns warnings that hold for every run.
 fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
-    // The file's own start may be one that cannot be run: the points are others.
+    // The file's own start may be unsuitable for a run while the points are suitable.
     let Ok(y0) = problem.start() else { return Ok(Vec::new()) };
     let options = Options { step_limit: 1, ..options_of_ends(problem.scene)? };
     match problem.integrate(&y0, &options, &mut []) {
@@ -149,18 +150,19 @@ fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
     }
 }
 
-/// Runs points, one thread's share of them.
+/// Runs one thread's share of the points.
 pub struct Worker<'a> {
     sweep: &'a Sweep<'a>,
     family: Family<'a>,
-    /// The equations in lanes, where runs can share them.
+    /// Equations in lanes; `None` where runs cannot share them.
     lanes: Option<InLanes<'static>>,
 }
 
 impl Worker<'_> {
-    /// A row for each point of a block, in order; fewer if the sweep was stopped. `done` is called after each point.
+    /// Runs the points of a block. Returns a row for each, in order; fewer if the sweep was stopped. `done` is called
+    /// after each point.
     ///
-    /// A run may share its work with the others of its block, as lanes do, if it shares no result with them.
+    /// Runs of a block may share work, as lanes do, but no results.
     pub fn run_block(&mut self, points: Range<u64>, done: &(impl Fn() + ?Sized)) -> Vec<Row> {
         let read = |point: u64| {
             let (values, scene) = self.family.point(point);
@@ -179,7 +181,7 @@ impl Worker<'_> {
             }
             let outcome = scene.and_then(|scene| self.run(&scene, solution));
             if self.sweep.model.follow.asked() {
-                // Its run may have been cut short.
+                // The last run may have been cut short.
                 break;
             }
             rows.push(Row { point, values, outcome: outcome.map_err(|failure| reason(&failure)) });
@@ -188,7 +190,7 @@ impl Worker<'_> {
         rows
     }
 
-    /// Solutions of the scenes that can run in lanes; none for the others.
+    /// Solutions of the scenes that can run in lanes; `None` for the others.
     fn side_by_side<'s>(&self, scenes: impl ExactSizeIterator<Item = Option<&'s Scene>>) -> Vec<Option<Solution>> {
         let mut solutions: Vec<Option<Solution>> = (0..scenes.len()).map(|_| None).collect();
         let Some(equations) = self.lanes else { return solutions };
@@ -206,7 +208,7 @@ impl Worker<'_> {
         Problem::among(inertia, model, scene, by, &self.sweep.code, Some(*solve))
     }
 
-    /// One run, of the scene at a point, unless it was run already.
+    /// Runs the scene of a point, unless its solution is given.
     fn run(&self, scene: &Scene, solution: Option<Solution>) -> Result<Ended, Error> {
         let problem = self.problem(scene)?;
         if let Some(solution) = solution {
@@ -230,7 +232,7 @@ impl Worker<'_> {
         if self.sweep.tells_digits { options(scene) } else { options_of_ends(scene) }
     }
 
-    /// One run as `solve` makes it from the start.
+    /// Runs a problem from its start by `solve`.
     fn run_by(
         &self,
         problem: &Problem<'_>,
@@ -280,7 +282,7 @@ impl Worker<'_> {
     }
 }
 
-/// Why a point has no run, in one line.
+/// Reason why a point has no run, in one line.
 fn reason(failure: &Error) -> String {
     match failure {
         Error::Input(diagnostics) => {

@@ -1,8 +1,8 @@
 //! Work on many threads whose results are taken in order.
 //!
-//! Invariant: results are taken one by one in the order of their blocks, and no block is begun that is more than a
-//! fixed number ahead of the first that is not taken, so that what waits is bounded. Where blocks are cut depends on
-//! the clock; that may show in no result.
+//! Invariant: results are taken one by one in the order of their blocks. No block begins that is more than a fixed
+//! number ahead of the first block not yet taken, so the number of waiting results is bounded. The cutting into blocks
+//! depends on the clock, but no result may.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -11,23 +11,23 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// The longest block.
+/// Greatest number of points in a block.
 const LONGEST: u64 = 1024;
-/// Points of a block before the first results are in, when nothing is known of how long they take.
+/// Number of points in a block before the first results are in, while their duration is unknown.
 const FIRST: u64 = 1;
-/// What a block should take at most, so that rows appear and are not lost when a sweep is interrupted.
+/// Longest intended duration of a block. It lets rows appear soon, and few are lost when a sweep is interrupted.
 const LASTING: Duration = Duration::from_secs(1);
-/// Blocks on their way for each thread.
+/// Number of blocks for each thread that may be under way or waiting.
 const AHEAD: usize = 4;
 
-/// Does `work` on blocks of a range, one worker on a thread, and hands the results to `take` in order. An error of
-/// `take` sets `stop`, which `work` should look at, and ends it all.
+/// Does `work` on blocks of a range, with one worker per thread, and hands the results to `take` in order. An error of
+/// `take` sets `stop`, which `work` should watch, and ends all work.
 ///
 /// # Errors
-/// That of `take`.
+/// The error of `take`.
 ///
 /// # Panics
-/// If `work` does.
+/// If `work` panics.
 pub fn in_order<W: Send, T: Send, E>(
     all: Range<u64>,
     workers: Vec<W>,
@@ -45,7 +45,7 @@ pub fn in_order<W: Send, T: Send, E>(
             let (tickets, send) = (&tickets, send.clone());
             scope.spawn(move || {
                 loop {
-                    // The lock is held while waiting: whoever waits for it has nothing to do either.
+                    // The lock is held while waiting: other workers that wait for it have nothing to do either.
                     let ticket = tickets.lock().unwrap_or_else(PoisonError::into_inner).recv();
                     let Ok((number, block)) = ticket else { return };
                     let points = block.end - block.start;
@@ -63,14 +63,14 @@ pub fn in_order<W: Send, T: Send, E>(
             while given - next < AHEAD * threads
                 && let Some(block) = cutter.cut()
             {
-                // Workers listen until this end is dropped.
+                // Workers listen until this end of the channel is dropped.
                 let _ = give.send((given, block));
                 given += 1;
             }
             if next == given {
                 break Ok(());
             }
-            // Without a result a worker has panicked, and so will the scope.
+            // A missing result means that a worker has panicked; the scope then panics too.
             let Ok(Some((number, points, result))) = results.recv() else {
                 stop.store(true, Ordering::Relaxed);
                 break Ok(());
@@ -89,13 +89,13 @@ pub fn in_order<W: Send, T: Send, E>(
                 break Err(error);
             }
         };
-        // Nothing more is given: the workers end.
+        // No more blocks are given, so the workers end.
         drop(give);
         outcome
     })
 }
 
-/// Says on a worker's behalf that it panicked: the others would wait for ever.
+/// Reports that a worker panicked. Without it, the others would wait for ever.
 struct Lost<'s, T>(&'s Sender<Option<T>>);
 
 impl<T> Drop for Lost<'_, T> {
@@ -106,17 +106,17 @@ impl<T> Drop for Lost<'_, T> {
     }
 }
 
-/// Cuts what is left into blocks.
+/// Cuts the remaining points into blocks.
 struct Cutter {
     rest: Range<u64>,
     threads: u64,
     begun: Instant,
-    /// Points of which the results are in.
+    /// Number of points whose results are in.
     done: u64,
 }
 
 impl Cutter {
-    /// The next block: shorter towards the end, so that no thread works on alone for long.
+    /// The next block. Blocks get shorter towards the end, so that no thread works alone for long.
     fn cut(&mut self) -> Option<Range<u64>> {
         let left = self.rest.end - self.rest.start;
         if left == 0 {
@@ -169,7 +169,7 @@ mod tests {
         assert_eq!(run(4, 2000, uneven), (5..2005).collect::<Vec<u64>>());
     }
 
-    /// Goal: what waits is bounded. Method: while the first point lasts, count how far the others get.
+    /// Goal: the number of waiting results is bounded. Method: count the points that run while the first one lasts.
     #[test]
     fn no_thread_runs_far_ahead() {
         let (threads, first_done, furthest) = (4, AtomicBool::new(false), Mutex::new(0));

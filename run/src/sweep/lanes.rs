@@ -1,7 +1,7 @@
 //! Runs of a sweep side by side in vector registers.
 //!
-//! Invariant: whether a point runs in lanes depends on the point and the scene alone, and its result on nothing else in
-//! its block: so a sweep cut into shards gives the same rows.
+//! Invariant: the choice of lanes for a point depends only on the point and the scene, and its result on nothing else
+//! in its block. So a sweep cut into shards gives the same rows.
 
 use crate::code::Code;
 use crate::how::options_of_ends;
@@ -13,21 +13,21 @@ use tripos_sim::batch::{self, Outcome, Plan, Trajectory, Watched};
 use tripos_sim::{Eliminated, Method, Options, Output, Solution};
 use tripos_traits::{CompiledSystem, InLanes};
 
-/// The equations of a sweep in lanes, if its runs may share them: they are compiled and eliminated, the method is
-/// DOP853 or Taylor's with steps chosen by the error, and nothing moves a state but its equations.
+/// The equations of a sweep in lanes; `None` if its runs cannot share them. They must be compiled and eliminated. The
+/// method must be DOP853 or Taylor's, with steps chosen by the error, and only the equations may move a state.
 pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Option<InLanes<'static>> {
     let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
     let how = &scene.integration;
     let has_method =
         how.method == Method::Dop853.name() || how.method == Method::Taylor.name() && lanes.series.is_some();
-    // Lanes neither go onto constraints, nor end their steps at corners, nor bounce.
+    // Lanes cannot project onto constraints, end steps at corners or bounce.
     let is_moved = code.system().constraint_count() > 0 || !scene.impacts.is_empty();
     let cornered = !model.corners(&scene.parameters).is_empty();
     let plain = solve == Solve::Eliminated && how.step.is_none() && !is_moved && !cornered;
     (has_method && plain).then_some(*lanes)
 }
 
-/// What one point asks of a batch.
+/// Start and plan of one point's run in a batch.
 pub struct Request<'s> {
     problem: Problem<'s>,
     plan: Plan,
@@ -35,7 +35,7 @@ pub struct Request<'s> {
 }
 
 impl<'s> Request<'s> {
-    /// The request of a problem that can start; others are for the scalar run, which says why they cannot.
+    /// Request for a problem that can start; `None` for others, whose scalar run says why they cannot.
     pub fn new(problem: Problem<'s>) -> Option<Self> {
         let scene: &Scene = problem.scene;
         let Options { method, order, rtol, atol, max_step, step_limit, .. } = options_of_ends(scene).ok()?;
@@ -49,7 +49,7 @@ impl<'s> Request<'s> {
         Trajectory { parameters: &self.problem.scene.parameters, start: &self.start }
     }
 
-    /// Its events, and the divisors of its equations.
+    /// Events of the run, and the equations with their divisors.
     fn watched<'a>(&'a self, balance: &'a Balance) -> Watched<'a> {
         let equations = Eliminated::new(self.problem.system(), &self.problem.scene.parameters);
         let equations = Box::new(equations.expect("only eliminated equations are had in lanes"));
@@ -57,7 +57,7 @@ impl<'s> Request<'s> {
     }
 }
 
-/// Runs the requests, those of one plan together. Nothing for those whose plan makes no sense: the scalar run says why.
+/// Runs the requests; those with equal plans run together. `None` for an invalid plan, whose scalar run says why.
 pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) -> Vec<Option<Solution>> {
     let mut solutions: Vec<Option<Solution>> = requests.iter().map(|_| None).collect();
     let mut left: Vec<usize> = (0..requests.len()).collect();
@@ -75,7 +75,7 @@ pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) 
     solutions
 }
 
-/// The outcome with its start, as [`Output::Ends`] has it.
+/// The outcome with its start, in the form of [`Output::Ends`].
 fn solution(request: &Request<'_>, outcome: Outcome) -> Solution {
     let Outcome { t_end, y_end, stop, steps, rejected, evaluations, events } = outcome;
     debug_assert_eq!(request.plan.options().output, Output::Ends);

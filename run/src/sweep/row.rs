@@ -1,48 +1,49 @@
-//! What became of the points of a sweep.
+//! Rows of a sweep's table.
 
-/// What became of one point.
+/// Result of one point of a sweep.
 pub struct Row {
-    /// Its index in the whole sweep, from 0.
+    /// Index of the point in the whole sweep, from 0.
     pub point: u64,
-    /// The values of what is swept.
+    /// Values of the swept quantities.
     pub values: Vec<f64>,
-    /// How its run ended, or why there was none.
+    /// End of its run, or the reason why there is none.
     pub outcome: Result<Ended, String>,
 }
 
-/// How a run ended.
+/// End of a run, with its costs and checks.
 pub struct Ended {
-    /// When, s.
+    /// Instant of the end, s.
     pub t_end: f64,
-    /// The code of [`tripos_sim::Stop`].
+    /// Code of the [`tripos_sim::Stop`].
     pub stop: String,
-    /// Why the run could not go on, if it could not.
+    /// Reason why the run could not go on, or why its end has no value; `None` if it is valid.
     pub failure: Option<String>,
-    /// Coordinates and generalized speeds, or what the scene asks for.
+    /// Coordinates and generalized speeds at the end, or the outputs of the scene.
     pub shown: Vec<f64>,
-    /// Accepted steps.
+    /// Number of accepted steps.
     pub steps: u64,
-    /// Rejected steps.
+    /// Number of rejected steps.
     pub rejected: u64,
-    /// Evaluations of the equations.
+    /// Number of evaluations of the equations.
     pub evaluations: u64,
-    /// By how much each first integral differs at the end from its start.
+    /// Difference of each first integral between end and start.
     pub changes: Vec<f64>,
-    /// The digits that every value has at the end, if they were asked for and the run was assessed to its end.
+    /// Number of correct digits of every value at the end; `None` if not asked for, or if the run was not assessed to
+    /// its end.
     pub digits: Option<f64>,
 }
 
-/// What the column `stop` says of a point without a run.
+/// Entry of the column `stop` for a point without a run.
 pub const NO_START: &str = "no-start";
 
 impl Row {
-    /// The code of how it ended.
+    /// Code of the way in which the run ended.
     #[must_use]
     pub fn stop(&self) -> &str {
         self.outcome.as_ref().map_or(NO_START, |ended| &ended.stop)
     }
 
-    /// Why it has no answer, if it has none.
+    /// Reason why the point has no answer; `None` if it has one.
     #[must_use]
     pub fn failure(&self) -> Option<&str> {
         match &self.outcome {

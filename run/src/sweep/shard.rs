@@ -1,4 +1,4 @@
-//! Parts of a sweep that are run apart, on one machine or many.
+//! Parts of a sweep that are run separately, on one machine or many.
 
 use crate::error::Error;
 use std::ops::Range;
@@ -6,14 +6,14 @@ use std::ops::Range;
 /// One of the parts that a sweep is cut into: a contiguous range of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Which, from 1.
+    /// Number of the part, from 1.
     pub part: u64,
-    /// How many shards there are.
+    /// Total number of parts.
     pub of: u64,
 }
 
 impl Shard {
-    /// From `i/n`.
+    /// Reads a shard from text such as `3/8`.
     ///
     /// # Errors
     /// [`Error::Request`] unless i and n are whole numbers with 1 ≤ i ≤ n.
@@ -32,7 +32,7 @@ impl Shard {
         Ok(Self { part, of })
     }
 
-    /// Its points of this many. The parts follow one another, and differ by one point at most.
+    /// Range of its points out of `count`. The parts follow each other, and differ by at most one point.
     #[must_use]
     pub fn points(self, count: u64) -> Range<u64> {
         let start = |part: u64| {

@@ -1,6 +1,8 @@
-//! Forces as arrows: weights, the forces of the model file, springs and dampers among them, and what constraints exert, along a motion.
+//! Forces as arrows along a motion: weights, the forces of the model file, among them springs and dampers, and
+//! constraint reactions.
 //!
-//! Absent on purpose: torques, potentials that are no forces at points, and what holds a closed contact of a scene with impacts.
+//! Left out on purpose: torques, potentials that are not forces at points, and the forces in closed contacts of a scene
+//! with impacts.
 
 use super::pose::Pose;
 use super::space::{Triple, length, rotated};
@@ -16,77 +18,80 @@ use tripos_derive::model::{Place, Reaction, ReactionKind};
 use tripos_derive::scene::Scene;
 use tripos_sim::Dynamics;
 
-/// What a force comes from.
+/// Source of a force: gravity, the model file or constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArrowKind {
     /// Gravity, at the mass centre of a body.
     Weight,
     /// A force of the model file, or its opposite.
     Applied,
-    /// What constraints exert on the first of the bodies that they hold; on the other it is the opposite.
+    /// A constraint force on the first of the bodies that the constraint holds; on the other it is the opposite.
     Reaction,
 }
 
-/// A force on a body, without its value.
+/// Force on a body, without its value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Arrow {
-    /// What it comes from.
+    /// Source of the force.
     pub kind: ArrowKind,
-    /// The name of the force in the file; of the body for a weight; of those of its components that the file names for a reaction, else where it acts.
+    /// Name of the force. A force of the file has its own name, a weight that of its body. A reaction has the names of
+    /// its components if the file gives them, else its body and point.
     pub name: String,
-    /// The body that it acts on.
+    /// Index of the body that it acts on.
     pub body: usize,
-    /// The point that it acts at.
+    /// Index of the point that it acts at.
     pub point: usize,
-    /// Whether it is the opposite of the named force.
+    /// True if the force is the opposite of the named one.
     pub is_opposite: bool,
-    /// The frame of its components.
+    /// Index of the frame of its components.
     frame: usize,
 }
 
 /// The forces along a motion.
 #[derive(Clone, Debug, Default)]
 pub struct Forces {
-    /// What they are, in order: weights by bodies, each force of the file and its opposite, reactions; those that are zero all the time left out.
+    /// Forces that are not always zero: weights in the order of the bodies, each force of the file and its opposite,
+    /// then reactions.
     pub list: Vec<Arrow>,
     /// Their values at each instant, N, in the inertial frame, in the order of the list.
     pub values: Vec<Vec<Triple>>,
-    /// The names of those that are left out since they have no value at some instant.
+    /// Names of the forces that are left out because they have no value at some instant.
     pub unknown: Vec<String>,
-    /// What the largest of an instant exceeds at a tenth of the instants, N: a spike makes no others invisible. The largest of all where that is 0.
+    /// Scale of the forces, N, so that a spike does not make the others invisible. The largest force exceeds it at a
+    /// tenth of the instants. It is the overall largest force where that would be 0.
     pub usual: f64,
-    /// Why the motion has reactions of which none is told, if so.
+    /// Reason why the reactions of the motion are missing; `None` if they are given or there are none.
     pub without: Option<String>,
 }
 
 impl Forces {
-    /// How many times the usual force the longest arrow is of: longer ones are cut.
+    /// Ratio of the longest drawn arrow to the usual force; longer arrows are cut.
     pub const CUT: f64 = 2.5;
 
-    /// A force as it is drawn, N: of its own length, or cut.
+    /// Force as it is drawn, N: at its own length, or cut.
     #[must_use]
     pub fn drawn(&self, force: Triple) -> Triple {
         let cut = Self::CUT * self.usual / length(force);
         if cut < 1.0 { force.map(|x| cut * x) } else { force }
     }
 
-    /// The largest, N.
+    /// Magnitude of the largest force, N.
     #[must_use]
     pub fn largest(&self) -> f64 {
         self.values.iter().flatten().map(|force| length(*force)).fold(0.0, f64::max)
     }
 
-    /// Forces at some of the instants alone.
+    /// Forces at a selection of the instants.
     #[must_use]
     pub fn at(&self, kept: &[usize]) -> Self {
         Self { values: kept.iter().map(|at| self.values[*at].clone()).collect(), ..self.clone() }
     }
 }
 
-/// What gives the forces of a mechanism at the states of a scene.
+/// Evaluates the forces of a mechanism at the states of a scene.
 pub(super) struct Arrows {
     list: Vec<Arrow>,
-    /// From parameters, q, u and reactions.
+    /// Computes the force components from parameters, q, u and reactions.
     tape: Tape,
     /// The force balance, if there are reactions.
     balance: Option<Code>,
@@ -97,8 +102,8 @@ impl Arrows {
     /// The weights, declared forces and reactions of a mechanism.
     ///
     /// # Errors
-    /// [`Error::Input`] if a force divides by a velocity that is zero; [`Error::Request`] if one depends on what has no value during a
-    /// run.
+    /// [`Error::Input`] if a force divides by a velocity that is zero; [`Error::Request`] if one depends on a symbol
+    /// that has no value during a run.
     pub(super) fn new(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let model = &mechanism.model;
         let mut kinematics = Kinematics::new(model).map_err(|error| model.diagnose(&error))?;
@@ -155,7 +160,7 @@ impl Arrows {
         Ok(Self { tape: stepwise(&kinematics.arena, &inputs, &steps, &values, "a force")?, list, balance, without })
     }
 
-    /// The forces at states, each coordinates and generalized speeds, of which these are the poses.
+    /// The forces at states with these poses. Each state consists of coordinates and generalized speeds.
     ///
     /// # Errors
     /// [`Error::Request`] if the parameters are not those of the equations.
@@ -169,7 +174,7 @@ impl Arrows {
         let mut at = |state: &[f64], pose: &Pose| {
             let (q, u) = state.split_at(n);
             let unknowns = balance.as_mut().and_then(|balance| balance.unknowns(q, u).ok());
-            // Where the balance is singular there are no reactions.
+            // A singular force balance gives no reactions.
             let reactions = unknowns.map_or_else(|| vec![f64::NAN; count], |x| x[u.len()..].to_vec());
             let values = self.tape.evaluate(&[p, state, &reactions].concat());
             let own = values.chunks_exact(3).map(|each| [each[0], each[1], each[2]]);
@@ -192,7 +197,7 @@ impl Arrows {
     }
 }
 
-/// What the largest of an instant exceeds at a tenth of the instants; the largest of all where that is 0.
+/// Magnitude that the largest force exceeds at a tenth of the instants, N; the overall largest where that is 0.
 fn usual(values: &[Vec<Triple>]) -> f64 {
     let largest = |now: &Vec<Triple>| now.iter().map(|force| length(*force)).fold(0.0, f64::max);
     let mut each: Vec<f64> = values.iter().map(largest).collect();
@@ -201,7 +206,7 @@ fn usual(values: &[Vec<Triple>]) -> f64 {
     if tenth > 0.0 { tenth } else { each.last().copied().unwrap_or_default() }
 }
 
-/// The force balance, if a motion has reactions; in words, why none is to be had.
+/// Force balance of a motion with reactions; `None` without reactions. The error says why they cannot be found.
 fn balance(mechanism: &Mechanism, scene: &Scene, has_reactions: bool) -> Result<Option<Code>, String> {
     if !has_reactions {
         return Ok(None);
@@ -213,7 +218,7 @@ fn balance(mechanism: &Mechanism, scene: &Scene, has_reactions: bool) -> Result<
     balance.map(Some).map_err(|error| format!("Newton and Euler's equations do not determine them: {error}"))
 }
 
-/// Forces that act at one place and on one other, in one frame, together.
+/// Groups the components of reaction forces that act at the same two places in the same frame.
 fn joined(reactions: &[Reaction]) -> Vec<(Place, usize, Vec<&Reaction>)> {
     let mut list: Vec<(ReactionKind, usize, Vec<&Reaction>)> = Vec::new();
     for reaction in reactions {

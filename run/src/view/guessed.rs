@@ -1,8 +1,8 @@
-//! Solids made of bodies, points and joints, for models that do not say how they look.
+//! Solids guessed from bodies, points and joints, for models whose file gives no shapes.
 //!
-//! What is fixed in a body is found by numbers, in configurations far from one another, not by how the file places it: a point belongs
-//! to every body in which it does not move. Rods join what is fixed in a body, inertia tells disks and boxes, and a point that runs
-//! round a body at one distance is where it rolls.
+//! Numbers tell which points are fixed in a body, in configurations far from each other. The file's way of placing them
+//! does not matter: a point belongs to every body in which it does not move. Rods join the points that are fixed in a
+//! body. Inertia tells disks and boxes. A body rolls at a point that moves round it at a constant distance.
 
 use super::View;
 use super::inertia::{Homogeneous, homogeneous, principal};
@@ -16,33 +16,34 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use tripos_derive::model::{Body, Place as Of, ReactionKind};
 
-/// Radius of a rod, of the size of the mechanism.
+/// Radius of a rod, relative to the size of the mechanism.
 const ROD: f64 = 0.016;
-/// What counts as the same place, of lengths of order one.
+/// Tolerance for equal places, for lengths of order one.
 const SAME: f64 = 1e-9;
-/// Points whose ways are traced unless somebody asks for others.
+/// Greatest number of points that are traced by default.
 const MOST_TRACED: usize = 3;
 
-/// What numbers tell of a mechanism's bodies.
+/// Geometry of a mechanism's bodies, as found from numbers.
 pub struct Guess<'a> {
     mechanism: &'a Mechanism,
-    /// Far from one another; the first is the start.
+    /// Poses far from each other; the first is the start.
     poses: Vec<Pose>,
     bodies: Vec<Known>,
 }
 
-/// What is known of a body.
+/// Mass, shape and fixed points of a body.
 struct Known {
     mass: f64,
-    /// The solid of its mass and inertia, and how its axes are turned from those of its frame.
+    /// Homogeneous solid of its mass and inertia, and the rotation of its principal axes from the body's frame.
     like: Option<(Homogeneous, Rotation)>,
-    /// Points that are fixed in it and elsewhere than its mass centre.
+    /// Indices of points that are fixed in it, other than its mass centre.
     attached: Vec<usize>,
-    /// Where it rolls or slides, if a point runs round it.
+    /// Point of contact, if a point runs round the body.
     rim: Option<Rim>,
 }
 
-/// How a body touches: the point, and the radius about an axis through a place along it from the mass centre.
+/// Contact of a body: the point, its distance from an axis, and the position of the contact's plane along the axis, m
+/// from the mass centre.
 #[derive(Clone, Copy)]
 struct Rim {
     point: usize,
@@ -51,7 +52,7 @@ struct Rim {
 }
 
 impl<'a> Guess<'a> {
-    /// Solids of a mechanism at the parameters of a configuration, which moves through these poses.
+    /// Guesses the solids of a mechanism at the parameters of a configuration, from which it moves through these poses.
     pub fn new(mechanism: &'a Mechanism, at: Configuration<'_>, poses: &Poses, moves: &[Pose]) -> Result<Self, Error> {
         let mut far: Vec<Pose> = moves.first().cloned().into_iter().collect();
         far.extend((0..4).map(|away| poses.of(at.parameters, &configuration(at.q, away))));
@@ -88,14 +89,14 @@ impl<'a> Guess<'a> {
         Ok(Known { mass, like, attached, rim: None })
     }
 
-    /// Where a point is from the mass centre of a body, in its frame, in each pose.
+    /// Position of a point from the mass centre of a body, in the body's frame, m, in each pose.
     fn seen_from(&self, frame: usize, centre: usize, point: usize) -> impl Iterator<Item = Triple> + '_ {
         self.poses
             .iter()
             .map(move |pose| rotated_back(&pose.rotations[frame], minus(pose.points[point], pose.points[centre])))
     }
 
-    /// Whether a point is fixed in a body, elsewhere than in its mass centre.
+    /// True if a point is fixed in a body and is not its mass centre.
     fn is_attached(&self, frame: usize, centre: usize, point: usize) -> bool {
         let places: Vec<Triple> = self.seen_from(frame, centre, point).collect();
         let Some(first) = places.first() else { return false };
@@ -103,7 +104,8 @@ impl<'a> Guess<'a> {
         point != centre && apart > SAME && places.iter().all(|r| length(minus(*r, *first)) <= SAME * (1.0 + apart))
     }
 
-    /// Leaves out of what a body has all but the nearest of several points of a body that it is turned from: these lie on the axle of both.
+    /// Removes points that a body shares with a body that it is turned from, except the nearest one. They all lie on
+    /// the common axle.
     fn leave_out_axle(&mut self, at: usize) {
         let frame_of = |body: &Body| body.rigid.as_ref().map(|(frame, _)| *frame);
         let Some(own) = frame_of(&self.mechanism.bodies[at]) else { return };
@@ -126,7 +128,8 @@ impl<'a> Guess<'a> {
         }
     }
 
-    /// Where a body rolls: a point at which something pushes it that runs round it at one distance and at one height.
+    /// Finds the contact of a rolling or sliding body. A force acts there, and the point runs round the body at a
+    /// constant distance and height.
     fn rim(&self, at: usize, body: &Body) -> Option<Rim> {
         let (frame, _) = body.rigid.as_ref()?;
         let (like, axes) = self.bodies[at].like.as_ref()?;
@@ -149,7 +152,7 @@ impl<'a> Guess<'a> {
         })
     }
 
-    /// The points at which forces and reactions push a body.
+    /// Indices of the points at which forces and reactions act on a body.
     fn touched(&self, body: usize) -> Vec<usize> {
         let reactions = self.mechanism.reactions.iter().filter_map(|reaction| match reaction.kind {
             ReactionKind::Force { on, against } => Some([Some(on), against]),
@@ -162,7 +165,7 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Points that are looked at: those of solids that the file states, or what bodies have.
+    /// Indices of the points that are seen: those of the stated solids, else those of the bodies and springs.
     pub fn seen(&self, stated: &[Solid]) -> Vec<usize> {
         let mut list: Vec<usize> = if stated.is_empty() {
             let of_bodies = self.mechanism.bodies.iter().zip(&self.bodies).flat_map(|(body, known)| {
@@ -179,12 +182,12 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// How far what is as large as its inertia says reaches from its mass centre, at most, m.
+    /// Greatest distance from a mass centre to the surface of a solid of that inertia, m.
     pub fn reach(&self) -> f64 {
         self.solids(0.0).iter().map(|solid| solid.form.reach()).fold(0.0, f64::max)
     }
 
-    /// The solids of a mechanism of this size.
+    /// Guessed solids of a mechanism of this size, m.
     pub fn solids(&self, size: f64) -> Vec<Solid> {
         let mut list = Vec::new();
         for (at, (body, known)) in self.mechanism.bodies.iter().zip(&self.bodies).enumerate() {
@@ -210,7 +213,7 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// A ball, and the rod that holds it if it stays at one distance from the point that it is placed from.
+    /// Forms of a particle: a ball, and a rod if it keeps a constant distance from the point that it is placed from.
     fn particle(&self, body: &Body, known: &Known, size: f64) -> Vec<Form> {
         let heaviest = self.bodies.iter().map(|known| known.mass).fold(0.0, f64::max);
         let share = if heaviest > 0.0 { (known.mass / heaviest).cbrt().clamp(0.5, 1.0) } else { 1.0 };
@@ -223,7 +226,7 @@ impl<'a> Guess<'a> {
         forms
     }
 
-    /// Whether two points stay at one distance that is not 0, and something turns between them.
+    /// True if two points keep a constant distance above 0 while the line between them turns.
     fn is_rigid(&self, a: usize, b: usize) -> bool {
         let ways: Vec<Triple> = self.poses.iter().map(|pose| minus(pose.points[b], pose.points[a])).collect();
         let Some(first) = ways.first() else { return false };
@@ -248,7 +251,7 @@ impl<'a> Guess<'a> {
                 let way = dot(*r, line);
                 length(plus(*r, -way, line)) <= 0.02 * long && way.abs() <= 0.51 * long
             };
-            // One that is much longer than what is fixed in it is no rod: its mass is far out.
+            // A cylinder that is much longer than its fixed points suggest is no rod: its mass is far out.
             let ends = places.iter().map(|r| length(*r)).fold(0.0, f64::max);
             let is_as_long = places.is_empty() || *long <= 2.6 * ends;
             if is_as_long && places.iter().all(on_it) {
@@ -281,7 +284,7 @@ impl<'a> Guess<'a> {
         forms
     }
 
-    /// A ball at each place where bodies meet, or one meets the ground.
+    /// Balls at the places where bodies meet each other or the ground.
     fn pins(&self, size: f64) -> Vec<Solid> {
         let mut list: Vec<usize> = Vec::new();
         for point in 0..self.mechanism.points.len() {
@@ -301,13 +304,13 @@ impl<'a> Guess<'a> {
         list.into_iter().map(ball).collect()
     }
 
-    /// Whether nothing moves a point.
+    /// True if no coordinate moves a point.
     fn is_fixed(&self, point: usize) -> bool {
         let first = self.poses.first().map(|pose| pose.points[point]);
         first.is_some_and(|first| self.poses.iter().all(|pose| length(minus(pose.points[point], first)) <= SAME))
     }
 
-    /// The ground: what rolls rolls on it, and what swings swings above it; none where nothing falls and nothing touches.
+    /// Ground plane, on which bodies roll or above which they swing. `None` without contacts and gravity.
     pub fn ground(&self, view: &View, motions: &[&[Pose]]) -> Option<Solid> {
         let pose = motions.first()?.first()?;
         let rims: Vec<Triple> = self.bodies.iter().filter_map(|known| Some(pose.points[known.rim?.point])).collect();
@@ -337,7 +340,7 @@ impl<'a> Guess<'a> {
         Some(Solid { label: "ground".to_owned(), body: None, touches: None, form: Form::Ground { at: place } })
     }
 
-    /// Points whose ways are worth a look.
+    /// Points whose paths are worth tracing.
     pub fn traced(&self) -> Vec<usize> {
         let rims = self.bodies.iter().filter_map(|known| known.rim.map(|rim| rim.point));
         let of = |is_rigid: bool| {
@@ -355,13 +358,13 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Where the axes of each rigid body stand: its frame and its mass centre.
+    /// Axes of each rigid body: its frame and its mass centre.
     pub fn triads(&self) -> Vec<(usize, usize)> {
         self.mechanism.bodies.iter().filter_map(|body| Some((body.rigid.as_ref()?.0, body.centre))).collect()
     }
 }
 
-/// A wheel, or a ball, with the radius at which it touches.
+/// Wheel or ball with the radius of its contact.
 fn wheel(at: Place, known: &Known, rim: Rim) -> Form {
     match &known.like {
         Some((Homogeneous::Cylinder { axis, .. }, axes)) => {
@@ -374,7 +377,8 @@ fn wheel(at: Place, known: &Known, rim: Rim) -> Form {
     }
 }
 
-/// A configuration far from the start and from the others, the same on every machine: multiples of irrational numbers.
+/// Configuration far from the start and from the others. It uses multiples of irrational numbers, so it is the same on
+/// every machine.
 fn configuration(start: &[f64], at: usize) -> Vec<f64> {
     let step = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (at + 1) as f64 * 0.569_840_291).fract();
     start.iter().enumerate().map(|(k, q)| q + 0.2 + 1.1 * step(k)).collect()

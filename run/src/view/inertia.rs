@@ -1,4 +1,4 @@
-//! What a body looks like whose mass and inertia are all that is known of it.
+//! Homogeneous solids with a given mass and given principal moments.
 
 use super::space::{IDENTITY, Rotation, Triple, product, transposed};
 
@@ -33,32 +33,32 @@ pub fn principal(tensor: &Rotation) -> (Triple, Rotation) {
     (order.map(|at| a[at][at].max(0.0)), transposed(&sorted))
 }
 
-/// A homogeneous solid of a mass and principal moments: lengths in m.
+/// Homogeneous solid of a mass and principal moments. Lengths are in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Homogeneous {
-    /// Like to all sides.
+    /// Sphere, for three equal moments.
     Sphere {
-        /// Its radius.
+        /// Radius, m.
         radius: f64,
     },
-    /// About a principal axis.
+    /// Cylinder about a principal axis, for two equal moments.
     Cylinder {
-        /// Which, 0, 1 or 2.
+        /// Index of the principal axis, 0, 1 or 2.
         axis: usize,
-        /// Its radius.
+        /// Radius, m.
         radius: f64,
-        /// Its length.
+        /// Length along the axis, m.
         length: f64,
     },
-    /// Along the principal axes.
+    /// Box along the principal axes, for three different moments.
     Box {
-        /// Its edges.
+        /// Lengths of the edges along the three axes, m.
         size: Triple,
     },
 }
 
-/// The solid that has these: a sphere 2/5 m r², a cylinder ½ m r² about its axis and m (3 r² + l²)/12 across it, a box
-/// m (b² + c²)/12. Nothing of a body without mass or moments.
+/// Finds the homogeneous solid with this mass and these moments. A sphere has 2/5 m r². A cylinder has ½ m r² about its
+/// axis and m (3 r² + l²)/12 across it. A box has m (b² + c²)/12. `None` for a body without mass or moments.
 pub fn homogeneous(mass: f64, [a, b, c]: Triple) -> Option<Homogeneous> {
     if !(mass > 0.0 && c > 0.0 && c.is_finite() && mass.is_finite()) {
         return None;
@@ -84,7 +84,8 @@ pub fn homogeneous(mass: f64, [a, b, c]: Triple) -> Option<Homogeneous> {
 mod tests {
     use super::{Homogeneous, homogeneous, principal};
 
-    /// Goal: a body looks as what its inertia was computed of. Method: moments of a rod, a disk, a ball and a box by their formulas.
+    /// Goal: a body looks like the solid whose inertia it has. Method: moments of a rod, a disk, a ball and a box by
+    /// their formulas.
     #[test]
     fn inertia_tells_rods_disks_balls_and_boxes() {
         let (m, l, r) = (2.0, 3.0, 0.5);

@@ -1,13 +1,13 @@
-//! Forms of which a body is made.
+//! Forms that represent a body.
 
 use super::inertia::Homogeneous;
 use super::solid::{Form, Place};
 use super::space::{Rotation, Triple, along, dot, length, minus, plus, quaternion, transposed, unit};
 
-/// How far points may be from the line of a rod, of its length.
+/// Greatest distance of points from the line of a rod, relative to its length.
 pub const STRAIGHT: f64 = 0.15;
 
-/// One rod where all that a body has lies in a line, else one to each point from the mass centre.
+/// One rod if the points of a body lie on a line, else one from the mass centre to each point.
 pub fn rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> Vec<Form> {
     let all: Vec<(usize, Triple)> =
         points.iter().copied().zip(places.iter().copied()).chain([(centre, [0.0; 3])]).collect();
@@ -26,7 +26,7 @@ pub fn rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> 
     points.iter().map(|point| Form::Rod { ends: [centre, *point], radius }).collect()
 }
 
-/// The solid of a mass and its moments, along axes that are turned like this; no thinner than it can be seen.
+/// Form of a homogeneous solid with its axes turned like this, thick enough to be seen.
 pub fn homogeneous_form(at: Place, like: &Homogeneous, axes: &Rotation, thin: f64) -> Form {
     match *like {
         Homogeneous::Sphere { radius } => Form::Sphere { at, radius },

@@ -1,4 +1,4 @@
-//! A motion as it is seen: poses at some instants, as many as it takes to see no difference.
+//! Motion for a view: poses at as many instants as are needed to see no difference from the run.
 
 use super::arrows::{Arrows, Forces};
 use super::pose::{Pose, Poses};
@@ -11,40 +11,41 @@ use std::f64::consts::FRAC_PI_2;
 use tripos_derive::scene::{QUADRATURE, Scene};
 use tripos_sim::Method;
 
-/// Instants of a run for a view, evenly spaced, before those that nobody misses are left out.
+/// Number of evenly spaced instants of a run for a view, before unneeded ones are left out.
 const SAMPLES: usize = 6000;
-/// Samples from one to the next that is kept, at most.
+/// Greatest number of samples from one kept instant to the next.
 const LONGEST: usize = 60;
-/// How far what is seen between two instants may be from where it is: of the size of the mechanism, in rad, and of the usual force.
+/// Greatest invisible errors between two instants: of places, relative to the mechanism's size; of angles, rad; and of
+/// forces, relative to the usual one.
 const NOT_SEEN: (f64, f64, f64) = (5e-4, 4e-3, 2e-2);
-/// An angle from where a frame is drawn to where it is that is seen as another turning, rad.
+/// Angle between drawn and true attitude above which the turning looks wrong, rad.
 const UNTRUE: f64 = 0.2;
-/// Turns up to which there is one shortest way from an attitude to another, in rounded numbers too, rad.
+/// Greatest angle for which the shortest turn between two attitudes is unique, also with rounding errors, rad.
 const ONE_WAY: f64 = 3.0;
 
-/// What is seen of a run.
+/// Motion of a mechanism for a view: poses and forces at instants.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// Which equations ran, as in a heading.
+    /// Title of the equations that ran, as in a heading.
     pub title: String,
-    /// The instants, s, in the order of the run.
+    /// Instants in the order of the run, s.
     pub t: Vec<f64>,
-    /// Where everything is at each.
+    /// Poses at each instant.
     pub poses: Vec<Pose>,
-    /// The forces at each.
+    /// Forces at each instant.
     pub forces: Forces,
-    /// The least and the largest that each coordinate and each generalized speed was, as they are shown.
+    /// Least and largest value of each coordinate and each generalized speed.
     pub ranges: Vec<(f64, f64)>,
-    /// When, after how many steps and why it ended, in a sentence.
+    /// Sentence that says when, after how many steps and why the run ended.
     pub ending: String,
-    /// Why it must not be trusted to its end, a reason a line; nothing if it can be.
+    /// Reasons not to trust the run to its end, one a line; empty if it can be trusted.
     pub objections: Vec<String>,
-    /// Whether it could not go on to its end.
+    /// True if the run stopped before its end because it could not go on.
     pub failed: bool,
 }
 
 impl Motion {
-    /// Runs a scene by whole equations, the first formulation that the model has if none is named.
+    /// Runs a scene by whole equations. `None` takes the first formulation of the model.
     ///
     /// # Errors
     /// As [`crate::simulate()`].
@@ -61,7 +62,7 @@ impl Motion {
         Self::of_run(mechanism, &scene, &run)
     }
 
-    /// What is seen of a run that shows every state.
+    /// Motion of a run that shows every state.
     ///
     /// # Errors
     /// [`Error::Request`] if the run does not show every state.
@@ -73,7 +74,7 @@ impl Motion {
             return Err(Error::request(what, "give whole equations, such as --by kane".to_owned()));
         }
         let (mut t, mut states) = (run.solution.t.clone(), run.states.clone());
-        // Where a run ends early its end is no sample.
+        // A run that ends early has no sample at its end.
         if t.last().is_none_or(|last| last.to_bits() != run.solution.t_end.to_bits()) {
             t.push(run.solution.t_end);
             states.push(run.end.clone());
@@ -92,8 +93,8 @@ impl Motion {
         Ok(Self { title: run.by.title(), t, poses, forces, ranges, ending: run.ending.clone(), objections, failed })
     }
 
-    /// Only those instants between which nobody sees a difference to straight ways and even turns, of a mechanism of this size, and
-    /// at most so many; with how many times more than that differs where there would be more.
+    /// Keeps only the instants between which straight paths and even turns look right, for a mechanism of this size.
+    /// Keeps at most `most` instants. Also returns the factor by which the tolerances were widened for that.
     #[must_use]
     pub fn thinned(&self, size: f64, most: usize) -> (Self, f64) {
         let turns = self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
@@ -104,7 +105,7 @@ impl Motion {
             looser *= 2.0;
             kept = self.kept(&scale, looser);
         }
-        // What even that does not make few enough is thinned evenly.
+        // A motion that has too many instants even then is thinned evenly.
         let step = kept.len().div_ceil(most.max(2)).max(1);
         let last = kept.last().copied();
         let kept: Vec<usize> = kept.into_iter().step_by(step).filter(|at| Some(*at) != last).chain(last).collect();
@@ -114,7 +115,7 @@ impl Motion {
         (Self { t, poses, forces, ..self.clone() }, looser)
     }
 
-    /// The instants that are kept: from each as far as all between stay near.
+    /// Indices of the kept instants. From each, the next is the last one up to which all instants between stay near.
     fn kept(&self, scale: &Scale, looser: f64) -> Vec<usize> {
         let last = self.t.len().saturating_sub(1);
         let mut kept: Vec<usize> = (!self.t.is_empty()).then_some(0).into_iter().collect();
@@ -130,7 +131,8 @@ impl Motion {
         kept
     }
 
-    /// Whether everything between two instants is where straight ways and even turns lead, and forces grow evenly.
+    /// True if straight paths, even turns and evenly growing forces between two instants come near all instants
+    /// between.
     fn is_near(&self, Scale { turns, size }: &Scale, (from, to): (usize, usize), looser: f64) -> bool {
         let (a, b) = (&self.poses[from], &self.poses[to]);
         let span = self.t[to] - self.t[from];
@@ -153,8 +155,9 @@ impl Motion {
             })
     }
 
-    /// Whether the turning of every frame is seen truly in this motion with only some of its instants: the motion itself turns no frame by more than
-    /// a quarter from one instant to the next, and what was left out is near the even turns between those that stay.
+    /// True if the turning of every frame looks right in a motion with only some of these instants. This motion itself
+    /// must turn no frame by more than a quarter turn between instants. The left-out attitudes must be near the even
+    /// turns between the kept ones.
     #[must_use]
     pub fn turns_truly(&self, thin: &Self) -> bool {
         let turns: Vec<Vec<Quaternion>> =
@@ -176,13 +179,13 @@ impl Motion {
     }
 }
 
-/// What a difference is measured by.
+/// Attitudes at each instant and size of the mechanism, against which differences are measured.
 struct Scale {
     turns: Vec<Vec<Quaternion>>,
     size: f64,
 }
 
-/// The least and the largest of each component.
+/// Least and largest value of each component.
 fn ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
     let count = states.first().map_or(0, Vec::len);
     let of = |at: usize| {
@@ -192,7 +195,7 @@ fn ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
     (0..count).map(of).collect()
 }
 
-/// Whether every point has a place: runs may end where the formulas of some have no value.
+/// True if every frame and point has finite values. A run may end where some formulas have no value.
 fn is_somewhere(pose: &Pose) -> bool {
     pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
 }
@@ -201,13 +204,13 @@ fn between(a: Triple, b: Triple, share: f64) -> Triple {
     plus(a, share, minus(b, a))
 }
 
-/// The angle between two attitudes, rad.
+/// Angle between two attitudes, rad.
 fn angle(a: Quaternion, b: Quaternion) -> f64 {
     let cos: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
     2.0 * cos.abs().min(1.0).acos()
 }
 
-/// The angle between an attitude and that on the even way from one to another, rad.
+/// Angle between an attitude and the one at a share of the even turn between two others, rad.
 ///
 /// K. Shoemake, Animating rotation with quaternion curves, *Computer Graphics* 19 (1985) 245-254, § 3.3.
 fn apart(a: Quaternion, b: Quaternion, share: f64, x: Quaternion) -> f64 {

@@ -1,4 +1,4 @@
-//! Where every frame and point of a mechanism is in one configuration.
+//! Poses of a mechanism: the attitude of every frame and the position of every point in a configuration.
 
 use super::space::{IDENTITY, Rotation, Triple, about, plus, product, rotated, transposed};
 use crate::code::tape;
@@ -8,7 +8,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::model::Turn;
 
-/// The numbers that a pose is of.
+/// Parameters and coordinates that determine a pose.
 #[derive(Clone, Copy, Debug)]
 pub struct Configuration<'a> {
     /// Values of the parameters, in the order of the model.
@@ -17,24 +17,26 @@ pub struct Configuration<'a> {
     pub q: &'a [f64],
 }
 
-/// Where everything is at one instant, seen from the inertial frame and its origin.
+/// Attitudes and positions at one instant, relative to the inertial frame and its origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// The rotation of each frame of the model: (components in the inertial frame) = rotation · (components in the frame).
+    /// Rotation matrix of each frame of the model: (components in the inertial frame) = rotation · (components in the
+    /// frame).
     pub rotations: Vec<Rotation>,
-    /// Where each point of the model is, m.
+    /// Position of each point of the model in the inertial frame, m.
     pub points: Vec<Triple>,
 }
 
-/// How poses follow from a list of terms: the turn of each frame from the one before it and the place of each point from the one before
-/// it, as they stand in the model. Nothing is multiplied out, so that a long chain costs no more than its links.
+/// Tree of frames and points, with its terms as they stand in the model. Each frame is turned from its parent, and each
+/// point is placed from its parent. Nothing is multiplied out, so a long chain costs no more than its links.
 #[derive(Clone, Debug)]
 pub struct Links {
-    /// The terms, in parameters and coordinates: of the frames, then of the points, in order.
+    /// Terms in parameters and coordinates, first of the frames, then of the points, in order.
     pub values: Vec<Expr>,
-    /// The frame before each, and the axis of its turn, whose angle is one term, or nothing where nine cosines are, by rows.
+    /// Parent of each frame, and the axis of its turn, whose angle is one term. Without an axis, the terms are nine
+    /// cosines by rows.
     pub frames: Vec<Option<(usize, Option<usize>)>>,
-    /// The point before each, and the frame of its three components.
+    /// Parent of each point, and the frame of its three components.
     pub points: Vec<Option<(usize, usize)>>,
 }
 
@@ -67,7 +69,7 @@ impl Links {
     }
 }
 
-/// What gives the poses of a model.
+/// Computes the poses of a model.
 #[derive(Clone)]
 pub struct Poses {
     tape: Tape,
@@ -78,7 +80,8 @@ impl Poses {
     /// Poses of this model.
     ///
     /// # Errors
-    /// [`Error::Request`] if a place depends on what is neither a parameter nor a coordinate; a model that was read has none such.
+    /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No loaded model has
+    /// one.
     pub fn new(model: &Model) -> Result<Self, Error> {
         let links = Links::of(model);
         let inputs = [model.p(), model.q()].concat();

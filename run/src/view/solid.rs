@@ -1,80 +1,81 @@
-//! What is drawn.
+//! Solids that represent a mechanism.
 
 use super::space::{Quaternion, Triple};
 
-/// Something that is drawn, of one colour.
+/// Drawn solid of a single colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// What it is called: as the shape in the file, or as the body.
+    /// Name of the shape in the file, or of the body.
     pub label: String,
-    /// Solids of one group have one colour: the body, the bodies counted from 0; nothing of what belongs to none.
+    /// Index of the body, counted from 0. The solids of a body have one colour. `None` for a solid of no body.
     pub body: Option<usize>,
-    /// The point at which it rolls or slides, if its radius is how far that is from its middle and not what a file says.
+    /// Index of the point at which it rolls or slides, if that point's distance gives its radius. `None` if the file
+    /// does.
     pub touches: Option<usize>,
-    /// What it is like.
+    /// Shape and place of the solid.
     pub form: Form,
 }
 
-/// What a solid is like. Lengths are in m.
+/// Shape and place of a solid. Lengths are in m.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
-    /// A ball about a point, fixed in a frame so that its turning is seen.
+    /// A ball about a point, fixed in a frame so that its turning can be seen.
     Sphere {
-        /// Where.
+        /// Place of the centre and the axes.
         at: Place,
-        /// Its radius.
+        /// Radius, m.
         radius: f64,
     },
-    /// A cylinder about axis 3 of where it is.
+    /// A cylinder about axis 3 of its place.
     Cylinder {
-        /// Where.
+        /// Place of the centre and the axes.
         at: Place,
-        /// Its radius.
+        /// Radius, m.
         radius: f64,
-        /// Its length along the axis.
+        /// Length along the axis, m.
         length: f64,
     },
-    /// A box along the axes of where it is.
+    /// A box along the axes of its place.
     Box {
-        /// Where.
+        /// Place of the centre and the axes.
         at: Place,
-        /// Its three edges.
+        /// Lengths of the edges along the three axes, m.
         size: Triple,
     },
-    /// A rod from one point to another, however these move.
+    /// A rod from one point to another, also if their distance changes.
     Rod {
-        /// The points.
+        /// Indices of the two points.
         ends: [usize; 2],
-        /// Its radius.
+        /// Radius, m.
         radius: f64,
     },
-    /// A coil from one point to another, as it is stretched.
+    /// A coil from one point to another, as long as their distance.
     Spring {
-        /// The points.
+        /// Indices of the two points.
         ends: [usize; 2],
     },
-    /// A plane across axis 3 of where it is, without an edge.
+    /// An unbounded plane, perpendicular to axis 3 of its place.
     Ground {
-        /// Where.
+        /// Place of a point of the plane and of its axes.
         at: Place,
     },
 }
 
-/// Where a solid is.
+/// Position and attitude of a solid, fixed in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// The frame that it is fixed in.
+    /// Index of the frame in which it is fixed.
     pub frame: usize,
-    /// The point that its middle is told from.
+    /// Index of the point from which its centre is measured.
     pub point: usize,
-    /// Where its middle is from there, in the frame, m.
+    /// Position of its centre from the point, in the frame, m.
     pub position: Triple,
-    /// How its axes are turned from those of the frame.
+    /// Rotation of its axes from those of the frame.
     pub turned: Quaternion,
 }
 
 impl Place {
-    /// With its middle in a point and along the axes of a frame.
+    /// Place with its centre in a point and along the axes of a frame.
     #[must_use]
     pub fn at(frame: usize, point: usize) -> Self {
         Self { frame, point, position: [0.0; 3], turned: [1.0, 0.0, 0.0, 0.0] }
@@ -82,7 +83,7 @@ impl Place {
 }
 
 impl Form {
-    /// The points that it is at or goes through.
+    /// Indices of the points that the form is placed from or ends in.
     #[must_use]
     pub fn points(&self) -> Vec<usize> {
         match self {
@@ -93,7 +94,7 @@ impl Form {
         }
     }
 
-    /// What it is called in a sentence.
+    /// Noun for the form in a sentence.
     #[must_use]
     pub fn noun(&self) -> &'static str {
         match self {
@@ -108,7 +109,7 @@ impl Form {
         }
     }
 
-    /// How far it reaches from its place at most.
+    /// Greatest distance from its place to its surface, m.
     #[must_use]
     pub fn reach(&self) -> f64 {
         match self {

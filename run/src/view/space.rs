@@ -1,12 +1,12 @@
 //! Vectors and rotations.
 
-/// Three components, m or none.
+/// Components of a vector, in m or without a unit.
 pub type Triple = [f64; 3];
 
 /// Rows of a rotation matrix: (components in one frame) = rotation · (components in another).
 pub type Rotation = [Triple; 3];
 
-/// A rotation by Euler parameters: cos θ/2 first, then the axis times sin θ/2.
+/// Euler parameters of a rotation: cos θ/2 first, then the axis times sin θ/2.
 pub type Quaternion = [f64; 4];
 
 pub(crate) const IDENTITY: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -23,7 +23,7 @@ pub(crate) fn minus(a: Triple, b: Triple) -> Triple {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// a + k b.
+/// Vector sum a + k b.
 pub(crate) fn plus(a: Triple, k: f64, b: Triple) -> Triple {
     [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]]
 }
@@ -32,18 +32,18 @@ pub(crate) fn length(a: Triple) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// The direction of a vector; nothing of one that has none.
+/// Direction of a vector, of length 1; `None` for a vector of length zero.
 pub(crate) fn unit(a: Triple) -> Option<Triple> {
     let size = length(a);
     (size > 0.0 && size.is_finite()).then(|| a.map(|x| x / size))
 }
 
-/// R v.
+/// Product R v of a rotation and a vector.
 pub(crate) fn rotated(r: &Rotation, v: Triple) -> Triple {
     [dot(r[0], v), dot(r[1], v), dot(r[2], v)]
 }
 
-/// Rᵀ v.
+/// Product Rᵀ v of the inverse rotation and a vector.
 pub(crate) fn rotated_back(r: &Rotation, v: Triple) -> Triple {
     rotated(&transposed(r), v)
 }
@@ -52,7 +52,7 @@ pub(crate) fn transposed(r: &Rotation) -> Rotation {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| r[j][i]))
 }
 
-/// A B.
+/// Matrix product A B.
 pub(crate) fn product(a: &Rotation, b: &Rotation) -> Rotation {
     let columns = transposed(b);
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| dot(a[i], columns[j])))
@@ -67,9 +67,10 @@ pub(crate) fn about(axis: usize, angle: f64) -> Rotation {
     r
 }
 
-/// The Euler parameters of a rotation, the first of them not negative.
+/// Euler parameters of a rotation, the first of them not negative.
 ///
-/// S. W. Shepperd, Quaternion from rotation matrix, *Journal of Guidance and Control* 1 (1978) 223-224: by the largest of the four.
+/// Divides by the largest of the four (S. W. Shepperd, Quaternion from rotation matrix, *Journal of Guidance and
+/// Control* 1 (1978) 223-224).
 #[must_use]
 pub fn quaternion(r: &Rotation) -> Quaternion {
     let trace = r[0][0] + r[1][1] + r[2][2];
@@ -102,7 +103,8 @@ pub(crate) fn along(axis: Triple) -> Rotation {
 mod tests {
     use super::{about, product, quaternion, rotated};
 
-    /// Goal: Euler parameters are those of the turn, also of more than half of one. Method: q v q* against R v, with R of three turns.
+    /// Goal: Euler parameters describe the same turn as their matrix, also beyond half a turn. Method: q v q* against R
+    /// v, with R of three turns.
     #[test]
     fn euler_parameters_turn_as_their_rotation() {
         for step in 0..40 {

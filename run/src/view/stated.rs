@@ -8,13 +8,13 @@ use crate::mechanism::Mechanism;
 use tripos_derive::algebra::Expr;
 use tripos_derive::model::{Shape, ShapeForm};
 
-/// How thin a disk is whose thickness nobody says, and a line, of its radius and of its length.
+/// Thickness of a disk without a stated one, relative to its radius.
 const THIN: f64 = 0.04;
 
 /// The solids of `[shapes]` at these parameters.
 ///
 /// # Errors
-/// [`Error::Request`] if a length is nothing there.
+/// [`Error::Request`] if a length is not positive there.
 pub fn solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, Error> {
     let mut list = Vec::new();
     for shape in &mechanism.shapes {
@@ -28,8 +28,8 @@ pub fn solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, E
     Ok(list)
 }
 
-/// The terms that say where each solid of `[shapes]` stands in its frame and how large it is, with what each says: `position`, `size`,
-/// three times each, `radius` and `length`. What the file does not say is not among them.
+/// Terms that place and size each solid of `[shapes]`, each with its key. The keys `position` and `size` occur three
+/// times each, `radius` and `length` once. Values that the file does not give are left out.
 #[must_use]
 pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
     let of = |shape: &Shape| {
@@ -47,7 +47,7 @@ pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
     mechanism.shapes.iter().flat_map(of).collect()
 }
 
-/// Refuses lengths that are nothing.
+/// Refuses lengths that are not positive and finite.
 fn check(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(), Error> {
     for (key, length) in shape.form.lengths() {
         let value = values(mechanism, parameters, &[length], "a shape")?[0];
@@ -82,7 +82,7 @@ fn forms(mechanism: &Mechanism, parameters: &[f64], shape: &Shape, at: Place) ->
     })
 }
 
-/// With axis 3 where an axis of the frame is: the axes in their order.
+/// Place with axis 3 along this axis of the frame. The axes keep their cyclic order.
 fn turned(at: Place, axis: usize) -> Place {
     let mut columns: Rotation = [[0.0; 3]; 3];
     for (column, row) in [(0, (axis + 1) % 3), (1, (axis + 2) % 3), (2, axis)] {

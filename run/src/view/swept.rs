@@ -1,9 +1,9 @@
-//! What is measured of many poses: how far points are apart, and the plane that they stay in.
+//! Measures of many poses: the greatest distance of points, and the plane in which they stay.
 
 use super::pose::Pose;
 use super::space::{IDENTITY, Triple, length, minus};
 
-/// The greatest distance of two of these points at one instant, m, of some.
+/// Greatest distance of two of these points at one instant, m, over a selection of the poses.
 pub(super) fn diameter(poses: &[Pose], points: &[usize]) -> f64 {
     let mut most: f64 = 0.0;
     for pose in spread(poses, 16) {
@@ -17,12 +17,12 @@ pub(super) fn diameter(poses: &[Pose], points: &[usize]) -> f64 {
     most
 }
 
-/// Some of many, evenly, the first among them.
+/// Selects at most `count` poses, evenly spaced, the first among them.
 pub(super) fn spread(poses: &[Pose], count: usize) -> impl Iterator<Item = &Pose> {
     poses.iter().step_by(poses.len().div_ceil(count).max(1))
 }
 
-/// The normal of a plane across an inertial axis that each of these points stays in.
+/// Normal of a plane across an inertial axis in which each of these points stays; `None` if there is none.
 pub(super) fn plane(poses: &[Pose], points: &[usize], size: f64) -> Option<Triple> {
     let stays = |axis: usize| {
         let moves = |point: &usize| {
@@ -31,7 +31,7 @@ pub(super) fn plane(poses: &[Pose], points: &[usize], size: f64) -> Option<Tripl
                 poses.iter().map(of).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
             high - low > 1e-6 * size
         };
-        // What turns does so about the normal, or across it as a spindle does.
+        // A frame must turn only about the normal, or keep its attitude.
         let turns = |frame: &usize| poses.iter().any(|pose| pose.rotations[*frame][axis][axis].abs() < 1.0 - 1e-6);
         let frames: Vec<usize> = (0..poses.first().map_or(0, |pose| pose.rotations.len())).collect();
         let still = frames.iter().filter(|frame| turns(frame)).all(|frame| is_still(poses, *frame));

@@ -1,4 +1,4 @@
-//! Impacts that lose nothing.
+//! Impacts without loss of energy.
 
 use super::{Mechanism, Random, mechanism};
 use crate::impacts::scene;
@@ -15,12 +15,13 @@ fn touching(random: &mut Random) -> Mechanism {
     made
 }
 
-/// Goal: what is elastic loses nothing, whatever meets. Method: impacts of up to five bodies, which touch at up to four places, against impulses of a dense linear system in
-/// the rates of all bodies, and the energy after against that before.
+/// Goal: elastic impacts lose no energy, in any configuration. Method: impacts of up to five bodies, which touch at up
+/// to four places, against impulses of a dense linear system in the rates of all bodies. The energies before and after
+/// are compared.
 #[test]
 fn elastic_impacts_of_random_bodies_keep_energy_to_rounding() {
     let (mut hits, mut bad) = (0, Vec::new());
-    // Two of which the gaps are closed to rounding of lengths alone, and one whose next impact is soon.
+    // Two seeds have gaps closed only to rounding of lengths, and one has another impact soon after.
     for seed in (0..60 * times() as u64).chain([488, 521, 779]) {
         let made = touching(&mut Random::new(seed));
         let (model, text) = made.text(1e-3);
@@ -29,7 +30,7 @@ fn elastic_impacts_of_random_bodies_keep_energy_to_rounding() {
         if velocities.iter().all(|v| *v >= 0.0) {
             continue;
         }
-        // Between two walls that it touches both a body has no motion.
+        // A body between two walls that it touches both has no motion.
         let Ok(truth) = made.world.hit(&made.start, &closed) else { continue };
         hits += 1;
         let (before, after) = (made.world.energy(&made.start), made.world.energy(&truth));
@@ -79,8 +80,9 @@ first = { point = "A", mass = "m" }
 second = { point = "B", mass = "m" }
 "#;
 
-/// Goal: rounding refuses no elastic impact, in the run or in the second one that tells its errors. Truth: equal balls change their velocities; at a wall that the second touches, both at once, the first comes back and the
-/// second stays, by either law.
+/// Goal: rounding does not lead to the refusal of an elastic impact, in the run or in the second one that gives its
+/// errors. Truth: equal balls exchange their velocities. At a wall that the second touches, both hit at once, the first
+/// comes back and the second stays, by either law.
 #[test]
 fn equal_balls_change_their_velocities_and_come_back_from_a_wall() {
     let ends = |text: &str, truth: [f64; 2]| {
@@ -105,7 +107,8 @@ fn equal_balls_change_their_velocities_and_come_back_from_a_wall() {
     }
 }
 
-/// Goal: impacts at one instant that follow one another keep energy as well. Truth: of three equal balls that touch the first comes at 1 m/s while the third leaves at 0.4: the first two change their velocities, then the second, at
+/// Goal: impacts at one instant that follow one another keep energy as well. Truth: of three equal balls that touch,
+/// the first comes at 1 m/s while the third leaves at 0.4. The first two exchange their velocities, then the second, at
 /// 1, and the third do; the first stays.
 #[test]
 fn what_leaves_is_hit_after_what_it_leaves() {

@@ -1,4 +1,4 @@
-//! Contacts that are held where nothing presses them, or where a gap and a slip are one motion.
+//! Contacts held although nothing presses them, and contacts with gap and slip in one motion.
 
 use super::world::{Body, Contact, Pin, World};
 use crate::impacts::scene;
@@ -37,12 +37,13 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-/// Goal: what slides along a wall that nothing presses it to goes on, up and down again. Truth: the centre of a free body flies along a parabola to the wall, where with e = 0 its velocity across is gone and friction takes μ times as much of
-/// that along, or all of it; from there it falls, at the wall or beside it.
+/// Goal: a body that slides along a wall without being pressed goes on, up and down again. Truth: the centre of a free
+/// body flies along a parabola to the wall. There, with e = 0, its velocity across is lost. Friction takes μ times as
+/// much of the velocity along the wall, or all of it. From there it falls, at the wall or beside it.
 #[test]
 fn what_slides_along_a_wall_without_a_force_goes_on_both_ways() {
     for (mu, rise) in [(0.0, 0.5), (0.2, 1.5), (0.2, -1.0), (0.9, 0.3), (0.9, 2.5)] {
-        // The turntable turns: places in it are those of a body that flies straight on outside.
+        // The turntable turns. In it, places are those of a body that flies straight on outside.
         let (angle, omega, own, spin) = (-0.47_f64, -0.52, -0.73_f64, -0.81);
         let (place, velocity) = ([0.3, -0.1], [0.9, rise]);
         let turned = |v: [f64; 2], a: f64| [a.cos() * v[0] - a.sin() * v[1], a.sin() * v[0] + a.cos() * v[1]];
@@ -95,8 +96,9 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-/// Goal: a lever that comes down on a wall, where its point can neither slip nor open but by turning back, is held there as long as it is pressed, whatever friction. Truth: the simulation of this folder, to where the lever opens if it does: a gap
-/// that is held by the friction of one way.
+/// Goal: a lever that comes down on a wall is held there while it is pressed, whatever the friction. Its point can slip
+/// or open only by turning back. Truth: the simulation of this folder, up to the opening of the lever if it opens: a
+/// gap that is held by the friction of one way.
 #[test]
 fn a_lever_rests_on_a_wall_as_long_as_it_is_pressed() {
     for (mu, q2) in [(0.9, 0.35_f64), (0.3, 0.35)] {

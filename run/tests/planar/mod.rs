@@ -7,7 +7,7 @@ mod world;
 use std::fmt::Write as _;
 use world::{Body, Contact, Pin, State, World};
 
-/// Numbers from a seed.
+/// Pseudorandom numbers from a seed.
 pub struct Random(u64);
 
 impl Random {
@@ -17,7 +17,7 @@ impl Random {
         own
     }
 
-    /// From 0 to 1.
+    /// Next number from 0 to 1.
     pub fn part(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
@@ -37,18 +37,18 @@ impl Random {
     }
 }
 
-/// A mechanism, for Tripos and for the simulation beside it.
+/// Random mechanism, for Tripos and for the independent simulation.
 pub struct Mechanism {
     pub world: World,
     pub start: State,
     pub model: String,
-    /// What `[start]` states.
+    /// Contents of the table `[start]`.
     pub stated: String,
-    /// Coordinates, each with its place among those of the bodies.
+    /// Coordinates, each with its index among those of the bodies.
     pub coordinates: Vec<(String, usize)>,
 }
 
-/// Bodies, each free, pinned to the ground, or pinned to the one before.
+/// Random bodies, each free, pinned to the ground, or pinned to the one before.
 pub fn mechanism(random: &mut Random, count: usize) -> Mechanism {
     let mut world = World { bodies: Vec::new(), pins: Vec::new(), contacts: Vec::new(), gravity: 9.81, poisson: false };
     let (mut places, mut rates) = (Vec::new(), Vec::new());
@@ -82,7 +82,7 @@ pub fn mechanism(random: &mut Random, count: usize) -> Mechanism {
             rates.extend([velocity[0], velocity[1], omega]);
             continue;
         }
-        // The centre from the pin, and the pin from the centre of what it is on.
+        // The vector from the pin to the centre, and the place of the pin on the body before.
         let (arm, there) = (random.pair(0.5), random.pair(0.5));
         let (from, frame) = to.map_or(("O".to_owned(), "N".to_owned()), |to| (format!("C{to}"), format!("F{to}")));
         _ = writeln!(
@@ -135,7 +135,7 @@ pub fn mechanism(random: &mut Random, count: usize) -> Mechanism {
 }
 
 impl Mechanism {
-    /// Adds a point of a body, and a wall, or a point of another body, that it is so far from.
+    /// Adds a point of a body, and a wall, or a point of another body, at this distance.
     pub fn meets(&mut self, random: &mut Random, (gap, mu, e): (f64, f64, f64)) {
         let count = self.world.bodies.len();
         let (body, at, angle) = (random.below(count), random.pair(0.5), random.between(-3.1, 3.1));
@@ -167,7 +167,7 @@ impl Mechanism {
         self.world.contacts.push(contact);
     }
 
-    /// The model and the scene, for Tripos.
+    /// Texts of the model and the scene, for Tripos.
     pub fn text(&self, span: f64) -> (String, String) {
         let mut scene = format!(
             "span = [0, {span:?}]\n[start]\n{}[integration]\nmethod = \"dop853\"\nrtol = 1e-11\natol = 1e-12\n",

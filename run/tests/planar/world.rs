@@ -1,10 +1,11 @@
-//! Rigid bodies in a plane, with pins, and points that meet walls with Coulomb friction, computed without Tripos.
+//! Simulation, without Tripos, of rigid bodies in a plane, with pins, and points that meet walls with Coulomb friction.
 //!
-//! Every body has its place, its angle and their rates; pins and contacts are rows of one dense linear system of the laws of Newton and Euler. Steps are short
-//! and of one length, by the classical method of Runge; where something changes inside one it is bisected. What contacts do is found by trying all
-//! combinations, each a little later as well: of those that agree with Coulomb's law at the instant that one is right which still does shortly after.
+//! Every body has its place, its angle and their rates. Pins and contacts are rows of one dense linear system of the
+//! laws of Newton and Euler. Steps are short and of equal length, by the classical method of Runge; changes inside a
+//! step are found by bisection. The modes of contacts are found by trying all combinations, also a little later. Of
+//! those that agree with Coulomb's law at the instant, the right one still agrees shortly after.
 
-/// What a contact does.
+/// Mode of a contact: open, sticking, or slipping with this sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Does {
     Open,
@@ -27,7 +28,8 @@ pub struct Pin {
     pub there: [f64; 2],
 }
 
-/// A point p of a body and a wall: the gap is normal · p − offset; or, with the point r of another body, normal · (p − r) − offset.
+/// Contact of a point p of a body with a wall: the gap is normal · p − offset. With the point r of another body it is
+/// normal · (p − r) − offset.
 #[derive(Clone, Debug)]
 pub struct Contact {
     pub body: usize,
@@ -35,7 +37,7 @@ pub struct Contact {
     pub other: Option<(usize, [f64; 2])>,
     pub normal: [f64; 2],
     pub offset: f64,
-    /// No friction if it is 0.
+    /// Coefficient of friction; 0 for none.
     pub mu: f64,
     pub e: f64,
 }
@@ -52,16 +54,17 @@ pub struct World {
 /// Places and angles of all bodies, then their rates.
 pub type State = Vec<f64>;
 
-/// What happened: when, to which contact, and what it does from there on.
+/// Change of a contact: its instant, s, its contact's index and its new mode.
 pub type Told = (f64, usize, Does);
 
-/// A row of the linear system: slopes by rates of the bodies, and what its rate has without their accelerations.
+/// Row of the linear system: slopes by rates of the bodies, and the part of its rate without their accelerations.
 struct Row {
     slopes: Vec<f64>,
     bias: f64,
 }
 
-/// Velocities along normals and along contacts that impulses take away, impulses along normals that are given, and contacts that push no more than that.
+/// Impulse data: velocities along normals and along contacts that impulses take away, given impulses along normals, and
+/// contacts that push no more than given.
 struct Blow<'b> {
     taken: Vec<f64>,
     given: &'b [f64],
@@ -70,19 +73,19 @@ struct Blow<'b> {
 
 /// The length of a step, s.
 const STEP: f64 = 1e-3;
-/// What is nothing.
+/// Size below which a velocity or force counts as zero.
 const NOTHING: f64 = 1e-9;
-/// How far ahead modes must still agree, s.
+/// Time ahead at which modes must still agree, s.
 const AHEAD: f64 = 1e-6;
 
 impl World {
-    /// Where a point of a body is.
+    /// Position of a point of a body.
     pub fn place(y: &[f64], body: usize, at: [f64; 2]) -> [f64; 2] {
         let (sin, cos) = y[3 * body + 2].sin_cos();
         [y[3 * body] + cos * at[0] - sin * at[1], y[3 * body + 1] + sin * at[0] + cos * at[1]]
     }
 
-    /// The velocity of a point of a body along a direction, as a row.
+    /// Row for the velocity of a point of a body along a direction.
     fn along(&self, y: &[f64], body: usize, at: [f64; 2], direction: [f64; 2]) -> Row {
         let count = 3 * self.bodies.len();
         let (sin, cos) = y[3 * body + 2].sin_cos();
@@ -155,8 +158,8 @@ impl World {
         self.bodies.iter().enumerate().map(of).sum()
     }
 
-    /// The accelerations of the bodies and what contacts exert that do this, (normal, along) each; changes of velocities and impulses in an impact. Nothing if it is not
-    /// determined.
+    /// Accelerations of the bodies and forces of contacts in these modes, as (normal, along) each. In an impact,
+    /// changes of velocities and impulses. `None` if they are not determined.
     fn solve(&self, y: &[f64], does: &[Does], impact: Option<&Blow<'_>>) -> Option<(Vec<f64>, Vec<[f64; 2]>)> {
         let count = 3 * self.bodies.len();
         let pins = self.pins(y);
@@ -225,7 +228,7 @@ impl World {
         Some((0..y.len()).map(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i])).collect())
     }
 
-    /// By how much each contact is as it must be to do this: below 0 it is not; with what it does to it.
+    /// Margins of each contact's mode; below 0 the mode is impossible. `None` if forces are not determined.
     fn margins(&self, y: &[f64], does: &[Does]) -> Option<Vec<f64>> {
         let (_, forces) = self.solve(y, does, None)?;
         let margin = |at: usize| match does[at] {
@@ -237,7 +240,7 @@ impl World {
         Some((0..does.len()).map(margin).collect())
     }
 
-    /// All combinations of what contacts may do of which each has these choices.
+    /// All combinations in which each contact has one of its own choices.
     fn all<T: Copy>(choices: &[Vec<T>]) -> Vec<Vec<T>> {
         let mut list: Vec<Vec<T>> = vec![Vec::new()];
         for own in choices {
@@ -246,7 +249,8 @@ impl World {
         list
     }
 
-    /// What contacts do from a state on, of which these are closed and at rest along their normals. Several that move differently, or none, are an error.
+    /// Modes of contacts from a state on. These contacts are closed and at rest along their normals. Several modes that
+    /// move differently, or none, are an error.
     pub fn decide(&self, y: &[f64], closed: &[bool]) -> Result<Vec<Does>, String> {
         let choices = |at: usize| -> Vec<Does> {
             let slip = self.velocity(y, at)[1];
@@ -279,7 +283,7 @@ impl World {
         Ok(first.clone())
     }
 
-    /// The state after impacts of contacts that are closed. Several, or none, are an error.
+    /// State after impacts of closed contacts. Several, or none, are an error.
     pub fn hit(&self, y: &[f64], closed: &[bool]) -> Result<State, String> {
         let before: Vec<[f64; 2]> = (0..closed.len()).map(|at| self.velocity(y, at)).collect();
         let nothing = vec![0.0; closed.len()];
@@ -288,7 +292,7 @@ impl World {
             let back: Vec<f64> = (0..closed.len()).map(|at| self.contacts[at].e * impulses[at][0]).collect();
             return Ok(self.pushed(&pressed, closed, &nothing, &back)?.0);
         }
-        // By Newton's law what opens takes no part, until an impact closes it.
+        // By Newton's law an opening contact takes no part, until an impact closes it.
         let (mut after, mut before) = (y.to_vec(), before);
         for _ in 0..50 {
             let hit: Vec<bool> = (0..closed.len()).map(|at| closed[at] && before[at][0] <= NOTHING).collect();
@@ -303,7 +307,8 @@ impl World {
         Err("impacts without end".to_owned())
     }
 
-    /// The state after impulses that leave normal velocities at `wanted` at least, with these more along normals, and all impulses along contacts.
+    /// State after impulses that leave normal velocities of at least `wanted`, with these given impulses along normals.
+    /// Also returns all impulses along contacts.
     fn pushed(
         &self,
         y: &[f64],
@@ -334,7 +339,7 @@ impl World {
         if found.iter().any(|one| apart(&one)) { Err("several impulses".to_owned()) } else { Ok(first) }
     }
 
-    /// What impulses of one combination do, if it agrees with the laws.
+    /// State and impulses of one combination; `None` if it contradicts the laws.
     fn blow(
         &self,
         y: &[f64],
@@ -390,7 +395,7 @@ impl World {
         Some(after)
     }
 
-    /// From a state over a time: the state then, and what happened.
+    /// Runs from a state over a time. Returns the final state and the changes of contacts.
     pub fn run(&self, y: &[f64], span: f64) -> Result<(State, Vec<Told>), String> {
         let (mut t, mut y, mut list) = (0.0, y.to_vec(), Vec::new());
         let count = self.contacts.len();
@@ -401,7 +406,7 @@ impl World {
             let next = self.stepped(&y, &does, h).ok_or("no motion")?;
             let is_fine = |y: &[f64]| -> Result<bool, String> {
                 let margins = self.margins(y, &does).ok_or("no forces")?;
-                // What opens or begins to slip is at zero there; a gap that has just opened is as well.
+                // An opening or newly slipping contact has margin zero there, and so does a gap that has just opened.
                 Ok(margins.iter().all(|margin| *margin >= -1e-12))
             };
             if is_fine(&next)? {
@@ -429,7 +434,7 @@ impl World {
         Ok((y, list))
     }
 
-    /// What follows where something changes.
+    /// State after a change and the modes of the contacts from there on.
     fn changed(&self, y: &[f64], does: &[Does]) -> Result<(State, Vec<Does>), String> {
         let is_closed = |at: usize| does[at] != Does::Open || self.gap(y, at) <= 1e-10;
         let closed: Vec<bool> = (0..does.len()).map(is_closed).collect();
@@ -445,12 +450,13 @@ impl World {
     }
 }
 
-/// Puts what a force along a row does to the bodies into its column of a system.
+/// Enters the effect on the bodies of a force along a row into its column of a system.
 fn exerts(a: &mut [Vec<f64>], row: &Row, column: usize) {
     a.iter_mut().zip(&row.slopes).for_each(|(to, slope)| to[column] = -slope);
 }
 
-/// The solution of a system with its right side as last column, by elimination with pivots of whole columns and rows; nothing if it is singular.
+/// Solves a system with its right side as last column, by elimination with pivots from whole columns and rows. `None`
+/// if it is singular.
 fn eliminated(mut a: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let n = a.len();
     let mut columns: Vec<usize> = (0..n).collect();

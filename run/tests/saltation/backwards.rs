@@ -1,4 +1,4 @@
-//! Gradients through impacts: against closed forms, and as derivatives carried forwards.
+//! Gradients through impacts, against closed forms and derivatives carried forwards.
 
 use super::{FINE, Planted, difference, how, truth};
 use crate::impacts::{PLANE, block, scene as scene_of};
@@ -7,8 +7,9 @@ use crate::sensitivity::near;
 use tripos::sensitivity::gradient::Slope;
 use tripos::{At, Overrides, Scene};
 
-/// Holds that the gradients of what a scene shows under these names are what derivatives forwards are, by all numbers of the scene, to what both state; that where there is none of one there is none of the other, for the
-/// same reason; and that the run is that without.
+/// Checks that gradients of the quantities of these names agree with forward derivatives, by all numbers of the scene,
+/// within the stated errors. Where one of them is missing the other is missing too, for the same reason. The run equals
+/// the one without derivatives.
 pub fn is_forwards(scene: &Scene, shown: &[&str], how: &Overrides) {
     for of in shown {
         let found = scene.gradient(of, how).unwrap_or_else(|error| panic!("{of}: {error}"));
@@ -48,7 +49,8 @@ pub fn is_forwards(scene: &Scene, shown: &[&str], how: &Overrides) {
     }
 }
 
-/// Goal: height and speed of a ball after its bounces, by all that they depend on. Truth: the closed form in 32 digits, at 12 plantings, by either law, all formulations and all methods that are swept.
+/// Goal: height and speed of a ball after its bounces, by all numbers that they depend on. Truth: the closed form in 32
+/// digits, at 12 random points, by either law, all formulations and all methods with a sweep.
 #[test]
 fn a_ball_has_the_gradient_of_its_closed_form_through_its_bounces() {
     let mut planted = Planted(17);
@@ -80,7 +82,8 @@ fn a_ball_has_the_gradient_of_its_closed_form_through_its_bounces() {
     }
 }
 
-/// Goal: what accumulates and comes to rest, what is held and leaves, what goes through a row, what lands: backwards as forwards, with reasons where there is no derivative.
+/// Goal: bodies that come to rest after bounces, that are held and leave, that pass impacts through a row, or that
+/// land: backwards as forwards, with reasons where there is no derivative.
 #[test]
 fn a_gradient_through_contacts_is_what_derivatives_forwards_are() {
     let plain = how("kane", "dop853");
@@ -112,7 +115,8 @@ fn a_gradient_through_contacts_is_what_derivatives_forwards_are() {
     }
 }
 
-/// Goal: a mechanism with a loop that hits a stop, and a block that rocks from corner to corner, whose corners do not slip: in speeds and in all rates. Truth: differences of whole runs; backwards as forwards.
+/// Goal: a mechanism with a loop that hits a stop, and a block that rocks from corner to corner without slipping, in
+/// speeds and in all rates. Truth: differences of whole runs; backwards as forwards.
 #[test]
 fn loops_and_contacts_that_do_not_slip_are_differentiated_in_speeds_and_in_rates() {
     let crank = format!(
@@ -143,7 +147,8 @@ fn loops_and_contacts_that_do_not_slip_are_differentiated_in_speeds_and_in_rates
     }
 }
 
-/// Goal: an event that ends a run between bounces, whose instant moves. Truth: after one bounce a ball that fell from h over a floor at L is highest at t = √(2 (h − L)/g) (1 + 2 c) with c = e², at L + c² (h − L) more.
+/// Goal: an event ends a run between bounces, and its instant moves. Truth: after one bounce a ball that fell from h
+/// over a floor at L is highest at t = √(2 (h − L)/g) (1 + 2 c) with c = e², at L + c² (h − L) more.
 #[test]
 fn an_event_after_a_bounce_moves_with_every_number() {
     let (g, e, h, floor) = (8.0_f64, 0.75_f64, 1.5_f64, 0.25_f64);

@@ -1,4 +1,4 @@
-//! Balls that bounce, roll on as they touch, or lie on a plate that moves.
+//! Balls that bounce, roll on as they touch, or lie on a moving plate.
 
 use super::{FINE, Planted, Wide, how, off, truth, wide};
 use crate::impacts::scene as scene_of;
@@ -40,7 +40,8 @@ pub fn ball(values: &[f64], end: f64, law: &str) -> String {
     )
 }
 
-/// Height and speed at an instant of a ball that is thrown up with w from h, over a floor at L which gives back e² of its speed; and when it met the floor.
+/// Height and speed at an instant of a ball that is thrown up with w from h, over a floor at L that gives back e² of
+/// its speed; and the instants of its impacts.
 pub fn bounced(numbers: &[Wide], t: f64) -> (Vec<Wide>, Vec<Wide>) {
     let [g, e, h, w, floor] = numbers[..] else { panic!("five") };
     let (half, mut from, mut z, mut w) = (wide(0.5), wide(0.0), h, w);
@@ -56,8 +57,9 @@ pub fn bounced(numbers: &[Wide], t: f64) -> (Vec<Wide>, Vec<Wide>) {
     }
 }
 
-/// Goal: height and speed after bounces, and the instants of these, by all that they depend on: gravity, a restitution that is a formula, height and speed at the start, the floor's height. Truth: the closed
-/// form, at 24 plantings, by either law, all formulations and most methods.
+/// Goal: height and speed after bounces, and the instants of these, by all numbers that they depend on. These are
+/// gravity, a restitution that is a formula, height and speed at the start, and the floor's height. Truth: the closed
+/// form, at 24 random points, by either law, all formulations and most methods.
 #[test]
 fn a_ball_is_differentiated_through_its_bounces() {
     let (mut planted, mut bounces) = (Planted(3), 0);
@@ -93,7 +95,8 @@ fn a_ball_is_differentiated_through_its_bounces() {
     assert!(bounces > 30, "{bounces}");
 }
 
-/// Goal: samples around an impact have the slopes of their own flight; a run with derivatives is that without, bit by bit, through impacts, forces that hold and jumps.
+/// Goal: samples around an impact have the slopes of their own flight. A run with derivatives equals the one without,
+/// bit by bit, through impacts, held contacts and jumps.
 #[test]
 fn a_bouncing_run_with_derivatives_is_the_run_without() {
     let values = [10.0, 0.75, 1.0, 0.0, 0.0];
@@ -129,7 +132,8 @@ fn a_bouncing_run_with_derivatives_is_the_run_without() {
     }
 }
 
-/// A ball against a wall at L, and no gravity: x = L − e v (t − L/v), so dx/dL = 1 + e, dx/de = L − v t, dx/dv = −e t.
+/// Truth: a ball against a wall at L, without gravity: x = L − e v (t − L/v), so dx/dL = 1 + e, dx/de = L − v t, dx/dv
+/// = −e t.
 #[test]
 fn a_ball_thrown_against_a_wall_comes_back_as_it_must() {
     let text = format!(
@@ -145,7 +149,8 @@ fn a_ball_thrown_against_a_wall_comes_back_as_it_must() {
     near(found.of("v", "v").unwrap(), -0.5, 1e-13, "the speed by the speed");
 }
 
-/// A ball that lies on a plate which moves as A sin(k t): it is held, leaves where A k² sin(k t) = g, and flies.
+/// Contact of a ball that lies on a plate, which moves as A sin(k t). The ball leaves where A k² sin(k t) = g, and
+/// flies.
 pub const PLATE: &str = "[impacts.plate]\ngap = \"p(P) @ N [3] - p(S) @ N [3]\"\nrestitution = 0\n";
 
 pub fn plate() -> String {
@@ -153,7 +158,9 @@ pub fn plate() -> String {
     model.replace("L = {", "A = { unit = \"m\", value = 0.1 }\nk = { unit = \"1/s\", value = 12 }\nL = {")
 }
 
-/// Goal: a force that holds a contact, and the instant at which it no longer pushes. Truth: the ball goes with the plate until sin(k t) = g/(A k²), which is before the plate is highest, and from there along a parabola.
+/// Goal: the force of a held contact and the instant at which it no longer pushes are differentiated. Truth: the ball
+/// goes with the plate until sin(k t) = g/(A k²), which is before the plate is highest, and from there along a
+/// parabola.
 #[test]
 fn a_ball_that_leaves_a_plate_is_differentiated_by_the_force_that_held_it() {
     let closed = |numbers: &[Wide]| {
@@ -213,8 +220,10 @@ b = { point = "B", mass = "m2" }
 c = { point = "C", mass = "m3" }
 "#;
 
-/// Goal: several contacts that push together, with impulses that masses and restitutions share out. Truth: G Λ = (v₁ (1 + e), 0) by Newton's law with both contacts pushing, G = [[1/m₁ + 1/m₂, −1/m₂], [−1/m₂, 1/m₂ +
-/// 1/m₃]]; by Poisson's Λ = (1 + e) of the compression, which is the same here. And by the place of one of the touching balls there is no derivative.
+/// Goal: several contacts push together, with impulses that masses and restitutions share out. Truth: G Λ = (v₁ (1 +
+/// e), 0) by Newton's law with both contacts pushing, G = [[1/m₁ + 1/m₂, −1/m₂], [−1/m₂, 1/m₂ + 1/m₃]]. By Poisson's
+/// law Λ = (1 + e) times that of the compression, which is the same here. There is no derivative by the place of one of
+/// the touching balls.
 #[test]
 fn an_impact_that_goes_through_a_row_is_differentiated() {
     let names = ["m1", "m2", "m3", "e", "u1", "x1"];
@@ -246,7 +255,8 @@ fn an_impact_that_goes_through_a_row_is_differentiated() {
     }
 }
 
-/// Goal: bounces that accumulate end in rest: height and speed depend on nothing any more, and what goes on beside does as before. Truth: z = L and w = 0; x = v t.
+/// Goal: bounces that accumulate end in rest. Height and speed then depend only on the floor, and independent motions
+/// go on as before. Truth: z = L and w = 0; x = v t.
 #[test]
 fn bounces_without_end_leave_what_is_at_rest_with_its_derivatives() {
     let scene = scene_of(BALL, &ball(&[10.0, 0.625, 1.0, 0.0, 0.25], 3.0, "newton"));
@@ -257,7 +267,7 @@ fn bounces_without_end_leave_what_is_at_rest_with_its_derivatives() {
         near(found.of("w", by).unwrap(), 0.0, 1e-9, by);
         near(found.of("x", by).unwrap(), x, 1e-12, by);
     }
-    // T = t₁ (1 + e²)/(1 − e²), t₁ = √(2 (h − L)/g): by g it moves by −T/(2 g).
+    // With T = t₁ (1 + e²)/(1 − e²), t₁ = √(2 (h − L)/g), the derivative by g is −T/(2 g).
     let last = found.run.impacts().last().unwrap().t;
     let at = found.run.events().iter().rposition(|event| event.name == "floor").unwrap();
     near(found.events[at].as_ref().unwrap()[0], -last / 20.0, 1e-7, "the instant at which they accumulate");

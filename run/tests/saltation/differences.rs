@@ -1,4 +1,4 @@
-//! Friction that depends on what it presses, against differences of whole runs.
+//! Friction that depends on the force that it presses with, against differences of whole runs.
 
 use super::backwards::is_forwards;
 use super::{Planted, difference, how};
@@ -6,7 +6,8 @@ use crate::friction::{BLOCK, FINE, on_plane};
 use crate::impacts::{PLANE, scene as scene_of};
 use tripos::At;
 
-/// Goal: a rod whose end slips on the floor, whose friction presses as it is pressed; and one that falls on its end at an angle, so that impulses along gap and slip depend on one another. Truth: differences of whole runs.
+/// Goal: a rod whose end slips on the floor, with friction that depends on the normal force; and a rod that falls on
+/// its end at an angle, so that impulses along gap and slip are coupled. Truth: differences of whole runs.
 #[test]
 fn a_rod_that_slides_or_falls_on_its_end_is_differentiated_as_differences_of_runs_have_it() {
     let how = how("kane", "dop853");
@@ -57,7 +58,8 @@ fn a_rod_that_slides_or_falls_on_its_end_is_differentiated_as_differences_of_run
     }
 }
 
-/// Goal: what slips opens where nothing presses it; what sticks on its end while it tips over begins to slip. Truth: differences of whole runs.
+/// Goal: a slipping contact opens where nothing presses it, and a sticking end of a rod that tips over begins to slip.
+/// Truth: differences of whole runs.
 #[test]
 fn what_opens_as_it_slips_or_slips_as_it_tips_is_differentiated_as_differences_of_runs_have_it() {
     let how = how("kane", "dop853");
@@ -96,7 +98,8 @@ fn what_opens_as_it_slips_or_slips_as_it_tips_is_differentiated_as_differences_o
     }
 }
 
-/// Goal: a bar that is thrown to the floor and bounces, slips and sticks on either end, or both, at random starts. Truth: differences of whole runs; backwards as forwards.
+/// Goal: a bar that is thrown to the floor and bounces, slips and sticks on either end, or both, at random starts.
+/// Truth: differences of whole runs; backwards as forwards.
 #[test]
 fn a_bar_thrown_at_random_is_differentiated_as_differences_of_runs_have_it() {
     let (mut planted, mut impacts, mut known) = (Planted(77), 0, 0);

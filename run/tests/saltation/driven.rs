@@ -1,4 +1,4 @@
-//! Jumps and bends of what drives a motion, at instants that move.
+//! Jumps and bends of drives at instants that move.
 
 use super::{FINE, Planted, Wide, how, off, truth, wide};
 use crate::impacts::scene as scene_of;
@@ -37,7 +37,8 @@ fn driven(values: &[f64], more: &str) -> String {
     )
 }
 
-/// x and v at t of m x'' + k x = a sign(t − T), T = 10/c, from x₀ at rest: x = x₀ cos ωt − A (1 − cos ωt) + 2A (1 − cos ω(t − T)) with A = a/k, the last from T on.
+/// Closed form of x and v at t of m x'' + k x = a sign(t − T), T = 10/c, from x₀ at rest: x = x₀ cos ωt − A (1 − cos
+/// ωt) + 2A (1 − cos ω(t − T)) with A = a/k, the last term from T on.
 fn switched(numbers: &[Wide], t: f64) -> Vec<Wide> {
     let [m, k, a, c, x] = numbers[..] else { panic!("five") };
     let (w, t, size) = ((k / m).sqrt(), wide(t), a / k);
@@ -54,7 +55,8 @@ fn switched(numbers: &[Wide], t: f64) -> Vec<Wide> {
 
 const DRIVE: [&str; 5] = ["m", "k", "a", "c", "x"];
 
-/// Goal: the instant of a jump moves, and slopes jump with it, by every method that has steps end there. Truth: the closed form, at 24 plantings of all numbers.
+/// Goal: the instant of a jump moves, and the derivatives jump with it, by every method whose steps end there. Truth:
+/// the closed form, at 24 random points of all numbers.
 #[test]
 fn a_force_that_switches_is_differentiated_by_when_it_does() {
     let mut planted = Planted(7);
@@ -77,7 +79,8 @@ fn a_force_that_switches_is_differentiated_by_when_it_does() {
     }
 }
 
-/// Goal: samples have the slopes of their own instants: before the switch those without it, from it on those after it. And events on the way move as they do.
+/// Goal: samples have the derivatives of their own instants: before the switch those without it, from it on those after
+/// it. Events during the run move accordingly.
 #[test]
 fn samples_and_events_beside_a_switch_have_the_slopes_of_their_side() {
     let values = [2.0, 18.0, 3.0, 7.0, 0.75];
@@ -90,7 +93,7 @@ fn samples_and_events_beside_a_switch_have_the_slopes_of_their_side() {
     let (x, v) = (column("x"), column("v"));
     assert!((solution.t[after] - 10.0 / 7.0).abs() < 1e-15 && after > 3 && after + 3 < solution.t.len());
     for (at, t) in solution.t.iter().enumerate() {
-        // At the switch itself the slopes are those after it.
+        // The derivatives at the switch itself are those after it.
         let instant = if at == after { t + 1e-13 } else { *t };
         for (by, list) in truth(&values, &|numbers| switched(numbers, instant)).iter().enumerate() {
             if at == after && by == 3 {
@@ -102,7 +105,7 @@ fn samples_and_events_beside_a_switch_have_the_slopes_of_their_side() {
             near(found.samples[by][at][v], list[1], 1e-10, &format!("d(v)/d({}) at {t}", DRIVE[by]));
         }
     }
-    // As often as the closed form changes its sign between three thousand instants.
+    // The count is that of sign changes of the closed form between three thousand instants.
     let place = |step: u32| switched(&values.map(wide), f64::from(step) / 1000.0)[0].to_f64();
     let crossings =
         (0..3000).filter(|step| place(*step).is_sign_negative() != place(step + 1).is_sign_negative()).count();
@@ -116,7 +119,8 @@ fn samples_and_events_beside_a_switch_have_the_slopes_of_their_side() {
     }
 }
 
-/// Goal: a bend that moves is differentiated by. Truth: m x'' + k x = a |c t − 10|, whose derivative by c is the response to a t sign(c t − 10); by differences of the closed form.
+/// Goal: a moving bend is differentiated. Truth: m x'' + k x = a |c t − 10|, whose derivative by c is the response to a
+/// t sign(c t − 10); by differences of the closed form.
 #[test]
 fn a_force_with_a_bend_that_moves_is_differentiated() {
     let model = DRIVEN.replace("a*sign(c*t - 10)", "a*abs(c*t - 10)");
@@ -125,7 +129,7 @@ fn a_force_with_a_bend_that_moves_is_differentiated() {
         let (w, t, one) = ((k / m).sqrt(), wide(3.0), wide(1.0));
         let (s, co) = (w * t).sin_cos();
         let bend = wide(10.0) / c;
-        // a (10 − c t), and 2 a c (t − T) from T on.
+        // The drive is a (10 − c t), and 2 a c (t − T) from T on.
         let line = a / k * (wide(10.0) * (one - co) - c * (t - s / w));
         let (late, _) = (w * (t - bend)).sin_cos();
         let more = if t > bend { wide(2.0) * a * c / k * (t - bend - late / w) } else { wide(0.0) };
@@ -147,7 +151,8 @@ fn a_force_with_a_bend_that_moves_is_differentiated() {
     }
 }
 
-/// Goal: a table whose knots move: a force that rises from 0 at T to b at T + d and stays. Truth: the closed form of an oscillator under ramps.
+/// Goal: a table whose knots move is differentiated: a force that rises from 0 at T to b at T + d and stays. Truth: the
+/// closed form of an oscillator under ramps.
 #[test]
 fn a_table_whose_knots_move_is_differentiated() {
     let ramp = "c*(abs(t - T) - abs(t - T - a) + a)/2";
@@ -171,7 +176,8 @@ fn a_table_whose_knots_move_is_differentiated() {
     assert!(worst < 1e-10, "{worst:e}");
 }
 
-/// Goal: what has no derivative is refused: jumps that are moved apart, or in and out of the span, and steps that go across.
+/// Goal: cases without a derivative are refused: jumps that are moved apart, or in and out of the span, and steps that
+/// go across.
 #[test]
 fn jumps_without_a_derivative_are_refused() {
     let values = [2.0, 18.0, 3.0, 5.0, 0.75];

@@ -1,4 +1,5 @@
-//! Derivatives through impacts, changes of friction and jumps that move, against closed forms in 32 digits; forwards and backwards.
+//! Derivatives through impacts, changes of friction and moving jumps, against closed forms in 32 digits, forwards and
+//! backwards.
 
 use tripos::{Overrides, Scene, Sensitivities};
 use tripos_traits::{DoubleDouble, Real, Scalar};
@@ -21,7 +22,7 @@ fn wide(x: f64) -> Wide {
     DoubleDouble::from_f64(x)
 }
 
-/// The derivatives by each of these numbers of a closed form, as differences of order 4 in 32 digits.
+/// Derivatives of a closed form by each of these numbers, as differences of order 4 in 32 digits.
 fn truth(numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> Vec<Vec<f64>> {
     let by = |which: usize| {
         let step = wide(numbers[which].abs().max(1.0) / 262_144.0);
@@ -40,7 +41,8 @@ fn truth(numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> Vec<Vec<f64>> {
     (0..numbers.len()).map(by).collect()
 }
 
-/// The largest error of the derivatives at the end, by the largest of their size and 1, of what is shown under these names, whose closed form is given. What is stated of them holds.
+/// Largest error of the derivatives at the end, relative to their size or 1, whichever is larger, for the shown names,
+/// whose closed form is given. Checks that the stated errors hold.
 fn off(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> f64 {
     assert!(
         found.run.failure().is_none() && found.missing().is_none(),
@@ -67,7 +69,7 @@ fn off(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wid
     worst
 }
 
-/// The derivative at the end by a number, as a difference of order 4 of whole runs that differ by a part of it.
+/// Derivative at the end by a number, as a difference of order 4 of whole runs that differ by a part of it.
 fn difference(scene: &Scene, of: &str, by: &str, (value, part): (f64, f64), how: &Overrides) -> f64 {
     let h = part * value.abs().max(0.1);
     let at = |place: f64| {
@@ -80,13 +82,13 @@ fn difference(scene: &Scene, of: &str, by: &str, (value, part): (f64, f64), how:
     (at(-2.0) - 8.0 * at(-1.0) + 8.0 * at(1.0) - at(2.0)) / (12.0 * h)
 }
 
-/// Numbers that are spread over a range, the same on every machine.
+/// Pseudorandom numbers in a range, the same on every machine.
 struct Planted(u64);
 
 impl Planted {
     fn next(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        // Twelve bits, so that texts have the number itself.
+        // Twelve bits, so that texts hold the number exactly.
         low + (high - low) * (f64::from(u16::try_from(self.0 >> 52).unwrap()) / 4096.0)
     }
 }

@@ -18,8 +18,8 @@ const ROD: [&str; 7] = ["m", "I", "a", "g", "e", "y", "th"];
 const FLOOR_A: &str = "[impacts.A]\ngap = \"p(A) @ N [2]\"\nrestitution = \"e\"\n";
 const FLOOR_B: &str = "[impacts.B]\ngap = \"p(B) @ N [2]\"\nrestitution = \"e\"\n";
 
-/// Goal: an impact off the centre, by masses, lengths, the angle. Truth: J = (1 + e) v/(1/m + a² cos² th/I), then y = y₁ + (J/m − v) τ − g τ²/2 and th − J a cos th τ/I; by Kane and
-/// Lagrange, at 16 plantings.
+/// Goal: an impact off the centre, by masses, lengths and the angle. Truth: J = (1 + e) v/(1/m + a² cos² th/I), then y
+/// = y₁ + (J/m − v) τ − g τ²/2 and th − J a cos th τ/I; by Kane and Lagrange, at 16 random points.
 #[test]
 fn a_rod_that_lands_on_one_end_is_differentiated() {
     let closed = |numbers: &[Wide]| {
@@ -53,7 +53,8 @@ fn a_rod_that_lands_on_one_end_is_differentiated() {
     }
 }
 
-/// Goal: both ends at once, by what keeps them together, and where the angle moves them apart it is said. Truth: the ball's closed form, since a rod that lands flat does not turn.
+/// Goal: both ends land at once and are differentiated by numbers that keep them together. Where the angle moves them
+/// apart the reason is given. Truth: the ball's closed form, since a rod that lands flat does not turn.
 #[test]
 fn a_rod_that_falls_flat_is_differentiated_by_what_keeps_it_flat() {
     let values = [3.0, 0.5, 1.0, 9.75, 0.625, 0.25, 0.0];
@@ -79,7 +80,8 @@ fn a_rod_that_falls_flat_is_differentiated_by_what_keeps_it_flat() {
     }
 }
 
-/// Goal: a rod that lands on one end and stays on it, held with a force that turns it: by differences of runs without derivatives, which are right to some 1e-8.
+/// Goal: a rod that lands on one end and stays on it, held by a force that turns it. Truth: differences of runs without
+/// derivatives, which are right to some 1e-8.
 #[test]
 fn a_rod_that_stays_on_its_end_is_differentiated_while_it_is_held() {
     let values = [3.0, 0.5, 1.0, 9.75, 0.0, 0.625, 0.5];

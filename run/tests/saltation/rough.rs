@@ -1,4 +1,4 @@
-//! Friction: what slips, sticks, reverses and bounces at an angle.
+//! Friction with slips, sticking, reversals and bounces at an angle.
 
 use super::backwards::is_forwards;
 use super::{Planted, Wide, how, off, truth, wide};
@@ -9,13 +9,15 @@ use crate::sensitivity::near;
 use tripos::{At, Overrides, Scene};
 use tripos_traits::{Real, Scalar};
 
-/// A block on an incline with these parameters, from (x, vx).
+/// Block on an incline with these parameters, from (x, vx).
 fn block(list: &[(&str, f64)], start: (f64, f64), span: f64) -> Scene {
     let parameters: Vec<String> = list.iter().map(|(name, value)| format!("{name} = {value:?}")).collect();
     scene_of(BLOCK, &on_plane(&parameters.join("\n"), start, span))
 }
 
-/// Goal: a block that slides to rest, by all that its way depends on, and the instant at which it rests. Truth: x = x₀ + v²/(2 a), t = v/a, with a = g (μ cos α − sin α), at 12 plantings, by all formulations and most methods; backwards likewise.
+/// Goal: a block that slides to rest, by all numbers that its path depends on, and the instant of its rest. Truth: x =
+/// x₀ + v²/(2 a), t = v/a, with a = g (μ cos α − sin α), at 12 random points, by all formulations and most methods;
+/// backwards likewise.
 #[test]
 fn a_block_that_slides_to_rest_is_differentiated_by_all_that_its_way_depends_on() {
     let mut planted = Planted(11);
@@ -55,7 +57,8 @@ fn a_block_that_slides_to_rest_is_differentiated_by_all_that_its_way_depends_on(
     }
 }
 
-/// Goal: a slip that reverses. Truth: a block thrown up an incline with v slows by u = g (sin α + μ cos α), and slides back by b = g (sin α − μ cos α).
+/// Goal: a slip that reverses is differentiated. Truth: a block thrown up an incline with v slows by u = g (sin α + μ
+/// cos α), and slides back by b = g (sin α − μ cos α).
 #[test]
 fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
     let mut planted = Planted(5);
@@ -79,13 +82,14 @@ fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
     }
 }
 
-/// Goal: a spring with friction through its reversals to where it stays. Truth: each half swing takes 2 μ m g/k (J. P. Den Hartog, *Mechanical Vibrations*, 1956, § 8.2).
+/// Goal: a spring with friction is differentiated through its reversals to its place of rest. Truth: each half swing
+/// takes 2 μ m g/k (J. P. Den Hartog, *Mechanical Vibrations*, 1956, § 8.2).
 #[test]
 fn a_spring_with_friction_is_differentiated_through_all_of_its_reversals() {
     let scene = block(&[("k", 8.0), ("mu", 0.1)], (2.1, 0.0), 9.0);
     let names = ["x", "mu", "g", "k", "m"];
     let found = scene.sensitivities(&names, At::End, &Overrides::default()).unwrap();
-    // Four half swings: x₀ − 8 δ after an even number of them.
+    // Four half swings, an even number, end at x₀ − 8 δ.
     let closed = |numbers: &[Wide]| {
         let [x, mu, g, k, m] = numbers[..] else { panic!("five") };
         let step = mu * m * g / k;
@@ -96,7 +100,8 @@ fn a_spring_with_friction_is_differentiated_through_all_of_its_reversals() {
     is_forwards(&scene, &["x"], &how("kane", "dop853"));
 }
 
-/// Goal: a contact that sticks begins to slip where friction no longer bears its spring. Truth, with δ = μ m g/k and ω² = k/m: x = δ (1 − cos ωt) until vb, then at vb until δ, then δ + vb/ω sin ω(t − t₂).
+/// Goal: a sticking contact begins to slip where friction can no longer hold its spring. Truth, with δ = μ m g/k and ω²
+/// = k/m: x = δ (1 − cos ωt) until vb, then at vb until δ, then δ + vb/ω sin ω(t − t₂).
 #[test]
 fn a_block_that_a_belt_takes_along_is_differentiated_by_when_its_spring_pulls_it_off() {
     let mut planted = Planted(21);
@@ -141,7 +146,8 @@ fn disk(values: &[f64], law: &str, span: f64) -> Scene {
     )
 }
 
-/// What the disk does until an instant: place, speed and spin, and which impacts stick. Along the slip G = 1/m + a²/I, apart from the normal: an impact takes μ (1 + e) of the speed that closes it, or all of the slip.
+/// Closed form of the disk at an instant: place, speed and spin, and the impacts that stick. Along the slip G = 1/m +
+/// a²/I, uncoupled from the normal. An impact takes μ (1 + e) of the closing speed, or all of the slip.
 fn rolled(numbers: &[Wide], t: f64) -> (Vec<Wide>, Vec<bool>) {
     let [h, e, y, mut v, mut om, a, inertia, m, g] = numbers[..] else { panic!("nine") };
     let (mu, compliance) = (h / a / wide(2.0), wide(1.0) / m + a * a / inertia);
@@ -163,7 +169,8 @@ fn rolled(numbers: &[Wide], t: f64) -> (Vec<Wide>, Vec<bool>) {
     (vec![x + v * (wide(t) - from), v, om], sticks)
 }
 
-/// Goal: impacts with friction, which slip or stick, one after the other. Truth: the closed form of a disk whose normal and tangential impulses do not know of one another, at plantings in both of these, by both laws.
+/// Goal: impacts with friction, which slip or stick, one after the other. Truth: the closed form of a disk whose normal
+/// and tangential impulses are uncoupled, at random points of both kinds, by both laws.
 #[test]
 fn a_disk_that_bounces_with_friction_is_differentiated_through_its_impacts() {
     let (mut planted, mut seen) = (Planted(33), [0, 0]);
@@ -192,7 +199,9 @@ fn a_disk_that_bounces_with_friction_is_differentiated_through_its_impacts() {
     assert!(seen[0] > 5 && seen[1] > 5, "{seen:?}");
 }
 
-/// Goal: bounces that accumulate with friction, and then a slip that ends in rolling. Truth: the momentum that friction takes is μ m g of all of the time that it slips, bounces or none: the disk rolls with the speed that its spin about the place of contact had.
+/// Goal: bounces with friction that accumulate, and then a slip that ends in rolling. Truth: the momentum that friction
+/// takes is μ m g times the time of slipping, with or without bounces. So the disk rolls with the speed that its spin
+/// about the place of contact had.
 #[test]
 fn a_disk_that_comes_to_roll_after_its_bounces_keeps_the_derivatives_of_its_spin() {
     let scene = disk(&[0.1, 0.5, 0.5, 4.0, 1.0], "newton", 6.0);
@@ -200,7 +209,7 @@ fn a_disk_that_comes_to_roll_after_its_bounces_keeps_the_derivatives_of_its_spin
     let found = scene.sensitivities(&names, At::End, &how("kane", "dop853")).unwrap();
     assert!(found.run.events().iter().any(|event| event.name == "floor sticks"), "{:?}", found.run.events());
     let share = 0.375 / (0.375 + 3.0 * 0.25);
-    // v − I ω/(m a) stays, and at the end v + a ω = 0.
+    // Here v − I ω/(m a) is constant, and at the end v + a ω = 0.
     let of_v = 1.0 - share;
     let of_om = -share * 0.5;
     for (by, truth) in [("vx", of_v), ("om", of_om), ("h", 0.0), ("e", 0.0), ("y", 0.0), ("g", 0.0)] {
@@ -209,7 +218,9 @@ fn a_disk_that_comes_to_roll_after_its_bounces_keeps_the_derivatives_of_its_spin
     is_forwards(&scene, &["x", "vx"], &how("kane", "dop853"));
 }
 
-/// Goal: two feet of a block, which slip at one velocity, stop at one instant and then share what holds the block. Truth: those of a point: v²/(2 a) with a = g (μ cos α − sin α); by what moves one foot away from the floor there is none.
+/// Goal: two feet of a block, which slip at one velocity, stop at one instant and then share the forces that hold the
+/// block. Truth: a point mass, v²/(2 a) with a = g (μ cos α − sin α). There is no derivative by numbers that move one
+/// foot away from the floor.
 #[test]
 fn a_block_on_two_feet_is_differentiated_to_its_rest_as_a_point_is() {
     let (model, text) = feet(0.5, 1.5, 1.5);
@@ -229,7 +240,8 @@ fn a_block_on_two_feet_is_differentiated_to_its_rest_as_a_point_is() {
     is_forwards(&scene, &["x", "vx"], &how);
 }
 
-/// Goal: what slips on one contact hits another, and slides back to rest. Truth: v₁² = v² − 2 μ g L at the wall, and e² v₁²/(2 μ g) back from it, by all of them.
+/// Goal: a block that slips on one contact hits another, and slides back to rest. Truth: v₁² = v² − 2 μ g L at the
+/// wall, and e² v₁²/(2 μ g) back from it, by all of them.
 #[test]
 fn a_block_that_slides_to_a_wall_and_back_is_differentiated() {
     let numbers = "k = { unit = \"1\", value = 0.75 }\nL = { unit = \"m\", value = 0.5 }";
@@ -258,7 +270,8 @@ fn a_block_that_slides_to_a_wall_and_back_is_differentiated() {
     }
 }
 
-/// Goal: where a contact could as well do something else there is no derivative by what decides it, and it is said why; by others there is one.
+/// Goal: where a contact is undecided there is no derivative by the deciding numbers, and the reason is given. Other
+/// numbers have one.
 #[test]
 fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
     let why = |scene: &Scene, by: &str| {
@@ -295,7 +308,8 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
     is_forwards(&smooth, &["x"], &Overrides::default());
 }
 
-/// Goal: an impact whose friction just stops the slip, and two blocks that stop at one instant: no derivative by what parts them, and one by what does not.
+/// Goal: an impact whose friction just stops the slip, and two blocks that stop at one instant. There is no derivative
+/// by numbers that part them, and one by the others.
 #[test]
 fn what_is_decided_together_has_no_derivative_by_what_parts_it() {
     let missing = |scene: &Scene, by: &str| {
@@ -340,7 +354,8 @@ fn what_is_decided_together_has_no_derivative_by_what_parts_it() {
     is_forwards(&two, &["xA"], &Overrides::default());
 }
 
-/// Goal: a run with derivatives is that without, bit by bit, through sticking, slipping and impacts with friction.
+/// Goal: a run with derivatives equals the one without, bit by bit, through sticking, slipping and impacts with
+/// friction.
 #[test]
 fn a_run_with_friction_and_derivatives_is_the_run_without() {
     for (scene, names) in [

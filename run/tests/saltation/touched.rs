@@ -1,4 +1,4 @@
-//! Contacts that are just touched, and some that nearly are.
+//! Contacts that are just touched, and contacts that are nearly touched.
 
 use super::{FINE, Planted};
 use crate::impacts::scene as scene_of;
@@ -35,7 +35,8 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-/// That there are derivatives by some numbers to the end, and by others none, for the reason that something is only touched; forwards and backwards alike.
+/// Checks that there are derivatives by some numbers to the end, and by others none, because something is only touched.
+/// This holds forwards and backwards alike.
 fn ends(scene: &Scene, (with, without): (&[&str], &[&str]), of: &str, case: &str) {
     let all = [with, without].concat();
     let found = scene.sensitivities(&all, At::Samples, &Overrides::default()).unwrap();
@@ -54,8 +55,10 @@ fn ends(scene: &Scene, (with, without): (&[&str], &[&str]), of: &str, case: &str
     }
 }
 
-/// Goal: no derivative where there is none, and those that there are. Method: balls thrown up until they just touch a ceiling at w²/(2 g), by parabolas exactly, on the way of which steps and samples may end anywhere;
-/// pendulums that swing up until they just touch a stop at cos q = cos q₀ − u² l/(2 g), which steps follow to their tolerance only. Each touch decides by what changes the height or the way up to it, not by the rest.
+/// Goal: derivatives are given where they exist and nowhere else. Method: balls thrown up until they just touch a
+/// ceiling at w²/(2 g), by exact parabolas, along which steps and samples may end anywhere. Pendulums swing up until
+/// they just touch a stop at cos q = cos q₀ − u² l/(2 g), which steps follow only to their tolerance. A touch is
+/// undecided for numbers that change the height or the way up to it, and for no others.
 #[test]
 fn a_touch_ends_derivatives_by_what_would_move_it() {
     let mut planted = Planted(11);
@@ -80,8 +83,9 @@ fn a_touch_ends_derivatives_by_what_would_move_it() {
     }
 }
 
-/// Goal: what is nearly touched is not touched. Truth: a ball that stays below a ceiling flies as without one; one that is thrown a little faster meets it at the root of a parabola, and comes down with e times the speed of
-/// before it: d(w after)/d(w) = e w/v + e w (1/v − 1/w)…, here by differences of the closed form.
+/// Goal: a near touch is not a touch. Truth: a ball that stays below a ceiling flies as without one. One that is thrown
+/// a little faster meets it at the root of a parabola, and comes down with e times its speed: d(w after)/d(w) = e w/v +
+/// e w (1/v − 1/w)…, here by differences of the closed form.
 #[test]
 fn what_is_nearly_touched_has_derivatives() {
     let (g, e) = (8.0, 0.5);

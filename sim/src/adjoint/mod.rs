@@ -1,15 +1,19 @@
-//! The gradient of a function of the end of a run by all that it begins with, in one sweep backwards: a discrete adjoint.
+//! Gradient of a function of the end of a run by its start and its parameters, in one sweep backwards: a discrete
+//! adjoint.
 //!
-//! The run is a sequence of steps that were taken already, and each is differentiated as it is, its length held: explicit Runge–Kutta steps by their transposed stages, the
-//! correction that moves their ends onto constraints by its transpose, instants at which the right-hand side jumps by what their moving adds. The result is the transpose of
-//! what [`crate::Tangents`] carry forwards along the same steps, to rounding; it costs the same for one parameter and for thousands.
-//! W. W. Hager, "Runge–Kutta methods in optimal control and the transformed adjoint system", Numer. Math. 87 (2000) 247–282.
+//! The run is a sequence of steps that were taken already. Each is differentiated as it is, its length held. Explicit
+//! Runge–Kutta steps are swept by their transposed stages, and the correction of their ends onto constraints by its
+//! transpose. Instants at which the right-hand side jumps add a term for their motion. The result is the transpose of
+//! the slopes that [`crate::Tangents`] carry forwards along the same steps, to rounding. It costs the same for one
+//! parameter and for thousands. W. W. Hager, "Runge–Kutta methods in optimal control and the transformed adjoint
+//! system", Numer. Math. 87 (2000) 247–282.
 //!
-//! Backwards the states are needed in turn. A few are kept, and each segment between two of them is stepped through once more: with segments that get shorter by a step each, √(2 N)
-//! states serve N steps. A. Griewank, "Achieving logarithmic growth of temporal and spatial complexity in reverse automatic differentiation", Optim. Methods Softw. 1 (1992)
-//! 35–54. How many are kept changes no bit of the result.
+//! The sweep needs the states in reverse order. A few are kept, and each segment between two of them is stepped through
+//! once more. With segments that get shorter by a step each, √(2 N) states serve N steps. A. Griewank, "Achieving
+//! logarithmic growth of temporal and spatial complexity in reverse automatic differentiation", Optim. Methods Softw. 1
+//! (1992) 35–54. The number of kept states changes no bit of the result.
 //!
-//! Absent on purpose: implicit steps, whose transposes need linear solves; and where the steps came from.
+//! Absent on purpose: implicit steps, whose transposes need linear solves; and the origin of the steps.
 
 mod step;
 
@@ -29,18 +33,18 @@ pub struct Course<'a> {
     pub span: (f64, f64),
     /// The state at the start.
     pub y0: &'a [f64],
-    /// Where each step ends, s, in order.
+    /// Ends of the steps, s, in order.
     pub ends: &'a [f64],
-    /// How the run was made: its method, its corners, its tolerances.
+    /// Options of the run: its method, its corners, its tolerances.
     pub options: &'a Options,
-    /// How the instants of jumps move; those that are not here stay.
+    /// Jumps whose instants move; all others stay.
     pub moved: &'a [Moved],
 }
 
 /// A jump of the right-hand side whose instant moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moved {
-    /// When, s: that of one of the corners.
+    /// Instant of the jump, s: that of one of the corners.
     pub at: f64,
     /// Its derivative by each parameter.
     pub by: Vec<f64>,
@@ -57,25 +61,25 @@ pub struct Adjoint<'a> {
     pub end: Vec<f64>,
 }
 
-/// What a sweep gives.
+/// Result of a sweep: derivatives by the start and by the parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient {
-    /// By each component of the state at the start.
+    /// Derivative by each component of the state at the start.
     pub state: Vec<f64>,
-    /// By each parameter.
+    /// Derivative by each parameter.
     pub parameters: Vec<f64>,
     /// The most states that were kept at once.
     pub states: usize,
 }
 
-/// Why there is no gradient of a run.
+/// Reason why there is no gradient of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unswept {
     /// Steps of this method are not swept backwards.
     Method(Method),
     /// The segments are not as long as the run.
     Segments,
-    /// Whoever follows the run has ended it.
+    /// The follower of the run has ended it.
     Interrupted,
     /// The right-hand side has no value, or no slopes, somewhere.
     Failed(Failure),
@@ -100,7 +104,7 @@ impl fmt::Display for Unswept {
 
 impl std::error::Error for Unswept {}
 
-/// Steps between the same corners: the first of them, and which side they see.
+/// Steps between the same corners: the first of them, and the side that they see.
 struct Stretch {
     first: usize,
     sides: Sides,
@@ -108,14 +112,14 @@ struct Stretch {
     jump: Option<usize>,
 }
 
-/// What goes along with the steps.
+/// Companions of the steps: right-hand side, projector and stages.
 struct Under<'r, 'o, R> {
     rhs: Between<'r, R, f64>,
     projector: Option<Projector<'o, 'o, f64>>,
     stages: Stages,
 }
 
-/// Whether steps of a method can be swept backwards.
+/// True if steps of a method can be swept backwards.
 #[must_use]
 pub fn has_adjoint(method: Method) -> bool {
     Rows::of(method).is_some()
@@ -135,7 +139,8 @@ pub fn segments(steps: usize) -> Vec<usize> {
 }
 
 impl<'a> Adjoint<'a> {
-    /// Goes through the steps and keeps the state at the start of each segment; the lengths of these add up to the number of steps.
+    /// Goes through the steps and keeps the state at the start of each segment. The lengths of the segments must add up
+    /// to the number of steps.
     ///
     /// # Errors
     /// [`Unswept`] with the reason.
@@ -195,7 +200,7 @@ impl<'a> Adjoint<'a> {
         Under { rhs, projector, stages: Stages::new(&self.rows, y0.len()) }
     }
 
-    /// From where to where a step goes, s.
+    /// Start and end of a step, s.
     fn times(&self, step: usize) -> (f64, f64) {
         let start = step.checked_sub(1).map_or(self.course.span.0, |before| self.course.ends[before]);
         (start, self.course.ends[step])
@@ -205,7 +210,7 @@ impl<'a> Adjoint<'a> {
         &self.stretches[self.stretches.partition_point(|stretch| stretch.first <= step).saturating_sub(1)]
     }
 
-    /// Takes a step from `y`, in its place; says whether its end was moved onto the constraints.
+    /// Takes a step from `y`, in its place; true if its end was moved onto the constraints.
     fn step<R: Transposed>(&self, under: &mut Under<'_, '_, R>, step: usize, y: &mut [f64]) -> Result<bool, Unswept> {
         let (t, t_new) = self.times(step);
         if Poll::ends(self.course.options.poll.as_ref(), t) {
@@ -242,7 +247,7 @@ impl<'a> Adjoint<'a> {
             rhs.go_on(own);
         }
         if let Some(projector) = projector.as_mut().filter(|_| is_moved) {
-            // s⁺ = s − C (G s + φ_p): what open constraints are worth is taken off.
+            // s⁺ = s − C (G s + φ_p): the shares of open constraints are subtracted.
             let mut shares = projector.shares(rhs, t_new, state);
             for share in &mut shares {
                 *share = -*share;
@@ -270,7 +275,7 @@ fn change<R: Transposed>(
     Ok(sum)
 }
 
-/// Which steps lie between which corners. Equal steps take no notice of any.
+/// Divides the steps into stretches between corners. Equal steps take no notice of corners.
 fn stretches(course: &Course<'_>) -> Vec<Stretch> {
     let Course { span, ends, options, moved, .. } = course;
     let all: &[Corner] = if options.step.is_some() { &[] } else { &options.corners };

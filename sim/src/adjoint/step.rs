@@ -1,8 +1,9 @@
 //! One step of an explicit Runge–Kutta method, and its transpose.
 //!
-//! The step is kᵢ = f(t + cᵢ h, Yᵢ) with Yᵢ = y + h Σⱼ aᵢⱼ kⱼ, and y⁺ = y + h Σᵢ bᵢ kᵢ. With weights λ of y⁺ those of kᵢ are, from the last stage to the first,
-//! wᵢ = h bᵢ λ + h Σⱼ aⱼᵢ zⱼ with zᵢ = f_yᵀ wᵢ, and those of y are λ + Σᵢ zᵢ; f_pᵀ wᵢ adds to those of the parameters. E. Hairer, C. Lubich & G. Wanner, *Geometric
-//! Numerical Integration*, 2nd edition (2006), §VI.1: the transpose of a method is that of its linear part.
+//! The step is kᵢ = f(t + cᵢ h, Yᵢ) with Yᵢ = y + h Σⱼ aᵢⱼ kⱼ, and y⁺ = y + h Σᵢ bᵢ kᵢ. Weights λ of y⁺ give those of
+//! kᵢ, from the last stage to the first: wᵢ = h bᵢ λ + h Σⱼ aⱼᵢ zⱼ with zᵢ = f_yᵀ wᵢ. The weights of y are λ + Σᵢ zᵢ;
+//! f_pᵀ wᵢ adds to those of the parameters. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd
+//! edition (2006), §VI.1: the transpose of a method is that of its linear part.
 
 use crate::corners::Between;
 use crate::dormand_prince::DORMAND_PRINCE_54;
@@ -17,7 +18,7 @@ type Entries = Vec<(usize, f64)>;
 
 /// An explicit Runge–Kutta method as data.
 pub(super) struct Rows {
-    /// cᵢ.
+    /// Nodes cᵢ of the stages.
     c: Vec<f64>,
     /// aᵢⱼ that are not 0.
     a: Vec<Entries>,
@@ -26,7 +27,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Those of a method; nothing if it is no explicit Runge–Kutta method.
+    /// Rows of a method; `None` if it is no explicit Runge–Kutta method.
     pub(super) fn of(method: Method) -> Option<Self> {
         match method {
             Method::Rk4 => Some(Self {
@@ -83,7 +84,8 @@ impl Stages {
         Ok(())
     }
 
-    /// From the weights of the end of the step made last to those of its start, in their place; what the parameters add goes to theirs.
+    /// Turns the weights of the end of the step made last into those of its start, in place. It adds the contributions
+    /// of the parameters to their weights.
     pub(super) fn back<R: Transposed>(
         &mut self,
         rows: &Rows,

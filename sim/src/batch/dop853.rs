@@ -58,13 +58,14 @@ pub(super) struct Dop853<'a, const N: usize> {
     parameters: Vec<Lanes<N>>,
     y: Vec<Lanes<N>>,
     y_new: Vec<Lanes<N>>,
-    /// What the equations wrote last.
+    /// Last output of the equations.
     f: Vec<Lanes<N>>,
     /// The derivative at `y`: stage 0 of the next step.
     slope: Vec<Lanes<N>>,
     /// The stages of each component side by side.
     k: Vec<Stages<N>>,
-    /// What can be known of the next point, or of the new state and its errors, before the stage that is evaluated now.
+    /// Part of the next point, or of the new state and its errors, that is known before the stage that is evaluated
+    /// now.
     before: Vec<[Lanes<N>; 3]>,
     /// The lanes whose last step counts and is not yet moved to: all bits or none.
     accepted: [u64; N],

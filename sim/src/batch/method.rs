@@ -1,4 +1,4 @@
-//! What the queue asks of a method that takes a step in every lane at once.
+//! Interface of a method that takes a step in every lane at once, for the queue.
 //!
 //! Invariant: what a lane computes depends on nothing in another.
 
@@ -9,13 +9,13 @@ use tripos_traits::{Lanes, Scalar};
 use crate::stepper::Interpolant;
 use crate::tolerance::ErrorTest;
 
-/// What an attempted step gives in each lane.
+/// Result of an attempted step in each lane.
 pub(super) struct Attempt<const N: usize> {
     /// The error in the norm of the test; meaningless where the step has no result.
     pub(super) error: [f64; N],
-    /// Whether all points of the step and the new state are finite.
+    /// True if all points of the step and the new state are finite.
     pub(super) finite: [bool; N],
-    /// Whether the derivative at the new state is finite.
+    /// True if the derivative at the new state is finite.
     pub(super) finite_end: [bool; N],
     /// Evaluations that were made for each lane.
     pub(super) evaluations: [u64; N],
@@ -28,12 +28,12 @@ pub(super) trait Method<const N: usize> {
     /// The length of the state.
     fn states(&self) -> usize;
 
-    /// The derivative at `y`, for parameters `p`, is put into `f`.
+    /// Writes the derivative at `y`, for parameters `p`, to `f`.
     fn rates(&self, p: &[Lanes<N>], y: &[Lanes<N>], f: &mut [Lanes<N>]);
-    /// What lanes begin with at `y`, for parameters `p`: rows as long as the state, of which the first is the state and
+    /// Initial rows of the lanes at `y`, for parameters `p`: each as long as the state. The first row is the state and
     /// the second its derivative.
     fn begin(&mut self, p: &[Lanes<N>], y: &[Lanes<N>]) -> Vec<Lanes<N>>;
-    /// Puts a trajectory into a lane: its parameters, and what [`Method::begin`] gave for it.
+    /// Puts a trajectory into a lane: its parameters, and its rows from [`Method::begin`].
     fn load(&mut self, lane: usize, parameters: &[f64], begun: &[f64]);
 
     /// The sizes of the next steps where the method knows them before they are tried, in s.
@@ -50,7 +50,7 @@ pub(super) trait Method<const N: usize> {
     /// The state of a lane.
     fn state(&self, lane: usize) -> Vec<f64>;
 
-    /// Evaluates what only the solution inside the steps last tried, of sizes `h`, needs.
+    /// Evaluates the stages that only the solution inside the steps last tried, of sizes `h`, needs.
     fn prepare_inside(&mut self, h: [f64; N]) {
         let _ = h;
     }
@@ -67,7 +67,7 @@ pub(super) trait Method<const N: usize> {
     fn coefficients(&self, lane: usize, h: f64, put: impl FnMut(usize, usize, f64));
 }
 
-/// The step last tried in one lane: what watches a trajectory looks at.
+/// Step last tried in one lane, for the watcher of a trajectory.
 pub(super) struct LaneStep<'m, M, const N: usize> {
     pub(super) method: &'m M,
     pub(super) lane: usize,

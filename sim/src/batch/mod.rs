@@ -1,9 +1,9 @@
 //! Many trajectories of one set of equations, side by side in vector registers, and on all cores.
 //!
-//! Each lane of the registers integrates a trajectory of its own, by DOP853 or by Taylor's method with the steps that
-//! [`crate::integrate`] would take, up to rounding: own time, step size, error, acceptance. A lane that is done
-//! takes the next trajectory at once. What is to watch a trajectory, its events and what its equations divide by, is handed
-//! the accepted steps of its lane.
+//! Each lane of the registers integrates a trajectory of its own, by DOP853 or by Taylor's method, with the steps that
+//! [`crate::integrate`] would take, up to rounding: own time, step size, error, acceptance. A lane that is done takes
+//! the next trajectory at once. The accepted steps of a lane are handed to the watcher of its trajectory, which looks
+//! at events and divisors.
 //!
 //! Invariant: the outcome of a trajectory has the same bits whatever the others are, in whichever order, in how many
 //! lanes and on how many cores. Absent on purpose: output on the way, corners in time, constraints.
@@ -39,7 +39,7 @@ pub struct Trajectory<'a> {
     pub start: &'a [f64],
 }
 
-/// How all trajectories of a batch are integrated.
+/// Settings by which all trajectories of a batch are integrated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// [`Method::Dop853`] or [`Method::Taylor`].
@@ -59,7 +59,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// What a run of one of the trajectories by itself would be asked.
+    /// Options of a run of one of the trajectories by itself.
     #[must_use]
     pub fn options(&self) -> Options {
         Options {
@@ -75,14 +75,14 @@ impl Plan {
     }
 }
 
-/// How one trajectory ended.
+/// Result of one trajectory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Last time of the solution, in s.
     pub t_end: f64,
     /// State at `t_end`.
     pub y_end: Vec<f64>,
-    /// Why the run ended.
+    /// Reason of the end of the run.
     pub stop: Stop,
     /// Accepted steps.
     pub steps: u64,
@@ -91,7 +91,7 @@ pub struct Outcome {
     /// Evaluations of the equations made for this trajectory. A step without a finite result counts in full: the other
     /// lanes go on to its end.
     pub evaluations: u64,
-    /// What its events did up to the end, in order of time.
+    /// Records of its events up to the end, in order of time.
     pub events: Vec<EventRecord>,
 }
 
@@ -100,7 +100,7 @@ pub struct Outcome {
 pub struct Equations<'a, const N: usize> {
     /// Their rates.
     pub rates: &'a (dyn Rates<Lanes<N>> + Sync),
-    /// Their Taylor coefficients, where they are had in so many lanes.
+    /// Their Taylor coefficients, if there are any in so many lanes.
     pub series: Option<&'a (dyn Series<Lanes<N>> + Sync)>,
 }
 
@@ -118,7 +118,7 @@ pub fn integrate(
     integrate_watched(equations, plan, trajectories, None)
 }
 
-/// [`integrate`], with something that watches each trajectory: events, and what its equations divide by.
+/// Integrates as [`integrate`] does, with a watcher of the events and the divisors of each trajectory.
 ///
 /// # Errors
 /// As for [`integrate`].
@@ -162,7 +162,7 @@ pub fn integrate_in<const N: usize>(
     Ok(outcomes.all())
 }
 
-/// A method with what it needs of equations.
+/// A method with the functions of the equations that it needs.
 #[derive(Clone, Copy)]
 enum Way<'a, const N: usize> {
     Dop853(&'a (dyn Rates<Lanes<N>> + Sync)),
@@ -209,7 +209,8 @@ impl Outcomes {
     }
 }
 
-/// Refuses what cannot be run; returns the control of the steps with which every trajectory begins, and the method.
+/// Refuses plans that cannot be run. Returns the control of the steps with which every trajectory begins, and the
+/// method.
 fn check<'a, const N: usize>(
     equations: Equations<'a, N>,
     plan: &Plan,

@@ -19,7 +19,7 @@ struct Run<'w> {
     steps: u64,
     rejected: u64,
     evaluations: u64,
-    /// Whether its next step is not chosen yet.
+    /// True if its next step is not chosen yet.
     is_fresh: bool,
     watcher: Option<Watcher<'w>>,
 }
@@ -52,24 +52,24 @@ impl Run<'_> {
     }
 }
 
-/// A trajectory that waits for a lane, with what the method begins with.
+/// A trajectory that waits for a lane, with the initial rows of the method.
 struct Ready<'w> {
     run: Run<'w>,
     begun: Vec<f64>,
 }
 
-/// What becomes of the step that a lane tried.
+/// Outcome of the step that a lane tried.
 enum Judged {
-    /// It counts; whether it reached the end of the span.
+    /// It counts; `last` if it reached the end of the span.
     Accepted { last: bool },
     /// Another size is to be tried.
     Again,
-    /// The trajectory ends at its start. The component of what is not finite is left open.
+    /// The trajectory ends at its start. The component of a number that is not finite is left open.
     GivenUp(Stop),
 }
 
-/// What a thread is to run: how every trajectory is controlled in the beginning, how many attempts it has, and what
-/// watches it.
+/// Work of a thread: the trajectories, the step control of each in the beginning, the largest number of its attempts,
+/// and the maker of its watcher.
 pub(super) struct Work<'a, 'w> {
     pub(super) trajectories: &'a [Trajectory<'a>],
     pub(super) pace: &'a Pace,
@@ -77,7 +77,7 @@ pub(super) struct Work<'a, 'w> {
     pub(super) watching: Option<&'a Watching<'w>>,
 }
 
-/// What one thread works with.
+/// State of one thread at work.
 struct Worker<'a, 'w, M, const N: usize> {
     method: M,
     work: &'a Work<'a, 'w>,
@@ -220,7 +220,7 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         }
     }
 
-    /// What ends trajectories inside the steps that count, where something watches them.
+    /// Finds the ends of trajectories inside the steps that count, where these have watchers.
     fn look_inside(&mut self, h: [f64; N], judged: &[Judged; N]) -> [Option<Ending>; N] {
         let mut looks = [false; N];
         for (l, run) in self.lanes.iter_mut().enumerate() {
@@ -262,7 +262,7 @@ fn lane<const N: usize>(values: &[Lanes<N>], l: usize) -> Vec<f64> {
     values.iter().map(|x| x.0[l]).collect()
 }
 
-/// What becomes of the step that a lane tried.
+/// Judges the step that a lane tried, and counts it.
 fn judge<const N: usize>(run: &mut Run<'_>, l: usize, attempt: &Attempt<N>, tolerance: f64) -> Judged {
     let Trial { h, .. } = run.pace.trial;
     let passed = attempt.finite[l] && attempt.error[l] <= tolerance;

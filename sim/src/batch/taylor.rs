@@ -20,7 +20,7 @@ pub(super) struct Equations<'a, const N: usize> {
     pub(super) series: &'a (dyn Series<Lanes<N>> + Sync),
 }
 
-/// The coefficients in all lanes, and what belongs to a step.
+/// The coefficients in all lanes, and the data of a step.
 pub(super) struct Taylor<'a, const N: usize> {
     equations: Equations<'a, N>,
     lengths: Lengths,
@@ -30,7 +30,7 @@ pub(super) struct Taylor<'a, const N: usize> {
     usable: [usize; N],
     next: Vec<Lanes<N>>,
     next_usable: [usize; N],
-    /// What rounding cut off the state at the start, and at the end.
+    /// Parts that rounding cut off the state at the start and, in `carry_new`, at the end.
     carry: Vec<Lanes<N>>,
     carry_new: Vec<Lanes<N>>,
     /// Norms of the coefficients of the last two orders, over the allowed errors.
@@ -60,7 +60,7 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// y + Σ x_k hᵏ, with what the rounding of the sum cuts off.
+    /// Computes y + Σ x_k hᵏ, and the rounding error of this sum.
     #[inline(always)]
     fn advance(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let n = self.lengths.state();
@@ -98,7 +98,7 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// By how much the derivative jumps at the end of the step, as [`crate::taylor`] measures it, in the norm of the test.
+    /// Jump of the derivative at the end of the step, as [`crate::taylor`] measures it, in the norm of the test.
     #[inline(always)]
     fn jump(&self, test: &ErrorTest, h: Lanes<N>) -> [f64; N] {
         let n = self.lengths.state();
@@ -142,8 +142,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
     }
 }
 
-/// Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for one component, of which every n-th entry is a coefficient; even and odd orders
-/// apart, so that they need not wait for each other.
+/// Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for one component, of which every n-th entry is a coefficient. Even and odd
+/// orders are summed apart, so that they need not wait for each other.
 #[inline(always)]
 fn polynomial<const N: usize>(x: &[Lanes<N>], (n, order): (usize, usize), h: Lanes<N>, square: Lanes<N>) -> Lanes<N> {
     let (mut odd, mut even) = (Lanes([0.0; N]), Lanes([0.0; N]));

@@ -1,7 +1,7 @@
-//! What looks at the steps of one trajectory: its events, and what its equations divide by.
+//! Watcher of the steps of one trajectory: of its events, and of the divisors of its equations.
 //!
-//! It is handed the accepted step of its lane, in single numbers, and decides as [`crate::integrate`] does. Invariant: it
-//! changes no step.
+//! The watcher is handed the accepted step of its lane, in single numbers, and decides as [`crate::integrate`] does.
+//! Invariant: it changes no step.
 
 use super::method::{LaneStep, Method};
 use crate::events::{Event, EventRecord};
@@ -12,7 +12,7 @@ use crate::solution::Stop;
 use crate::stepper::{DenseStep, Interpolant};
 use crate::watch::{Events, Watch};
 
-/// What is watched in one trajectory of a batch.
+/// Equations and events that are watched in one trajectory of a batch.
 pub struct Watched<'w> {
     /// The equations in single numbers: their divisors are watched, and nothing else is asked of them on the way.
     pub equations: Box<dyn RightHandSide<f64> + 'w>,
@@ -20,17 +20,17 @@ pub struct Watched<'w> {
     pub events: Vec<Event<'w>>,
 }
 
-/// Makes what watches the trajectory at a position, when it begins.
+/// Function that makes the [`Watched`] of the trajectory at a position, when it begins.
 pub type Watching<'w> = dyn Fn(usize) -> Watched<'w> + 'w;
 
-/// Where a trajectory ends before its span does.
+/// End of a trajectory inside a step, or at a step, with its reason.
 pub(super) struct Ending {
     pub(super) t: f64,
     pub(super) y: Vec<f64>,
     pub(super) stop: Stop,
 }
 
-/// [`Watched`], with what it remembers from step to step.
+/// [`Watched`], with its memory from step to step.
 pub(super) struct Watcher<'w> {
     equations: Box<dyn RightHandSide<f64> + 'w>,
     guard: Guard<f64>,
@@ -41,7 +41,7 @@ pub(super) struct Watcher<'w> {
 }
 
 impl<'w> Watcher<'w> {
-    /// At the start of a trajectory, or a reason not to start.
+    /// Creates the watcher at the start of a trajectory; fails with a reason not to start.
     pub(super) fn new(Watched { mut equations, events }: Watched<'w>, t: f64, y: &[f64]) -> Result<Self, Stop> {
         let mut watch = Watch::new(Events::Own(events), y.len());
         if let Some(stop) = watch.start(t, y) {
@@ -51,7 +51,7 @@ impl<'w> Watcher<'w> {
         Ok(Self { equations, guard, watch, ends: [y.to_vec(), y.to_vec()], suspects: false })
     }
 
-    /// Looks at the ends of an accepted step over `span`; says whether it has to look inside.
+    /// Looks at the ends of an accepted step over `span`; true if it has to look inside.
     pub(super) fn look<M: Method<N>, const N: usize>(&mut self, method: &M, lane: usize, span: (f64, f64)) -> bool {
         method.ends(lane, &mut self.ends);
         if !self.guard.is_empty() {
@@ -61,7 +61,7 @@ impl<'w> Watcher<'w> {
         self.suspects || !self.watch.is_empty()
     }
 
-    /// What ends the trajectory inside the step that [`Watcher::look`] has seen, if anything does.
+    /// Finds the end of the trajectory inside the step that [`Watcher::look`] has seen; `None` if it goes on.
     pub(super) fn ending<M: Method<N>, const N: usize>(
         &mut self,
         method: &M,
@@ -86,7 +86,7 @@ impl<'w> Watcher<'w> {
         self.guard.accept(length);
     }
 
-    /// What happened.
+    /// Records of the events.
     pub(super) fn records(self) -> Vec<EventRecord> {
         self.watch.records
     }

@@ -53,7 +53,7 @@ impl<S: Real> Elliptic<S> {
         Self::with_complement(m, S::int(1) - m)
     }
 
-    /// Functions of m, given 1 − m too: near m = 1 the difference from 1 is what matters.
+    /// Functions of m, given 1 − m too: near m = 1 the difference from 1 matters.
     #[must_use]
     pub fn with_complement(m: S, complement: S) -> Self {
         let zero = S::int(0);
@@ -69,7 +69,7 @@ impl<S: Real> Elliptic<S> {
         S::pi() / (S::int(2) * self.mean())
     }
 
-    /// 1 − m.
+    /// Complementary parameter 1 − m.
     #[must_use]
     pub fn complement(&self) -> S {
         self.complement
@@ -139,7 +139,7 @@ impl<S: Real> Elliptic<S> {
     }
 }
 
-/// The steps of the mean of 1 and √complement, until what is left is below rounding.
+/// The steps of the mean of 1 and √complement, until further changes are below rounding.
 fn mean_steps<S: Real>(complement: S) -> Vec<Step<S>> {
     let two = S::int(2);
     let (mut a, mut b) = (S::int(1), complement.sqrt());

@@ -28,7 +28,7 @@ struct Circling<S> {
     elliptic: Elliptic<S>,
     /// a, b, c as indices of the body's axes.
     axes: [usize; 3],
-    /// A, B, C.
+    /// Amplitudes A, B, C.
     sizes: [S; 3],
     rate: S,
     start: S,
@@ -65,7 +65,7 @@ impl<S: Real> FreeBody<S> {
 }
 
 impl<S: Real> Circling<S> {
-    /// Nothing if ω is constant.
+    /// Creates the motion about these axes; `None` if ω is constant.
     fn new(inertia: [S; 3], omega_0: [S; 3], axes: [usize; 3]) -> Option<Self> {
         let zero = S::int(0);
         let [i_a, i_b, i_c] = axes.map(|axis| inertia[axis]);

@@ -3,7 +3,7 @@
 use super::trigonometry::{angle_of, nearest_whole};
 use tripos_traits::Real;
 
-/// Where a free symmetric body starts: Euler's angles (rotations z–x–z), in rad, and rates in rad/s.
+/// Start of a free symmetric body: Euler's angles (rotations z–x–z), in rad, and rates in rad/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyStart<S> {
     /// ψ: the line of nodes about the fixed third axis n₃.
@@ -105,7 +105,7 @@ impl<S: Real> FreeSymmetricBody<S> {
     }
 }
 
-/// The line of nodes, what stands across it and the axis, and the axis, in the fixed axes.
+/// The line of nodes, the direction across it and the axis, and the axis, in the fixed axes.
 fn moving_axes<S: Real>(precession: S, nutation: S) -> [[S; 3]; 3] {
     let ((sin_p, cos_p), (sin_n, cos_n)) = (precession.sin_cos(), nutation.sin_cos());
     [[cos_p, sin_p, S::int(0)], [-sin_p * cos_n, cos_p * cos_n, sin_n], [sin_p * sin_n, -cos_p * sin_n, cos_n]]

@@ -18,7 +18,7 @@ pub struct Top<S> {
     pub axial: S,
 }
 
-/// Where a top starts. Precession and spin angle are 0.
+/// Start of a top. Precession and spin angle are 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TopStart<S> {
     /// θ: the axis from the upward vertical, rad.
@@ -42,7 +42,7 @@ pub struct TopStart<S> {
 #[derive(Clone, Debug)]
 pub struct HeavyTop<S> {
     polar: Polar<S>,
-    /// ω₃ (1 − I₃/I₁): what of ψ′ does not vary.
+    /// ω₃ (1 − I₃/I₁): the constant part of ψ′.
     free_spin: S,
 }
 

@@ -1,4 +1,4 @@
-//! Motions known in closed form: what an integrator is held against.
+//! Motions known in closed form, against which integrators are checked.
 //!
 //! Each type is one motion from one start, with its position and rate at any instant, before or after the start.
 //! Generic over the scalar: in [`tripos_traits::DoubleDouble`] they give about 30 digits, so that the error measured is

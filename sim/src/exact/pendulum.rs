@@ -54,7 +54,7 @@ impl<S: Real> Pendulum<S> {
         }
     }
 
-    /// θ(t).
+    /// Angle θ(t), rad.
     #[must_use]
     pub fn angle(&self, t: S) -> S {
         let two = S::int(2);
@@ -66,7 +66,7 @@ impl<S: Real> Pendulum<S> {
         }
     }
 
-    /// θ′(t).
+    /// Angular velocity θ′(t), rad/s.
     #[must_use]
     pub fn rate(&self, t: S) -> S {
         let two = S::int(2);
@@ -87,7 +87,7 @@ impl<S: Real> Pendulum<S> {
         quarters * self.elliptic.quarter_period() / self.rate.abs()
     }
 
-    /// Whether it turns over.
+    /// True if the pendulum turns over.
     #[must_use]
     pub fn turns_over(&self) -> bool {
         matches!(self.motion, Motion::Rotation)

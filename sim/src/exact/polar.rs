@@ -14,7 +14,7 @@ use tripos_traits::Real;
 /// Steps of Newton's method to the largest zero: each takes off a third of the distance at least.
 const NEWTON_LIMIT: usize = 400;
 
-/// What decides the motion of θ and the precession φ. Angles in rad, rates in rad/s.
+/// Initial values and constants that decide the motion of θ and the precession φ. Angles in rad, rates in rad/s.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PolarStart<S> {
     pub(super) theta: S,
@@ -40,7 +40,7 @@ pub(super) struct Polar<S> {
     /// ½(a + b) and ½(a − b).
     momenta: [S; 2],
     parts: [PeriodicIntegral<S>; 2],
-    /// What the integrals of the parts are at t = 0.
+    /// Values of the integrals of the parts at t = 0.
     at_start: [S; 2],
 }
 
@@ -130,7 +130,7 @@ impl<S: Real> Polar<S> {
         -S::int(2) * self.span * self.rate * at.sn * at.cn * at.dn / (above * below).sqrt()
     }
 
-    /// φ′.
+    /// Precession rate φ′.
     pub(super) fn precession_rate(&self, t: S) -> S {
         self.rate_of_part(0, t + self.lead) + self.rate_of_part(1, t + self.lead)
     }
@@ -199,7 +199,7 @@ impl<S: Real> Zeros<S> {
             .with_margins(start.beta, momenta, above, below)
     }
 
-    /// u₃ − u₂.
+    /// Difference u₃ − u₂.
     fn gap(&self) -> S {
         self.beyond_top + self.from_top
     }

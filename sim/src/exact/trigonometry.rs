@@ -1,4 +1,4 @@
-//! What [`Real`] leaves out.
+//! Functions that [`Real`] leaves out.
 
 use tripos_traits::Real;
 

@@ -1,11 +1,14 @@
-//! Coulomb's law among contacts that push and never pull: which of them stick, slip and open together.
+//! Coulomb's law among contacts that push and never pull: the modes in which they stick, slip and open together.
 //!
-//! A contact with friction has a row along its gap and one along its slip. While it slips, at a velocity of the sign s, its force along the slip is −μ s λ_n:
-//! the force along the gap stands in both rows of the linear system from which all forces follow at once, and that system is not symmetric. While
-//! it sticks, both rows are held, and |λ_t| ≤ μ λ_n. What holds of several contacts is found by trying all modes of all of them: no pivoting, which ends in the first
-//! solution that it meets. With friction there may be none, or several that move differently (P. Painlevé, "Sur les lois du frottement de glissement", *Comptes
-//! Rendus* 121 (1895), 112–115; P. Lötstedt, "Coulomb friction in two-dimensional rigid body systems", *Zeitschrift für Angewandte Mathematik und Mechanik* 61
-//! (1981), 605–615; F. Génot & B. Brogliato, "New results on Painlevé paradoxes", *European Journal of Mechanics A/Solids* 18 (1999), 653–677): [`Undecided`] says so.
+//! A contact with friction has a row along its gap and one along its slip. While it slips, at a velocity of the sign s,
+//! its force along the slip is −μ s λ_n. The force along the gap then stands in both rows of the linear system for all
+//! forces, and that system is not symmetric. While the contact sticks, both rows are held, and |λ_t| ≤ μ λ_n. The modes
+//! of several contacts are found by trying all modes of all of them; pivoting would end in the first solution that it
+//! meets. With friction there may be no solution, or several that move differently (P. Painlevé, "Sur les lois du
+//! frottement de glissement", *Comptes Rendus* 121 (1895), 112–115; P. Lötstedt, "Coulomb friction in two-dimensional
+//! rigid body systems", *Zeitschrift für Angewandte Mathematik und Mechanik* 61 (1981), 605–615; F. Génot & B.
+//! Brogliato, "New results on Painlevé paradoxes", *European Journal of Mechanics A/Solids* 18 (1999), 653–677):
+//! [`Undecided`] reports that.
 //!
 //! Absent on purpose: any knowledge of time, of steps and of models; any choice between motions that differ.
 
@@ -15,10 +18,10 @@ use nalgebra::DVector;
 use std::fmt;
 pub(crate) use trial::{Touch, Trial};
 
-/// Motions that differ by less than this part of what would be without contacts are one.
+/// Motions count as one if they differ by less than this part of the motion without contact forces.
 const ALIKE: f64 = 1e-6;
 
-/// What a contact that is closed does.
+/// Behaviour of a contact that is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
     /// It opens, or could: it has no force.
@@ -32,13 +35,13 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// Whether the contact stays closed.
+    /// True if the contact stays closed.
     #[must_use]
     pub fn is_held(self) -> bool {
         self != Self::Opens
     }
 
-    /// How much of a contact is let go: nothing, its slip, or all of it.
+    /// Freedom of a contact: 0 if it is held, 1 if its slip is free, 2 if all of it is.
     fn freedom(self) -> usize {
         match self {
             Self::Pushes | Self::Sticks => 0,
@@ -65,22 +68,22 @@ impl fmt::Display for Mode {
 pub struct Found {
     /// A mode for each contact.
     pub modes: Vec<Mode>,
-    /// Whether each has a force along its gap beside what it is given there.
+    /// True for each contact that has a force along its gap in addition to the given one.
     pub pushes: Vec<bool>,
-    /// Along all rows: in N where the gap is in m, or N s.
+    /// Forces along all rows, in N where the gap is in m, or impulses in N s.
     pub forces: DVector<f64>,
 }
 
-/// Why contacts do not say what they do together.
+/// Reason why the laws do not decide the modes of contacts.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Undecided {
     /// No modes agree with the laws of contacts and friction.
     Nothing,
-    /// These do, among others perhaps, and move differently.
+    /// Several sets of modes agree with the laws and move differently; these are two of them.
     Several([Vec<Mode>; 2]),
 }
 
-/// What was found with how the rows move, as one motion: in the order of how little is let go.
+/// Takes modes that were found, with the motion of the rows, as one motion; sorts them by freedom, the firmest first.
 ///
 /// # Errors
 /// [`Undecided`] if there is none, or more than one.

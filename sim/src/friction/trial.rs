@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, DVector};
 const DEPENDENT: f64 = 1e-11;
 /// The least part of the largest normal force by which a force along a slip is weighed.
 const LIGHT: f64 = 1e-6;
-/// By how much less forces along slips count than those along gaps where friction could not bear its share: no more friction than it takes.
+/// Factor on the weight of forces along slips where friction could not bear its share: friction then takes no more than
+/// needed.
 const FAINT: f64 = 1e-3;
 
 /// A contact of a trial, in the units of its rows.
@@ -18,21 +19,21 @@ pub(crate) struct Touch<'t> {
     pub friction: Option<f64>,
     /// The sign of the velocity at which it slips; nothing if it does not.
     pub slips: Option<f64>,
-    /// What it has along its gap beside what is sought.
+    /// Given force along its gap, in addition to the wanted one.
     pub given: f64,
 }
 
-/// Contacts that are closed together, c being what their rows would do without forces: G λ + c is what they do.
+/// Contacts that are closed together. Under forces λ their rows move by G λ + c, without forces by c.
 pub(crate) struct Trial<'t> {
     /// G, in units in which all rows are alike.
     pub g: &'t DMatrix<f64>,
     pub touches: Vec<Touch<'t>>,
 }
 
-/// A row of which the force is sought, and the row, if any, along which it has another by friction, this many times as large.
+/// Row of a wanted force; and the row, if any, along which friction adds a force, with the factor of that force.
 type Sought = (usize, Option<(usize, f64)>);
 
-/// What a contact does, and whether it pushes beside what it is given.
+/// Mode of a contact, and whether it pushes in addition to the given force.
 #[derive(Clone, Copy)]
 struct Choice {
     mode: Mode,
@@ -40,31 +41,32 @@ struct Choice {
 }
 
 impl Touch<'_> {
-    /// Whether friction has any force.
+    /// True if friction has any force.
     fn is_rough(&self) -> bool {
         self.friction.is_some_and(|mu| mu > 0.0)
     }
 
-    /// All that it may do.
+    /// Lists all choices of the contact.
     fn choices(&self) -> Vec<Choice> {
         let pushes = |mode| Choice { mode, pushes: true };
         if self.friction.is_none() {
             return vec![Choice { mode: Mode::Opens, pushes: false }, pushes(Mode::Pushes)];
         }
         let grips = match self.slips {
-            // Nothing tells which way, and nothing depends on it.
+            // Nothing tells the direction of the slip, and nothing depends on it.
             _ if !self.is_rough() => vec![Mode::Slips(1.0)],
             Some(way) => vec![Mode::Slips(way)],
             None => vec![Mode::Sticks, Mode::Slips(1.0), Mode::Slips(-1.0)],
         };
-        // What is given along the gap has its friction, also where nothing is added.
+        // A given force along the gap has its friction, also where no other force is added.
         let idle = if self.given > 0.0 { grips.clone() } else { vec![Mode::Opens] };
         idle.into_iter().map(|mode| Choice { mode, pushes: false }).chain(grips.into_iter().map(pushes)).collect()
     }
 }
 
 impl Trial<'_> {
-    /// All modes that agree with the laws, within `nothing`, with what the rows then do; where nothing has friction the first, since all move alike.
+    /// Finds all modes that agree with the laws, within `nothing`, with their forces and the motion of the rows.
+    /// Without any friction only the first is found, since all move alike.
     pub(crate) fn found(&self, c: &DVector<f64>, nothing: f64) -> Vec<(Found, DVector<f64>)> {
         let choices: Vec<Vec<Choice>> = self.touches.iter().map(Touch::choices).collect();
         let is_smooth = self.touches.iter().all(|touch| touch.friction.is_none());
@@ -92,12 +94,12 @@ impl Trial<'_> {
         list
     }
 
-    /// The forces of given modes; nothing if they are not finite.
+    /// Forces of given modes; `None` if they are not finite.
     pub(crate) fn held(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
         self.forces(c, &chosen(modes))
     }
 
-    /// Whether given modes agree with the laws.
+    /// True if given modes agree with the laws.
     pub(crate) fn holds(&self, c: &DVector<f64>, modes: &[Mode], nothing: f64) -> bool {
         let chosen = chosen(modes);
         let forces = self.forces(c, &chosen);
@@ -112,7 +114,7 @@ impl Trial<'_> {
         self.matrix(&self.unknown(&chosen(modes))).determinant()
     }
 
-    /// Whether forces, and what the rows do under them, are those of what was chosen.
+    /// True if forces, and the motion of the rows under them, agree with the choices.
     fn agrees(&self, chosen: &[Choice], (forces, after): (&DVector<f64>, &DVector<f64>), nothing: f64) -> bool {
         self.touches.iter().zip(chosen).all(|(touch, choice)| {
             let stays = |row: usize| after[row].abs() <= nothing;
@@ -131,7 +133,7 @@ impl Trial<'_> {
         })
     }
 
-    /// The forces of what was chosen: G λ + c is 0 along the rows that are held.
+    /// Forces of the choices: G λ + c is 0 along the rows that are held.
     fn forces(&self, c: &DVector<f64>, chosen: &[Choice]) -> Option<DVector<f64>> {
         let unknown = self.unknown(chosen);
         let mut forces = self.of_given(chosen);
@@ -152,7 +154,7 @@ impl Trial<'_> {
         {
             values = shared(&part, &sides, &weights)?;
             if !self.bear(chosen, (&unknown, &values)) {
-                // A gap alone may hold what a slip does as well.
+                // A gap alone may hold the motion that a slip holds as well.
                 let mut faint = weights;
                 let along = faint.iter_mut().zip(&unknown).filter(|(_, (row, _))| !self.is_gap(*row));
                 along.for_each(|(weight, _)| *weight *= FAINT);
@@ -168,7 +170,7 @@ impl Trial<'_> {
         Some(forces)
     }
 
-    /// What is sought.
+    /// Lists the wanted forces of the choices.
     fn unknown(&self, chosen: &[Choice]) -> Vec<Sought> {
         let mut list = Vec::new();
         for (touch, choice) in self.touches.iter().zip(chosen) {
@@ -185,7 +187,7 @@ impl Trial<'_> {
         list
     }
 
-    /// The forces along slips that come of what is given along gaps.
+    /// Forces along slips by friction from the given forces along gaps.
     fn of_given(&self, chosen: &[Choice]) -> DVector<f64> {
         let mut forces = DVector::zeros(self.g.nrows());
         for (touch, choice) in self.touches.iter().zip(chosen) {
@@ -196,7 +198,7 @@ impl Trial<'_> {
         forces
     }
 
-    /// The matrix of the system, a row and a column for each force that is sought.
+    /// Matrix of the system, with a row and a column for each wanted force.
     fn matrix(&self, unknown: &[Sought]) -> DMatrix<f64> {
         DMatrix::from_fn(unknown.len(), unknown.len(), |i, j| {
             let (row, (column, follows)) = (unknown[i].0, unknown[j]);
@@ -205,12 +207,12 @@ impl Trial<'_> {
         })
     }
 
-    /// Whether a row is along a gap.
+    /// True if a row is along a gap.
     fn is_gap(&self, row: usize) -> bool {
         self.touches.iter().any(|touch| touch.rows[0] == row)
     }
 
-    /// Whether friction can bear all forces along slips of contacts that stick.
+    /// True if friction can bear all forces along slips of contacts that stick.
     fn bear(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> bool {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let bears = |touch: &Touch<'_>| touch.friction.unwrap_or(0.0) * (force(touch.rows[0]) + touch.given);
@@ -218,8 +220,8 @@ impl Trial<'_> {
         sticking.map(|(touch, _)| touch).all(|touch| force(touch.rows[1]).abs() <= bears(touch))
     }
 
-    /// By what forces are weighed that depend on one another: those along slips by what friction can bear, so that no contact slips where others could
-    /// bear more; nothing if no contact sticks.
+    /// Weights of forces that depend on one another. Those along slips have weights by the force that friction can
+    /// bear, so that no contact slips where others could bear more. `None` if friction bears no force.
     fn weights(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> Option<DVector<f64>> {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let mut weights = DVector::from_element(unknown.len(), 1.0);
@@ -235,7 +237,7 @@ impl Trial<'_> {
 }
 
 impl Touch<'_> {
-    /// The force along the slip by one along the gap.
+    /// Force along the slip for a unit of force along the gap.
     fn slipping(&self, way: f64) -> f64 {
         -self.friction.unwrap_or(0.0) * way
     }

@@ -5,7 +5,7 @@
 use super::energy::Energy;
 use tripos_traits::Scalar;
 
-/// How the coordinate follows from the variable w ≥ 0 of a stretch.
+/// Map from the variable w ≥ 0 of a stretch to the coordinate.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Chart {
     /// From one of two turning points halfway to the other: q = end + side · length · sin²(w/2).
@@ -14,8 +14,8 @@ pub(super) enum Chart {
     Root { end: f64, side: f64 },
     /// From a place that is not a turning point: q = end + side · w.
     Line { end: f64, side: f64 },
-    /// From the place where the kinetic energy is least, this large there: q = end + side · width · sinh w, so that dt/dw stays regular however
-    /// little is left to pass it with.
+    /// From the place where the kinetic energy is least, `kinetic` there: q = end + side · width · sinh w. So dt/dw
+    /// stays regular however little energy is left to pass the place with.
     Crest { end: f64, side: f64, width: f64, kinetic: f64 },
 }
 
@@ -49,7 +49,7 @@ impl Chart {
         Place { q: S::from_f64(end) + S::from_f64(side) * offset, offset, reach }
     }
 
-    /// Where w is 0, and which way it grows.
+    /// Coordinate where w is 0, and the sign of its growth with w.
     pub(super) fn start(&self) -> (f64, f64) {
         let (Self::Arc { end, side, .. }
         | Self::Root { end, side }
@@ -58,8 +58,8 @@ impl Chart {
         (end, side)
     }
 
-    /// T/(reach)² at a distance from the turning point: −V\[end, q\] over what is left to the other one (2 where there
-    /// is none). `slope` gives V\[a, b\]. Behind a crest both parts of T are positive.
+    /// T/(reach)² at a distance from the turning point: −V\[end, q\] over the distance to the other one (2 if there is
+    /// none). `slope` gives V\[a, b\]. Behind a crest both parts of T are positive.
     #[inline(always)]
     pub(super) fn level<S: Scalar>(&self, energy: &Energy<'_>, slope: impl Fn(S, S) -> S, at: &Place<S>) -> S {
         let (end, side) = self.start();
@@ -95,7 +95,7 @@ impl Chart {
     }
 }
 
-/// Where the kinetic energy is known, and from where it is computed.
+/// Place from which the kinetic energy is computed, with its value there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Anchor {
     pub(super) q: f64,

@@ -11,7 +11,7 @@ const PANELS_OF_SWING: u32 = 2000;
 const PANELS: u32 = 20_000;
 /// Panels in which a motion that seems not to turn is looked at.
 const EXPLORED: usize = 100;
-/// How often a turning point that the search missed may be met.
+/// Largest number of times that the motion may meet a turning point that the search missed.
 const MISSED_LIMIT: u32 = 16;
 
 /// The shape of the motion; times τ are counted from a turning point where there is one, else from the start.
@@ -21,8 +21,8 @@ pub(super) enum Course {
     Rest,
     /// To and fro between two turning points, from the lower (τ = 0) and from the upper half way each.
     Swing { halves: Box<[Track; 2]> },
-    /// Round and round, all repeating after `length` of the coordinate: from where the kinetic energy is least (τ = 0) half way on, and from the
-    /// next such place half way back.
+    /// Round and round; everything repeats after `length` of the coordinate. One half goes from where the kinetic
+    /// energy is least (τ = 0) half way on, the other from the next such place half way back.
     Rotation { halves: Box<[Track; 2]>, length: f64, rising: bool },
     /// To a turning point (τ = 0) and back.
     Return { track: Box<Track> },
@@ -30,17 +30,18 @@ pub(super) enum Course {
     Pass { tracks: Box<[Track; 2]>, rising: bool },
 }
 
-/// What there is to say at an instant: a stretch, a place of it, and how the quadratures follow from its own.
+/// Place of the motion at an instant: a stretch, a place of it, and the data that turn its quadratures into those of
+/// the motion.
 pub(super) struct Spot<'c> {
     pub(super) track: &'c Track,
     pub(super) found: Found,
-    /// Whether q rises.
+    /// True if q rises.
     pub(super) rising: bool,
     /// Whole periods before.
     turns: f64,
-    /// What the coordinate is farther by than the place of the stretch.
+    /// Coordinate of the motion minus that of the place of the stretch.
     pub(super) shift: f64,
-    /// Whether a period goes both ways.
+    /// True if a period goes both ways.
     returns: bool,
     /// Both stretches, to which the place is counted back from the end of the second: their sums count with `sign`.
     halves: Option<&'c [Track; 2]>,
@@ -175,7 +176,7 @@ impl Course {
             Self::Pass { tracks, .. } => &mut tracks[0],
         };
         match track.extend(energy, scratch, Goal::Panels(EXPLORED), PANELS) {
-            // What is not asked for need not be resolved.
+            // Panels that nobody asked for need not be resolved.
             Err(Obstacle::Unresolved(_)) | Ok(()) => Ok(()),
             barrier => barrier,
         }
@@ -202,7 +203,7 @@ impl Course {
         }
     }
 
-    /// What there is to say at the time τ; nothing at rest, and where the motion was not followed to.
+    /// Place of the motion at the time τ. `None` at rest, and where the motion was not followed to.
     pub(super) fn spot(&self, tau: f64) -> Option<Spot<'_>> {
         match self {
             Self::Rest => None,
@@ -286,7 +287,7 @@ impl Course {
     }
 }
 
-/// Takes a barrier that was met for what it shows: a turning point between it and the start.
+/// Notes the turning point between the start and a barrier that the motion met.
 pub(super) fn note(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],
@@ -330,7 +331,7 @@ impl Track {
         self.value(&self.at_variable(w), 0)
     }
 
-    /// Whether q is above the start of the stretch.
+    /// True if q is above the start of the stretch.
     fn opens_upwards(&self) -> bool {
         self.chart.start().1 > 0.0
     }

@@ -24,21 +24,21 @@ pub(super) struct Energy<'a> {
     pub(super) kinetic: f64,
     /// The sign of k in q′ = k v.
     pub(super) orientation: f64,
-    /// After how much of the coordinate all repeats.
+    /// Length of the coordinate after which all repeats.
     pub(super) repeats: Option<f64>,
 }
 
-/// Where the kinetic energy is least.
+/// Place where the kinetic energy is least.
 pub(super) struct Crest {
     /// The coordinate there.
     pub(super) at: f64,
     /// The kinetic energy there.
     pub(super) kinetic: f64,
-    /// How far from there it is twice as large, about.
+    /// Distance at which the kinetic energy is about twice as large.
     pub(super) width: f64,
 }
 
-/// Equations of motion, which have no more to say of themselves.
+/// Equations of motion in a type that implements `Debug`.
 #[derive(Clone, Copy)]
 pub(super) struct Equations<'a>(pub(super) &'a dyn System<f64>);
 
@@ -84,7 +84,7 @@ impl<'a> Energy<'a> {
         self.system.0.potential_slope(&self.p, a, b)
     }
 
-    /// T at the coordinate `q`: T₀ − (q − q₀) V\[q₀, q\]. What is not a number lies beyond a barrier.
+    /// T at the coordinate `q`: T₀ − (q − q₀) V\[q₀, q\]. A place where that is not a number lies beyond a barrier.
     pub(super) fn left(&self, q: f64) -> f64 {
         let left = self.kinetic - (q - self.start) * self.slope(self.start, q);
         if left.is_finite() { left } else { f64::NEG_INFINITY }
@@ -139,7 +139,8 @@ impl<'a> Energy<'a> {
         Ok(None)
     }
 
-    /// Whether the motion rests at its start: at an equilibrium, or so near to a stable one, and so slow, that rounding is all that it moves by.
+    /// True if the motion rests at its start: at an equilibrium, or so near to a stable one, and so slow, that rounding
+    /// alone moves it.
     pub(super) fn rests(&self) -> bool {
         let (q, blur) = (self.start, 8.0 * f64::EPSILON * self.start.abs());
         if self.kinetic <= 0.0 && self.slope(q, q).abs() <= 0.0 {
@@ -149,9 +150,11 @@ impl<'a> Energy<'a> {
         below <= 0.0 && above >= 0.0 && self.kinetic <= 0.25 * (above - below) * blur
     }
 
-    /// Where the kinetic energy is least along one `length`, after which all repeats, on one side of the start or at it.
+    /// Finds the place where the kinetic energy is least along one `length`, after which all repeats, on one side of
+    /// the start or at it.
     ///
-    /// A minimum that the samples miss costs panels, and no truth. Where there is none left the motion turns before.
+    /// A minimum that the samples miss costs more panels, but no accuracy. Fails with a barrier if no kinetic energy is
+    /// left there: the motion turns before it.
     pub(super) fn crest(&self, length: f64, side: f64) -> Result<Result<Crest, Obstacle>, NoQuadrature> {
         let place = |part: u32| self.start - side * length * f64::from(part) / f64::from(SAMPLES);
         let lowest =

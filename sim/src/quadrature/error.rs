@@ -1,10 +1,10 @@
-//! Why there is no answer by quadrature.
+//! Reasons why there is no answer by quadrature.
 
 use std::fmt;
 
 use crate::error::SimError;
 
-/// Why a stretch is not integrated.
+/// Reason why a stretch is not integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Obstacle {
     /// There is no kinetic energy at this coordinate.
@@ -20,7 +20,7 @@ pub enum NoQuadrature {
     Question(SimError),
     /// There is not exactly one speed.
     NotOneDegree {
-        /// How many there are.
+        /// Number of speeds.
         speeds: usize,
     },
     /// The equations do not bring the divided difference of their potential energy.

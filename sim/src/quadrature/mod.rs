@@ -43,9 +43,13 @@ use track::Scratch;
 /// #     fn mass_matrix(&self, _: &[f64], _: &[f64], _: &[f64], out: &mut [f64]) { out[0] = 1.0; }
 /// #     fn forcing(&self, _: &[f64], q: &[f64], _: &[f64], out: &mut [f64]) { out[0] = -q[0]; }
 /// #     fn output_count(&self) -> usize { 2 }
-/// #     fn outputs(&self, p: &[f64], _: f64, q: &[f64], v: &[f64], out: &mut [f64]) { self.whole_state(p, q, v, out); }
+/// #     fn outputs(&self, p: &[f64], _: f64, q: &[f64], v: &[f64], out: &mut [f64]) {
+/// #         self.whole_state(p, q, v, out);
+/// #     }
 /// #     fn generalized_speeds(&self, _: &[f64], _: &[f64], v: &[f64], out: &mut [f64]) { out[0] = v[0]; }
-/// #     fn generalized_speed_rates(&self, _: &[f64], _: &[f64], _: &[f64], a: &[f64], out: &mut [f64]) { out[0] = a[0]; }
+/// #     fn generalized_speed_rates(&self, _: &[f64], _: &[f64], _: &[f64], a: &[f64], out: &mut [f64]) {
+/// #         out[0] = a[0];
+/// #     }
 /// #     fn motion_variables(&self, _: &[f64], _: &[f64], u: &[f64], out: &mut [f64]) { out[0] = u[0]; }
 /// #     fn kinetic_energy(&self, _: &[f64], _: &[f64], v: &[f64]) -> f64 { 0.5 * v[0] * v[0] }
 /// #     fn potential_energy(&self, _: &[f64], q: &[f64]) -> f64 { 0.5 * q[0] * q[0] }

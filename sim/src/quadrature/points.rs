@@ -10,7 +10,7 @@ use super::error::Obstacle;
 use super::rule::{POINTS, Rule, Series};
 use tripos_traits::{AtPoints, Integrands, Lanes, Scalar, lane_width};
 
-/// What is sampled at the points of one panel.
+/// Samples of the integrands at the points of one panel.
 pub(super) struct Samples {
     /// q, and |v|.
     places: Series,
@@ -37,7 +37,7 @@ pub(super) struct Panel<'a> {
     pub(super) half: f64,
 }
 
-/// Equations with room for what they compute at some points.
+/// Equations with room for their values at some points.
 pub(super) trait Sampler {
     /// Takes dt/dw and the integrands while q rises.
     ///
@@ -48,7 +48,7 @@ pub(super) trait Sampler {
     fn falling(&mut self, energy: &Energy<'_>, samples: &mut Samples);
 }
 
-/// In the widest lanes that the equations come in and this processor computes best in.
+/// Sampler in the widest lanes that the equations come in and this processor computes best in.
 pub(super) fn sampler<'a>(energy: &'a Energy<'_>, q: &[f64]) -> Box<dyn Sampler + 'a> {
     match energy.system.0.at_points() {
         Some(AtPoints { eight, .. }) if lane_width() == 8 => Box::new(Wide::<Lanes<8>>::new(eight, energy, q)),
@@ -59,7 +59,7 @@ pub(super) fn sampler<'a>(energy: &'a Energy<'_>, q: &[f64]) -> Box<dyn Sampler 
 
 /// A number of doubles.
 trait Packed: Scalar {
-    /// How many.
+    /// Number of doubles.
     const WIDTH: usize;
     fn pack(values: &[f64]) -> Self;
     fn unpack(self, to: &mut [f64]);

@@ -19,8 +19,8 @@ pub(super) type Values = [f64; POINTS + 1];
 pub(super) struct Rule {
     /// Zeros of P_n, in increasing order.
     pub(super) points: Series,
-    /// Row i: what the values at point i and opposite to it add to the coefficients, (k + ½) wᵢ P_k(xᵢ): their sum to
-    /// those of even k, their difference to those of odd k.
+    /// Row i: shares of the values at point i and opposite to it in the coefficients, (k + ½) wᵢ P_k(xᵢ). Their sum
+    /// adds to those of even k, their difference to those of odd k.
     shares: [[[f64; HALF]; 2]; HALF],
     /// 1/(k + 1) and the factors of the recurrence, (2 k + 1)/(k + 1) and k/(k + 1).
     recurrence: [[f64; 2]; POINTS],

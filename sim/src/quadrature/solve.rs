@@ -134,7 +134,7 @@ struct Nodes {
 }
 
 impl Nodes {
-    /// Those of a motion in the direction of `span`.
+    /// Nodes of a motion in the direction of `span`.
     fn new(motion: &OneDegree<'_>, span: f64) -> Self {
         let forward = span >= 0.0;
         let mut times = if same(span, 0.0) { Vec::new() } else { motion.course.nodes() };

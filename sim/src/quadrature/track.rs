@@ -11,7 +11,7 @@ use super::points::{Panel, Sampler, Samples, sampler};
 use super::rule::{POINTS, Rule, Series, Values, dot, integrated};
 use tripos_traits::largest;
 
-/// What the last terms of a series may be, relative to its largest value: rounding errors of the integrand.
+/// Largest last term of a resolved series, relative to its largest term: rounding errors of the integrand.
 const RESOLVED: f64 = 16.0 * f64::EPSILON;
 /// Rounding errors of an integrand, relative to its largest value, for which no panel is made narrower: of both signs,
 /// they hardly add up.
@@ -23,7 +23,7 @@ const FAR_ENOUGH: f64 = 2.7;
 /// Panels that there is room for without more memory.
 const ROOM: usize = 12;
 
-/// How far a stretch is to be integrated.
+/// Goal up to which a stretch is to be integrated.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Goal {
     /// To this w, where it ends.
@@ -66,7 +66,7 @@ pub(super) struct Track {
     pub(super) rejected: u32,
 }
 
-/// What one panel is sampled by, and buffers for it.
+/// Sampler of a panel, and buffers for it.
 pub(super) struct Scratch<'a> {
     sampler: Box<dyn Sampler + 'a>,
     samples: Samples,
@@ -153,7 +153,8 @@ impl Track {
         let half = 0.5 * (to - from);
         let panel = Panel { energy, chart: self.chart, anchor: self.anchor, from, half };
         scratch.sampler.rising(&panel, &mut scratch.samples)?;
-        // What falls costs as much again, and is looked at only if nothing shows yet that the panel is too wide.
+        // Integrands while q falls cost as much again. They are looked at only if nothing shows yet that the panel is
+        // too wide.
         let rest = self.functions / 2;
         let mut nearest = f64::INFINITY;
         for function in 0..self.functions {
@@ -231,7 +232,7 @@ impl Track {
         0.25
     }
 
-    /// Where the stretch is after `time`: its panel, ξ in it and the polynomials there.
+    /// Place of the stretch after `time`: its panel, ξ in it and the polynomials there.
     pub(super) fn find(&self, time: f64) -> Found {
         let panel = self.times.partition_point(|t| *t <= time).min(self.times.len() - 1).max(1) - 1;
         let wanted = time - self.times[panel];
@@ -263,7 +264,7 @@ impl Track {
         self.found(panel, x, p)
     }
 
-    /// Where the stretch is at `w`.
+    /// Place of the stretch at `w`.
     pub(super) fn at_variable(&self, w: f64) -> Found {
         let panel = self.ends.partition_point(|end| *end <= w).min(self.ends.len() - 1).max(1) - 1;
         let (from, to) = (self.ends[panel], self.ends[panel + 1]);

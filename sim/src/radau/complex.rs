@@ -42,8 +42,8 @@ impl<S: Real> Mul for Complex<S> {
     }
 }
 
-/// By R. L. Smith's formula, Comm. ACM 5 (1962) 435: no square of the divisor, which may overflow where the quotient
-/// does not.
+/// Divides by R. L. Smith's formula, Comm. ACM 5 (1962) 435. It takes no square of the divisor, which may overflow
+/// where the quotient does not.
 impl<S: Real> Div for Complex<S> {
     type Output = Self;
     fn div(self, other: Self) -> Self {

@@ -1,10 +1,10 @@
 //! Radau IIA with three stages: order 5, implicit, A- and L-stable, for stiff equations.
 //!
-//! The polynomial u of degree 3 with u(t) = y satisfies the equations at the three zeros of Radau's polynomial, of which
-//! the last is the end of the step; u is also the dense output, of order 3. What decays at once is gone after a step of any
-//! length, so that steps are as long as the motion lets them be. The method, its error and its step control are those of
-//! E. Hairer's code RADAU5: E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II. Stiff and
-//! Differential-Algebraic Problems*, 2nd edition (1996), §IV.8.
+//! The polynomial u of degree 3 with u(t) = y satisfies the equations at the three zeros of Radau's polynomial, of
+//! which the last is the end of the step; u is also the dense output, of order 3. Fast decaying parts of the solution
+//! vanish in a step of any length, so that the motion alone limits the steps. The method, its error and its step
+//! control are those of E. Hairer's code RADAU5: E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II.
+//! Stiff and Differential-Algebraic Problems*, 2nd edition (1996), §IV.8.
 //!
 //! Invariant: `z` has the differences of the stages of the step last tried from its start, all components of the first
 //! stage first; `inside` their polynomial. Newton's method and what it keeps from step to step is in [`newton`].
@@ -24,14 +24,14 @@ use scheme::{Scheme, dot};
 
 /// Iterations of Newton's method after which an adaptive step is given up, as in RADAU5.
 const ITERATIONS: u32 = 7;
-/// Those of a step of a fixed length, which cannot be shortened and is solved to rounding.
+/// Iterations for a step of a fixed length, which cannot be shortened and is solved to rounding.
 const FIXED_ITERATIONS: u32 = 30;
 
 /// State of the method between and inside steps.
 pub(crate) struct Radau5<S> {
     scheme: Scheme<S>,
     newton: Newton<S>,
-    /// How many times the tolerance the estimate may be: [`leeway`].
+    /// Largest error estimate over the tolerance: [`leeway`].
     leeway: f64,
     /// The tolerance that steps are mostly decided by.
     tolerance: f64,
@@ -55,7 +55,7 @@ pub(crate) struct Radau5<S> {
     point: Vec<S>,
     /// The largest size of each component so far.
     magnitudes: Vec<f64>,
-    /// Whether a step was accepted since the start, and none failed after it.
+    /// True if a step was accepted since the start, and none failed after it.
     goes_well: bool,
     evaluations: u64,
 }
@@ -126,7 +126,7 @@ impl<S: Real> Radau5<S> {
         })
     }
 
-    /// What a change of each component is divided by, and how small it must become.
+    /// Sets the divisors of changes of the components, and returns the size that the quotients must reach.
     ///
     /// With a test: a part of the allowed error, at least some roundings. Without one, the sizes of the components,
     /// and rounding.
@@ -188,9 +188,9 @@ impl<S: Real> Radau5<S> {
     }
 }
 
-/// How many times the tolerance an estimate of order h⁴ may be where the error at the end of a run, of order h⁵, is to be
-/// about the tolerance: ½ rtol^(4/5) stands for rtol. RADAU5 puts 0.1 rtol^(2/3) there, by which errors outgrow the tolerance
-/// tenfold every six digits.
+/// Largest error estimate over the tolerance. The estimate is of order h⁴, and the error at the end of a run, of order
+/// h⁵, is to be about the tolerance: ½ rtol^(4/5) stands for rtol. RADAU5 puts 0.1 rtol^(2/3) there, by which errors
+/// outgrow the tolerance tenfold every six digits.
 fn leeway(tolerance: f64) -> f64 {
     0.5 * tolerance.powf(-0.2)
 }
@@ -283,7 +283,8 @@ impl<S: Real> Stepper for Radau5<S> {
         Ok(error)
     }
 
-    /// RADAU5's: the more iterations a step took, the less of what its error allows the next one takes.
+    /// Margin of RADAU5: the more iterations a step took, the smaller the part of the allowed size that the next one
+    /// takes.
     fn margin(&self) -> f64 {
         let (most, taken) = (f64::from(2 * ITERATIONS), f64::from(self.newton.taken));
         ((1.0 + most) / (taken + most)).min(1.0)

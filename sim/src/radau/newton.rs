@@ -20,7 +20,7 @@ const FAST: f64 = 1e-3;
 /// Iterations that gain less are given up.
 const SLOW: f64 = 0.99;
 
-/// How near to (t, y) the Jacobian was evaluated.
+/// Age of the Jacobian, by the point at which it was evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Age {
     /// There is none.
@@ -31,7 +31,7 @@ enum Age {
     Here,
 }
 
-/// How exactly the equations of a step are to be solved.
+/// Accuracy to which the equations of a step are to be solved.
 pub(super) struct Aim {
     /// The part of the weights that counts as solved.
     pub(super) enough: f64,
@@ -52,9 +52,9 @@ pub(super) struct Newton<S> {
     /// The right-hand sides of both systems.
     first: Vec<S>,
     pair: Vec<Complex<S>>,
-    /// What errors are divided by, for each component.
+    /// Divisor of the error of each component.
     pub(super) weights: Vec<f64>,
-    /// θ/(1 − θ), θ the factor by which changes shrink: what is left of an error, as a part of the last change.
+    /// θ/(1 − θ), θ the factor by which changes shrink: the remaining error, as a part of the last change.
     left: f64,
     /// The last θ; 0 where one iteration was enough.
     rate: f64,
@@ -86,7 +86,7 @@ impl<S: Real> Newton<S> {
         }
     }
 
-    /// Whether another Jacobian might help.
+    /// True if another Jacobian might help.
     pub(super) fn is_old(&self) -> bool {
         self.age == Age::Old
     }

@@ -22,7 +22,7 @@ pub(super) struct Scheme<S> {
     pub(super) pair: Complex<S>,
     /// T, whose columns are eigenvectors; the last entry of each is 1.
     pub(super) t: Matrix<S>,
-    /// T⁻¹.
+    /// Inverse of T.
     pub(super) t_inverse: Matrix<S>,
     /// Takes values at the nodes to the coefficients of θ, θ² and θ³ of the polynomial that is 0 at 0.
     pub(super) powers: Matrix<S>,
@@ -93,7 +93,7 @@ fn cross<E: Entry>(a: &[E; 3], b: &[E; 3]) -> [E; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// By the cross products of its columns.
+/// Computes the inverse by the cross products of the columns.
 fn inverse<S: Real>(m: &Matrix<S>) -> Matrix<S> {
     let column = |j: usize| [m[0][j], m[1][j], m[2][j]];
     let rows = [cross(&column(1), &column(2)), cross(&column(2), &column(0)), cross(&column(0), &column(1))];
@@ -101,7 +101,7 @@ fn inverse<S: Real>(m: &Matrix<S>) -> Matrix<S> {
     rows.map(|row| row.map(|x| x / determinant))
 }
 
-/// Σ aᵢ bᵢ.
+/// Computes Σ aᵢ bᵢ.
 pub(super) fn dot<S: Real>(a: &[S; 3], b: &[S; 3]) -> S {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

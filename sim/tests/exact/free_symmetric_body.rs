@@ -63,7 +63,7 @@ fn satisfies_its_equations_of_motion() {
     }
 }
 
-/// Seen from the body, ω is what Jacobi's functions give for any body.
+/// Seen from the body, ω is given by Jacobi's functions, as for any body.
 #[test]
 fn its_angular_velocity_is_that_of_the_free_body() {
     for ([transverse, axial], _, motion) in motions() {

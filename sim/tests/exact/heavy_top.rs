@@ -199,7 +199,7 @@ fn a_top_may_start_upright() {
     assert_close(motion.nutation(motion.nutation_period()), Dd::int(0), 1e-28, "θ");
 }
 
-/// What is no top gives no number, in a moment.
+/// Impossible data of a top give no number, and end at once.
 #[test]
 fn impossible_data_give_no_number() {
     for (mass, nutation, spin) in

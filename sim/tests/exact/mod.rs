@@ -1,4 +1,5 @@
-//! The exact solutions: against tabulated figures, against their equations of motion, and against what they conserve.
+//! The exact solutions: against tabulated figures, against their equations of motion, and against their conserved
+//! quantities.
 //!
 //! Figures marked *table* come from independent computations with elliptic functions at 40 digits. Derivatives are
 //! central differences of order 8 in 32-digit arithmetic: with step h = 1e-5 s their error is about rate⁹ h⁸/630, and

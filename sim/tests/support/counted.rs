@@ -1,4 +1,4 @@
-//! How often a thread asks for memory.
+//! Counts the requests for memory of a thread.
 #![expect(
     unsafe_code,
     reason = "an allocator is unsafe to write; this one counts, and leaves all else to that of the system"
@@ -36,7 +36,7 @@ fn note() {
     let _ = ASKED.try_with(|asked| asked.set(asked.get() + 1));
 }
 
-/// How often this thread asks for memory in a call.
+/// Number of requests for memory that this thread makes in a call, and the value of the call.
 pub(crate) fn allocations<T>(call: impl FnOnce() -> T) -> (u64, T) {
     let before = ASKED.get();
     let value = call();

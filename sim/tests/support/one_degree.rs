@@ -8,9 +8,9 @@ pub struct OneSpeed<R, V, D> {
     /// Rates of the coordinates after the first, at (q₀, v).
     pub rates: R,
     pub potential: V,
-    /// V[a, b].
+    /// Divided difference V\[a, b\] of the potential energy.
     pub slope: D,
-    /// After how much of q₀ all repeats.
+    /// Length of q₀ after which all repeats.
     pub period: Option<f64>,
 }
 
@@ -68,7 +68,7 @@ where
     }
 }
 
-/// sin z/z.
+/// Computes sin z/z, and 1 at 0.
 pub fn sinc(z: f64) -> f64 {
     if z == 0.0 { 1.0 } else { z.sin() / z }
 }
@@ -78,7 +78,7 @@ pub fn pendulum(g: f64) -> impl System<f64> {
     repeating_pendulum(g, None)
 }
 
-/// q″ = −g sin q, with what it repeats after.
+/// q″ = −g sin q, with the length after which it repeats.
 pub fn repeating_pendulum(g: f64, period: Option<f64>) -> impl System<f64> {
     OneSpeed {
         period,

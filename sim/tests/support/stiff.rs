@@ -1,8 +1,8 @@
 //! Stiff problems of the literature in any scalar, each with its Jacobian and its published solution.
 //!
-//! F. Mazzia & C. Magherini, *Test Set for Initial Value Problem Solvers*, release 2.4 (2008), problems VDPOL, ROBER and
-//! HIRES, whose reference solutions RADAU and RADAU5 found with tolerances of 1.1e-18; E. Hairer & G. Wanner, *Solving
-//! Ordinary Differential Equations II*, §IV.1 and §IV.10.
+//! F. Mazzia & C. Magherini, *Test Set for Initial Value Problem Solvers*, release 2.4 (2008), problems VDPOL, ROBER
+//! and HIRES, whose reference solutions RADAU and RADAU5 found with tolerances of 1.1e-18; E. Hairer & G. Wanner,
+//! *Solving Ordinary Differential Equations II*, §IV.1 and §IV.10.
 
 use tripos_sim::{Failure, RightHandSide};
 use tripos_traits::Real;
@@ -112,7 +112,8 @@ fn robertson_slopes<S: Real>(y: &[S], out: &mut [S]) {
     out.copy_from_slice(&[-slow, by_second, by_third, slow, -by_second - square, -by_third, zero, square, zero]);
 }
 
-/// The linear part of HIRES row by row, in thousandths; what is left is 0.0007 and the product of the sixth and the last.
+/// The linear part of HIRES row by row, in thousandths. The other terms are 0.0007 and the product of the sixth and the
+/// last component.
 const HIRES: [[i64; 8]; 8] = [
     [-1_710, 430, 8_320, 0, 0, 0, 0, 0],
     [1_710, -8_750, 0, 0, 0, 0, 0, 0],

@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use tripos_traits::{Real, Scalar};
 
-/// hi + lo.
+/// Number hi + lo in twice the precision of a double.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Wide(pub f64, pub f64);
 

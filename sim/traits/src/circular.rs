@@ -45,7 +45,7 @@ const C: [f64; 6] = [
 
 /// x·a + b, rounded once or twice.
 pub(crate) trait MulAdd {
-    /// x·a + b.
+    /// Computes x·a + b.
     fn mul_add(x: f64, a: f64, b: f64) -> f64;
 }
 
@@ -57,7 +57,7 @@ pub(crate) fn near<M: MulAdd>(x: f64) -> (f64, f64) {
     in_quadrant::<M>(reduced::<M>(x))
 }
 
-/// Sine and cosine of one number, where a branch that is foreseen costs less than reducing what needs no reduction.
+/// Sine and cosine of one number. A branch that is foreseen costs less than a reduction without need.
 #[inline(always)]
 pub(crate) fn one<M: MulAdd>(x: f64) -> (f64, f64) {
     let size = x.abs();
@@ -102,7 +102,7 @@ fn in_quadrant<M: MulAdd>(Reduced { r, minus_tail, quadrant }: Reduced) -> (f64,
     };
     // sin(r + t) = r + (r³ (S0 + …) + t (1 − r²/2)). Subtracting the negative keeps −0.
     let sine = r - M::mul_add(minus_tail, near_one, (z * r) * -series(&S));
-    // cos(r + t) = (1 − r²/2) + (what that rounded off + r⁴ (C0 + …) − t r).
+    // cos(r + t) = (1 − r²/2) + (its rounding error + r⁴ (C0 + …) − t r).
     let rounded_off = M::mul_add(z, -0.5, 1.0 - near_one);
     let cosine = near_one + M::mul_add(w, series(&C), M::mul_add(minus_tail, r, rounded_off));
     let (sine, cosine) = if quadrant & 1 == 0 { (sine, cosine) } else { (cosine, sine) };
@@ -111,7 +111,7 @@ fn in_quadrant<M: MulAdd>(Reduced { r, minus_tail, quadrant }: Reduced) -> (f64,
     (flipped(sine, sign(quadrant)), flipped(cosine, sign(quadrant.wrapping_add(1))))
 }
 
-/// (sin x, cos x) by the careful reduction of `libm`: for what [`near`] cannot.
+/// (sin x, cos x) by the careful reduction of `libm`, for arguments that [`near`] cannot take.
 #[cold]
 #[inline(never)]
 pub(crate) fn far(x: f64) -> (f64, f64) {

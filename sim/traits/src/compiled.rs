@@ -1,10 +1,11 @@
 //! Equations that are compiled in: in doubles and in twice their precision, at several states at once, and with slopes.
 //!
-//! Invariant: what a program needs not compile for a kind of number, it does not: each of these is a part of [`System`] alone.
+//! Invariant: each of these traits is a part of [`System`] alone, so that a program compiles no more of the equations
+//! for a kind of number than it needs.
 
 use crate::{DoubleDouble, Integrands, Lanes, Lengths, Scalar, System, Tangent, lane_width};
 
-/// A model whose equations are compiled in: what a program needs to find and to trust them.
+/// A model whose equations are compiled in, with the hashes by which a program finds and trusts them.
 pub struct CompiledModel {
     /// The folder's name under `models/`.
     pub name: &'static str,
@@ -23,8 +24,8 @@ pub struct CompiledModel {
 pub struct CompiledScene {
     /// The name of the scene's file without its ending.
     pub name: &'static str,
-    /// A hash of everything that the equations depend on, as the deriving crate computes it: the model, what the scene
-    /// asks for, and the parameters that it fixes.
+    /// A hash of everything that the equations depend on, as the deriving crate computes it: the model, the outputs
+    /// that the scene asks for, and the parameters that it fixes.
     pub key: &'static str,
     /// The equations.
     pub system: CompiledSystem,
@@ -44,10 +45,10 @@ pub struct CompiledSystem {
 
 /// The derivative of the state alone, as [`Derivative`] takes it from a [`System`].
 ///
-/// What batches are integrated with. A program that runs a model in lanes need not compile all of [`System`] for them,
+/// Batches are integrated with it. A program that runs a model in lanes need not compile all of [`System`] for them,
 /// which takes an optimizing compiler far longer than for single numbers.
 pub trait Rates<S: Scalar> {
-    /// How long the arguments and results are.
+    /// Lengths of the arguments and results.
     fn lengths(&self) -> Lengths;
     /// q̇ and v̇, as [`System::derivative`] writes them.
     fn rates(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]);
@@ -69,10 +70,10 @@ impl<S: Scalar, E: System<S>> Rates<S> for Derivative<E> {
     }
 }
 
-/// The derivative of the state with what a run in other numbers than doubles keeps it on: beside [`Rates`], what runs
-/// with sensitivities ask of a [`System`].
+/// The derivative of the state, and the constraints, for runs in other numbers than doubles. These are the parts of a
+/// [`System`] that runs with sensitivities need.
 pub trait Flow<S: Scalar>: Rates<S> {
-    /// What is zero where the constraints hold, as [`System::constraints`] writes it.
+    /// Writes the constraint functions, as [`System::constraints`] does: they are zero where the constraints hold.
     fn constraints(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
 }
 
@@ -84,7 +85,7 @@ impl<S: Scalar, E: System<S>> Flow<S> for Derivative<E> {
 
 /// The Taylor coefficients of the motion alone, as [`Derivative`] takes them from a [`System`].
 pub trait Series<S: Scalar> {
-    /// Whether there are coefficients: [`System::has_taylor`].
+    /// True if there are coefficients: [`System::has_taylor`].
     fn has_taylor(&self) -> bool;
     /// The length of the workspace: [`System::taylor_work`].
     fn taylor_work(&self, order: usize) -> usize;
@@ -116,13 +117,13 @@ impl<S: Scalar, E: System<S>> Integrands<S> for Derivative<E> {
     }
 }
 
-/// Equations with slopes along one and along four directions. Absent on purpose: Taylor coefficients with slopes, which would take compilers as
-/// long again as all else.
+/// Equations with slopes along one and along four directions. Absent on purpose: Taylor coefficients with slopes, which
+/// would take compilers as long again as all the rest.
 #[derive(Clone, Copy)]
 pub struct InTangents<'a> {
-    /// Along one.
+    /// Slopes along one direction.
     pub one: &'a (dyn Flow<Tangent<1>> + Sync),
-    /// Along four at once.
+    /// Slopes along four directions at once.
     pub four: &'a (dyn Flow<Tangent<4>> + Sync),
 }
 
@@ -150,8 +151,8 @@ impl<'a> InLanes<'a> {
         Self { four: equations, eight: Some(equations), series: None, tangents: Some(tangents) }
     }
 
-    /// Long equations, in four lanes alone: eight would take compilers several times as long and run no faster; and so would slopes, with
-    /// which they are interpreted.
+    /// Long equations, in four lanes alone. Eight lanes would take compilers several times as long and run no faster.
+    /// The same holds for slopes; with them long equations are interpreted.
     #[must_use]
     pub const fn of_four<E: Rates<Lanes<4>> + Sync>(equations: &'a E) -> Self {
         Self { four: equations, eight: None, series: None, tangents: None }
@@ -163,14 +164,14 @@ impl<'a> InLanes<'a> {
         Self { four: equations, eight: Some(equations), series: None, tangents: None }
     }
 
-    /// With Taylor coefficients, in four lanes alone: the recurrences keep more values than any processor has registers, and take
-    /// compilers longest of all.
+    /// Adds Taylor coefficients, in four lanes alone. The recurrences keep more values than any processor has
+    /// registers, and take compilers longest of all.
     #[must_use]
     pub const fn with_series(self, series: &'a (dyn Series<Lanes<4>> + Sync)) -> Self {
         Self { series: Some(series), ..self }
     }
 
-    /// Those in eight lanes, if this processor computes best in them.
+    /// Rates in eight lanes, if this processor computes best in them.
     #[must_use]
     pub fn widest(self) -> Option<&'a (dyn Rates<Lanes<8>> + Sync)> {
         self.eight.filter(|_| lane_width() == 8)

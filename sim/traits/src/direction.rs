@@ -1,12 +1,12 @@
-//! Which way a function goes through zero.
+//! Direction in which a function goes through zero.
 
-/// Which crossings an event is about.
+/// Direction of the crossings that an event counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Direction {
     /// From negative to positive.
     Rising,
     /// From positive to negative.
     Falling,
-    /// Both.
+    /// In both directions.
     Either,
 }

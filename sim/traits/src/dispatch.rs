@@ -1,9 +1,9 @@
-//! Which vector instructions the processor has, and running code that is compiled for them.
+//! Vector instructions of the processor, and code that is compiled for them.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
-/// How many [`crate::Lanes`] this processor computes best in: 8 where it has registers of 512 bits, else 4. Results do
-/// not depend on it.
+/// Number of [`crate::Lanes`] in which this processor computes best: 8 if it has registers of 512 bits, else 4. Results
+/// do not depend on it.
 #[must_use]
 pub fn lane_width() -> usize {
     if matches!(level(), Level::Avx512) { 8 } else { 4 }
@@ -13,7 +13,7 @@ pub fn lane_width() -> usize {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(not(all(feature = "std", target_arch = "x86_64")), allow(dead_code, reason = "nothing is looked for there"))]
 pub(crate) enum Level {
-    /// Those that the whole program is compiled for.
+    /// Instructions that the whole program is compiled for.
     Baseline,
     /// Registers of 256 bits, fused products.
     Avx2,
@@ -21,8 +21,9 @@ pub(crate) enum Level {
     Avx512,
 }
 
-/// `work`, compiled for the instructions whose registers hold `N` lanes, where this processor has them, or as the rest of
-/// the program is: eight lanes in registers of four are slower than four, and take compilers three times as long.
+/// Runs `work`, compiled for the instructions whose registers hold `N` lanes, if this processor has them; else as the
+/// rest of the program is. Eight lanes in registers of four are slower than four, and take compilers three times as
+/// long.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[inline(always)]
 #[allow(unsafe_code, reason = "the calls are safe where the instructions exist, which the level says")]
@@ -40,7 +41,7 @@ pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
     }
 }
 
-/// `work` itself: there is nothing to choose from.
+/// Runs `work` as it is: there is nothing to choose from.
 #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
 #[inline(always)]
 pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
@@ -59,7 +60,7 @@ fn avx2<R>(work: impl FnOnce() -> R) -> R {
     work()
 }
 
-/// What the processor has, asked once.
+/// Vector instructions of the processor, asked once.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[inline]
 pub(crate) fn level() -> Level {

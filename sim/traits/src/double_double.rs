@@ -58,14 +58,14 @@ impl DoubleDouble {
         self.hi
     }
 
-    /// What the leading part leaves out.
+    /// The trailing part: the value minus its leading part.
     #[inline]
     #[must_use]
     pub fn lo(self) -> f64 {
         self.lo
     }
 
-    /// Whether it is neither infinite nor "not a number".
+    /// True if the value is neither infinite nor "not a number".
     #[inline]
     #[must_use]
     pub fn is_finite(self) -> bool {
@@ -119,7 +119,7 @@ impl DoubleDouble {
         Self::normalized(self.hi * b, self.lo * b)
     }
 
-    /// x 2ⁿ.
+    /// Computes x 2ⁿ.
     #[inline]
     fn shifted(self, n: i32) -> Self {
         Self::normalized(libm::scalbn(self.hi, n), libm::scalbn(self.lo, n))

@@ -24,7 +24,7 @@ pub struct Dual<S> {
 }
 
 impl<S: Scalar> Dual<S> {
-    /// What does not change along the direction.
+    /// A constant along the direction: its slope is 0.
     #[must_use]
     #[inline]
     pub fn constant(value: S) -> Self {

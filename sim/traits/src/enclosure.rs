@@ -28,7 +28,7 @@ pub struct Enclosure {
 }
 
 impl Enclosure {
-    /// What does not change.
+    /// A constant: its slope is 0.
     #[must_use]
     pub fn constant(value: Interval) -> Self {
         Self { value, slope: Interval::ZERO }
@@ -39,7 +39,7 @@ impl Enclosure {
         if value.is_undefined() {
             return Self { value, slope: Interval::UNDEFINED };
         }
-        // What does not change has no slope, also where the function is infinitely steep.
+        // A constant has no slope, also where the function is infinitely steep.
         let slope = if self.slope == Interval::ZERO { Interval::ZERO } else { derivative * self.slope };
         Self { value, slope }
     }

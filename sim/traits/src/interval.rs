@@ -9,7 +9,7 @@
 use core::f64::consts::PI;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What an elementary function may err by, relative to its value: several times what those of this crate do.
+/// Largest relative error of an elementary function: several times that of the functions of this crate.
 const LIBRARY: f64 = 4.0 * f64::EPSILON;
 /// Angles beyond this are known to less than a turn's millionth part: their sines may be any.
 const FAR: f64 = 1e9;
@@ -38,7 +38,7 @@ fn up(x: f64) -> f64 {
     -down(-x)
 }
 
-/// The ends of the range of a product: 0 times anything is 0, and what underflows has a sign.
+/// The ends of the range of a product: 0 times anything is 0, and a product that underflows has a sign.
 #[inline]
 fn product(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 {
@@ -49,11 +49,11 @@ fn product(a: f64, b: f64) -> f64 {
 }
 
 impl Interval {
-    /// Everything.
+    /// All numbers.
     pub const WHOLE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
-    /// What may have no value.
+    /// Range of an expression that may have no value.
     pub const UNDEFINED: Self = Self { lo: f64::NAN, hi: f64::NAN };
-    /// 0.
+    /// The number 0.
     pub const ZERO: Self = Self { lo: 0.0, hi: 0.0 };
 
     /// From one number to another, in any order.
@@ -68,7 +68,7 @@ impl Interval {
         Self { lo: x, hi: x }
     }
 
-    /// A number and its neighbours: what was rounded to it.
+    /// A number and its neighbours: the range of numbers that are rounded to it.
     #[must_use]
     pub fn rounded(x: f64) -> Self {
         Self { lo: x.next_down(), hi: x.next_up() }
@@ -104,25 +104,25 @@ impl Interval {
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// Whether 0 is outside; not where there may be no value.
+    /// True if 0 is outside the range; false if there may be no value.
     #[must_use]
     pub fn excludes_zero(self) -> bool {
         self.lo > 0.0 || self.hi < 0.0
     }
 
-    /// Whether there is a value, and all of them are finite.
+    /// True if there is a value, and all values are finite.
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
-    /// Whether there may be no value.
+    /// True if there may be no value.
     #[must_use]
     pub fn is_undefined(self) -> bool {
         self.lo.is_nan()
     }
 
-    /// What is in both, where both hold one and the same number.
+    /// Intersection of two ranges of one and the same number.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         let both = Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) };
@@ -134,7 +134,7 @@ impl Interval {
         Self { lo: down(lo), hi: up(hi) }
     }
 
-    /// k x.
+    /// Computes k x.
     fn times(self, k: f64) -> Self {
         if k - 1.0 == 0.0 {
             return self;
@@ -161,7 +161,7 @@ impl Interval {
         if self.is_undefined() { self } else { Self { lo: self.lo.max(low), hi: self.hi.min(high) } }
     }
 
-    /// 1/x.
+    /// Reciprocal 1/x.
     fn reciprocal(self) -> Self {
         if self.is_undefined() || (self.lo == 0.0 && self.hi == 0.0) {
             Self::UNDEFINED
@@ -181,7 +181,7 @@ impl Interval {
         self.wave(0.0, libm::cos)
     }
 
-    /// sin x.
+    /// Sine of x.
     fn sin(self) -> Self {
         self.wave(0.5, libm::sin)
     }
@@ -215,7 +215,7 @@ impl Interval {
         (self.sin(), self.cos())
     }
 
-    /// √x.
+    /// Square root of x.
     #[must_use]
     pub fn sqrt(self) -> Self {
         if self.lo >= 0.0 { self.rising(libm::sqrt).restricted(0.0, f64::INFINITY) } else { Self::UNDEFINED }
@@ -240,7 +240,7 @@ impl Interval {
         self.rising(libm::atan)
     }
 
-    /// eˣ.
+    /// Exponential eˣ.
     #[must_use]
     pub fn exp(self) -> Self {
         self.rising(libm::exp).restricted(0.0, f64::INFINITY)
@@ -271,7 +271,7 @@ impl Interval {
         self.rising(libm::tanh).restricted(-1.0, 1.0)
     }
 
-    /// |x|.
+    /// Absolute value |x|.
     #[must_use]
     pub fn abs(self) -> Self {
         if self.lo >= 0.0 || self.is_undefined() {

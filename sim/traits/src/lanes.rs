@@ -212,7 +212,7 @@ impl<const N: usize> Scalar for Lanes<N> {
         each_lane!(l, N, out.0[l] = Fused::mul_add(self.0[l], a.0[l], b.0[l]));
         out
     }
-    /// As many sums as fill the registers of four lanes.
+    /// Sums in blocks that fill the registers of four lanes.
     #[inline(always)]
     fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {
         series::read_twice::<Self, W, { series::LANES / 2 }>(history)

@@ -1,4 +1,4 @@
-//! What generated equations of motion implement, and what the simulator runs.
+//! Traits of generated equations of motion, and the numbers that the simulator runs them in.
 //!
 //! Two traits: [`Scalar`], the arithmetic a generated function body needs, so that one text serves
 //! `f64`, `f32` and every wider or narrower type; and [`System`], one formulation of one model as

@@ -1,7 +1,7 @@
-//! Maxima that know what NaN is.
+//! Maxima that respect NaN.
 //!
-//! `f64::max` takes what is not a number for nothing at all: an error that has no value would become the best of all
-//! errors. What decides something is a maximum from here.
+//! `f64::max` ignores an argument that is not a number: an error that has no value would become the best of all errors.
+//! Decisions take their maxima from here.
 
 /// The larger of two numbers, and not a number if either is none: a maximum that hides nothing.
 #[must_use]

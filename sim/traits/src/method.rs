@@ -1,6 +1,6 @@
-//! The methods of integration by name: what scenes ask for, and what the simulator has.
+//! Methods of integration by name, for scenes and for the simulator.
 //!
-//! It is complete: who adds one says in the same change how it is run.
+//! The list is complete: a change that adds a method also says how it is run.
 
 /// A method of integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -37,7 +37,7 @@ impl Method {
     pub const ALL: [Self; 7] =
         [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Radau5, Self::Taylor];
 
-    /// Those that ask for nothing but the right-hand side and its Jacobian.
+    /// Methods that need only the right-hand side and its Jacobian.
     pub const WITHOUT_SERIES: [Self; 6] =
         [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Radau5];
 
@@ -55,7 +55,7 @@ impl Method {
         }
     }
 
-    /// Order of the solution at the end of a step; nothing where it follows from the tolerance.
+    /// Order of the solution at the end of a step; `None` if it follows from the tolerance.
     #[must_use]
     pub const fn order(self) -> Option<u32> {
         match self {
@@ -67,7 +67,7 @@ impl Method {
         }
     }
 
-    /// Order of the solution inside a step; nothing where it follows from the tolerance.
+    /// Order of the solution inside a step; `None` if it follows from the tolerance.
     #[must_use]
     pub const fn dense_order(self) -> Option<u32> {
         match self {
@@ -78,25 +78,25 @@ impl Method {
         }
     }
 
-    /// Whether the method estimates its error, and so can choose its steps.
+    /// True if the method estimates its error, and so can choose its steps.
     #[must_use]
     pub const fn is_adaptive(self) -> bool {
         !matches!(self, Self::Rk4)
     }
 
-    /// Whether fixed steps are what the method is usually run with.
+    /// True if the method is usually run with fixed steps.
     #[must_use]
     pub const fn has_fixed_use(self) -> bool {
         matches!(self, Self::Rk4 | Self::Gauss6)
     }
 
-    /// Whether it is implicit, and needs the Jacobian of the right-hand side.
+    /// True if the method is implicit, and needs the Jacobian of the right-hand side.
     #[must_use]
     pub const fn needs_jacobian(self) -> bool {
         matches!(self, Self::Gauss6 | Self::Radau5)
     }
 
-    /// Whether it needs the Taylor coefficients of the solutions.
+    /// True if the method needs the Taylor coefficients of the solutions.
     #[must_use]
     pub const fn needs_series(self) -> bool {
         matches!(self, Self::Taylor)

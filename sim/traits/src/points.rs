@@ -1,8 +1,9 @@
-//! What quadrature evaluates, at several values of the coordinate at once.
+//! Functions that quadrature evaluates, at several values of the coordinate at once.
 
 use crate::{Lanes, Scalar};
 
-/// What quadrature asks of a [`crate::System`] with one variable v, at a value of the coordinate in each lane.
+/// The functions of a [`crate::System`] with one variable v that quadrature needs, at a value of the coordinate in each
+/// lane.
 pub trait Integrands<S: Scalar> {
     /// q̇, as [`crate::System::coordinate_rates`] writes it.
     fn coordinate_rates(&self, p: &[S], q: &[S], v: S, out: &mut [S]);
@@ -15,9 +16,9 @@ pub trait Integrands<S: Scalar> {
 /// [`Integrands`] at four and at eight points at once.
 #[derive(Clone, Copy)]
 pub struct AtPoints<'a> {
-    /// At four.
+    /// Integrands at four points.
     pub four: &'a (dyn Integrands<Lanes<4>> + Sync),
-    /// At eight.
+    /// Integrands at eight points.
     pub eight: &'a (dyn Integrands<Lanes<8>> + Sync),
 }
 

@@ -7,7 +7,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use series::{Factors, Pair};
 
-/// What generated equations can be evaluated in: a number, or several in lanes.
+/// A number in which generated equations can be evaluated, or several in lanes.
 ///
 /// Angles are in radians. Functions outside their domain return the type's "not a number", never
 /// panic: the simulator looks for it and stops the run with a reason.
@@ -21,7 +21,7 @@ pub trait Scalar:
     /// written with more digits than an `f64` holds. Not a number if `text` is none.
     #[must_use]
     fn decimal(text: &str) -> Self;
-    /// π.
+    /// The number π.
     #[must_use]
     fn pi() -> Self;
     /// The whole number `n`.
@@ -36,7 +36,7 @@ pub trait Scalar:
     /// (sin x, cos x), which cost less together than apart. In `f64` and in lanes to 0.9 ulp for |x| ≤ 2¹⁸, also next
     /// to the zeros, and to 1 ulp beyond.
     fn sin_cos(self) -> (Self, Self);
-    /// √x.
+    /// Square root.
     #[must_use]
     fn sqrt(self) -> Self;
     /// Inverse sine, in [−π/2, π/2].
@@ -48,7 +48,7 @@ pub trait Scalar:
     /// Inverse tangent, in (−π/2, π/2).
     #[must_use]
     fn atan(self) -> Self;
-    /// eˣ.
+    /// Exponential eˣ.
     #[must_use]
     fn exp(self) -> Self;
     /// Natural logarithm.
@@ -63,7 +63,7 @@ pub trait Scalar:
     /// Hyperbolic tangent.
     #[must_use]
     fn tanh(self) -> Self;
-    /// |x|.
+    /// Absolute value |x|.
     #[must_use]
     fn abs(self) -> Self;
     /// −1, 0 or 1 with the sign of x; 0 at 0, as the derivative of |x| is taken there.
@@ -115,26 +115,26 @@ pub trait Scalar:
     }
 }
 
-/// One real number, which can be compared: what a run is made in.
+/// One real number, which can be compared: the scalar of a run.
 pub trait Real: Scalar + PartialEq + PartialOrd {
     /// The distance from 1 to the next larger value.
     const EPSILON: f64;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
-    /// How many slopes go along with the value: none but in [`crate::Tangent`].
+    /// Number of slopes that a value carries: none except in [`crate::Tangent`].
     const SLOPES: usize = 0;
     /// The slope along a direction, counted from 0; 0 where there is none.
     #[must_use]
     fn slope(self, _at: usize) -> f64 {
         0.0
     }
-    /// This value with so much more slope along a direction.
+    /// This value, its slope along a direction increased by the last argument.
     #[must_use]
     fn turned(self, _at: usize, _by: f64) -> Self {
         self
     }
-    /// `self` + k x with a number k that has no slopes, such as a coefficient of a method or the length of a step: rounded
-    /// as [`Scalar::mul_add`] is.
+    /// `self` + k x with a number k that has no slopes, such as a coefficient of a method or the length of a step. It
+    /// is rounded as [`Scalar::mul_add`] is.
     #[must_use]
     #[inline]
     fn plus_multiple(self, k: Self, x: Self) -> Self {

@@ -2,7 +2,7 @@
 
 use crate::{AtPoints, Scalar};
 
-/// How long the arguments and results of a [`System`] are: nothing else knows how many of anything there are.
+/// Lengths of the arguments and results of a [`System`]; they are stated nowhere else.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lengths {
     /// Parameters: of `p`.
@@ -38,13 +38,13 @@ impl Lengths {
 /// followed by reaction forces and torques. `p` holds the parameters in the order of the model file. All slices have
 /// exactly the lengths that [`System::lengths`] states; implementations may panic on others.
 pub trait System<S: Scalar = f64> {
-    /// How long the arguments and results are.
+    /// Lengths of the arguments and results.
     fn lengths(&self) -> Lengths;
-    /// Whether `mass_matrix` is symmetric and, away from singular configurations, positive definite.
+    /// True if `mass_matrix` is symmetric and, away from singular configurations, positive definite.
     fn symmetric(&self) -> bool;
 
-    /// Whether v̇ was solved for when the code was generated, so that [`System::accelerations`],
-    /// [`System::derivative`] and [`System::jacobian`] have values; without it they are not numbers.
+    /// True if v̇ was solved for when the code was generated, so that [`System::accelerations`], [`System::derivative`]
+    /// and [`System::jacobian`] have values. If false, they give not a number.
     fn has_accelerations(&self) -> bool {
         false
     }
@@ -63,7 +63,7 @@ pub trait System<S: Scalar = f64> {
         out.fill(S::from_f64(f64::NAN));
     }
 
-    /// Whether the recurrences of the Taylor coefficients were generated, so that [`System::taylor`] has values. They
+    /// True if the recurrences of the Taylor coefficients were generated, so that [`System::taylor`] has values. They
     /// need eliminated accelerations without |x| and sign x, which have no Taylor series at 0.
     fn has_taylor(&self) -> bool {
         false
@@ -96,17 +96,17 @@ pub trait System<S: Scalar = f64> {
         self.accelerations(p, q, v, out);
     }
 
-    /// A and b at once, as [`System::mass_matrix`] and [`System::forcing`] write them: what they share is computed once where
-    /// that was generated.
+    /// Writes A and b at once, as [`System::mass_matrix`] and [`System::forcing`] do. Terms that both share are
+    /// computed once, if that was generated.
     fn linear_system(&self, p: &[S], q: &[S], v: &[S], matrix: &mut [S], forcing: &mut [S]) {
         self.mass_matrix(p, q, v, matrix);
         self.forcing(p, q, v, forcing);
     }
 
-    /// How many numbers [`System::outputs`] gives.
+    /// Number of values that [`System::outputs`] gives.
     fn output_count(&self) -> usize;
-    /// What is to be seen of a state, `t` after the start: what a scene asks for, or [`System::whole_state`] where no
-    /// scene does. `out` has [`System::output_count`] entries.
+    /// Writes the outputs of a state, `t` after the start: those that a scene asks for, or [`System::whole_state`]
+    /// where no scene does. `out` has [`System::output_count`] entries.
     ///
     /// Stated by every implementation: values that nobody asked for must not appear under the names of others.
     fn outputs(&self, p: &[S], t: S, q: &[S], v: &[S], out: &mut [S]);
@@ -117,7 +117,7 @@ pub trait System<S: Scalar = f64> {
         self.generalized_speeds(p, q, v, of_u);
     }
 
-    /// Whether [`System::energy_gradient`] has values.
+    /// True if [`System::energy_gradient`] has values.
     fn has_energy_gradient(&self) -> bool {
         false
     }
@@ -127,11 +127,11 @@ pub trait System<S: Scalar = f64> {
         S::from_f64(f64::NAN)
     }
 
-    /// How many divisors are watched while these equations run: what they divide by and might be zero somewhere.
+    /// Number of watched divisors: expressions by which these equations divide, and which might be zero somewhere.
     fn divisor_count(&self) -> usize {
         0
     }
-    /// What people call a divisor, counted from 0: its formula, or its place where that is long.
+    /// Name of a divisor for people: its formula, or its place if that is long. Divisors are counted from 0.
     fn divisor_name(&self, _at: usize) -> &str {
         Default::default()
     }
@@ -141,16 +141,17 @@ pub trait System<S: Scalar = f64> {
         out.fill(S::from_f64(f64::NAN));
     }
 
-    /// How many constraints a run of these equations may break, and is kept on: positions that close loops, and velocities
-    /// where these are variables.
+    /// Number of constraints that a run of these equations is kept on, since its steps may break them: positions that
+    /// close loops, and velocities where these are variables.
     fn constraint_count(&self) -> usize {
         0
     }
-    /// What a constraint, counted from 0, is called.
+    /// Name of a constraint, counted from 0.
     fn constraint_name(&self, _at: usize) -> &str {
         Default::default()
     }
-    /// What is zero where the constraints hold; `out` has [`System::constraint_count`] entries, each in its own unit.
+    /// Writes the constraint functions, which are zero where the constraints hold. `out` has
+    /// [`System::constraint_count`] entries, each in its own unit.
     fn constraints(&self, _p: &[S], _q: &[S], _v: &[S], out: &mut [S]) {
         out.fill(S::from_f64(f64::NAN));
     }
@@ -170,7 +171,7 @@ pub trait System<S: Scalar = f64> {
     fn kinetic_energy(&self, p: &[S], q: &[S], v: &[S]) -> S;
     /// Potential energy V, in joules likewise: of gravity, and of the applied loads that have a potential.
     fn potential_energy(&self, p: &[S], q: &[S]) -> S;
-    /// Whether [`System::power`] is not zero everywhere.
+    /// True if [`System::power`] is not zero everywhere.
     fn has_power(&self) -> bool {
         false
     }
@@ -179,7 +180,7 @@ pub trait System<S: Scalar = f64> {
         S::from_f64(0.0)
     }
 
-    /// Whether [`System::potential_slope`] has values.
+    /// True if [`System::potential_slope`] has values.
     fn has_potential_slope(&self) -> bool {
         false
     }
@@ -187,16 +188,17 @@ pub trait System<S: Scalar = f64> {
     /// which alone it must depend; ∂V/∂q at b = a, and nothing cancels next to that. In the unit of V over that of the
     /// coordinate.
     ///
-    /// What the motion of one degree of freedom is found from by quadrature; not a number unless stated.
+    /// Quadrature finds the motion of one degree of freedom from it; not a number unless stated.
     fn potential_slope(&self, _p: &[S], _a: S, _b: S) -> S {
         S::from_f64(f64::NAN)
     }
-    /// After so much of the first coordinate, in its unit and above zero, everything repeats that a motion by quadrature is found from: the
-    /// rates of the coordinates, T and V. None if nothing is known to.
+    /// Period of the first coordinate, in its unit and above zero. After it the rates of the coordinates, T and V
+    /// repeat, from which quadrature finds a motion. `None` if no period is known.
     fn coordinate_period(&self) -> Option<f64> {
         None
     }
-    /// Integrands at several coordinates at once, in doubles, where that was generated: what quadrature spends its time in.
+    /// Integrands at several coordinates at once, in doubles, if they were generated: quadrature spends its time in
+    /// them.
     fn at_points(&self) -> Option<AtPoints<'_>> {
         None
     }

@@ -1,4 +1,4 @@
-//! A double with its slopes along several directions: what runs with sensitivities are made in.
+//! A double with its slopes along several directions, for runs with sensitivities.
 //!
 //! Invariant: the value has the bits that a double has by the same operations, whatever the slopes are and how many. So
 //! a run in tangents takes the steps of the run in doubles, and its slopes are the derivatives of that run.
@@ -35,7 +35,7 @@ pub struct Tangent<const K: usize> {
 }
 
 impl<const K: usize> Tangent<K> {
-    /// What does not change along any direction.
+    /// A constant along all directions: its slopes are 0.
     #[must_use]
     #[inline(always)]
     pub const fn constant(value: f64) -> Self {
@@ -199,7 +199,7 @@ impl<const K: usize> Scalar for Tangent<K> {
     }
 }
 
-/// As its value; with the slopes that a run carries along.
+/// Real number of its value, with the slopes that a run carries along.
 impl<const K: usize> Real for Tangent<K> {
     const EPSILON: f64 = f64::EPSILON;
     const SLOPES: usize = K;

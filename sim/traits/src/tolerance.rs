@@ -1,4 +1,4 @@
-//! How large an error a step may have, for scene files and for programs alike.
+//! Tolerances for the error of a step, for scene files and for programs alike.
 
 use alloc::vec::Vec;
 
@@ -28,7 +28,7 @@ impl AbsoluteTolerance {
         }
     }
 
-    /// That of one component; none if there is no such component.
+    /// Tolerance of one component; `None` if there is no such component.
     #[must_use]
     pub fn of(&self, component: usize) -> Option<f64> {
         match self {

@@ -11,7 +11,7 @@ use tripos_traits::{DoubleDouble, Lanes, Real, Scalar};
 
 /// Up to here arguments are reduced fast.
 const FAST: f64 = 262_144.0;
-/// What the documentation of `Scalar::sin_cos` states, in ulp.
+/// Largest error that the documentation of `Scalar::sin_cos` states, in ulp.
 const BOUND: f64 = 0.9;
 
 fn arguments() -> usize {
@@ -23,7 +23,7 @@ fn ulp(x: f64) -> f64 {
     x.abs().next_up() - x.abs()
 }
 
-/// |got − wanted| in ulp of what is wanted.
+/// got − wanted| in ulp of the wanted number.
 fn error(got: f64, wanted: DoubleDouble) -> f64 {
     (DoubleDouble::from(got) - wanted).to_f64().abs() / ulp(wanted.to_f64())
 }

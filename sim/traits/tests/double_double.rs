@@ -16,7 +16,7 @@ const NEAREST: RoundingMode = RoundingMode::ToEven;
 
 type Unary = (fn(DoubleDouble) -> DoubleDouble, fn(&BigFloat, &mut Consts) -> BigFloat);
 
-/// How many arguments each function is tried with.
+/// Number of arguments that each function is tried with.
 fn arguments() -> usize {
     std::env::var("TRIPOS_ARGUMENTS").ok().and_then(|n| n.parse().ok()).unwrap_or(3_000)
 }
@@ -49,7 +49,7 @@ impl Random {
         DoubleDouble::sum(hi, hi * (self.unit() - 0.5) * f64::EPSILON)
     }
 
-    /// Of either sign, its size between 10ᵃ and 10ᵇ.
+    /// Random number of either sign, its size between 10ᵃ and 10ᵇ, both parts filled.
     fn wide_of_size(&mut self, a: f64, b: f64) -> DoubleDouble {
         let size = 10_f64.powf(a + (b - a) * self.unit());
         let x = DoubleDouble::sum(size, size * (self.unit() - 0.5) * f64::EPSILON);
@@ -107,7 +107,7 @@ fn sums_products_and_quotients_are_within_two_units() {
     assert!(largest.iter().all(|&error| error < 2.0), "{largest:?}");
 }
 
-/// What simple double-double addition loses: operands of opposite sign whose leading parts cancel.
+/// Operands of opposite sign whose leading parts cancel: simple double-double addition loses their digits.
 #[test]
 fn a_difference_of_neighbours_keeps_its_digits() {
     let mut random = Random(2);

@@ -1,4 +1,4 @@
-//! A lane computes what it would compute alone, to the bit: in any company, width and compilation.
+//! A lane computes the same as alone, to the bit: in any company, width and compilation.
 
 use tripos_traits::{Lanes, Scalar};
 
@@ -88,7 +88,7 @@ fn dispatch_gives_the_same_bits() {
     }
 }
 
-/// 1 + 2⁻⁵² squared less 1: what a product that is rounded by itself loses.
+/// 1 + 2⁻⁵² squared less 1 keeps the digits that a product rounded by itself loses.
 #[test]
 fn a_fused_product_is_rounded_once() {
     let x = 1.0 + f64::EPSILON;

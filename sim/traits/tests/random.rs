@@ -12,7 +12,7 @@ impl Random {
         (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / 9_007_199_254_740_992.0
     }
 
-    /// Of either sign, its size between 10ᵃ and 10ᵇ.
+    /// Random number of either sign, its size between 10ᵃ and 10ᵇ.
     pub fn of_size(&mut self, a: f64, b: f64) -> f64 {
         let size = 10_f64.powf(a + (b - a) * self.unit());
         if self.unit() < 0.5 { -size } else { size }

@@ -1,8 +1,9 @@
-//! Random trees of turns and slides: tops and gyros in Euler's and Cardan's angles, rotors, chains and planar mechanisms, with a motion that nothing of
-//! Tripos computes.
+//! Random trees of turns and slides: tops and gyros in Euler's and Cardan's angles, rotors, chains and planar
+//! mechanisms, with a motion that is computed without Tripos.
 //!
-//! The independent motion: M(q) = Σ m Jᵀ J + Jᵀ I J with the Jacobians of each body from rotation matrices, and Lagrange's
-//! equations M q̈ = Q − Ṁ q̇ + ½ ∂(q̇ᵀ M q̇)/∂q with ∂M/∂q by differences of fourth order, integrated by DOP853.
+//! The independent motion: M(q) = Σ m Jᵀ J + Jᵀ I J with the Jacobians of each body from rotation matrices, and
+//! Lagrange's equations M q̈ = Q − Ṁ q̇ + ½ ∂(q̇ᵀ M q̇)/∂q with ∂M/∂q by differences of fourth order, integrated by
+//! DOP853.
 
 use crate::spoilt::Random;
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Unit, Vector3};
@@ -11,7 +12,7 @@ use tripos_sim::{Failure, Method, Options, Output, integrate};
 
 /// A step for ∂M/∂q, rad or m.
 const STEP: f64 = 1e-3;
-/// How far angles stay from where they are singular: the sine or cosine of the middle one.
+/// Least distance of angles from their singularity: the sine or cosine of the middle angle.
 const CLEAR: f64 = 0.25;
 /// The constant turn of a body that slides, so that no two bodies share a frame.
 const TILT: f64 = 0.3;
@@ -35,7 +36,7 @@ struct Step {
     before: Option<usize>,
     axis: usize,
     is_turn: bool,
-    /// Where it starts, in the frame before.
+    /// Origin of the step, in the frame before.
     at: [Number; 3],
     body: Option<Body>,
     /// A torque or a force −c q' along the axis, on the body.
@@ -53,7 +54,7 @@ struct Body {
     drag: Option<Number>,
 }
 
-/// What the speeds of three turns in a row are.
+/// Kind of the generalized speeds of three turns in a row.
 #[derive(Clone, Copy)]
 enum Speeds {
     Rates,
@@ -251,7 +252,7 @@ impl Gyro {
         places
     }
 
-    /// Whether a step carries another.
+    /// True if the step `other` is `step` or is carried by it.
     fn carries(&self, step: usize, mut other: usize) -> bool {
         while other != step {
             match self.steps[other].before {
@@ -327,7 +328,7 @@ impl Gyro {
         sum
     }
 
-    /// q̈.
+    /// Accelerations q̈ by Lagrange's equations.
     fn accelerations(&self, q: &[f64], rates: &[f64]) -> DVector<f64> {
         let v = DVector::from_column_slice(rates);
         let mut right = self.forces(q, &v);
@@ -483,7 +484,7 @@ impl Gyro {
         )
     }
 
-    /// What the scene shows of coordinates and rates at the end, by name.
+    /// Right values of the scene's outputs at the end, coordinates and rates, by name.
     pub fn right(&self) -> Vec<(String, f64)> {
         let end = self.motion(&[self.span]).pop().expect("an end");
         let n = self.steps.len();

@@ -114,7 +114,7 @@ impl Whole {
         self.run(&self.y[at], &[self.t[at], t]).pop().unwrap()
     }
 
-    /// What the scene wants to see at an instant.
+    /// Outputs of the scene at an instant.
     pub fn outputs(&self, t: f64) -> Vec<f64> {
         self.values(&self.state(t))[..self.wanted].to_vec()
     }
@@ -128,7 +128,7 @@ impl Whole {
         event.into_iter().chain(domain).fold(last, f64::min)
     }
 
-    /// Whether the event is a quantity that is zero throughout, of which rounding decides the sign.
+    /// True if the event function is zero throughout, so that rounding decides its sign.
     pub fn event_is_noise(&self) -> bool {
         self.y.iter().all(|y| self.values(y)[self.wanted].abs() < 1e-9)
     }
@@ -159,7 +159,7 @@ impl Whole {
     }
 }
 
-/// What the scene asks for, its event and the domain, as functions of everything that has a name.
+/// Outputs of the scene, its events and the domain, as functions of all named quantities.
 fn shown(model: &Model, scene: &Scene) -> Tape {
     let arena = &model.arena;
     let u_dot: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();

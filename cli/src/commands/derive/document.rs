@@ -1,6 +1,8 @@
-//! A derivation as a document, whatever it is written in: what symbols mean, all that the text has, and what is conserved.
+//! A derivation as a document, in no language yet: the meanings of symbols, all formulas of the text, and the conserved
+//! quantities.
 //!
-//! Invariant: nothing here is in a language of documents. Formulas are trees of marks and left sides data; words are as the model has them.
+//! Invariant: nothing here is in a language of documents. Formulas are trees of marks and left sides data; words are as
+//! the model has them.
 
 use crate::words::NAMED;
 use tripos_derive::Model;
@@ -21,17 +23,17 @@ pub struct Document {
     pub title: String,
     /// Paragraphs about the model.
     pub about: Vec<String>,
-    /// What symbols mean.
+    /// Meanings of the symbols.
     pub symbols: Vec<Meaning>,
     /// The rest, in order.
     pub blocks: Vec<Block>,
 }
 
-/// What a symbol means.
+/// Meaning of a symbol.
 pub struct Meaning {
     /// The symbol.
     pub symbol: View,
-    /// What it is, in words; often empty.
+    /// Its description, in words; often empty.
     pub about: String,
     /// Its unit; empty where there is none to say.
     pub unit: String,
@@ -49,7 +51,7 @@ pub enum Block {
     System(System),
 }
 
-/// How much a heading covers.
+/// Extent of the text under a heading.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     /// A formulation, or all that is conserved.
@@ -62,20 +64,20 @@ pub enum Level {
 
 /// A stretch of a heading.
 pub enum Run {
-    /// Words.
+    /// Plain words.
     Words(String),
     /// A formula.
     Formula(Left),
 }
 
-/// What stands to the left of a sign of equality, and what stands to its right.
+/// Left and right side of an equation.
 pub type Equation = (Left, View);
 
 /// The left side of an equation.
 pub enum Left {
     /// A symbol.
     Symbol(View),
-    /// 0.
+    /// The number 0.
     Zero,
     /// d(T + V)/dt.
     EnergyRate,
@@ -108,17 +110,17 @@ pub struct Axis {
     pub number: usize,
 }
 
-/// M x = f.
+/// The linear system M x = f.
 pub struct System {
-    /// What each row is of.
+    /// Names of the rows: the speed or the equation that each belongs to.
     pub rows: Vec<String>,
-    /// x.
+    /// The unknowns x.
     pub unknowns: Vec<View>,
     /// M, row by row.
     pub matrix: Vec<Vec<View>>,
     /// The places of its entries that are not 0, from 0.
     pub filled: Vec<(usize, usize)>,
-    /// f.
+    /// The right side f.
     pub forcing: Vec<View>,
 }
 
@@ -130,7 +132,8 @@ impl Document {
         Self { title: model.title.clone(), about, symbols: symbols(model), blocks: Vec::new() }
     }
 
-    /// Adds one formulation: steps, equations of motion, accelerations, energies, where the kinematic equations are singular.
+    /// Adds one formulation: steps, equations of motion, accelerations, energies, and where the kinematic equations are
+    /// singular.
     pub fn formulation(&mut self, model: &Model, derivation: &DerivationInSteps, solved: Option<&Elimination>) {
         let DerivationInSteps { arena, equations: e, steps } = derivation;
         self.heading(Level::Section, e.formulation.title());
@@ -208,7 +211,7 @@ impl Document {
     }
 }
 
-/// What the symbols of a model mean, with their units.
+/// Meanings of the symbols of a model, with their units.
 fn symbols(model: &Model) -> Vec<Meaning> {
     let meaning = |name: &str, about: &str, unit: &str| Meaning {
         symbol: symbol_view(&model.arena, name),

@@ -16,7 +16,7 @@ pub struct Language {
 /// LaTeX with amsmath.
 pub const LATEX: Language = Language { lines: latex_lines, left: latex_left };
 
-/// Typst.
+/// Formulas for Typst.
 pub const TYPST: Language = Language { lines: typst_lines, left: typst_left };
 
 fn latex_left(left: &Left) -> String {

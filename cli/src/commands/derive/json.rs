@@ -1,7 +1,8 @@
 //! A derivation as JSON, for programs.
 //!
 //! Invariants:
-//! - Every name in a formula is a symbol of the model or is defined in `named`, or for accelerations before it among their steps.
+//! - Every name in a formula is a symbol of the model or is defined in `named`, or for accelerations before it among
+//!   their steps.
 //! - No formula grows beyond what it is made of: parts that long formulas share stand by names of their own.
 
 use super::Derived;

@@ -1,7 +1,7 @@
 //! A derivation in LaTeX: a document, or its sections for one.
 //!
-//! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, and what is printed is read back by
-//! [`tripos_derive::algebra::notation`] as the term that it was.
+//! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, and what is
+//! printed is read back by [`tripos_derive::algebra::notation`] as the term that it was.
 
 use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
@@ -14,7 +14,7 @@ use tripos_derive::algebra::view::View;
 /// Columns that a matrix has without asking for more.
 const COLUMNS: usize = 10;
 
-/// What is written.
+/// Extent of the LaTeX that is written.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// A document that compiles as it is.

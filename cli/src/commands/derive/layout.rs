@@ -1,5 +1,5 @@
-//! What fits on a page: formulas break over lines at their signs, no matrix is wider than a page can hold, and what nobody reads to its end is not
-//! printed.
+//! Layout of formulas on a page. Formulas break over lines at their signs, no matrix is wider than a page, and formulas
+//! that are too long to read are left out.
 //!
 //! Invariant: a document is laid out alike in every language. Widths are estimates, in tenths of an em.
 
@@ -17,7 +17,7 @@ const LINE: usize = 380;
 /// The width of matrices, which have a line for themselves, in tenths of an em.
 const MATRIX: usize = 430;
 
-/// What stands in the place of a formula that is too long.
+/// Words in place of a formula that is too long.
 pub const TOO_LONG: &str = "an expression too long to print here";
 
 /// An equation on a page.
@@ -47,7 +47,7 @@ fn left_width(left: &Left) -> usize {
     (4 * shown.chars().filter(char::is_ascii_alphanumeric).count()).min(120) + 40
 }
 
-/// How equations of motion stand on a page.
+/// Layout of equations of motion on a page.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
     /// M x = f in a line.
@@ -58,7 +58,7 @@ pub enum Extent {
     Entries,
 }
 
-/// How a system fits on a page.
+/// Chooses the layout of a system by its estimated width.
 pub fn extent(system: &System) -> Extent {
     let widest = |list: &mut dyn Iterator<Item = &View>| list.map(formula_width).max().unwrap_or(0);
     let columns = (0..system.unknowns.len()).map(|j| 10 + widest(&mut system.matrix.iter().map(|row| &row[j])));

@@ -1,6 +1,7 @@
 //! A derivation in Markdown as GitHub shows it: formulas are LaTeX, between dollars or in blocks of `math`.
 //!
-//! Invariant: whatever a model is called, its words are words: what Markdown, HTML or the search for formulas would read otherwise is escaped.
+//! Invariant: whatever a model is called, its words stay words. Characters that Markdown, HTML or the search for
+//! formulas would read otherwise are escaped.
 
 use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
@@ -54,8 +55,8 @@ fn run(run: &Run) -> String {
     }
 }
 
-/// A formula among words. Between bare dollars Markdown takes a backslash before a mark away, as in `\_`; between dollars and backticks it takes nothing, but
-/// fewer programs know these.
+/// A formula among words. Between bare dollars Markdown takes a backslash before a mark away, as in `\_`; between
+/// dollars and backticks it takes nothing, but fewer programs know these.
 fn inline(formula: &str) -> String {
     let mut after_backslash = formula.split('\\').skip(1);
     let is_plain = after_backslash.all(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()));

@@ -1,10 +1,13 @@
 //! A derivation as a program in Python that defines it for SymPy.
 //!
 //! Invariants:
-//! - Numbers are exact, and nothing is expanded: a term that stands by a name stays a symbol with a definition, each after those that it mentions.
-//! - Whatever a model's symbols are called, the program runs. A name that Python or the program has itself gets an underscore behind it.
+//! - Numbers are exact, and nothing is expanded: a term that stands by a name stays a symbol with a definition, each
+//!   after those that it mentions.
+//! - Whatever a model's symbols are called, the program runs. A name that Python or the program has itself gets an
+//!   underscore behind it.
 //!
-//! Symbols are plain, also those of coordinates and rates: they can be put in, differentiated by and compiled one by one.
+//! Symbols are plain, also those of coordinates and rates: they can be put in, differentiated by and compiled one by
+//! one.
 
 use super::Derived;
 use crate::failure::Failure;
@@ -62,7 +65,7 @@ const TAKEN: [&str; 42] = [
     "newton_euler",
 ];
 
-/// What stands behind the equations.
+/// Python function at the end of the program, after the equations.
 const FUNCTION: &str = r#"
 
 def evaluated(formulation, values):
@@ -89,9 +92,9 @@ pub fn sympy(model: &Model, derived: &[Derived]) -> Result<String, Failure> {
     Ok(out + FUNCTION)
 }
 
-/// What symbols are called in the program.
+/// Names of symbols in the Python program.
 struct Names {
-    /// By their names in model files, in the order in which they are declared.
+    /// Pairs of the name in the model file and the name in the program, in the order of declaration.
     list: Vec<(String, String)>,
     by_name: FxHashMap<String, usize>,
     positive: FxHashSet<String>,

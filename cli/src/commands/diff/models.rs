@@ -39,7 +39,8 @@ pub fn diff(old: &Model, new: &Model, as_json: bool) -> Result<u8, Failure> {
     Ok(if difference.is_empty() && scenes.is_empty() { 0 } else { status::NO })
 }
 
-/// What an edit changed, and the terms that tell it; with first integrals, which cost a proof, if that is wanted.
+/// Derives both models and compares them, with the arena of the terms of the difference. First integrals cost a proof
+/// and are compared if `with_integrals`.
 fn compared(old: &Model, new: &Model, with_integrals: bool) -> Result<(ModelDifference, Arena), Diagnostics> {
     let mut before = derive_all(old).map_err(|error| old.diagnose(&error))?;
     let mut after = derive_all(new).map_err(|error| new.diagnose(&error))?;
@@ -53,7 +54,7 @@ fn compared(old: &Model, new: &Model, with_integrals: bool) -> Result<(ModelDiff
     Ok((difference, after.kinematics.arena))
 }
 
-/// What an edit changed in the equations of motion, in lines; nothing if they mean the same.
+/// Lines about the changes of the equations of motion; `None` if they mean the same.
 ///
 /// # Errors
 /// [`Diagnostics`] if a model cannot be derived.
@@ -64,7 +65,7 @@ pub fn changed_equations(old: &Model, new: &Model) -> Result<Option<String>, Dia
     Ok((!difference.has_same_equations()).then(|| out + &names_text(&arena, &shown(&difference))))
 }
 
-/// How a scene differs, under its name beside the model.
+/// Change of a scene, under its name beside the model.
 struct SceneChange {
     name: String,
     kind: SceneEdit,
@@ -76,7 +77,8 @@ enum SceneEdit {
     Changed(Vec<Setting>),
 }
 
-/// What differs between the scenes of two models, where both have any: a model file alone is no model without scenes.
+/// Changes between the scenes of two models. Empty if either has no scene: a model file alone does not mean that its
+/// scenes were removed.
 fn scenes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
     let (before, after) = (scene_files(old), scene_files(new));
     let mut list = Vec::new();
@@ -185,7 +187,7 @@ fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
     out + &names_text(arena, &shown(difference))
 }
 
-/// What changed in the equations of motion.
+/// Writes the changes of the equations of motion.
 fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
     let (count, compared) = (difference.changes.len(), entries(difference.compared));
     if difference.has_same_equations() {
@@ -218,7 +220,7 @@ fn list(out: &mut String, lines: &[String]) {
     }
 }
 
-/// What a changed entry became: its difference, or both values where that is shorter to read.
+/// Line about a changed entry: its difference, or both values where that is shorter to read.
 fn change_line(arena: &Arena, change: &Change) -> String {
     let (name, text) = (&change.name, |e| text(arena, e));
     match (change.old, change.new, change.difference) {
@@ -237,7 +239,7 @@ fn change_line(arena: &Arena, change: &Change) -> String {
     }
 }
 
-/// What is declared otherwise, a line for each kind: `defaults differ: R 1 -> 2, g 9.81 -> 1.62`.
+/// Changed declarations, a line for each kind: `defaults differ: R 1 -> 2, g 9.81 -> 1.62`.
 fn declaration_lines(declarations: &[Declaration]) -> Vec<String> {
     let named = |d: &Declaration| format!("{} {}", d.section.noun(), d.name);
     let changed = |wanted: Property, of: fn(Section) -> bool| {

@@ -62,7 +62,7 @@ fn wrapped(items: &[String]) -> Vec<String> {
     lines
 }
 
-/// What an entry hangs on, in words; nothing for a root.
+/// Words for the entries from which a wrong entry follows; `None` for a root mistake.
 pub fn source(difference: &Difference, finding: usize) -> Option<String> {
     let (at, follower) = difference.roots.iter().enumerate().find_map(|(at, root)| {
         let follower = root.followers.iter().find(|f| f.finding == finding)?;

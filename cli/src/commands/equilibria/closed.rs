@@ -8,7 +8,7 @@ use tripos::steady::{ClosedForm, Conditions, Formula, Solved, Told};
 const MOST_BRANCHES: usize = 6;
 const MOST_LETTERS: usize = 240;
 
-/// What is known in closed form, in words.
+/// Text of the conditions in closed form.
 pub fn text(found: &ClosedForm) -> String {
     let mut out = "in closed form\n".to_owned();
     for conditions in &found.list {
@@ -99,7 +99,7 @@ fn branch_text(branch: &Solved) -> String {
     out
 }
 
-/// What is known in closed form, for programs.
+/// JSON of the conditions in closed form.
 pub fn json(found: &ClosedForm) -> Value {
     found.list.iter().map(json_of).collect()
 }

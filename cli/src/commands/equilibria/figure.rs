@@ -47,7 +47,7 @@ pub fn modes(out: &Path, name: &str, course: &Course) -> Result<(), Failure> {
     write(out, &panels, &[name, "real", "imaginary"], rows)
 }
 
-/// Where stability changes: each kind of crossing by the first number, for each value of the second.
+/// Draws the map of stability changes: each kind of crossing by the first number, for each value of the second.
 ///
 /// # Errors
 /// [`Failure`] if a file cannot be written.

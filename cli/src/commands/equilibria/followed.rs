@@ -118,7 +118,7 @@ fn crossing_text(name: &str, crossing: &Crossing) -> String {
     }
 }
 
-/// Where stability changes, a line for each value of the second number.
+/// Text of the map of stability changes, a line for each value of the second number.
 fn map_text(model: &Mechanism, [first, second]: [&str; 2], found: &Map) -> String {
     let mut out = format!("{}, over {first} and {second}\n\n", model.title);
     for (value, course) in &found.rows {

@@ -1,4 +1,4 @@
-//! What `NAME=FROM:TO:COUNT` says.
+//! The range of an option `NAME=FROM:TO:COUNT`.
 
 use tripos::{Error, Mechanism};
 use tripos_derive::diagnostic::nearest;

@@ -1,6 +1,6 @@
 //! A linear system for other programs and for documents: Python, MATLAB and LaTeX.
 //!
-//! Numbers have all their digits in programs, six in documents. Where letters were asked for, matrices are functions of them.
+//! Numbers have all their digits in programs, six in documents. If symbols were kept, matrices are functions of them.
 
 use super::{kind_of, names, taking_part, value_text};
 use crate::arguments::Notation;
@@ -38,7 +38,7 @@ pub fn written(model: &Mechanism, found: &About, letters: Option<&Letters>, nota
     }
 }
 
-/// What it is of, as comments: the state, and the eigenvalues with what moves in them.
+/// Comment lines at the head: the state, and the eigenvalues with the states that move in their modes.
 fn head(model: &Mechanism, found: &About, mark: &str) -> String {
     let mut out = format!("{mark} {}: near {}, in SI units\n", model.title, kind_of(found));
     let at: Vec<String> = found.states().map(|(name, x)| format!("{name} = {x:?}")).collect();

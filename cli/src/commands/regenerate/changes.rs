@@ -1,6 +1,6 @@
-//! What an edit changes in the equations of a model of the workspace: the model that the committed ones were derived from, derived
-//! again, against the model as it is. No text of equations is read: most of it stands by names that mean something else after
-//! an edit.
+//! Changes that an edit makes to the equations of a model of the workspace. The model that the committed equations were
+//! derived from is derived again, and compared with the model as it is. No text of equations is read: most of it stands
+//! by names that mean something else after an edit.
 
 use crate::commands::diff::changed_equations;
 use std::path::Path;
@@ -10,17 +10,17 @@ use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::model::load;
 use tripos_derive::plain::path_in_line;
 
-/// What became of the equations of a model.
+/// Result of comparing the equations of a model before and after an edit.
 pub enum Equations {
     /// They mean what they meant.
     Same,
-    /// What changed, in lines.
+    /// Changes, in lines.
     Changed(String),
     /// Why that is not known.
     Unknown(String),
 }
 
-/// What became of the equations of the model in a folder.
+/// Compares the equations of the model in a folder with the committed ones.
 pub fn equations_of(models: &Path, committed: &Path, folder: &str) -> Equations {
     let (path, before) = (models.join(folder).join("model.toml"), committed.join(folder).join(DERIVED_FROM));
     let Ok(text) = std::fs::read_to_string(&before) else {

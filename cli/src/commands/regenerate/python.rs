@@ -43,7 +43,7 @@ fn candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
     list
 }
 
-/// Whether it imports the pinned SymPy: of another version the reference would have another text.
+/// Checks that this Python imports the pinned SymPy: with another version the reference would have another text.
 fn check(python: &Path, requirements: &str) -> Result<(), String> {
     let name = python.display();
     let program = "import tomllib, sympy; print(sympy.__version__)";
@@ -61,7 +61,7 @@ fn check(python: &Path, requirements: &str) -> Result<(), String> {
     }
 }
 
-/// How a program ended, and what it wrote.
+/// Exit status and output of a program.
 pub struct Output {
     /// The exit status.
     pub status: ExitStatus,

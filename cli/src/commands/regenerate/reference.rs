@@ -15,10 +15,10 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::reference::{Compared, Reference, compare};
 
-/// What SymPy gets for one model; the models of the library take seconds.
+/// Time limit for SymPy on one model; the models of the library take seconds.
 const TIME: Duration = Duration::from_secs(120);
 
-/// What came of one model.
+/// Outcome of checking one model.
 enum Outcome {
     /// It agrees in so many entries, and is recorded now.
     Recorded(usize),
@@ -103,7 +103,7 @@ fn record(reference: &Source, count: usize) -> Outcome {
     }
 }
 
-/// How many entries there are, and some lines for each that does not agree.
+/// Number of compared entries, and some lines for each that does not agree.
 fn disagreements(model: &Path, reference: &Source) -> Result<(usize, Vec<String>), String> {
     let model = Model::read(model).map_err(|error| error.to_string())?;
     let reference = Reference::read(reference).map_err(|error| error.to_string())?;

@@ -40,7 +40,7 @@ pub struct Drawn<'a> {
     pub out: &'a Path,
     /// In it, that of the scene.
     pub folder: PathBuf,
-    /// How many figures of each name there are.
+    /// Number of figures of each name.
     pub names: BTreeMap<String, usize>,
 }
 
@@ -84,7 +84,7 @@ pub fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure
     Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
 }
 
-/// What a figure says of itself, after the caption of the scene file if it has one.
+/// Caption of a figure: the scene file's own caption, if it has one, then the computed sentence.
 pub fn after(own: &str, computed: &str) -> String {
     match own.trim_end_matches('.') {
         "" => computed.to_owned(),

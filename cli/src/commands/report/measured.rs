@@ -15,7 +15,7 @@ use tripos::chart::{Plan, session};
 use tripos::stability::{Findings, Run, Study, conditioning, ladder};
 use tripos_derive::scene::{FigureKind, Scene};
 
-/// What is measured of a scene, as far as its figures ask for it.
+/// Measurements of a scene, as far as its figures ask for them.
 pub struct Measured<'a> {
     model: &'a Mechanism,
     scene: &'a Scene,
@@ -23,7 +23,7 @@ pub struct Measured<'a> {
     out: &'a Path,
     folder: PathBuf,
     findings: Findings,
-    /// What the chart says is best.
+    /// Recommendation that follows from the chart.
     pub advice: Option<Advice>,
     /// Figures that this scene cannot have, and why.
     pub not_drawn: Vec<String>,
@@ -58,7 +58,7 @@ impl<'a> Measured<'a> {
         }
     }
 
-    /// Where a table goes, and how the page links to it.
+    /// Folder for a table, and the link from the page to it.
     fn table(&self, name: &str) -> Result<(PathBuf, String), Failure> {
         let folder = self.out.join(&self.folder);
         make(&folder)?;

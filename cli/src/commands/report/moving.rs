@@ -1,4 +1,4 @@
-//! Which scene's motion the page shows, and its figure: the viewer of `tripos view`, in the page.
+//! The scene whose motion the page shows, and its figure: the viewer of `tripos view`, in the page.
 
 use crate::failure::Failure;
 use crate::follow;

@@ -10,11 +10,11 @@ use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// A scene's own equations, and their run.
 pub struct Own {
-    /// What the scene needs.
+    /// Reduced equations of the scene, and the cost of a call.
     pub needs: Needs,
-    /// The run.
+    /// Run by these equations.
     pub run: Run,
-    /// What was watched along it, if it shows every state.
+    /// Watched quantities along the run, if it shows every state.
     pub course: Option<Course>,
 }
 
@@ -42,7 +42,7 @@ pub fn wide(state: &[f64]) -> Vec<DoubleDouble> {
     state.iter().copied().map(DoubleDouble::from_f64).collect()
 }
 
-/// What a run shows of the outputs of a scene, sample by sample; not a number where whole states do not show it.
+/// Values of a scene's outputs along a run, sample by sample; NaN if whole states do not give an output.
 pub fn shown(compared: &Compared, run: &Run) -> Vec<Vec<f64>> {
     if run.by.is_reduced() {
         return run.states.clone();

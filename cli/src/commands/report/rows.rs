@@ -1,4 +1,4 @@
-//! What the page says of a scene and of each of its runs, in words and numbers.
+//! Words and numbers of the page about a scene and each of its runs.
 
 use super::own::Own;
 use crate::page::{Fact, Nearest, RunRow, Standing};
@@ -34,7 +34,7 @@ pub fn impacts(run: &Run) -> Option<(&'static str, Fact)> {
     Some(("Impacts", Fact::Words(format!("{when}; they take {lost} J"))))
 }
 
-/// What is given: parameters, start, span, tolerances, domain; what there is none of is left out.
+/// Given data of a scene: parameters, start, span, tolerances, domain. Empty ones are left out.
 pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Fact)> {
     let values = |names: Vec<String>, values: &[f64]| names.into_iter().zip(values.iter().copied()).collect::<Vec<_>>();
     let parameters = values(model.parameters.iter().map(|p| p.name.clone()).collect(), &scene.parameters);

@@ -6,7 +6,8 @@ use tripos::Mechanism;
 use tripos::sketch::Sketch;
 use tripos_derive::scene::Scene;
 
-/// The sketch of a mechanism at the start of a scene if there is one, as `tripos sketch` draws it; or why there is none.
+/// The sketch of a mechanism, at the start of a scene if one is given, as `tripos sketch` draws it; or why there is
+/// none.
 pub fn sketched(mechanism: &Mechanism, scene: Option<&Scene>) -> Result<Drawing, String> {
     let sketch = scene.map_or_else(|| Sketch::of_model(mechanism), |scene| Sketch::of_scene(mechanism, scene));
     let sketch = sketch.map_err(|error| error.first_line())?;

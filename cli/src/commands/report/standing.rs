@@ -1,4 +1,4 @@
-//! How each run of a scene stands: by the verdict on its equations, and by its digits.
+//! Standing of each run of a scene: by the verdict on its equations, and by its digits.
 
 use crate::page::Standing;
 use tripos::study::Study;
@@ -18,7 +18,7 @@ fn of_printed(study: &Study, id: &str) -> Option<Standing> {
     }
 }
 
-/// How a run stands.
+/// Standing of one run.
 pub fn of(study: &Study, scene: &Scene, run: &Run) -> Standing {
     if let Some(standing) = run.by.printed_id().and_then(|id| of_printed(study, id)) {
         return standing;
@@ -32,7 +32,7 @@ pub fn of(study: &Study, scene: &Scene, run: &Run) -> Standing {
     Standing::Loose { how: method_words(scene), error: error(run) }
 }
 
-/// The error of a run at its end, the largest |e| / (1 + |value|), as its second run tells; why it is not known otherwise.
+/// The error of a run at its end, the largest |e| / (1 + |value|), estimated by its second run; or why it is not known.
 fn error(run: &Run) -> Result<f64, String> {
     let errors = run.digits.as_ref().and_then(Digits::errors_at_end);
     let errors = errors.ok_or_else(|| "it was not assessed to its end".to_owned())?;

@@ -43,7 +43,7 @@ fn check(request: &Simulate) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What is added to the JSON of a run.
+/// Adds the gradient to the JSON of a run.
 fn add_to(whole: &mut Value, of: &Gradient) {
     let Value::Object(whole) = whole else { return };
     let slope = |slope: &Slope| json!({ "name": slope.by, "value": slope.value, "error": slope.error, "unit": slope.unit, "missing": slope.missing });

@@ -11,7 +11,7 @@ fn shown(of: &Sensitivities) -> impl Iterator<Item = usize> {
     (0..of.names.len()).filter(|at| of.names[*at] != TIME)
 }
 
-/// What is added to the JSON of a run.
+/// Adds the sensitivities to the JSON of a run.
 pub fn add_to(whole: &mut Value, of: &Sensitivities) {
     let Value::Object(whole) = whole else { return };
     let list = |value: &dyn Fn(usize, usize) -> Value| -> Value {

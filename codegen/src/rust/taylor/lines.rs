@@ -8,12 +8,12 @@ use quote::{format_ident, quote};
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::{Expr, Function as Elementary};
 
-/// Which coefficients a line is for.
+/// Order of the coefficients that a line computes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Stage {
     /// Order 1, where no convolution has inner terms.
     One,
-    /// Order k.
+    /// Order k above 1.
     Later,
 }
 
@@ -196,8 +196,8 @@ impl Text<'_> {
         }
     }
 
-    /// What is kept of an order: what the first sums begin with, the sums of the next order, the factors of the
-    /// convolutions, and the coefficients that the next order reads.
+    /// Code that keeps the history of an order, in four places: the start of the first sums, the sums of the next
+    /// order, the factors of the convolutions, and the coefficients that the next order reads.
     fn history(&self) -> [TokenStream; 4] {
         if self.plan.slots.is_empty() {
             return Default::default();

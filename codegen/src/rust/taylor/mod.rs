@@ -11,7 +11,7 @@ use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::view::view;
 
-/// What the file of the function uses; if the function itself stands elsewhere, only what its `System` does.
+/// The `use` items of the function's file; only those of its `System` if the function itself stands elsewhere.
 pub fn imports(plan: &TaylorPlan<'_>, is_here: bool) -> TokenStream {
     match plan.list.convolutions() {
         _ if !is_here => quote!(

@@ -14,7 +14,7 @@ pub(super) struct Case {
     pub(super) relations: Vec<Relation>,
     pub(super) needs: Vec<Need>,
     pub(super) divided: Vec<Expr>,
-    /// What is not 0: it was split off, or divided by.
+    /// Factors that are not 0: they were split off, or divided by.
     excluded: Vec<Expr>,
 }
 
@@ -25,15 +25,16 @@ pub(super) struct Row {
     factors: Vec<Expr>,
 }
 
-/// How a row is solved.
+/// A row of the system and the way it is solved for an unknown.
 struct Choice {
     row: usize,
     isolated: Isolated,
-    /// Factors with unknowns of what is divided by.
+    /// Factors of the divisor that contain unknowns.
     open: Vec<Expr>,
 }
 
-/// Whether it is asked for, whether what is divided by may be 0, roots, the place of the unknown, and how large the row is: the least is best.
+/// Order of preference among ways to solve a row; the least is best. In turn: false if the unknown is among those asked
+/// for; true if the divisor may be 0; degree of the roots; place of the unknown; size of the row.
 type Rank = (bool, bool, u8, usize, usize);
 
 pub struct Search<'w, 'a> {
@@ -153,7 +154,7 @@ impl<'w, 'a> Search<'w, 'a> {
         list
     }
 
-    /// What becomes of a case: none if nothing solves it or it was put among what is found.
+    /// Cases that follow from one step of a case; empty if it has no solution or was added to the solutions found.
     fn step(&mut self, mut case: Case) -> Vec<Case> {
         let Some(rows) = self.rows_of(&mut case) else { return Vec::new() };
         let choice = self.choice(&case, &rows);
@@ -286,7 +287,8 @@ impl<'w, 'a> Search<'w, 'a> {
         best.map(|(_, choice)| choice)
     }
 
-    /// Whether relations tell a sine or a cosine by those of other unknowns: put into other rows it solves nothing.
+    /// True if relations give a sine or a cosine in terms of sines or cosines of other unknowns. Such a relation, put
+    /// into other rows, does not help to solve them.
     fn leaves_open(&mut self, relations: &[Relation]) -> bool {
         let keeps_tangents = self.work.keeps_tangents;
         let is_circular = |relation: &&Relation| match relation.kind {
@@ -333,7 +335,7 @@ impl<'w, 'a> Search<'w, 'a> {
     }
 }
 
-/// Whether a term is a sine or a cosine.
+/// True if a term is a sine or a cosine.
 fn is_function(work: &Work, e: Expr) -> bool {
     matches!(work.arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
 }

@@ -37,7 +37,8 @@ impl Search<'_, '_> {
         }
     }
 
-    /// What must not be negative for a term with √p² to vanish, if that is all.
+    /// Sign condition under which a term with √p² vanishes: the root is p or −p, which then must not be negative.
+    /// `None` if the term vanishes with neither.
     fn by_sign(&mut self, value: Expr) -> Option<Need> {
         let (p, [plus, minus]) = self.work.split_root(value)?;
         let mut vanishes = |e: Expr| self.work.comparer.is_zero(self.work.arena, e).is_equal();
@@ -45,7 +46,7 @@ impl Search<'_, '_> {
         if plus { Some(Need::NotNegative(p)) } else { minus.then(|| Need::NotNegative(self.work.arena.neg(p))) }
     }
 
-    /// Whether a term is a multiple of one that must vanish.
+    /// True if the numerator of a term is a multiple of that of one that must vanish.
     fn follows(&mut self, value: Expr, left: &[Expr]) -> bool {
         let Some((value, _)) = self.work.fraction(value) else { return false };
         left.iter().any(|e| {
@@ -54,7 +55,8 @@ impl Search<'_, '_> {
         })
     }
 
-    /// A case as it is read: each value without what was solved for after it, needs that do not hold anyway; nothing if one cannot hold.
+    /// The branch that a case shows to the reader. Each value is free of the unknowns that were solved for after it,
+    /// and needs that always hold are left out. `None` if a need cannot hold, a divisor is 0, or the budget ends.
     fn told(&mut self, case: &Case, left: &[Expr]) -> Option<Branch> {
         let mut branch = Branch::default();
         for (at, relation) in case.relations.iter().enumerate() {
@@ -99,7 +101,8 @@ impl Search<'_, '_> {
         self.found.branches = kept.collect();
     }
 
-    /// Whether all that one branch says of unknowns holds in another: what it tells vanishes with that put in, and its divisors do not.
+    /// True if one branch is proved to be a special case of another, `wider`: all relations of `wider` hold with the
+    /// solutions of `branch` put in, its needs are met, and its divisors are nowhere 0.
     fn is_within(&mut self, branch: &Branch, wider: &Branch) -> bool {
         if wider.solved.len() >= branch.solved.len() {
             return false;

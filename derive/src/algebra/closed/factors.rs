@@ -14,13 +14,13 @@ const MOST_FACTORED: usize = 80;
 /// A numerator in factors.
 #[derive(Clone, Debug, Default)]
 pub struct Factors {
-    /// The number, and what does not depend on unknowns.
+    /// The number, and the factors without unknowns, each with its exponent.
     pub known: Vec<(Expr, i32)>,
-    /// What does.
+    /// Factors that contain an unknown, each with its exponent.
     pub unknown: Vec<(Expr, i32)>,
 }
 
-/// What becomes of a polynomial.
+/// Result of splitting a polynomial.
 enum Split {
     /// It is a product of these.
     Product([Poly; 2]),
@@ -94,8 +94,8 @@ impl Work<'_> {
         if self.normalizer.ring().budget > 0 { Split::Whole } else { Split::Stopped }
     }
 
-    /// What may divide a polynomial: sines, 1 ± cosine of its angles, and what its coefficients by one generator have in common, which the shortest of
-    /// them has.
+    /// Polynomials that may divide `p`: sines, 1 ± cosine of its angles, and candidates for the common factor of its
+    /// coefficients by one generator. That factor is taken from the shortest of the coefficients, which it divides.
     fn candidates(&mut self, p: &Poly) -> Vec<Poly> {
         let used: Vec<usize> = (0..self.normalizer.ring().size())
             .filter(|at| p.terms.iter().any(|(powers, _)| powers.of(*at) > 0))
@@ -138,7 +138,8 @@ impl Work<'_> {
         list
     }
 
-    /// A term over one denominator, above and below in factors, each in short form; a short form where that is too large.
+    /// A term over one denominator, above and below in factors, each in short form; a short form where that is too
+    /// large.
     pub fn neat(&mut self, e: Expr) -> Expr {
         let short = self.short(e);
         let Some((above, below)) = self.fraction(e).filter(|(above, _)| above.terms.len() <= NEAT) else {
@@ -155,7 +156,7 @@ impl Work<'_> {
         if list.is_empty() { Expr::ZERO } else { self.arena.try_product(&list).unwrap_or(short) }
     }
 
-    /// What has the sign of a term: without factors that are positive, and even powers.
+    /// A term with the sign of `e`, without positive factors and without even powers.
     pub fn sign_part(&mut self, e: Expr) -> Expr {
         let Some((above, below)) = self.fraction(e) else { return e };
         let above = self.term(&above);

@@ -39,7 +39,8 @@ impl Work<'_> {
         }
     }
 
-    /// The coefficients of a polynomial in a generator, that of power 0 first, and how many powers a step is: 2 where only even ones stand.
+    /// The coefficients of a polynomial in a generator, that of power 0 first, and the step between powers: 2 where
+    /// only even powers occur, else 1. `None` if the degree is above 2 steps.
     fn powers(&mut self, p: &Poly, at: usize) -> Option<(Vec<Expr>, usize)> {
         let list = Self::coefficients(p, &[at]);
         let powers: Vec<usize> = list.keys().map(|powers| usize::from(powers.of(at))).collect();
@@ -207,7 +208,7 @@ impl Work<'_> {
         Some(Solution { needs, ..solution })
     }
 
-    /// What of these is not so anyway; nothing if one cannot be.
+    /// Those of these needs that do not always hold; `None` if one can never hold.
     pub fn needed(&mut self, needs: &[Need]) -> Option<Vec<Need>> {
         let mut list: Vec<Need> = Vec::new();
         for need in needs {

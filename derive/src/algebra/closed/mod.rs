@@ -1,11 +1,12 @@
 //! Systems of equations solved in closed form, where exact algebra solves them: by factors, and an unknown at a time.
 //!
-//! An unknown is solved for where a factor of an equation is linear in it, linear or quadratic in its square, linear or quadratic in its
-//! cosine or its sine alone, or linear in both; angles also where two sines or cosines cancel. What is found is put back into the equations that were given, and what does not
-//! vanish there by exact algebra is shown as a condition: nothing is claimed that is not proved, and nothing is hidden.
+//! An unknown is solved for where a factor of an equation is linear in it, linear or quadratic in its square, linear or
+//! quadratic in its cosine or its sine alone, or linear in both. Angles are also solved for where two sines or cosines
+//! cancel. Each solution is put back into the given equations. Terms that exact algebra does not reduce to 0 there are
+//! shown as conditions: only proved results are claimed, and nothing is hidden.
 //!
-//! Work is counted: [`MOST_STEPS`], [`MOST_BRANCHES`] and multiplications of terms. Absent on purpose: Gröbner bases and resultants, whose results nobody
-//! reads, and any knowledge of what the unknowns are.
+//! The work is counted: [`MOST_STEPS`], [`MOST_BRANCHES`] and multiplications of terms. Absent on purpose: Gröbner
+//! bases and resultants, whose results nobody reads, and any knowledge of the meaning of the unknowns.
 
 mod branches;
 mod ends;
@@ -34,20 +35,20 @@ pub const BUDGET: u64 = 2 * Normalizer::BUDGET;
 /// A system with its solutions.
 #[derive(Clone, Debug, Default)]
 pub struct Solutions {
-    /// What must vanish, in factors, nothing being divided by.
+    /// Terms that must vanish, in factors and without divisors.
     pub equations: Vec<Expr>,
-    /// What the equations as they were given divide by: they say nothing where it is 0.
+    /// Divisors of the equations as they were given: the equations say nothing where one of these is 0.
     pub divided_by: Vec<Expr>,
-    /// How many equations have no normal form within the budget: nothing is solved then.
+    /// Number of equations that have no normal form within the budget; if it is not 0, nothing is solved.
     pub too_large: usize,
     /// All solutions where no divisor is 0, as far as they were found.
     pub branches: Vec<Branch>,
-    /// Whether a search ended before it had all branches.
+    /// True if the search ended before it had found all branches.
     pub is_cut: bool,
 }
 
-/// Solves equations, each a term that must vanish, for unknowns: those that come first in the list rather than later ones, where they can be had
-/// alike. `asked` of them, from the first, are preferred whatever it costs. The divisors are not 0.
+/// Solves equations, each a term that must vanish, for unknowns. Where several can be solved for, those that come first
+/// in the list are chosen. The first `asked` of them are preferred at any cost. The divisors are taken not to be 0.
 pub fn solve(arena: &mut Arena, equations: &[Expr], unknowns: &[Expr], asked: usize, divisors: &[Expr]) -> Solutions {
     let mut work = Work::new(arena, unknowns, asked);
     work.normalizer.prepare(work.arena, &[equations, divisors].concat());

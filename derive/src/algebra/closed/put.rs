@@ -1,4 +1,4 @@
-//! What an unknown was found to be, and terms with it put in.
+//! Substitution of relations, which give an unknown, its square or its sine, cosine or tangent, into terms.
 
 use super::super::calculus::Substitution;
 use super::super::polynomial::Polynomial;
@@ -7,8 +7,9 @@ use super::relation::{Kind, Relation};
 use super::work::Work;
 
 impl Work<'_> {
-    /// A term with a relation put in, as far as it says: the sign of a square root, or of the cosine beside a sine, stays open, by a symbol or a
-    /// function of the unknown to the power 1. Nothing if something is divided by 0 then, or beyond the budget.
+    /// A term with a relation put in, as far as the relation determines it. The sign of a square root, or of the cosine
+    /// beside a sine, stays open: the unknown or the function remains to the power 1. `None` if something is then
+    /// divided by 0, or beyond the budget.
     pub fn put(&mut self, relation: &Relation, e: Expr) -> Option<Expr> {
         if !self.arena.mentions(e, relation.unknown) {
             return Some(e);
@@ -62,7 +63,8 @@ impl Work<'_> {
         Some(self.arena.linear_combination(&terms))
     }
 
-    /// A function value with a relation put into its argument, such as a root of the square that is told; an atom that is none as it is.
+    /// A function value with a relation put into its argument, such as the root of a square that the relation gives;
+    /// other atoms are returned unchanged.
     fn inside(&mut self, relation: &Relation, atom: Expr) -> Option<Expr> {
         let Node::Apply(f, argument) = *self.arena.node(atom) else { return Some(atom) };
         if !self.arena.mentions(argument, relation.unknown) || matches!(f, Function::Sin | Function::Cos) {

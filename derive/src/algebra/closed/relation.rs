@@ -1,8 +1,8 @@
-//! What is told of unknowns: relations, what they need, and branches of solutions.
+//! Relations that give unknowns, their conditions, and the branches of solutions that they make up.
 
 use super::super::Expr;
 
-/// What of an unknown is told.
+/// Function of an unknown that a relation gives: the unknown itself, its square, or a sine, cosine or tangent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// The unknown.
@@ -17,16 +17,16 @@ pub enum Kind {
     Tangent,
 }
 
-/// What an unknown was found to be.
+/// A relation for one unknown: its value, its square, or a sine, cosine or tangent of an angle proportional to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Relation {
     /// The unknown.
     pub unknown: Expr,
-    /// What of it is told.
+    /// Function of the unknown that the relation gives.
     pub kind: Kind,
-    /// The angle, of which a sine, cosine or tangent is told; else the unknown.
+    /// The angle whose sine, cosine or tangent is given; else the unknown.
     pub angle: Expr,
-    /// What that is.
+    /// Value of that function.
     pub value: Expr,
 }
 
@@ -37,7 +37,7 @@ impl Relation {
     }
 }
 
-/// What must be so where a branch holds, beside its equations.
+/// Condition, beside the equations, under which a branch has real solutions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Need {
     /// The term is not negative: it stands under a square root.
@@ -66,31 +66,31 @@ impl Need {
 /// Solutions of a system that are told by formulas.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Branch {
-    /// What the unknowns are that were solved for, each in those that are left free.
+    /// Relations for the unknowns that were solved for, each in terms of the free ones.
     pub solved: Vec<Relation>,
-    /// What must be so for real numbers to be found.
+    /// Conditions for the solution to be real.
     pub needs: Vec<Need>,
-    /// What is divided by, and is not 0.
+    /// Divisors of the solution, which are not 0.
     pub divided_by: Vec<Expr>,
-    /// What must vanish beside, and was not solved for.
+    /// Further terms that must vanish, which were not solved.
     pub left: Vec<Expr>,
 }
 
 /// An unknown, with what that needs.
 #[derive(Clone, Debug, Default)]
 pub struct Solution {
-    /// One relation; sine and cosine where both are told.
+    /// One relation, or two where both sine and cosine are given.
     pub relations: Vec<Relation>,
-    /// What must be so.
+    /// Conditions for the solution to be real.
     pub needs: Vec<Need>,
 }
 
-/// How a factor gives an unknown.
+/// Solutions of a factor of an equation for one unknown.
 #[derive(Clone, Debug, Default)]
 pub struct Isolated {
     /// The solutions; none if no real number solves it.
     pub solutions: Vec<Solution>,
-    /// What is divided by.
+    /// Divisor of the solutions, if they divide by a term.
     pub divisor: Option<Expr>,
     /// 0 if it is linear, 1 if it has a square root, 2 if both sine and cosine have one.
     pub degree: u8,

@@ -1,4 +1,5 @@
-//! Equations of angles alone whose sides are one sine or cosine, or two of one size: sin A + sin B = 0 where A = −B or A = B + π, and so on.
+//! Equations of angles alone that reduce to one sine or cosine, or to two of equal amplitude.
+//! For example, sin A + sin B = 0 where A = −B or A = B + π.
 
 use super::super::ring::Poly;
 use super::super::{Expr, Function, Node, Rational};
@@ -9,7 +10,7 @@ use std::collections::BTreeMap;
 /// Terms of a polynomial, and waves, up to which it is looked at.
 const MOST_TERMS: usize = 12;
 
-/// Whether a sine, and the angle Σ n · unknown, the first n above 0.
+/// A wave: true if it is a sine, false for a cosine; and the angle Σ n · unknown, with the first n above 0.
 type Wave = (bool, BTreeMap<Expr, i64>);
 
 /// Angle = half turns · π.
@@ -95,7 +96,7 @@ fn times(((is_sine, angle), k): (Wave, Rational), by_sine: bool, x: Expr, half: 
     })
 }
 
-/// Where one wave is 0, or two of one size are.
+/// Equations for angles under which one wave, or the sum of two of equal amplitude, is 0. `None` for other sums.
 fn lines(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
     let [zero, half, one] = [Rational::ZERO, Rational::fraction(1, 2)?, Rational::ONE];
     let combined = |a: &Wave, b: &Wave, sign: i64| {

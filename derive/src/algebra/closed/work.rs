@@ -9,7 +9,7 @@ use super::super::{Arena, Expr, Function, Node};
 use super::BUDGET;
 use std::collections::BTreeMap;
 
-/// How a generator depends on an unknown.
+/// Dependence of a generator on an unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// It is the unknown.
@@ -30,7 +30,7 @@ pub struct Work<'a> {
     pub comparer: Comparer,
     pub unknowns: Vec<Expr>,
     pub asked: usize,
-    /// Whether a tangent may be told by angles that are open, while other rows have more of it.
+    /// True if a tangent may be given in terms of angles that are still open, while other rows mention its unknown.
     pub keeps_tangents: bool,
 }
 
@@ -69,12 +69,12 @@ impl<'a> Work<'a> {
         Some(self.short(quotient))
     }
 
-    /// Whether a term is 0 by its normal form.
+    /// True if a term is 0 by its normal form.
     pub fn is_zero(&mut self, e: Expr) -> bool {
         self.fraction(e).is_some_and(|(above, _)| above.is_zero())
     }
 
-    /// How a generator depends on an unknown that it mentions.
+    /// Dependence of a generator on an unknown that it mentions.
     pub fn role(&mut self, generator: Expr, x: Expr) -> Role {
         if generator == x {
             return Role::Plain;

@@ -1,10 +1,12 @@
-//! A tape run backwards: what all its inputs do to a weighted sum of its outputs, in one pass.
+//! A tape run backwards: the derivatives of a weighted sum of its outputs by all its inputs, in one pass.
 //!
-//! The values of the tape are computed first, then from the last operation to the first what each of them adds to the sum: the cost is that of a few evaluations,
-//! however many inputs there are. A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd edition (2008), §3.2.
+//! The values of the tape are computed first. Then, from the last operation to the first, the contribution of each to
+//! the sum is computed. The cost is that of a few evaluations, whatever the number of inputs. A. Griewank & A. Walther,
+//! *Evaluating Derivatives*, 2nd edition (2008), §3.2.
 //!
-//! Slopes are those that numbers with slopes have ([`tripos_traits::Tangent`]): |x| has the sign of x, which is flat. What adds nothing is not followed, so that a slope without a
-//! value counts only where something depends on it.
+//! Slopes are those of numbers with slopes ([`tripos_traits::Tangent`]): the slope of |x| is the sign of x, whose own
+//! slope is 0. An operation that contributes 0 is not followed, so that an undefined slope counts only where the sum
+//! depends on it.
 
 use super::{Op, Tape};
 use crate::algebra::Function;
@@ -58,7 +60,7 @@ impl Tape {
     }
 }
 
-/// xⁿ.
+/// The power xⁿ.
 fn raised(x: f64, n: i32) -> f64 {
     match n {
         1 => x,
@@ -68,7 +70,7 @@ fn raised(x: f64, n: i32) -> f64 {
     }
 }
 
-/// n xⁿ⁻¹.
+/// The slope n xⁿ⁻¹ of the power xⁿ.
 fn slope_of_power(x: f64, n: i32) -> f64 {
     match n {
         0 => 0.0,
@@ -119,8 +121,9 @@ mod tests {
         Function::Sign,
     ];
 
-    /// Goal: the same slopes as forwards, of every operation. Method: each function of a product of powers, weighted, against the tape in numbers with slopes; 8 ε of the
-    /// largest term, since functions of the two are rounded apart.
+    /// Goal: the backward pass gives the same slopes as the forward one, for every operation. Method: each function of
+    /// a product of powers, weighted, against the tape in numbers with slopes; 8 ε of the largest term, since functions
+    /// of the two are rounded separately.
     #[test]
     fn backwards_are_the_slopes_that_forwards_are() {
         let mut arena = Arena::new();

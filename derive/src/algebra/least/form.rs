@@ -1,4 +1,4 @@
-//! The form while it is carried back through the names: its entries, and how one of its terms is taken out.
+//! The form while it is carried back through the names: its entries, and the removal of one of its terms.
 //!
 //! Invariant: an entry stands in the rows of both of its terms.
 
@@ -24,7 +24,7 @@ pub(super) struct Part {
 pub(super) struct Replaced {
     pub(super) unknown: Expr,
     pub(super) by: Expr,
-    /// 1 or −1.
+    /// Sign of the unknown in the name: 1 or −1.
     pub(super) sign: Expr,
 }
 
@@ -38,7 +38,8 @@ pub(super) struct Turn {
     rests: (Expr, Expr),
 }
 
-/// Whether these are a turn, by the sine and the cosine of one angle: then c² + s² = 1.
+/// The rotation that relates two terms to two others, by the sine and the cosine of one angle, so that c² + s² = 1;
+/// `None` if they are not so related.
 pub(super) fn turn(arena: &mut Arena, one: &Part, other: &Part) -> Option<Turn> {
     let ([(x, c), (y, s)], [(x2, minus_s), (y2, c2)]) = (one.terms.as_slice(), other.terms.as_slice()) else {
         return None;
@@ -57,7 +58,7 @@ pub(super) fn turn(arena: &mut Arena, one: &Part, other: &Part) -> Option<Turn> 
     })
 }
 
-/// Which function of which angle a term is, if it is a sine, a cosine or the opposite of one.
+/// The function and the angle of a term that is a sine, a cosine or the negative of one; `None` for other terms.
 fn circular(arena: &Arena, e: Expr) -> Option<(Function, Expr)> {
     let inner = match arena.node(e) {
         Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 && terms[0].1 == Rational::integer(-1) => {

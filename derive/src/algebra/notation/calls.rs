@@ -1,4 +1,4 @@
-//! Calls that are written otherwise here: `pow(x, 2)`, `Rational(1, 2)`, `deg2rad(10)`.
+//! Calls that the language of model files writes otherwise: `pow(x, 2)`, `Rational(1, 2)`, `deg2rad(10)`.
 
 use super::kind::Notation;
 use super::plain::Plain;
@@ -6,13 +6,14 @@ use super::refusal::wrong;
 use crate::algebra::parse::ParseError;
 use std::ops::Range;
 
-/// How a call is written here.
+/// Rewriting of a call into the language of model files.
 #[derive(Clone, Copy)]
 struct Form {
-    /// What it is called, and in which notations.
+    /// Name of the function; `of` lists the notations that have it.
     name: &'static str,
     of: &'static [Notation],
-    /// What stands for its name with its parenthesis, for its comma, and for the parenthesis that closes it.
+    /// Tokens that replace the name with its parenthesis; `comma` and `close` replace the comma and the closing
+    /// parenthesis.
     open: &'static [&'static str],
     comma: Option<&'static [&'static str]>,
     close: &'static [&'static str],
@@ -49,7 +50,7 @@ pub(super) struct Calls(Vec<Call>);
 
 struct Call {
     form: Option<&'static Form>,
-    /// How many commas there are still to be; none is counted of an ordinary call.
+    /// Number of commas still to come; 0 for an ordinary call, whose commas are not counted.
     commas: usize,
     place: Range<usize>,
 }

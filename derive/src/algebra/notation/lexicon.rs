@@ -1,4 +1,4 @@
-//! What functions and constants are called: in LaTeX, and in programs.
+//! Names of functions and constants, in LaTeX and in programs.
 
 use super::kind::Notation;
 use crate::algebra::parse::is_reserved;
@@ -96,7 +96,7 @@ pub(super) fn latex_function(command: &str) -> Option<&'static str> {
     LATEX.iter().find(|(name, _)| *name == command).map(|(_, function)| *function)
 }
 
-/// Whether a command of LaTeX is a letter.
+/// True if a command of LaTeX is a letter.
 pub(super) fn is_letter(command: &str) -> bool {
     LETTERS.contains(&command)
 }
@@ -114,7 +114,7 @@ pub(super) fn without_module(word: &str) -> &str {
     split.filter(|(module, _)| MODULES.contains(module)).map_or(word, |(_, name)| name)
 }
 
-/// What a constant of a program is here.
+/// Tokens, in the language of model files, of a constant of a program; `None` if the word is no constant.
 pub(super) fn constant(word: &str, notation: Notation) -> Option<&'static [&'static str]> {
     match (word, notation) {
         ("pi", Notation::Python | Notation::Matlab) | ("M_PI", Notation::C) => Some(&["pi"]),

@@ -1,11 +1,13 @@
 //! Formulas as people have them, in LaTeX and in programs, as formulas of the language of model files.
 //!
-//! Each notation is read token by token into tokens of that language, which [`super::parse`] reads on: one grammar, one set of limits. Every token keeps
-//! the place that it is from, so that an error of either stage stands where the text is wrong.
+//! Each notation is read token by token into tokens of that language, which [`super::parse`] then reads: one grammar,
+//! one set of limits. Every token keeps its place in the original text. So an error of either stage points at the place
+//! where the text is wrong.
 //!
-//! Invariant: nothing is guessed. What two people would read as two things, such as `\sin q u` or `a/2 b`, is refused with
-//! both ways to write it, and what a language means by its marks holds: `1/2` is 0 in C. What a symbol is called in the
-//! language of model files is asked of a [`Spell`]er. Absent on purpose: statements, vectors, and derivatives of anything but symbols.
+//! Invariant: nothing is guessed. A text that two people may read differently, such as `\sin q u` or `a/2 b`, is
+//! refused with both ways to write it. Marks keep the meaning that they have in their language: `1/2` is 0 in C. The
+//! name of a symbol in the language of model files is asked of a [`Spell`]er. Absent on purpose: statements, vectors,
+//! and derivatives of anything but symbols.
 
 mod calls;
 mod kind;

@@ -9,7 +9,7 @@ pub struct Plain {
     text: String,
     /// Each token's place in the text, and where it is from; empty for a text that is its own source.
     places: Vec<(Range<usize>, Range<usize>)>,
-    /// Whether the text is what was written.
+    /// True if the text is the original one, unchanged.
     is_same: bool,
 }
 
@@ -51,7 +51,7 @@ impl Plain {
         &self.text
     }
 
-    /// Where in the source a part of the text is from.
+    /// Range of the source that a part of the text comes from.
     #[must_use]
     pub fn source(&self, part: Range<usize>) -> Range<usize> {
         if self.is_same {

@@ -217,7 +217,7 @@ impl Program<'_, '_> {
         }
     }
 
-    /// Whether what was read last ends an operand.
+    /// True if the last token read ends an operand.
     fn ends_operand(&self) -> bool {
         let last = self.out.tokens().next_back().map(|(token, _)| token);
         last.is_some_and(|token| !matches!(token, "+" | "-" | "*" | "/" | "^" | "(" | ","))

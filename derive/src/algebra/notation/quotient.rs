@@ -5,12 +5,12 @@ use super::refusal::wrong;
 use crate::algebra::parse::ParseError;
 use std::ops::Range;
 
-/// What is known between a parenthesis and where the reading is.
+/// State of one level of parentheses while it is read.
 #[derive(Default)]
 struct Level {
-    /// Whether the terms before this one have a part that is not whole.
+    /// True if a term before the current one is not a whole number.
     is_real: bool,
-    /// Whether the term so far is whole; none if it has not begun.
+    /// True if the current term is whole so far; `None` if it has not begun.
     term: Option<bool>,
     /// The slash that the next operand is below.
     slash: Option<Range<usize>>,

@@ -1,4 +1,4 @@
-//! What is wrong with a formula of another notation, and where.
+//! Errors in a formula of another notation, with their places.
 
 use super::spell::Unknown;
 use crate::algebra::parse::ParseError;

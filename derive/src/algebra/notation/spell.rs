@@ -1,18 +1,18 @@
-//! What a notation asks of the symbols that it meets.
+//! Names of the symbols that a notation meets.
 
 use super::symbol::Symbol;
 
 /// Why a symbol stands for nothing: (message, help).
 pub type Unknown = (String, Option<String>);
 
-/// What the symbols of a text are called in the language of model files, primes for derivatives included.
+/// Names, in the language of model files, of the symbols of a text, primes for derivatives included.
 pub trait Spell {
-    /// Whether a symbol of LaTeX, its dots aside, has a name.
+    /// True if a symbol of LaTeX, its dots aside, has a name.
     fn knows(&self, symbol: &Symbol) -> bool;
 
     /// The name of a symbol of LaTeX.
     ///
-    /// `run` is what the letters around it make if they are one word, empty if they are none.
+    /// `run` is the word that the symbol forms with the letters around it, empty if they form none.
     ///
     /// # Errors
     /// Why it has none.

@@ -5,9 +5,9 @@
 pub struct Symbol {
     /// The letter or word, with accents other than dots.
     pub base: String,
-    /// What stands below, without braces and type faces.
+    /// Subscript, without braces and type faces.
     pub subscript: String,
-    /// What stands above and is no power, such as the `B` of `I^B`.
+    /// Superscript that is not a power, such as the `B` of `I^B`.
     pub mark: String,
     /// Dots and primes: derivatives by time.
     pub dots: usize,

@@ -1,4 +1,4 @@
-//! What `SymPy` makes of functions of time: `q(t)`, `q(t).diff(t)`, `Derivative(q(t), (t, 2))`.
+//! Functions of time as `SymPy` prints them: `q(t)`, `q(t).diff(t)`, `Derivative(q(t), (t, 2))`.
 
 use super::kind::Notation;
 use super::lexicon::without_module;

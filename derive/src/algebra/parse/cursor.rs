@@ -10,7 +10,7 @@ pub type Word<'a> = (&'a str, Range<usize>);
 pub struct Cursor<'a> {
     pub text: &'a str,
     pub at: usize,
-    /// What to write.
+    /// Help for errors: the form in which the quantity is written.
     pub form: &'static str,
 }
 

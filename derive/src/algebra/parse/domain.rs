@@ -1,15 +1,15 @@
-//! Where functions have real values.
+//! Domains of functions: the arguments for which they have real values.
 
 use crate::algebra::evaluate::Tape;
 use crate::algebra::{Arena, Expr, Function, Rational};
 
-/// Whether a function has no real value for some arguments.
+/// True if a function has no real value for some arguments.
 pub(super) fn is_partial(f: Function) -> bool {
     matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos)
 }
 
-/// Whether an argument without symbols is where a function has no real value: exactly for plain numbers, to rounding
-/// for others.
+/// True if an argument lies outside the domain of a function: exactly for plain numbers, to rounding for other
+/// constants. False for an argument that mentions a symbol.
 pub(super) fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
     if !is_partial(f) {
         return false;
@@ -32,5 +32,5 @@ pub(super) fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
     }
 }
 
-/// What the value of a constant such as sin(1)^2 + cos(1)^2 may be off by.
+/// Rounding error allowed in the value of a constant such as sin(1)^2 + cos(1)^2.
 const ROUNDING: f64 = 1e-12;

@@ -1,4 +1,4 @@
-//! What is wrong with an expression, where, and what to write instead.
+//! Errors in an expression: their place, their description, and advice.
 
 use crate::algebra::{Arena, PowerError};
 use std::ops::Range;
@@ -8,14 +8,14 @@ use std::ops::Range;
 pub struct ParseError {
     /// Byte range in the text.
     pub span: Range<usize>,
-    /// What is wrong.
+    /// Description of the error.
     pub message: String,
-    /// What to do about it.
+    /// Advice on how to correct the text.
     pub help: Option<String>,
 }
 
 impl ParseError {
-    /// What stands at this place is not what may stand there, where names may end in so many primes.
+    /// Error for a character that may not stand at this place. Names may end in at most `primes` primes.
     pub(super) fn unexpected(text: &str, at: usize, primes: usize) -> Self {
         let Some(found) = text[at..].chars().next() else {
             return error(at..at, "the expression ends too early", Some("an operand is missing here"));
@@ -74,7 +74,7 @@ pub(super) fn error(span: Range<usize>, message: impl Into<String>, help: Option
     ParseError { span, message: message.into(), help: help.map(str::to_owned) }
 }
 
-/// Whether a text goes on with a word for degrees.
+/// True if a text begins with a word or sign for degrees.
 fn is_degree(text: &str) -> bool {
     let word: String = text.chars().take_while(|c| c.is_alphanumeric() || *c == '°').collect();
     matches!(word.as_str(), "deg" | "degree" | "degrees" | "°")

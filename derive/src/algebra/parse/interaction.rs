@@ -1,5 +1,5 @@
-//! A component of what one body exerts on another through what connects them, as it is written: `force(base on arm) @ N [1]`,
-//! `torque(base on arm) @ arm_frame [3]`, `torque(base on arm about P) @ N [3]`.
+//! A component of the force or torque that one body exerts on another through the elements that connect them, as it is
+//! written: `force(base on arm) @ N [1]`, `torque(base on arm) @ arm_frame [3]`, `torque(base on arm about P) @ N [3]`.
 
 use super::cursor::{Cursor, Word};
 use super::error::ParseError;
@@ -7,7 +7,7 @@ use super::error::ParseError;
 /// A component of a force or of a torque between two bodies, by names that the algebra knows nothing of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InteractionName<'a> {
-    /// Whether it is a torque, and not a force.
+    /// True for a torque, false for a force.
     pub is_torque: bool,
     /// The body that exerts it.
     pub by: Word<'a>,
@@ -21,11 +21,11 @@ pub struct InteractionName<'a> {
     pub axis: usize,
 }
 
-/// What to write.
+/// Help for errors: the forms of a force and a torque.
 const FORM: &str =
     "write force(BODY on BODY) @ FRAME [1], or torque(BODY on BODY about POINT) @ FRAME [1]; `ground` is a body here";
 
-/// Whether an interaction is written with this word in front of its parenthesis.
+/// True if an interaction is written with this word in front of its parenthesis.
 pub(super) fn is_interaction(word: &str) -> bool {
     ["force", "torque"].contains(&word)
 }

@@ -1,4 +1,4 @@
-//! How long the numbers in front of terms are: what exact arithmetic with them costs.
+//! Length of the numbers in front of terms, which determines the cost of exact arithmetic with them.
 
 use crate::algebra::{Arena, Expr, Node, Rational};
 

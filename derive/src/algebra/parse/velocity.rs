@@ -1,17 +1,18 @@
-//! A component of a velocity as it is written: `v(P) @ A [1]`, of a point, `v(disk, P) @ A [1]`, of the material of a body
-//! that is at a point, and `omega(B) @ A [3]`, of a body or a frame that turns; and of a position, `p(P) @ A [1]`.
+//! A component of a velocity or a position as it is written: `v(P) @ A [1]` for a point, `v(disk, P) @ A [1]` for the
+//! material of a body at a point, `omega(B) @ A [3]` for a body or a frame that turns, and `p(P) @ A [1]` for a
+//! position.
 
 use super::cursor::{Cursor, Word};
 use super::error::ParseError;
 
-/// What a velocity is of, or a position.
+/// Object of a velocity or a position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum VelocityOf<N> {
-    /// A point.
+    /// Velocity of a point.
     Point(N),
     /// The material of a body that is at a point: the body, then the point.
     Material(N, N),
-    /// What turns: the velocity is an angular one.
+    /// Angular velocity of a body or a frame.
     Turning(N),
     /// A point, whose position from the origin is meant.
     Place(N),
@@ -20,7 +21,7 @@ pub enum VelocityOf<N> {
 /// A component of a velocity, by names that the algebra knows nothing of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VelocityName<'a> {
-    /// What it is of.
+    /// Object whose velocity or position is meant.
     pub of: VelocityOf<Word<'a>>,
     /// The frame of the component.
     pub frame: Word<'a>,
@@ -28,11 +29,11 @@ pub struct VelocityName<'a> {
     pub axis: usize,
 }
 
-/// What to write.
+/// Help for errors: the forms of a velocity and a position.
 const FORM: &str = "write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, omega(BODY) @ FRAME [1], or \
                     p(POINT) @ FRAME [1] for a position";
 
-/// Whether a velocity is written with this word in front of its parenthesis.
+/// True if a velocity or a position is written with this word in front of its parenthesis.
 pub(super) fn is_velocity(word: &str) -> bool {
     ["v", "omega", "p"].contains(&word)
 }
@@ -61,8 +62,8 @@ impl<'a> VelocityName<'a> {
         Ok((Self { of, frame, axis }, cursor.at))
     }
 
-    /// Reads the two points of `distance(P, Q)`, from its parenthesis on, as their positions along the axes of the inertial frame,
-    /// whose name is empty; returns with them where it ends.
+    /// Reads the two points of `distance(P, Q)`, from its parenthesis on. Returns their positions along the axes of the
+    /// inertial frame, whose name is empty, and the place where the call ends.
     pub(super) fn ends(text: &'a str, at: usize) -> Result<([[Self; 2]; 3], usize), ParseError> {
         let mut cursor = Cursor { text, at, form: FORM };
         cursor.mark('(')?;

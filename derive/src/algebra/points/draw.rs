@@ -1,8 +1,8 @@
 //! Points at which all square roots of terms exist.
 //!
-//! A root exists at every second point of a prime field, so that one point in 2^k has k of them. Symbols are therefore drawn
-//! group by group: a group is drawn again until the roots exist that need no symbol after it. What this costs is
-//! 2^k for the roots of one group, and not for all.
+//! A root exists at every second point of a prime field, so that k roots all exist at one point in 2^k. Symbols are
+//! therefore drawn group by group: a group is drawn again until all roots exist that need no later symbol. The cost is
+//! 2^k for the k roots of one group, and not for those of all groups together.
 
 use super::{Hashes, Point, Residues, angle_denominators, seeded};
 use crate::algebra::field::{Field, Generator};
@@ -16,7 +16,7 @@ const MOST_WORK: usize = 4_000_000;
 /// A square root that must exist at a point.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Root {
-    /// √x.
+    /// The root √x of a term.
     Of(Expr),
     /// √(1 − x²), in the slopes of arc sines and arc cosines.
     Complement(Expr),
@@ -111,8 +111,8 @@ impl<'a> Draw<'a> {
 }
 
 impl Group {
-    /// Draws the symbols until the roots exist; false if the work that is left does not suffice, or if these are roots of numbers
-    /// that do not exist in this field.
+    /// Draws the symbols until the roots exist. False if the remaining work does not suffice, or if roots of numbers do
+    /// not exist in this field.
     fn draw(
         &self,
         arena: &Arena,

@@ -1,29 +1,29 @@
 //! Formulas in lines that a page can hold: they break at their signs, also within parentheses, alike in every language.
 //!
-//! Invariant: the lines one after another are the formula, whatever they are broken at. Widths are estimates, in tenths of an em; what is one root, or the
-//! argument of a function, is never broken.
+//! Invariant: the lines joined are the formula, wherever they are broken. Widths are estimates, in tenths of an em. A
+//! root, and the argument of a function, are never broken.
 
 use super::latex::write_latex;
 use super::mathml::{between, write_mathml};
 use super::typst::write_typst;
 use crate::algebra::view::View;
 
-/// How a language writes what stands where lines break.
+/// Spelling, in one language, of the marks near which lines break.
 struct Marks {
     write: fn(&View, &mut String),
-    /// A sign that begins a formula, or what stands in parentheses.
+    /// A sign that begins a formula, or the content of parentheses.
     negative: &'static str,
     /// Signs between terms, which a line may begin with.
     plus: &'static str,
     minus: &'static str,
-    /// What stands before a factor that follows another.
+    /// Mark between two factors, given the second.
     times: fn(&View) -> &'static str,
-    /// Parentheses around what is on one line, which have its height.
+    /// Parentheses around content on one line, which have its height.
     whole: [&'static str; 2],
     /// Parentheses that need not be on one line, of one height.
     broken: [&'static str; 2],
     power: fn(i32) -> String,
-    /// What stands between the parts of a fraction that is broken; without it n a/b becomes (n/b) a.
+    /// Mark between the parts of a fraction that is broken; without it n a/b becomes (n/b) a.
     slash: Option<&'static str>,
 }
 
@@ -69,7 +69,7 @@ const MATHML: Marks = Marks {
 struct Piece {
     text: String,
     width: usize,
-    /// Whether a line may begin with it.
+    /// True if a line may begin with this piece.
     breaks: bool,
 }
 
@@ -85,7 +85,8 @@ pub fn typst_lines(view: &View, widest: usize) -> Vec<String> {
     Breaking { marks: &TYPST, widest }.lines(view)
 }
 
-/// A formula as presentation `MathML` in pieces between which lines may break, one if it is no wider than this, in tenths of an em.
+/// A formula as presentation `MathML`, in pieces between which lines may break. It is one piece if it is no wider than
+/// `widest`, in tenths of an em.
 #[must_use]
 pub fn mathml_pieces(view: &View, widest: usize) -> Vec<String> {
     let mut pieces = Vec::new();
@@ -189,7 +190,8 @@ impl Breaking {
         }
     }
 
-    /// Whether it is a fraction that gets a slash, since a line may break in what is above or below: a factor behind it would seem to belong to that.
+    /// True if the view is a fraction that gets a slash, since a line may break in its numerator or denominator. A
+    /// factor behind it would seem to belong to the denominator.
     fn is_slashed(&self, view: &View) -> bool {
         let breaks = |part: &View| formula_width(part) > self.widest && has_signs(part);
         self.marks.slash.is_some() && matches!(view, View::Fraction(above, below) if breaks(above) || breaks(below))
@@ -226,7 +228,7 @@ impl Breaking {
     }
 }
 
-/// Whether a line may break in it.
+/// True if a line may break inside this view.
 fn has_signs(view: &View) -> bool {
     match view {
         View::Sum(terms) => terms.len() > 1 || terms.iter().any(|(_, term)| has_signs(term)),
@@ -289,7 +291,7 @@ mod tests {
     use crate::algebra::parse::parse_free;
     use crate::algebra::print::{mathml_of, view_of};
 
-    /// What is seen of `MathML`, without its spaces.
+    /// Visible text of `MathML`, without tags and without the invisible mark of function application.
     fn seen(mathml: &str) -> String {
         mathml.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect::<String>().replace('\u{2061}', "")
     }
@@ -305,8 +307,8 @@ mod tests {
         (mathml_pieces(&view, widest).iter().map(|piece| seen(piece)).collect(), seen(&mathml_of(&view)))
     }
 
-    /// Goal: a browser finds a place to break what is wide, and nothing is lost there. Method: pieces by hand, and put together again they are what
-    /// stands on one line.
+    /// Goal: a browser finds places to break a wide formula, and nothing is lost there. Method: the number of pieces by
+    /// hand; joined, they are the formula on one line.
     #[test]
     fn pieces_of_a_formula_break_at_its_signs_and_are_the_formula() {
         let formula = "m*l*(sin(q1)*u1^2 - cos(q1)*(u1 + m*u2 + l*u2)) - u2";
@@ -318,7 +320,8 @@ mod tests {
         assert_eq!(one, [whole]);
     }
 
-    /// Goal: a fraction on several lines means the same. Method: by hand; what a factor behind it could be taken to belong to stands in parentheses.
+    /// Goal: a fraction on several lines keeps its meaning. Method: by hand; parentheses stand wherever a neighbouring
+    /// factor could seem to belong to a part of the fraction.
     #[test]
     fn a_fraction_that_is_broken_has_a_slash() {
         let (_, sum) = pieces("m*u1 + m*u2 + l*u1", 1000);

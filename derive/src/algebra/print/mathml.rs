@@ -102,7 +102,7 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
     }
 }
 
-/// What stands before a factor that follows another.
+/// Mark in front of a factor that follows another: a dot if it is a number, else a thin space.
 pub(super) fn between(factor: &View) -> &'static str {
     if matches!(factor, View::Number(_)) { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" }
 }

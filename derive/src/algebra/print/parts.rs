@@ -7,8 +7,8 @@ use rustc_hash::FxHashMap;
 /// Nodes of a part, whose own parts count as one each.
 const PART: usize = 500;
 
-/// The parts that formulas of more than [`BUDGET`] nodes must share by name to be short, each after those that it holds; none
-/// where all formulas are short. Written out, terms that are shared again and again fill a disk.
+/// The parts that formulas of more than [`BUDGET`] nodes must share by name to be short, each after the parts that it
+/// contains; empty if all formulas are short. Written out, terms that are shared again and again fill a disk.
 #[must_use]
 pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
     let whole = sizes(arena, &arena.shown(formulas), usize::MAX);
@@ -18,7 +18,8 @@ pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
     shown.into_iter().filter(|e| sizes[e].1).collect()
 }
 
-/// Nodes of each term, operands first, and whether it is a part: one that is larger than a part counts as one node in others.
+/// Number of nodes of each term, operands first, and true if it is a part. A sum or product of more than `part` nodes
+/// is one, and counts as one node in other terms.
 fn sizes(arena: &Arena, terms: &[Expr], part: usize) -> FxHashMap<Expr, (usize, bool)> {
     let mut known: FxHashMap<Expr, (usize, bool)> = FxHashMap::default();
     for e in terms {

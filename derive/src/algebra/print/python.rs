@@ -6,7 +6,7 @@ pub(super) const NUMPY: Spelling = Spelling { pi: "np.pi", power: "**", function
 pub(super) const SYMPY: Spelling =
     Spelling { pi: "sp.pi", power: "**", function: of_sympy, quotient: Some("sp.Rational") };
 
-/// What `NumPy` calls a function.
+/// Name of a function in `NumPy`, with the prefix `np.`.
 fn of_numpy(name: &'static str) -> String {
     let name = match name {
         "asin" => "arcsin",
@@ -17,7 +17,7 @@ fn of_numpy(name: &'static str) -> String {
     format!("np.{name}")
 }
 
-/// What `SymPy` calls a function.
+/// Name of a function in `SymPy`, with the prefix `sp.`.
 fn of_sympy(name: &'static str) -> String {
     format!("sp.{}", if name == "abs" { "Abs" } else { name })
 }

@@ -36,7 +36,8 @@ fn upright(word: &str) -> String {
     if word.len() == 1 { word.to_owned() } else { format!("\"{}\"", word.replace('\\', "\\\\").replace('"', "\\\"")) }
 }
 
-/// Appends an expression. What stands beside one another is kept apart by spaces: Typst reads `f(x)` as a call, and letters without spaces as a word.
+/// Appends an expression. Spaces separate adjacent marks: Typst reads `f(x)` as a call, and letters without spaces as a
+/// word.
 pub(super) fn write_typst(view: &View, out: &mut String) {
     match view {
         View::Number(text) | View::Shared(text) => out.push_str(text),

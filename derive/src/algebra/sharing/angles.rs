@@ -14,7 +14,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// there are of them, and so many are never shorter.
 const MOST_OPENED: usize = 48;
 
-/// How the sine and cosine of one angle come from two others: angle = first + second, or first − second.
+/// Composition of one angle from two others, which gives its sine and cosine: angle = first + second, or first −
+/// second.
 struct Addition {
     angle: Expr,
     first: Expr,
@@ -22,7 +23,7 @@ struct Addition {
     minus: bool,
 }
 
-/// What stands for the sines and cosines of composed angles.
+/// Replacement for the sines and cosines of composed angles.
 pub(super) enum Composed {
     /// A symbol of its own, defined by a step.
     Named,
@@ -68,8 +69,8 @@ pub(super) fn compose(
     Some((new_steps, values.iter().map(|e| value(*e)).collect()))
 }
 
-/// Which angles come from others. Those with fewest parts come first; if what is left over needs more sines and cosines
-/// than all its parts have, the parts are computed instead.
+/// Angles that are sums or differences of two others. Angles with fewest parts come first. If the angles left over need
+/// more sines and cosines than all their parts would, those of the parts are computed instead.
 fn additions(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
     let mut angles: Vec<Expr> = Vec::new();
     for part in parts {
@@ -108,7 +109,7 @@ fn is_atom(arena: &Arena, angle: Expr) -> bool {
     matches!(arena.node(angle), Node::Symbol(_))
 }
 
-/// The angles that are sums or differences of two that are there, and how many are neither there nor such.
+/// The angles that are sums or differences of two known ones, and the number of angles that are neither known nor such.
 fn composed_of(arena: &mut Arena, angles: &[Expr], there: &[Expr]) -> (Vec<Addition>, usize) {
     let mut list: Vec<Expr> = there.to_vec();
     let mut known: FxHashSet<Expr> = there.iter().copied().collect();

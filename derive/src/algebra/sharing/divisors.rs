@@ -15,7 +15,7 @@ const MOST_PLACES: usize = 100_000;
 /// products. A product of n factors would take n⁴ of them: n³ at once, and again for each pair that is taken out.
 const MOST_WEIGHED: usize = 20_000_000;
 
-/// What several terms may have in common.
+/// A divisor that several terms may have in common.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Divisor {
     /// first + second with whole coprime coefficients, the first positive, and no factor in common.
@@ -33,7 +33,7 @@ impl std::hash::Hash for Term {
     }
 }
 
-/// Where a divisor may be taken out: a sum, and places of one or two of its terms.
+/// Place at which a divisor may be taken out: a sum, and the places of one or two of its terms.
 type Place = (Atom, usize, usize);
 
 #[derive(Default)]
@@ -45,7 +45,8 @@ struct Candidate {
     cost: usize,
     /// The atom that holds it already.
     defined: Option<Atom>,
-    /// What it stands in the queue with; other entries there are of before. 0 if it is not there.
+    /// Savings with which the candidate stands in the queue, 0 if it is not there. Entries with other savings are
+    /// outdated.
     queued: usize,
 }
 
@@ -210,7 +211,7 @@ impl Extraction {
         })
     }
 
-    /// What is left of the terms at a place when the divisor is taken out.
+    /// Remainder of the terms at a place when the divisor is taken out.
     fn without(&self, id: usize, (sum, i, j): Place) -> Term {
         let first = self.term(sum, i);
         match &self.divisors[id] {
@@ -231,7 +232,7 @@ impl Extraction {
         }
     }
 
-    /// How often the divisor goes into the terms at a place.
+    /// Number of times that the divisor goes into the terms at a place.
     fn times(&self, id: usize, (sum, i, _): Place) -> u32 {
         match &self.divisors[id] {
             Divisor::Product(a, b) => fits(&self.term(sum, i).factors, *a, *b),
@@ -318,7 +319,7 @@ fn magnitude(k: &Rational) -> Rational {
     if k.is_negative() { k.neg() } else { k.clone() }
 }
 
-/// How often a·b goes into a product.
+/// Number of times that a·b goes into a product.
 fn fits(factors: &Factors, a: Atom, b: Atom) -> u32 {
     let exponent = |atom: Atom| factors.iter().find(|(e, _)| *e == atom).map_or(0, |(_, n)| *n);
     if a == b { exponent(a) / 2 } else { exponent(a).min(exponent(b)) }

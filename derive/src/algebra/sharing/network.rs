@@ -28,12 +28,12 @@ impl Term {
     }
 }
 
-/// Whether a number is 1 or −1.
+/// True if a number is 1 or −1.
 pub(super) fn is_unit(k: &Rational) -> bool {
     *k == Rational::ONE || *k == Rational::MINUS_ONE
 }
 
-/// What an atom is.
+/// Value of an atom: a leaf, the inverse of another atom, or a sum.
 #[derive(Clone, Debug)]
 pub(super) enum Value {
     /// A symbol, π, or a function of something.

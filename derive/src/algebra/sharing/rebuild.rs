@@ -14,7 +14,7 @@ pub struct Shared {
     pub values: Vec<Expr>,
 }
 
-/// Whether a symbol was introduced by [`super::share`].
+/// True if a symbol was introduced by [`super::share`].
 #[must_use]
 pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
     arena.symbol_name(symbol).is_some_and(|name| name.starts_with('#'))
@@ -44,7 +44,7 @@ pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
     (!builder.too_large).then_some(Shared { steps: builder.steps, values })
 }
 
-/// How often each atom stands in a term, a power counted as often as it is taken, or is wanted itself.
+/// Number of uses of each atom, in other atoms and as an output. A power counts as often as its exponent says.
 fn uses(network: &Network) -> Vec<usize> {
     let mut uses = vec![0; network.atoms.len()];
     let mut seen = FxHashSet::default();
@@ -78,17 +78,18 @@ struct Builder<'a> {
     arena: &'a mut Arena,
     network: &'a Network,
     uses: Vec<usize>,
-    /// What stands for an atom in others.
+    /// Term that replaces each atom in others; `None` until it is built.
     built: Vec<Option<Expr>>,
     /// Symbols given out.
     named: usize,
-    /// Whether an exponent was beyond what the store holds.
+    /// True if an exponent was larger than the store allows.
     too_large: bool,
     steps: Vec<Definition>,
 }
 
 impl Builder<'_> {
-    /// What stands for an atom, everything it needs being defined before. No recursion: chains of steps are long.
+    /// Returns the term that stands for an atom, and defines everything that it needs first. No recursion: chains of
+    /// steps are long.
     fn define(&mut self, atom: Atom) -> Expr {
         let mut stack = vec![(atom, false)];
         while let Some((atom, ready)) = stack.pop() {

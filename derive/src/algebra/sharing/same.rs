@@ -6,10 +6,11 @@ use crate::algebra::points::Drawn;
 use crate::algebra::steps::{Definition, put_in};
 use crate::algebra::{Arena, Expr};
 
-/// Whether every value, and every step that has the same symbol, is the same function of the inputs as before.
+/// True if every value, and every step that has the same symbol, is the same function of the inputs as before.
 ///
 /// Both are evaluated at a random point modulo a random prime: a difference is overlooked with a probability below the
-/// degree of the terms divided by 2^60. False, too, where no point was found at which all of them have a value.
+/// degree of the terms divided by 2^60. The result is also false if no point was found at which all of them have a
+/// value.
 #[must_use]
 pub fn is_same(arena: &mut Arena, steps: &[Definition], values: &[Expr], shared: &Shared) -> bool {
     let symbols: Vec<Expr> = shared.steps.iter().map(|step| step.symbol).collect();

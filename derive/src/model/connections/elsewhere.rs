@@ -1,7 +1,9 @@
-//! Reactions that no connection of the file tells: where equations tie coordinates, and along lines and directions of no frame.
+//! Reactions that no connection of the file states: where equations tie coordinates, and along lines and directions
+//! that belong to no frame.
 //!
-//! Loops and contacts are gone through, pair by pair, and rods without mass between two points. Kept is what does no work, is felt, and is
-//! independent of what was kept before, until there are as many as the equations of all bodies leave over.
+//! Loops and contacts are visited pair by pair, and massless rods between two points. A reaction is kept if it does no
+//! work, is felt, and is independent of those kept before. The search ends when there are as many as the equations of
+//! all bodies leave over.
 
 use super::super::drawn::{DrawnModel, Triple};
 use super::super::relative::Holder;
@@ -10,9 +12,9 @@ use super::held::works_alone;
 use super::search::{Along, Found, Search};
 
 impl Search<'_> {
-    /// Chooses what is still missing.
+    /// Chooses the reactions that are still missing.
     pub fn elsewhere(&mut self) {
-        // Where bodies hold fast first: a force where they slide along it is the last to be thought of.
+        // Points where bodies hold fast come first: a force where they slide along it is tried last.
         for holds in [true, false] {
             self.contacts(holds);
             if !holds {
@@ -25,7 +27,7 @@ impl Search<'_> {
         self.shared();
     }
 
-    /// Each body on what it rests on, in the motions that are permitted in all.
+    /// Chooses reactions between each body and its holder, in the motions that all constraints together permit.
     fn tree(&mut self) {
         for rest in self.rests.clone() {
             for (kind, velocities) in self.relative.between(rest.body, rest.holder) {
@@ -48,7 +50,8 @@ impl Search<'_> {
         }
     }
 
-    /// Forces along rods without mass: between points of two bodies, or of a body and the ground, that stay as far apart as they are.
+    /// Chooses forces along massless rods: between points of two bodies, or of a body and the ground, at a constant
+    /// distance.
     fn lines(&mut self) {
         let count = self.relative.model.points.len();
         for (body, holder) in self.relative.pairs() {
@@ -83,8 +86,8 @@ impl Search<'_> {
         }
     }
 
-    /// Forces and torques where bodies rest that work, each of them, and hold together what is held along no axis: each brings an unknown,
-    /// and as many equations as there are independent ones among their powers along the speeds.
+    /// Chooses forces and torques where bodies rest that each do work, and together hold directions that no axis holds.
+    /// Each brings an unknown. They bring as many equations as their powers along the speeds have independent ones.
     fn shared(&mut self) {
         let all: Vec<_> = self.rests.iter().flat_map(|rest| self.relative.working(rest.body, rest.holder)).collect();
         let powers: Vec<Vec<u64>> = all.iter().map(|(_, power)| power.clone()).collect();

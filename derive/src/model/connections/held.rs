@@ -1,11 +1,11 @@
-//! What the connections of the file carry, one after the other.
+//! Reactions that the connections of the file carry, in order.
 //!
 //! 1. Reactions that the file names, and joints that close loops.
-//! 2. What is said not to slip, where it is said.
+//! 2. Contacts without slip, along the directions that are stated.
 //! 3. Joints, and bodies from whose points or in whose frames others are placed.
-//! 4. What is said not to slip, and follows from how bodies are placed: a wheel presses on the ground, and not the car.
+//! 4. Contacts without slip that follow from how bodies are placed: a wheel presses on the ground, not the car.
 //! 5. The ground, under bodies that rest on nothing else; under those last that touch another body.
-//! 6. Bodies that the file says to touch, beside what it says of the contact: all that one lacks against the other.
+//! 6. Bodies that the file says to touch: all reactions between them, beside those stated for the contact.
 
 use super::super::drawn::Triple;
 use super::super::relative::{Holder, Relative};
@@ -15,7 +15,7 @@ use super::search::{Along, Found, Search};
 use crate::algebra::field::Field;
 use crate::algebra::rank::Basis;
 
-/// How a mechanism could move if loops were open and nothing were said to roll, where that is not how it moves.
+/// Motions of a mechanism if loops were open and nothing rolled, where these differ from its own motions.
 struct Ways {
     /// With the file's other equations between velocities.
     open: Option<Vec<Vec<u64>>>,
@@ -24,7 +24,7 @@ struct Ways {
 }
 
 impl Search<'_> {
-    /// Chooses what the connections of the file carry.
+    /// Chooses the reactions that the connections of the file carry.
     pub fn held(&mut self) {
         let model = self.relative.model;
         let touches = self.relative.touches(&self.relative.freedoms());
@@ -57,7 +57,8 @@ impl Search<'_> {
         self.connections(&touching, &ways);
     }
 
-    /// Chooses the forces where bodies roll, along what is said not to slip: other axes, such as those of a gear, come to lie across it.
+    /// Chooses the forces where bodies roll, along the directions without slip. Other axes, such as those of a gear,
+    /// come to lie across these directions.
     fn rolled(&mut self, components: &[Rolled], place: usize) {
         for &Rolled { body, against, point, frame, axis, .. } in components {
             let on = Place { body, point };
@@ -70,7 +71,7 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses what bodies and what they rest on exert on one another where they are joined, whatever else ties them.
+    /// Chooses the reactions between bodies and their holders where they are joined, whatever else ties them.
     fn connections(&mut self, rests: &[Rest], ways: &Ways) {
         self.relative.ways_if_open.clone_from(&ways.open);
         for rest in rests {
@@ -84,7 +85,7 @@ impl Search<'_> {
         self.relative.ways_if_open = None;
     }
 
-    /// Chooses what does no work by itself along axes of frames: as many as there are independent ones.
+    /// Chooses reactions along axes of frames that do no work by themselves: as many as are independent.
     fn along_axes(&mut self, kind: ReactionKind, velocities: &[Triple], rest: &Rest) {
         let field = self.relative.drawn.space.0;
         let mut open = 3 - rank(field, velocities.iter().map(|velocity| velocity.to_vec()));
@@ -129,8 +130,8 @@ impl Search<'_> {
 }
 
 impl Relative<'_> {
-    /// How the mechanism could move if loops were open and nothing were said to roll; equations of the file between velocities hold or not.
-    /// Nothing if that is how it moves.
+    /// Motions of the mechanism if loops were open and nothing rolled. Equations of the file between velocities hold if
+    /// `are_held`. `None` if these are its own motions.
     fn open(&self, are_held: bool) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let holds = |constraint: &MotionConstraint| match constraint.tie {
@@ -152,7 +153,8 @@ impl Relative<'_> {
         same.map_or(rolled, |(frame, axis)| Rolled { frame, axis, ..rolled })
     }
 
-    /// What a body and its holder may exert on one another where they move least, with the velocities at which each works.
+    /// Force and torque between a body and its holder where they move least, each with the velocities at which it does
+    /// work.
     pub fn between(&self, body: usize, holder: Holder) -> Vec<(ReactionKind, Vec<Triple>)> {
         let point = self.least_moving_point(body, holder);
         let against = holder.map(|body| Place { body, point });
@@ -195,7 +197,7 @@ impl Relative<'_> {
     }
 }
 
-/// How many of these rows are independent.
+/// Number of independent rows.
 fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
     let mut basis = Basis::new(field);
     rows.for_each(|row| {
@@ -204,7 +206,8 @@ fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
     basis.len()
 }
 
-/// Whether the power of one is independent of those of all others: it can be nothing but zero, for no other makes up for it.
+/// True if the power of one reaction is independent of the powers of all others. It can then only be zero, since no
+/// other balances it.
 pub fn works_alone(field: Field, powers: &[Vec<u64>], at: usize) -> bool {
     let mut others = Basis::new(field);
     for (_, power) in powers.iter().enumerate().filter(|(other, _)| *other != at) {

@@ -1,4 +1,5 @@
-//! The search for reactions in one random pose: what was chosen, what bodies feel of it, and how many are missing.
+//! Search for reactions in one random pose: those chosen, the balances in which bodies feel them, and the number still
+//! missing.
 
 use super::super::drawn::{DrawnModel, Triple};
 use super::super::relative::{Relative, sides};
@@ -7,7 +8,7 @@ use super::super::{Model, ReactionKind};
 use crate::algebra::rank::Basis;
 use crate::algebra::{Arena, Expr};
 
-/// Along what a reaction acts.
+/// Direction along which a reaction acts.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Along {
     /// An axis of a frame.
@@ -30,7 +31,7 @@ impl Found {
         Self { kind, along: Along::Axis(frame, axis), is_shared: false }
     }
 
-    /// Whether both are the same component between the same bodies.
+    /// True if both are the same component between the same bodies.
     pub fn is_same(&self, other: &Self) -> bool {
         self.kind == other.kind && self.along == other.along
     }
@@ -38,34 +39,34 @@ impl Found {
 
 /// A reaction that was chosen: one of the file, or one that was found.
 struct Chosen {
-    /// What it does to all balances.
+    /// Contribution of the reaction to all balances.
     action: Vec<u64>,
     /// Its power along each speed; none if it does no work by itself.
     power: Vec<u64>,
-    /// What was found, and its place in the list of reactions.
+    /// Reaction that was found, after its place in the list of reactions; `None` for one of the file.
     found: Option<(usize, Found)>,
-    /// Whether bodies feel it: it acts in a balance that is not 0 = 0.
+    /// True if bodies feel the reaction: it acts in a balance that is not 0 = 0.
     is_felt: bool,
 }
 
 /// The search in one pose.
 pub struct Search<'m> {
     pub relative: Relative<'m>,
-    /// Each body on what holds it, from the outside in.
+    /// Each body with its holder, from the outside in.
     pub rests: Vec<Rest>,
     /// Reactions that are still to be found.
     pub missing: usize,
-    /// Six for each body, in the frame of its inertia: which components of its balances are not 0 = 0 without reactions, and with
-    /// those that are chosen.
+    /// Balances that are not 0 = 0 without reactions, six for each body, in the frame of its inertia. `felt` has those
+    /// that are not 0 = 0 with the chosen reactions.
     moved: Vec<bool>,
     felt: Vec<bool>,
     chosen: Vec<Chosen>,
-    /// What chosen reactions do to all balances.
+    /// Basis of the contributions of the chosen reactions to all balances.
     basis: Basis,
 }
 
 impl<'m> Search<'m> {
-    /// What the stated reactions leave to be found; nothing if they leave nothing.
+    /// Starts the search from the stated reactions; `None` if they leave nothing to be found.
     pub fn new(model: &'m Model) -> Option<Self> {
         let arena = &mut model.arena.clone();
         let drawn = DrawnModel::new(model, arena)?;
@@ -83,7 +84,7 @@ impl<'m> Search<'m> {
         (search.missing > 0).then_some(search)
     }
 
-    /// What the stated reactions do to the balances.
+    /// Contributions of the stated reactions to the balances.
     fn stated(&self, arena: &mut Arena) -> Option<Vec<Vec<u64>>> {
         let directions: Vec<Expr> = self.relative.model.reactions.iter().flat_map(|r| r.direction).collect();
         let mut values = self.relative.drawn.values(self.relative.model, arena, &directions)?;
@@ -95,7 +96,7 @@ impl<'m> Search<'m> {
         Some(actions.collect())
     }
 
-    /// What a reaction of size 1 in this direction does to all balances.
+    /// Contribution of a reaction of size 1 in this direction to all balances.
     fn action(&self, kind: ReactionKind, direction: Triple) -> Vec<u64> {
         self.relative.drawn.action(self.relative.model, kind, direction)
     }
@@ -110,13 +111,13 @@ impl<'m> Search<'m> {
         2 + self.rests.len()
     }
 
-    /// Whether something is missing, and a reaction in this direction acts where bodies feel something.
+    /// True if reactions are missing, and one in this direction acts in a balance that bodies feel.
     pub fn is_wanted(&self, kind: ReactionKind, direction: Triple) -> bool {
         self.missing > 0 && self.action(kind, direction).iter().zip(&self.felt).any(|(x, felt)| *x != 0 && *felt)
     }
 
-    /// Chooses a reaction in this direction, at this place of the list, unless those that were chosen carry what it would carry; whether
-    /// it is chosen.
+    /// Chooses a reaction in this direction, at this place of the list, unless those already chosen carry the same
+    /// load. Returns true if it is chosen.
     pub fn choose(&mut self, place: usize, found: Found, direction: Triple, power: Vec<u64>) -> bool {
         let action = self.action(found.kind, direction);
         let is_new = self.basis.take(action.clone()).is_some();
@@ -127,7 +128,7 @@ impl<'m> Search<'m> {
         is_new
     }
 
-    /// Follows what bodies feel through all that is chosen, and counts what is missing: an unknown for each equation.
+    /// Finds the chosen reactions that bodies feel, and counts the missing ones: each equation needs an unknown.
     fn feel(&mut self) {
         while let Some(at) = self.chosen.iter().position(|chosen| !chosen.is_felt && self.acts(chosen)) {
             self.chosen[at].is_felt = true;
@@ -149,7 +150,7 @@ impl<'m> Search<'m> {
         self.missing = equations.saturating_sub(unknowns);
     }
 
-    /// Whether a reaction acts in a balance that is felt, or shares its power with one that does.
+    /// True if a reaction acts in a balance that is felt, or shares its power with a reaction that does.
     fn acts(&self, one: &Chosen) -> bool {
         let meets = |a: &[u64], b: &[u64]| a.iter().zip(b).any(|(x, y)| *x != 0 && *y != 0);
         let felt = self.chosen.iter().filter(|chosen| chosen.is_felt);
@@ -157,8 +158,8 @@ impl<'m> Search<'m> {
             || felt.into_iter().any(|other| meets(&one.action, &other.action) || meets(&one.power, &other.power))
     }
 
-    /// The reactions that were found and that bodies feel, in the order of their places, and the bodies under which the ground, or what they
-    /// touch, is left out: it carries nothing but what the file names.
+    /// Reactions that were found and that bodies feel, in the order of their places. Also the bodies under which the
+    /// ground, or the body they touch, is left out, because it carries nothing except what the file names.
     pub fn results(mut self) -> (Vec<Found>, Vec<usize>) {
         self.chosen.retain(|chosen| chosen.is_felt);
         self.leave_out_zeros();

@@ -1,4 +1,4 @@
-//! Crossings of impacts and changes of contacts, as a sweep backwards goes across them.
+//! Impacts and changes of contacts in a backward sweep.
 
 use super::stepped::Part;
 use crate::impacts::{Contacts, Crossing, Kept};
@@ -11,7 +11,7 @@ use crate::sensitivity::forces::Varied;
 use crate::sensitivity::way::Ending;
 use tripos_sim::{Corner, Pulled};
 
-/// The contacts of a problem, and what crossings of them are differentiated by.
+/// Contacts of a problem, and the data that differentiate crossings of them.
 pub struct Crossings<'a> {
     pub problem: &'a Problem<'a>,
     pub contacts: &'a Contacts<'a>,
@@ -19,15 +19,15 @@ pub struct Crossings<'a> {
     pub wide: Wide<'a>,
     /// Equations with slopes.
     pub equations: &'a Equations,
-    /// The instants at which the drive jumps.
+    /// Corners of the equations, among them the instants at which the drive jumps.
     pub corners: &'a [Corner],
 }
 
 impl Crossings<'_> {
-    /// What a crossing makes of directions, as `of` asks for it.
+    /// Applies `of` to a crossing that is prepared for differentiation.
     ///
     /// # Errors
-    /// Where there is no derivative, and why.
+    /// [`Ending`] with the reason, where there is no derivative.
     pub fn at<T>(
         &self,
         crossing: &Crossing<'_>,
@@ -42,11 +42,11 @@ impl Crossings<'_> {
         known.map_err(|why| Ending { t: crossing.t, why })
     }
 
-    /// Goes back across the crossing that a part begins with: from weights of the state after it to those of the state before, in their place. Says whether numbers have to be asked one by one whether there is a
-    /// derivative by them.
+    /// Goes back across the crossing that a part begins with: replaces weights of the state after it by those of the
+    /// state before. Returns true if numbers must be checked one by one for a derivative.
     ///
     /// # Errors
-    /// Where there is no derivative by anything, and why.
+    /// [`Ending`] with the reason, where there is no derivative by anything.
     pub fn back(&self, part: &Part, (state, parameters): Pulled<'_>) -> Result<bool, Ending> {
         let Some(crossing) = part.crossing() else { return Ok(false) };
         self.at(&crossing, |crossed| {

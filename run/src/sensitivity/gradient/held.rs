@@ -1,9 +1,11 @@
-//! Equations with the forces of contacts that are held, and their transposed slopes.
+//! Equations with the forces of held contacts, and their transposed slopes.
 //!
-//! Forces give the motion variables the rates B a, with B their slopes in speeds, and M a = Wᵀ Λ, W a + c = 0 along the rows that are held: c = S ẏ without forces, S the slopes of the velocities along the rows.
-//! With weights w of these rates, b = Bᵀ w, and A = W M⁻¹ Wᵀ E, which has the friction of what slips in E, the derivative of w·B a is that of the residuals with a and Λ as they are:
-//! z₁·∂(M a − Wᵀ Λ) + z₂·∂(W a + c) + w·∂(B a), where Aᵀ z₂ = −Eᵀ W M⁻¹ b and z₁ = −M⁻¹ (b + Wᵀ z₂). Each term is one of the tapes run backwards: M x·z of the kinetic energy, a quadratic form, and B x
-//! of the motion variables, W and S of the velocities along the rows.
+//! Forces give the motion variables the rates B a, where B is the slopes of these variables in speeds. M a = Wᵀ Λ, and
+//! W a + c = 0 along the held rows: c = S ẏ without forces, where S is the slopes of the velocities along the rows. Let
+//! w be weights of these rates, b = Bᵀ w, and A = W M⁻¹ Wᵀ E, where E holds the friction of slipping contacts. The
+//! derivative of w·B a is that of the residuals with a and Λ held fixed: z₁·∂(M a − Wᵀ Λ) + z₂·∂(W a + c) + w·∂(B a),
+//! where Aᵀ z₂ = −Eᵀ W M⁻¹ b and z₁ = −M⁻¹ (b + Wᵀ z₂). Each term is one of the tapes run backwards: M x·z of the
+//! kinetic energy, a quadratic form, B x of the motion variables, and W and S of the velocities along the rows.
 
 use super::products::{Products, Tapes};
 use crate::error::{Error, refused};
@@ -14,21 +16,21 @@ use nalgebra::DVector;
 use tripos_derive::algebra::evaluate::{Backwards, Tape};
 use tripos_sim::{Failure, Pulled, RightHandSide, Transposed};
 
-/// Equations of a motion, with contacts that are held if there are any.
+/// Equations of a motion, with the forces of contacts that are held, if any.
 pub struct Motion<'a> {
     free: Products<'a>,
     held: Option<Holding<'a>>,
     parameters: usize,
 }
 
-/// Contacts that are held.
+/// Contacts that are held, with the data of their transposed slopes.
 struct Holding<'a> {
     held: Held<'a>,
     grip: Grip,
     weights: Weights<'a>,
 }
 
-/// What slopes are added up by.
+/// Adds up slopes of weighted sums of tape outputs.
 struct Weights<'a> {
     tapes: &'a Tapes,
     parameters: &'a [f64],
@@ -37,7 +39,8 @@ struct Weights<'a> {
 }
 
 impl<'a> Motion<'a> {
-    /// The equations of a problem while these contacts are held. The parameters are followed by the restitutions of the contacts and their coefficients of friction.
+    /// Prepares the equations of a problem while these contacts are held. The parameters are followed by the
+    /// restitutions of the contacts and their coefficients of friction.
     ///
     /// # Errors
     /// [`Error::Request`] for equations that were not solved for their accelerations.
@@ -116,7 +119,8 @@ impl Transposed for Motion<'_> {
 }
 
 impl Holding<'_> {
-    /// Adds what forces make of weights of the rates, and returns those of the rates without them.
+    /// Adds the effect of the forces for these weights of the rates, and returns the weights of the rates without
+    /// forces.
     fn pull(
         &mut self,
         (t, y): (f64, &[f64]),
@@ -179,7 +183,8 @@ impl Holding<'_> {
 }
 
 impl Weights<'_> {
-    /// Adds the slopes by parameters and state of a weighted sum of what a tape computes from them, and returns those by what else it is computed from.
+    /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs. `add` also returns the slopes
+    /// by the tape's other inputs.
     fn pull(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): Pulled<'_>) {
         self.add(tape, (y, &[]), weights, (state, parameters));
     }
@@ -202,7 +207,7 @@ impl Weights<'_> {
         rest.to_vec()
     }
 
-    /// Adds those of w·B x: motion variables of speeds less those of none.
+    /// Adds the slopes of w·B x: motion variables of the speeds x minus those of zero speeds.
     fn pull_motion(&mut self, q: &[f64], (x, w): (&DVector<f64>, &DVector<f64>), (state, parameters): Pulled<'_>) {
         let tapes = self.tapes;
         let still = vec![0.0; x.len()];
@@ -210,7 +215,7 @@ impl Weights<'_> {
         self.add(&tapes.motions, (q, &still), (-w).as_slice(), (state, parameters));
     }
 
-    /// Adds those of z·M x = T(x + z) − T(x) − T(z) + T(0), of speeds of one size.
+    /// Adds the slopes of z·M x = T(x + z) − T(x) − T(z) + T(0), with speeds of one size.
     fn pull_inertia(&mut self, q: &[f64], (x, z): (&DVector<f64>, &DVector<f64>), (state, parameters): Pulled<'_>) {
         let (size, own) = (x.norm(), z.norm());
         if !(size > 0.0 && own > 0.0) {

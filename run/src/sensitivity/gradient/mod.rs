@@ -1,12 +1,16 @@
-//! The gradient of what a run shows at its end: its derivatives by all parameters and all numbers of the start at once, by one sweep backwards.
+//! Gradient of a quantity that a run shows at its end: its derivatives by all parameters and all numbers of the start
+//! at once, by one backward sweep.
 //!
-//! The run is that without. Then its steps are gone through once more, and backwards, each transposed as it is ([`tripos_sim::adjoint`]); rates are those of the code that runs, products with their
-//! transposed slopes are tapes run backwards. What the start computes from a number, and what its end shows, is differentiated as for derivatives forwards. So the result is what those are, along the same steps, but
-//! its cost does not grow with the numbers. What steps leave in it is told by a second run with other steps, swept likewise.
+//! The run equals the run without a gradient. Then its steps are taken once more, backwards, each transposed
+//! ([`tripos_sim::adjoint`]). Rates are those of the code that runs; products with their transposed slopes are tapes
+//! run backwards. The start and the quantity at the end are differentiated as for forward derivatives. So the result
+//! equals theirs along the same steps, but its cost does not grow with the count of numbers. A second run with other
+//! steps, swept likewise, gives the errors that steps leave.
 //!
-//! Across impacts and changes of contacts it goes by the transpose of the map that takes slopes across them (`crossing`), while contacts are held by that of their forces (`held`).
+//! Impacts and changes of contacts are crossed by the transpose of the map that takes slopes across them (`crossing`).
+//! While contacts are held, the transpose of the map of their forces is used (`held`).
 //!
-//! Absent on purpose: implicit methods and Taylor's, in whose place DOP853 runs.
+//! Absent on purpose: implicit methods and Taylor's. DOP853 runs in their place.
 
 mod crossings;
 mod held;
@@ -40,41 +44,43 @@ use tripos_sim::adjoint::has_adjoint;
 use tripos_sim::{Method, Options, Second, Stop, seconds};
 use tripos_traits::larger;
 
-/// A run with the gradient of one number that it shows at its end.
+/// A run with the gradient of one quantity that it shows at its end.
 pub struct Gradient {
-    /// The run, bit by bit that without a gradient.
+    /// The run, equal bit by bit to the run without a gradient.
     pub run: Run,
     /// The scene as it was run: by DOP853 if its own method cannot be swept backwards.
     pub scene: Scene,
-    /// What is differentiated: an output, a coordinate, a generalized speed, an energy, or `t`, the instant at which an event ends the run.
+    /// Name of the differentiated quantity: an output, a coordinate, a generalized speed, an energy, or `t`, the
+    /// instant at which an event ends the run.
     pub of: String,
-    /// Whether an event ends the run: the derivatives are then total ones, as its instant moves; else those at a fixed instant.
+    /// True if an event ends the run: the derivatives are then total ones, as its instant moves. Otherwise they are
+    /// those at a fixed instant.
     pub is_total: bool,
-    /// By each parameter and each number that the start states.
+    /// Derivatives by each parameter and each number that the start states.
     pub slopes: Vec<Slope>,
-    /// What the second run was, in words; nothing if none came to the same end.
+    /// Description of the second run; `None` if none came to the same end.
     pub assessed_by: Option<String>,
-    /// The most states that were kept at once to go backwards.
+    /// Largest number of states that were kept at once to go backwards.
     pub states: usize,
 }
 
-/// The derivative by one number.
+/// Derivative of the quantity by one number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slope {
-    /// The number.
+    /// Name of the number.
     pub by: String,
-    /// The unit of the derivative, if that of what is differentiated is known.
+    /// Unit of the derivative; `None` if the unit of the quantity is not known.
     pub unit: Option<String>,
-    /// The derivative; not a number if there is none.
+    /// Value of the derivative; NaN if there is none.
     pub value: f64,
-    /// Its estimated error; nothing if a second run does not come to the same end.
+    /// Estimated error of the derivative; `None` if a second run does not come to the same end.
     pub error: Option<f64>,
-    /// Why there is none, if there is none.
+    /// Reason why there is no derivative; `None` if there is one.
     pub missing: Option<String>,
 }
 
 impl Gradient {
-    /// The derivative by this number.
+    /// Derivative by the number of this name.
     ///
     /// # Errors
     /// [`Error::Request`] if there is no such number.
@@ -86,7 +92,7 @@ impl Gradient {
         })
     }
 
-    /// The first derivative that has no value though there should be one, in words.
+    /// Describes the first derivative that has no value though there should be one; `None` if all have one.
     #[must_use]
     pub fn missing(&self) -> Option<String> {
         let first = self.slopes.first().filter(|_| self.slopes.iter().all(|slope| slope.missing.is_some()));
@@ -98,11 +104,12 @@ impl Gradient {
     }
 }
 
-/// Runs a scene by whole equations, with the gradient of what it shows at its end under the name `of`. `set` are those of its numbers that have other values than
-/// its file says.
+/// Runs a scene by whole equations, with the gradient of the quantity that it shows at its end under the name `of`.
+/// `set` holds the numbers whose values differ from the file of the scene.
 ///
 /// # Errors
-/// [`Error::Request`] for a name of nothing that the scene shows, and for equations or a method that cannot be differentiated; otherwise as [`crate::simulate`].
+/// [`Error::Request`] for a name that the scene does not show, and for equations or a method that cannot be
+/// differentiated; otherwise those of [`crate::simulate`].
 pub fn gradient(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -164,7 +171,7 @@ pub fn gradient(
     Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by, states, scene })
 }
 
-/// The gradient of a run that changes its speeds on the way, by differences: number by number.
+/// Gradient, by differences for each number, of a run that changes its speeds on the way.
 fn by_differences(
     mechanism: &Mechanism,
     scene: Scene,
@@ -199,7 +206,7 @@ fn by_differences(
     Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by: Some(WORDS.to_owned()), states: 0, scene })
 }
 
-/// The scene with a method that can be swept backwards, to its tolerances.
+/// Scene with a method that can be swept backwards, at the same tolerances.
 fn steppable(scene: &Scene, own: Method) -> Scene {
     let mut scene = scene.clone();
     if !has_adjoint(own) {
@@ -212,7 +219,7 @@ fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
     tripos_derive::diagnostic::nearest(name, known)
 }
 
-/// What a name means at the end of a run.
+/// Finds the target that a name means at the end of a run.
 fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Error> {
     if of == TIME {
         return Ok(Target::End);
@@ -231,7 +238,7 @@ fn unit(parts: &Parts<'_>) -> Option<Unit> {
     }
 }
 
-/// What a reader may want to know of the derivatives.
+/// Notes on the derivatives for the reader of a run.
 fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
@@ -252,7 +259,7 @@ fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) 
     list
 }
 
-/// That there are no derivatives by some numbers: of one reason, once.
+/// Warnings that there are no derivatives by some numbers, one for each reason.
 fn without(numbers: &[Number], missing: &[Option<String>]) -> Vec<String> {
     let mut list: Vec<(&String, Vec<String>)> = Vec::new();
     for (number, why) in numbers.iter().zip(missing).filter_map(|(number, why)| Some((number, why.as_ref()?))) {
@@ -266,22 +273,22 @@ fn without(numbers: &[Number], missing: &[Option<String>]) -> Vec<String> {
     list.into_iter().map(said).collect()
 }
 
-/// What gradients are computed from.
+/// Data from which a gradient is computed.
 struct Parts<'a> {
     through: Through<'a>,
     target: Target,
 }
 
-/// A gradient and its errors, and by which run these are told.
+/// A gradient, its errors, and the run that gave the errors.
 struct Assessed {
     own: Swept,
     errors: Option<Vec<f64>>,
     by: Option<String>,
-    /// Why there is no derivative by each number, where there is none.
+    /// Reason why there is no derivative by each number; `None` where there is one.
     missing: Vec<Option<String>>,
 }
 
-/// No derivative is known better than to some roundings of what it is the sum of.
+/// Least error of a derivative, relative to the size of the terms of its sum: eight roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl Parts<'_> {
@@ -289,7 +296,8 @@ impl Parts<'_> {
         sweep(problem, &self.through, self.target, from)
     }
 
-    /// Why there is no derivative by each number. Where contacts that meet together leave one by some numbers only, slopes carried forwards tell which.
+    /// Reason why there is no derivative by each number; `None` where there is one. Where contacts that meet together
+    /// leave a derivative by some numbers only, slopes carried forwards tell which.
     fn missing(&self, problem: &Problem<'_>, y0: &[f64], own: &Swept) -> Result<Vec<Option<String>>, Error> {
         let numbers = self.through.numbers;
         let mut list: Vec<Option<String>> = (0..numbers.len()).map(|at| own.missing(at)).collect();
@@ -311,7 +319,8 @@ impl Parts<'_> {
         Ok(list)
     }
 
-    /// The gradient of a run, and its errors, as a second run tells: one with other steps, from numbers one rounding away.
+    /// Computes the gradient of a run, and its errors by a second run: one with other steps, from numbers one rounding
+    /// away.
     fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
         let how = options_of_ends(problem.scene)?;
         let y0 = problem.start()?;
@@ -338,7 +347,8 @@ impl Parts<'_> {
         Ok(Assessed { own, errors: None, by: None, missing })
     }
 
-    /// What two gradients differ by, entry by entry, and by how much of themselves half of the entries do at least: two motions that swing about each other may meet in one of them.
+    /// Errors of a gradient, from its differences to a second one. Each entry has at least the median relative
+    /// difference as its error: two motions that swing about each other may meet in one entry.
     fn errors(&self, own: &Swept, other: &Swept, part: f64) -> Vec<f64> {
         let numbers = self.through.numbers.iter().enumerate();
         let pairs: Vec<_> = numbers.map(|(at, number)| (own.by(at, number), other.by(at, number).0)).collect();

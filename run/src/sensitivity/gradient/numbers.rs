@@ -1,4 +1,4 @@
-//! The numbers of a scene that a gradient is by: its parameters, and what its start states.
+//! Numbers of a scene by which a gradient is taken: its parameters, and the numbers that its start states.
 
 use crate::error::Error;
 use crate::problem::Problem;
@@ -11,13 +11,13 @@ use tripos_sim::Options;
 use tripos_sim::adjoint::Moved;
 use tripos_traits::Tangent;
 
-/// A number of a scene: how a run begins with it, or why there is no derivative by it.
+/// A number of a scene: the derivatives of a run's start by it, or the reason why there are none.
 pub struct Number {
     pub name: String,
     pub seed: Result<Seed, String>,
 }
 
-/// All numbers of the scene of a problem, in which some have other values than its file says.
+/// All numbers of the scene of a problem. `set` holds those whose values differ from its file.
 pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) -> Vec<Number> {
     let number = |name: String| {
         let seed = Seed::new(problem, set, &name);
@@ -29,7 +29,8 @@ pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) 
     names(problem.model, problem.scene).into_iter().map(number).collect()
 }
 
-/// Parameters in the order of the model, coordinates, and the rates or the speeds that the start states: but for what follows from others.
+/// Names of the parameters in the order of the model, of the coordinates, and of the rates or speeds that the start
+/// states. Names that follow from others are left out.
 pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
     let coordinates = || model.coordinates.iter().map(|c| c.name.clone()).filter(|name| name != TIME);
     let motion: Vec<String> = match &scene.exact.motion {
@@ -43,7 +44,7 @@ pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
     model.parameters.iter().map(|p| p.name.clone()).chain(start).collect()
 }
 
-/// How instants at which the equations jump move with each parameter.
+/// Derivatives of the instants at which the equations jump, by each parameter.
 pub fn moved(problem: &Problem<'_>) -> Vec<Moved> {
     let parameters = &problem.scene.parameters;
     let mut list: Vec<Moved> = Vec::new();

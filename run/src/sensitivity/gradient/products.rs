@@ -10,7 +10,8 @@ use tripos_derive::algebra::steps::needed;
 use tripos_derive::mechanics::{By, Derivation, Distance, Solved, in_distance};
 use tripos_sim::{Eliminated, Failure, Pulled, RightHandSide, Transposed};
 
-/// What computes rates, constraints and the kinetic energy, in parameters, coordinates and motion variables, and these in speeds.
+/// Tapes of rates, constraints and kinetic energy in parameters, coordinates and motion variables, and of the motion
+/// variables in speeds.
 pub struct Tapes {
     rates: Tape,
     constraints: Option<Tape>,
@@ -19,7 +20,7 @@ pub struct Tapes {
 }
 
 impl Tapes {
-    /// Those of equations: what is interpreted has them, for compiled ones they are made.
+    /// Tapes of these equations: interpreted equations have them, for compiled ones they are made.
     ///
     /// # Errors
     /// [`Error`] if the equations cannot be solved for their accelerations.
@@ -55,7 +56,7 @@ impl Tapes {
     }
 }
 
-/// Equations at the parameters of a problem.
+/// Equations at the parameters of a problem, with their transposed slopes.
 pub struct Products<'a> {
     rhs: Eliminated<'a>,
     tapes: &'a Tapes,
@@ -66,7 +67,7 @@ pub struct Products<'a> {
 }
 
 impl<'a> Products<'a> {
-    /// Those of a problem.
+    /// Prepares the equations of a problem.
     ///
     /// # Errors
     /// [`Error::Request`] for equations that were not solved for their accelerations.

@@ -8,50 +8,50 @@ use crate::sensitivity::graze::near;
 use std::cell::{Cell, RefCell};
 use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, SimError, Solution, Stop, integrate};
 
-/// A run, and its parts.
+/// A run, and the parts that it consists of.
 pub struct Stepped {
     pub solution: Solution,
-    /// One after the other: a run without contacts has one.
+    /// Parts of the run, one after the other: a run without contacts has one.
     pub parts: Vec<Part>,
-    /// Whether a contact is nearly touched on the way.
+    /// True if a contact is nearly touched on the way.
     pub is_near: bool,
 }
 
-/// A part of a run in which contacts do what they do.
+/// Part of a run in which contacts keep their modes.
 pub struct Part {
-    /// Where it begins, s.
+    /// Instant at which the part begins, s.
     pub t: f64,
-    /// The state there.
+    /// State at the beginning of the part.
     pub y: Vec<f64>,
-    /// How it begins; nothing where there are no contacts.
+    /// Crossing with which the part begins; `None` where there are no contacts.
     pub begun: Option<Begun>,
-    /// Where each of its steps ends, s.
+    /// Instants at which the steps of the part end, s.
     pub ends: Vec<f64>,
 }
 
-/// A crossing, kept.
+/// Copy of the crossing with which a part begins.
 pub struct Begun {
     happening: Option<Happening>,
-    /// The state before.
+    /// State before the crossing.
     pub before: Vec<f64>,
     kept: Kept,
     after: After,
 }
 
 impl Part {
-    /// The contacts that are held.
+    /// Contacts that are held in this part.
     pub fn kept(&self) -> &Kept {
         self.begun.as_ref().map_or(&NONE, |begun| &begun.after.kept)
     }
 
-    /// The crossing that it begins with; nothing where no contacts meet.
+    /// Crossing with which the part begins; `None` where no contacts meet.
     pub fn crossing(&self) -> Option<Crossing<'_>> {
         let Begun { happening, before, kept, after } = self.begun.as_ref()?;
         let crossing = Crossing { t: self.t, happening: *happening, before, kept, after };
         (!after.closed.is_empty()).then_some(crossing)
     }
 
-    /// The last step is told of nobody: it ends the part, at its end or, by an event, inside.
+    /// Adds the end of the last step, which is not reported. It ends the part, at its end or, by an event, inside.
     fn ends_at(&mut self, t: f64) {
         let last = self.ends.last().unwrap_or(&self.t);
         if last.total_cmp(&t).is_ne() {
@@ -60,7 +60,7 @@ impl Part {
     }
 }
 
-/// Doubles, of which steps and crossings are noted.
+/// Carrier of plain doubles that notes steps and crossings.
 struct Noting<'a> {
     doubles: Doubles<'a>,
     parts: RefCell<Vec<Part>>,
@@ -105,7 +105,8 @@ impl Carrier<f64> for Noting<'_> {
 }
 
 impl Stepped {
-    /// The run of a problem from the integrated state `y0` as [`Problem::solve`] makes it, which is told where steps end when it is asked after each whether others take over.
+    /// Makes the run of a problem from the integrated state `y0` as [`Problem::solve`] makes it. The ends of steps are
+    /// noted when it is asked after each step whether another run takes over.
     ///
     /// # Errors
     /// [`Error::Request`] if the question makes no sense.
@@ -155,7 +156,7 @@ impl Stepped {
         Ok(Self { solution, parts: noting.parts.into_inner(), is_near: noting.is_near.get() })
     }
 
-    /// The place of the event that ended the run.
+    /// Index of the event that ended the run.
     pub fn event(&self) -> Option<usize> {
         let is_event = matches!(self.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
         let last = self.solution.events.iter().rfind(|event| event.terminal);

@@ -1,4 +1,4 @@
-//! One sweep backwards through the steps of a run, and across what happens between its parts.
+//! One backward sweep through the steps of a run, and across the changes of contacts between its parts.
 
 use super::crossings::Crossings;
 use super::held::Motion;
@@ -15,7 +15,7 @@ use crate::sensitivity::way::Ending;
 use tripos_sim::adjoint::{Adjoint, Course, Unswept, segments};
 use tripos_sim::{Options, RightHandSide};
 
-/// What a gradient is of.
+/// Quantity whose gradient is taken.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Target {
     /// The instant at which an event ends the run.
@@ -24,7 +24,7 @@ pub enum Target {
     Shown(usize),
 }
 
-/// What a sweep goes through.
+/// Tapes, quantities and numbers that a sweep uses.
 pub struct Through<'a> {
     pub tapes: &'a Tapes,
     pub quantities: &'a Quantities,
@@ -33,35 +33,36 @@ pub struct Through<'a> {
     pub equations: Option<&'a Equations>,
 }
 
-/// The derivatives of a target by the integrated state at the start and by each parameter, and how many states were kept for them.
+/// Derivatives of a target by the integrated state at the start and by each parameter, and the number of states kept
+/// for them.
 pub struct Swept {
-    /// By the state after what happens at the start.
+    /// Derivatives by the state after the changes at the start.
     state: Vec<f64>,
-    /// By each parameter, then by each restitution and each coefficient of friction of the contacts.
+    /// Derivatives by each parameter, then by each restitution and each coefficient of friction of the contacts.
     parameters: Vec<f64>,
     pub states: usize,
-    /// How that state changes with each number, or why there is no derivative.
+    /// Derivatives of the state at the start by each number, or the reason why there are none.
     starts: Vec<Result<Vec<f64>, String>>,
-    /// Where there are no derivatives by anything on the way.
+    /// Place on the way at which derivatives by all numbers end; `None` if there is none.
     pub ended: Option<Ending>,
-    /// Whether there may be derivatives by some numbers only, so that they have to be asked one by one.
+    /// True if only some numbers may have derivatives, so that they must be checked one by one.
     pub asks: bool,
 }
 
 impl Swept {
-    /// The derivative by a number of this place, and the size of what it is the sum of; not numbers where there is none.
+    /// Derivative by the number of this index, and the size of the terms of its sum. Both are NaN where there is none.
     pub fn by(&self, at: usize, number: &Number) -> (f64, f64) {
         let (Ok(seed), Ok(start), None) = (&number.seed, &self.starts[at], &self.ended) else {
             return (f64::NAN, f64::NAN);
         };
         let slopes = start.iter().chain(&seed.parameters).chain(&seed.restitutions).chain(&seed.frictions);
-        // What a number does not change counts for nothing, whatever its share would be.
+        // A slope of zero adds nothing, even if the other factor is not finite.
         let terms = self.state.iter().chain(&self.parameters).zip(slopes).filter(|(_, slope)| **slope != 0.0);
         let terms = terms.map(|(share, slope)| share * slope);
         terms.fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()))
     }
 
-    /// Why there is no derivative by the number of a place, if that is known.
+    /// Reason why there is no derivative by the number of this index; `None` if none is known.
     pub fn missing(&self, at: usize) -> Option<String> {
         self.starts[at].as_ref().err().cloned().or_else(|| self.ended.as_ref().map(Ending::to_string))
     }
@@ -69,7 +70,7 @@ impl Swept {
 
 /// Sweeps a target backwards through the parts of a run.
 ///
-/// Where an event ended a part its last step is made as long as it went, by the method itself.
+/// Where an event ended a part, its last step is repeated with its actual length, by the method itself.
 ///
 /// # Errors
 /// [`Error::Interrupted`] if whoever follows ends it; [`Error::Stopped`] where a value does not exist.
@@ -118,7 +119,7 @@ pub fn sweep(
 }
 
 impl Swept {
-    /// Nothing swept yet of a run: how it begins.
+    /// Begins a sweep of a run: derivatives of its start by each number.
     fn new(numbers: &[Number], crossings: Option<&Crossings<'_>>, run: &Stepped) -> Self {
         let mut asks = false;
         let begins = crossings.zip(run.parts.first().and_then(Part::crossing));
@@ -135,7 +136,7 @@ impl Swept {
         Self { state: Vec::new(), parameters: Vec::new(), states: 0, starts, ended: None, asks }
     }
 
-    /// Adds what a part before which there are so many others adds.
+    /// Adds the gradient of a part before which there are `before` others.
     fn add(&mut self, part: tripos_sim::adjoint::Gradient, before: usize) {
         self.state = part.state;
         self.states = self.states.max(part.states + before);
@@ -152,8 +153,8 @@ fn stopped(why: Unswept) -> Error {
     }
 }
 
-/// The derivatives of a target by the state at the end of a run and by parameters directly: total ones where an event g = 0 ends it, as its instant moves by
-/// dt = −(g_y dy + g_p dp)/(g_y f).
+/// Derivatives of a target by the state at the end of a run, and directly by parameters. They are total ones where an
+/// event g = 0 ends it, as its instant moves by dt = −(g_y dy + g_p dp)/(g_y f).
 fn weights(
     problem: &Problem<'_>,
     quantities: &Quantities,

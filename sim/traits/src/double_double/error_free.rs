@@ -8,7 +8,7 @@
 //! Knuth, *The Art of Computer Programming* 2, §4.2.2; Dekker, "A floating-point technique for extending the available
 //! precision", Numerische Mathematik 18 (1971) 224–242.
 
-/// a + b.
+/// Computes a + b.
 #[inline]
 pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;

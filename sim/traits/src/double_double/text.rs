@@ -5,12 +5,12 @@ use core::fmt::{self, Display, Formatter, Write};
 
 /// 10⁴⁵ is the largest power of ten that two f64 hold exactly.
 const LARGEST_EXACT_POWER: i32 = 45;
-/// As many digits as a u128 takes.
+/// Number of digits that a u128 takes.
 const DIGITS_READ: u32 = 38;
 /// Beyond the exponents of f64, with room for the digits.
 const EXPONENT_LIMIT: i32 = 800;
 
-/// The number that `text` writes, or not a number if it writes none. Takes what f64 takes.
+/// The number that `text` writes, in any notation that f64 takes; not a number if it writes none.
 pub(super) fn parsed(text: &str) -> DoubleDouble {
     // What is a number at all, and whether it is within range, is decided as for f64.
     let nearest: f64 = text.parse().unwrap_or(f64::NAN);

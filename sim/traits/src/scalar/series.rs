@@ -14,7 +14,7 @@ pub type Factors<S, const W: usize> = [[S; W]; 2];
 /// Sums of two successive orders.
 pub type Pair<S, const W: usize> = [[S; W]; 2];
 
-/// What the number of convolutions is padded to a multiple of.
+/// Number of which the count of convolutions is padded to a multiple.
 pub const LANES: usize = 8;
 
 /// Bytes that a row of factors begins at a multiple of: a line of the cache, so that no vector register is filled from
@@ -79,8 +79,8 @@ pub(crate) fn sums<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Fac
     sums
 }
 
-/// [`pair_sums`], `BLOCK` sums at a time, of numbers that fill a vector register each: what order k has read one term
-/// earlier is read again, since a register that is kept would be put together from its parts.
+/// [`pair_sums`], `BLOCK` sums at a time, of numbers that fill a vector register each. Factors that order k has read
+/// one term earlier are read again, since a register that is kept would be put together from its parts.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "as above")]
 pub(crate) fn read_twice<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {

@@ -1,4 +1,4 @@
-//! Sums and products of LaTeX: what stands side by side is a product.
+//! Sums and products of LaTeX: adjacent operands make a product.
 
 use super::marks::Mark;
 use super::symbol::Cursor;
@@ -20,7 +20,7 @@ pub(super) struct Formula<'a, 's> {
     pub(super) out: Plain,
 }
 
-/// What stands in front of the next operand.
+/// Kind of mark in front of the next operand.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Before {
     /// Nothing, or an operator.
@@ -123,7 +123,7 @@ impl Formula<'_, '_> {
         Ok(true)
     }
 
-    /// What closes the parenthesis that opens here, if one does: `(`, `[` or `\\{`.
+    /// Character that closes the parenthesis opened by the next mark: `(`, `[` or `\\{`; `None` if the mark opens none.
     pub(super) fn closer(&self) -> Option<char> {
         match self.cursor.peek()? {
             Mark::Char('(') => Some(')'),
@@ -184,7 +184,7 @@ impl Formula<'_, '_> {
         Err(self.odd())
     }
 
-    /// What stands where an operand should, and is none.
+    /// Error for a mark that stands where an operand should.
     fn odd(&self) -> ParseError {
         let (place, what) = (self.cursor.here(), self.name_of_mark());
         match self.cursor.peek() {
@@ -259,7 +259,7 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// What follows a command: a group, or one factor without braces.
+    /// Reads the argument of a command: a group, or one factor without braces.
     pub(super) fn argument(&mut self, what: &str) -> Result<(), ParseError> {
         let place = self.cursor.here();
         if self.cursor.takes('{') {

@@ -141,7 +141,7 @@ impl Formula<'_, '_> {
         self.end_of_argument(name, only_numbers)
     }
 
-    /// Whether a command that is a symbol is next.
+    /// True if a symbol comes next; the name of a function is none.
     fn begins_symbol(&mut self) -> bool {
         let before = self.cursor.clone();
         let found = self.cursor.symbol(&|_| false);

@@ -22,7 +22,7 @@ pub(super) enum Mark {
 pub(super) struct Placed {
     pub(super) mark: Mark,
     pub(super) span: Range<usize>,
-    /// Whether there is space in front of it that is printed.
+    /// True if printed space stands in front of it.
     pub(super) apart: bool,
 }
 
@@ -126,7 +126,7 @@ fn command(text: &str, at: usize) -> &str {
     &rest[..length]
 }
 
-/// How long the number is that a text begins with.
+/// Length, in bytes, of the number at the start of a text.
 fn number(text: &str) -> usize {
     let mut points = 0;
     let inside = |c: char| {

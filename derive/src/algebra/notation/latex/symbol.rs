@@ -46,7 +46,7 @@ pub(super) struct Cursor<'a> {
     pub(super) list: &'a [Placed],
     pub(super) at: usize,
     pub(super) depth: usize,
-    /// Where the text ends.
+    /// Place where the text ends, in bytes.
     pub(super) end: usize,
 }
 
@@ -168,7 +168,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// What an accent stands on: a braced symbol, or one letter.
+    /// Reads the symbol under an accent: a braced symbol, or one letter. `None` if neither comes next.
     fn symbol_without_scripts(
         &mut self,
         knows: &dyn Fn(&Symbol) -> bool,
@@ -179,7 +179,7 @@ impl<'a> Cursor<'a> {
         Ok(base.map(|symbol| (symbol, self.since(first))))
     }
 
-    /// What stands below or above, as text without braces, space and upright type faces.
+    /// Reads a subscript or superscript as text, without braces, spaces and upright type faces.
     fn script(&mut self) -> Result<String, ParseError> {
         let (mut text, mut open) = (String::new(), 0_usize);
         let first = self.at;
