@@ -1,5 +1,5 @@
-//! What is watched along a run beside its state: first integrals, determinants, condition numbers, and what the
-//! kinematic equations divide by.
+//! Quantities that are watched along a run beside its state: first integrals, determinants, condition numbers and the
+//! divisors of the kinematic equations.
 //!
 //! Invariant: nothing here can stop a run or a page. A value that does not exist is not a number, and extremes pass
 //! it over.
@@ -21,11 +21,11 @@ use tripos_traits::larger;
 /// A first integral that is watched.
 #[derive(Clone, Debug)]
 pub struct Conserved {
-    /// What it is.
+    /// Kind of the integral, such as energy or a momentum.
     pub kind: IntegralKind,
-    /// That in few words, such as `momentum p_q3`.
+    /// Short title, such as `momentum p_q3`.
     pub title: String,
-    /// All that it is, in full: of one function, or of it and its negative.
+    /// Full names of the function: one function, or it and its negative, may be several quantities.
     pub names: Vec<String>,
     /// Its unit.
     pub unit: String,
@@ -42,7 +42,7 @@ impl Conserved {
         Self { kind, title: integral.title(model, arena), names: integral.names(model, arena), unit }
     }
 
-    /// What it is first of all, in full.
+    /// First of the full names.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.names[0]
@@ -55,7 +55,7 @@ impl fmt::Display for Conserved {
     }
 }
 
-/// How much a first integral changed along a run.
+/// Largest change of a first integral along a run.
 #[derive(Clone, Debug)]
 pub struct Drift {
     /// The integral.
@@ -68,7 +68,7 @@ pub struct Drift {
 pub struct Watch {
     /// The first integrals.
     pub integrals: Vec<Conserved>,
-    /// What the kinematic equations divide by, as text.
+    /// Divisors of the kinematic equations, as text.
     pub divisors: Vec<String>,
     tape: Tape,
     divided: Tape,
@@ -77,18 +77,18 @@ pub struct Watch {
 /// Units in the last place of a first integral that its evaluation may be off by.
 const ROUNDINGS: f64 = 64.0;
 
-/// How far a first integral is from its start, at one instant.
+/// Difference of a first integral from its start, at one instant.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Excursion {
-    /// When, s.
+    /// Time of the difference, s.
     pub t: f64,
-    /// By how much.
+    /// Absolute change, in the unit of the integral.
     pub change: f64,
-    /// That in units of what the allowed error of one step can move it there.
+    /// Change divided by the largest change that the allowed error of one step can cause there.
     pub ratio: f64,
 }
 
-/// What was watched, sample by sample.
+/// Watched quantities, sample by sample.
 pub struct Course {
     /// The times, s.
     pub t: Vec<f64>,
@@ -106,7 +106,7 @@ impl Watch {
     /// The first integrals of a model, whose terms are in `arena`, and the divisors of its kinematic equations.
     ///
     /// # Errors
-    /// [`Error::Request`] if one of them mentions what has no value during a run.
+    /// [`Error::Request`] if one of them mentions a symbol without a value during a run.
     pub fn new(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Self, Error> {
         let divisors = &model.kinematic_equations.divisors;
         let outputs: Vec<_> = integrals.iter().map(|i| i.expression).chain(divisors.iter().copied()).collect();
@@ -119,7 +119,7 @@ impl Watch {
         })
     }
 
-    /// What each integral divides by that depends on parameters alone, as one product.
+    /// Tape of one product for each integral: its divisors that depend on parameters alone.
     fn divided(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Tape, Error> {
         let mut arena = arena.clone();
         let parameters = model.p();
@@ -135,13 +135,14 @@ impl Watch {
         tape(&arena, &parameters, &products, "what a first integral divides by")
     }
 
-    /// Which integrals there are at these parameters: not one that divides by a parameter that is 0.
+    /// True for each integral that exists at these parameters. An integral that divides by a parameter with value 0
+    /// does not.
     #[must_use]
     pub fn exist(&self, parameters: &[f64]) -> Vec<bool> {
         self.divided.evaluate(parameters).into_iter().map(|divisor| divisor != 0.0).collect()
     }
 
-    /// What is watched of a model alone: its first integrals are found and proved first.
+    /// Watch of a model. Its first integrals are found and proved first.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
@@ -149,7 +150,7 @@ impl Watch {
         Self::of_ground(model, &Ground::new(model).map_err(|error| model.diagnose(&error))?)
     }
 
-    /// What is watched of a model whose first integrals are known.
+    /// Watch of a model whose first integrals are known.
     ///
     /// # Errors
     /// As [`Watch::new`].
@@ -157,7 +158,7 @@ impl Watch {
         Self::new(model, &ground.arena, &ground.integrals)
     }
 
-    /// How much each first integral that exists changes along a run.
+    /// Largest change along a run of each first integral that exists.
     #[must_use]
     pub fn drifts(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<Drift> {
         let exist = self.exist(&problem.shown.parameters);
@@ -279,7 +280,7 @@ impl Course {
         self.determinant.iter().map(|det| (det / start).abs()).collect()
     }
 
-    /// How far each sample of a first integral is from the first one.
+    /// Absolute difference of each sample of a first integral from the first sample.
     #[must_use]
     pub fn changes(&self, integral: usize) -> Vec<f64> {
         let values = &self.integrals[integral];
