@@ -1,10 +1,10 @@
-//! What there is to know of a model before its equations are used: freedoms, what its constraints are, what nobody uses.
+//! Properties of a model before its equations are used: freedoms, kinds of constraints, unused names.
 //!
-//! Which motion constraints are integrable is a question about all of them together. The motions that they permit span W and,
-//! where they drive, w of q̇ = W u + w; with all brackets of these fields, and brackets of those, the motions span what can be reached at
-//! all. A constraint that none of these fields breaks holds a function of the coordinates.
-//! G. Frobenius 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L. Bryant et al., *Exterior Differential Systems*
-//! (1991), chapter II §4 (derived flag).
+//! All motion constraints together decide which of them are integrable. The motions that they permit span W and, where
+//! they drive, w of q̇ = W u + w; with all brackets of these fields, and brackets of those, the motions span everything
+//! that can be reached. A constraint that none of these fields breaks holds a function of the coordinates. G. Frobenius
+//! 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L. Bryant et al., *Exterior Differential
+//! Systems* (1991), chapter II §4 (derived flag).
 
 mod creates;
 mod rank_loss;
@@ -24,7 +24,7 @@ use crate::geometry::{Vector, apply_tensor};
 use crate::mechanics::{Derivation, DeriveError, Formulation, Kinematics, derive, is_large, load_divisors};
 use crate::model::{Branch, DependentConstraint, Model, MotionConstraint, Tie};
 
-/// Whether constraints restrict places or velocities.
+/// Kind of a constraint: on places or on velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConstraintKind {
     /// An equation between coordinates.
@@ -33,22 +33,22 @@ pub enum ConstraintKind {
     Motion,
 }
 
-/// A constraint.
+/// A constraint with its properties.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Checked {
     /// Its name.
     pub name: String,
-    /// What it restricts.
+    /// Kind of the constraint.
     pub kind: ConstraintKind,
-    /// Whether it holds a function of the coordinates, given the others; nothing if that could not be decided.
+    /// True if it holds a function of the coordinates, given the other constraints; `None` if undecided.
     pub integrable: Option<bool>,
-    /// The function that it holds, as a formula, if one was found.
+    /// The function that it holds, as a formula; `None` if none was found.
     pub integral: Option<String>,
-    /// Whether it follows from the others.
+    /// True if it follows from the other constraints.
     pub redundant: bool,
 }
 
-/// What was found of a model.
+/// Result of a check of a model.
 #[derive(Clone, Debug)]
 pub struct Check {
     /// Generalized coordinates, without time.
@@ -59,21 +59,21 @@ pub struct Check {
     pub constraints: Vec<Checked>,
     /// Independent velocities.
     pub degrees_of_freedom: usize,
-    /// Coordinates less constraints, counted without asking which are independent.
+    /// Number of coordinates less number of constraints, dependent ones included.
     pub mobility_count: i64,
-    /// How many coordinates of a place can be chosen: what the motions can reach from one; nothing if undecided.
+    /// Dimension of the set of poses that the motions can reach from one pose; `None` if undecided.
     pub configuration_freedom: Option<usize>,
-    /// The assembly branch that results about loops speak of, and how their rank was decided there.
+    /// The assembly branch that results about loops refer to, with the way in which their rank was decided there.
     pub branch: Option<Branch>,
     /// Formulas that are zero where the chosen speeds do not determine the motion.
     pub singular_where: Vec<String>,
-    /// Where the constraints themselves lose rank, whatever the speeds are; nothing without constraints.
+    /// Poses where the constraints themselves lose rank, whatever the speeds are; `None` without constraints.
     pub rank_loss: Option<RankLoss>,
-    /// Speeds whose rates the equations of motion leave open: what they move has no inertia.
+    /// Speeds whose rates the equations of motion leave open: the bodies that they move have no inertia.
     pub indeterminate: Vec<String>,
-    /// What each applied load does to the energy.
+    /// Effect of each applied load on the energy.
     pub loads: Vec<LoadEffect>,
-    /// What else should be known, a sentence each.
+    /// Further facts about the model, a sentence each.
     pub notes: Vec<String>,
     /// Every name of a term that a note mentions, with its formula, each after those that it mentions.
     pub names: Vec<(String, String)>,
@@ -82,7 +82,8 @@ pub struct Check {
 /// Checks a model.
 ///
 /// # Errors
-/// [`DeriveError`] if Kane's equations cannot be derived for a reason other than a speed without inertia, which is a note.
+/// [`DeriveError`] if Kane's equations cannot be derived for a reason other than a speed without inertia, which is a
+/// note.
 pub fn check(model: &Model) -> Result<Check, DeriveError> {
     let mut arena = model.arena.clone();
     let mut reach = Reach::new(model, &mut arena);
@@ -182,7 +183,7 @@ fn mobility_count(model: &Model) -> i64 {
     count(model.coordinates.len() - clock) - count(constraints)
 }
 
-/// That a component of rolling follows from the other constraints in most poses only, as a note.
+/// Note that a component of rolling follows from the other constraints, except in single poses.
 fn in_most_poses(name: &str) -> String {
     format!(
         "`{name}` follows from the other constraints except in single poses: in these the equations of Lagrange and of Newton and Euler \
@@ -190,7 +191,7 @@ fn in_most_poses(name: &str) -> String {
     )
 }
 
-/// What follows from what wherever loops are closed, as a note.
+/// Note on a constraint that depends on others wherever the loops are closed.
 fn dependent_note(d: &DependentConstraint) -> String {
     let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
     format!(
@@ -203,7 +204,7 @@ fn dependent_note(d: &DependentConstraint) -> String {
     )
 }
 
-/// The speeds that the file names and constraints leave no choice of, as a note.
+/// Note on speeds that the file names and constraints determine; `None` if there are none.
 fn speeds_note(model: &Model) -> Option<String> {
     let names =
         |list: &mut dyn Iterator<Item = &String>| list.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
@@ -215,7 +216,7 @@ fn speeds_note(model: &Model) -> Option<String> {
     })
 }
 
-/// The bodies that a speed turns about an axis about which they have no inertia, a note each.
+/// Notes on the bodies that a speed turns about an axis about which they have no inertia.
 fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveError> {
     let Some(at) = model.speeds.iter().position(|s| s.name == speed) else { return Ok(Vec::new()) };
     let mut kinematics = Kinematics::new(model)?;
@@ -237,7 +238,7 @@ fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveErro
     Ok(notes)
 }
 
-/// What changes T + V, as a note.
+/// Note on the change of T + V; `None` if it is constant.
 fn power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     if model.is_driven() {
         return Some("constraints drive the mechanism: T + V changes by what their forces work".to_owned());
@@ -261,18 +262,19 @@ fn integral_of(model: &Model, arena: &mut Arena, constraint: &MotionConstraint) 
     Some(text(arena, function))
 }
 
-/// Brackets that are tried before the question is given up.
+/// Number of brackets that are tried before the question is given up.
 const MOST_BRACKETS: usize = 200;
 
-/// Fields of motions, each independent of those before it: a component for each coordinate, the last for time where there is a
-/// drift and no coordinate is time.
+/// Fields of motions, each independent of those before it. A field has a component for each coordinate, the last for
+/// time where there is a drift and no coordinate is time.
 struct Reach {
     fields: Vec<Vec<Expr>>,
     /// The coordinates along which fields are differentiated.
     along: Vec<Expr>,
-    /// Whether one field is w.
+    /// True if one field is w.
     drifts: bool,
-    /// Whether no constraint is of velocities: then the motions stay on the levels of functions, and brackets add nothing.
+    /// True if no constraint is on velocities: then the motions stay on the levels of functions, and brackets add
+    /// nothing.
     is_holonomic: bool,
 }
 
@@ -304,7 +306,7 @@ impl Reach {
         Self { fields, along: model.q(), drifts, is_holonomic }
     }
 
-    /// Adds brackets until none is new; whether that came to an end.
+    /// Adds brackets until none is new; returns false if it gave up before.
     fn close(&mut self, arena: &mut Arena) -> bool {
         let mut simplifier = Simplifier::default();
         let mut tried = 0;
@@ -356,7 +358,7 @@ impl Reach {
             .collect()
     }
 
-    /// Whether no field breaks a constraint, if that can be decided.
+    /// True if no field breaks a constraint; `None` if that cannot be decided.
     fn permits(&self, model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> Option<bool> {
         let mut row = vec![Expr::ZERO; model.coordinates.len()];
         for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {

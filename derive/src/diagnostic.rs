@@ -1,4 +1,4 @@
-//! What is wrong with a file: place, fact, help.
+//! Errors of a file, each with its place, a message and help.
 
 use crate::plain::{one_line, path_in_line, visible};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
@@ -84,13 +84,13 @@ impl Source {
 /// One error: what is wrong, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// What is wrong, in one line.
+    /// Message of the error, in one line.
     pub message: String,
     /// The place, as a byte range.
     pub span: Option<Range<usize>>,
     /// A second place that belongs to it, with what stands there.
     pub other: Option<(Range<usize>, String)>,
-    /// What to do.
+    /// Advice for correcting the error.
     pub help: Option<String>,
 }
 
@@ -209,10 +209,10 @@ fn render(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
     Renderer::plain().render(&[group])
 }
 
-/// The lines about a place, so that showing an error does not read the whole file.
+/// Lines around a place, so that showing an error does not read the whole file.
 struct Excerpt<'a> {
     text: std::borrow::Cow<'a, str>,
-    /// Where the excerpt starts in the file.
+    /// Byte in the file at which the excerpt starts.
     start: usize,
     /// The number of its first line.
     line: usize,
@@ -220,7 +220,7 @@ struct Excerpt<'a> {
     column: usize,
     /// The place, in the excerpt.
     span: Range<usize>,
-    /// Whether it consists of whole lines.
+    /// True if the excerpt consists of whole lines.
     whole: bool,
 }
 

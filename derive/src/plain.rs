@@ -1,4 +1,4 @@
-//! Text of files among text of ours: what it may not have, and what is made of it where people see it.
+//! Text of files within our own text: characters that are refused, and the form in which others are shown.
 //!
 //! Files are gated: a control character, or one that turns the direction of writing, is refused where it stands, so
 //! that no output has to fear it. What does not pass that gate, such as the file's own text in a message or the name of
@@ -9,8 +9,8 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::path::Path;
 
-/// Whether a character has no place in a line of text: control characters, marks that turn the direction of writing and
-/// characters that nobody sees (which let a text read as another than it is), and line and paragraph separators.
+/// True if a character is forbidden in a line of text. These are control characters, marks that turn the direction of
+/// writing, line and paragraph separators, and invisible characters, which let a text read as another than it is.
 #[must_use]
 pub fn is_forbidden(c: char) -> bool {
     c.is_control()
@@ -18,13 +18,13 @@ pub fn is_forbidden(c: char) -> bool {
             '\u{00ad}' | '\u{200b}' | '\u{2060}'..='\u{2064}' | '\u{e0000}'..='\u{e007f}' | '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
 }
 
-/// Whether a character only parts words.
+/// True if a character only separates words.
 #[must_use]
 pub fn is_blank(c: char) -> bool {
     matches!(c, '\n' | '\r' | '\t' | ' ')
 }
 
-/// What a character is called: `U+001B`.
+/// Code point of a character, as `U+001B`.
 #[must_use]
 pub fn called(c: char) -> String {
     format!("U+{:04X}", u32::from(c))
@@ -36,7 +36,7 @@ pub fn one_line(text: &str) -> String {
     text.split(is_blank).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// The text with what has no place in a line written out, as `\u{1b}`; line breaks stay.
+/// The text with every forbidden character written out, as `\u{1b}`; line breaks stay.
 #[must_use]
 pub fn visible(text: &str) -> Cow<'_, str> {
     if text.chars().all(|c| c == '\n' || !is_forbidden(c)) {
@@ -52,7 +52,7 @@ pub fn path_in_line(path: &Path) -> String {
     visible(&path.display().to_string()).replace('\n', "\\u{a}")
 }
 
-/// By text, but by value where there are digits: rod2 is before rod10.
+/// Compares two texts with runs of digits ordered by value: rod2 comes before rod10.
 #[must_use]
 pub fn by_number(a: &str, b: &str) -> Ordering {
     let (mut a, mut b) = (a, b);

@@ -20,7 +20,7 @@ pub struct Located {
     pub text: String,
     /// Its byte range in the file, without quotes where the text has no escapes.
     pub span: Range<usize>,
-    /// Whether byte k of the text is byte `span.start + k` of the file.
+    /// True if byte k of the text is byte `span.start + k` of the file.
     pub exact: bool,
 }
 
@@ -35,11 +35,11 @@ impl Located {
 /// A table entry: its key and its value.
 pub type Entry<'a> = (Located, &'a Spanned<DeValue<'a>>);
 
-/// Reads one file and gathers what is wrong with it.
+/// Reads one file and gathers its errors.
 pub struct Reader<'a> {
     /// The file.
     pub source: &'a Source,
-    /// What was found wrong so far.
+    /// Errors found so far.
     pub errors: Vec<Diagnostic>,
     /// Messages of which the first place stands in `errors`: its position, and the number of places.
     repeated: FxHashMap<String, (usize, usize)>,
@@ -145,21 +145,21 @@ impl<'a> Reader<'a> {
         Err(Diagnostics::new(self.source.clone(), std::mem::take(&mut self.errors)))
     }
 
-    /// Notes an error.
+    /// Records an error.
     pub fn error(&mut self, span: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
         self.errors.push(Diagnostic::new(span, message, help));
     }
 
-    /// Notes a constant of which the arithmetic of doubles finds no digits.
+    /// Records an error for a constant whose digits double precision loses.
     pub fn lost(&mut self, arena: &Arena, formula: &Located, constant: Expr) {
         let message = format!("double precision does not know the constant `{}`", shown(&text(arena, constant)));
         let help = "write its value: where it is computed its digits cancel or are rounded away";
         self.error(formula.span.clone(), message, help);
     }
 
-    /// Whether doubles can compute a formula; reports a number that no double comes near, which would be infinite or zero
-    /// wherever it is used, and a constant whose digits they lose. Exact arithmetic would carry either along at any
-    /// cost.
+    /// True if doubles can compute a formula; otherwise reports the error. An error is a number beyond the range of
+    /// doubles, which would be infinite or zero wherever it is used, or a constant whose digits doubles lose. Exact
+    /// arithmetic would carry either along at any cost.
     pub fn is_computable(&mut self, arena: &Arena, formula: &Located, e: Expr) -> bool {
         if let Some(power) = beyond_doubles(arena, e) {
             let message = format!("a number of about 10^{power} is beyond double precision");

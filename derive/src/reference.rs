@@ -1,10 +1,10 @@
-//! An independent derivation of the same model file, as data, and whether it says what is derived here.
+//! An independent derivation of the same model file, as data, and its comparison with the derivation made here.
 //!
 //! `tests/sympy/reference.py` writes it, `models/*/reference.json` records it; `tests/sympy/README.md` describes the
 //! keys. Everything is compared by meaning and nothing by text: see [`compare`].
 //!
-//! Invariant: a reference agrees only if it is whole. What it leaves out is reported, never passed over.
-//! Absent on purpose: running Python. That is done by those who call this, and by nobody else.
+//! Invariant: a reference agrees only if it is whole. A missing entry is reported, never passed over. Absent on
+//! purpose: running Python. That is left to the callers.
 
 mod compare;
 
@@ -19,14 +19,15 @@ use serde_json::{Map, Value};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// What another program derived from a model file.
+/// Equations and quantities that another program derived from a model file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reference {
-    /// The file it was read from, or what stands for one.
+    /// The file it was read from, or a name that stands for one.
     pub file: PathBuf,
     /// The short name of the model.
     pub model: String,
-    /// The hash of the model text that it was derived from, without shapes at its end, as [`crate::model::text_hash`] makes it.
+    /// The hash of the model text that it was derived from, without shapes at its end, as [`crate::model::text_hash`]
+    /// makes it.
     pub text_hash: String,
     /// The version of SymPy.
     pub sympy: String,
@@ -34,7 +35,7 @@ pub struct Reference {
     pub quantities: Vec<(String, String)>,
     /// The equations of motion by each formulation that is there; always by Kane and by Lagrange.
     pub systems: Vec<System>,
-    /// Why there is nothing, where the other program does not derive this model.
+    /// Reason if the other program does not derive this model; the reference is then empty.
     pub not_derived: Option<String>,
 }
 
@@ -58,16 +59,16 @@ pub enum ReferenceError {
     NotJson {
         /// The file.
         file: PathBuf,
-        /// What is wrong, with line and column.
+        /// Error of the JSON reader, with line and column.
         why: String,
     },
-    /// A key is missing, or holds something else than it should.
+    /// A key is missing, or has another content than it should.
     Form {
         /// The file.
         file: PathBuf,
         /// The key, as in `kane.matrix`.
         key: String,
-        /// What should be there.
+        /// Expected content of the key.
         expected: String,
     },
     /// It was derived from another model text.
@@ -85,14 +86,14 @@ pub enum ReferenceError {
         file: PathBuf,
         /// The name.
         name: String,
-        /// What is wrong with it.
+        /// Error of the name.
         error: QuantityError,
     },
     /// The other program does not derive this model.
     NotDerived {
         /// The file.
         file: PathBuf,
-        /// Why.
+        /// Reason that the reference gives.
         why: String,
     },
     /// A formula cannot be read.
@@ -101,7 +102,7 @@ pub enum ReferenceError {
         file: PathBuf,
         /// The entry that it is the value of.
         name: String,
-        /// What is wrong with it.
+        /// Error of the formula.
         error: ParseError,
     },
 }
@@ -162,7 +163,7 @@ impl Reference {
         })
     }
 
-    /// Whether it was derived from this model text.
+    /// Checks that the reference was derived from this model text.
     ///
     /// # Errors
     /// [`ReferenceError::OtherText`].
@@ -175,14 +176,14 @@ impl Reference {
     }
 }
 
-/// The folder, in cargo's folder for the tests, of the Python environment that has what `tests/sympy/requirements.txt`
-/// says.
+/// Name of the folder, among cargo's test folders, of the Python environment with the packages that
+/// `tests/sympy/requirements.txt` lists.
 #[must_use]
 pub fn environment_name(requirements: &str) -> String {
     format!("sympy-{}", text_hash(requirements))
 }
 
-/// The key of the reason why there is nothing.
+/// Key of the reason for an empty reference.
 const NOT_DERIVED: &str = "not_derived";
 
 /// The formulations with their keys.

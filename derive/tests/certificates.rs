@@ -1,4 +1,4 @@
-//! What is made from equations of motion is refused unless it is proved from them.
+//! Results made from equations of motion are refused unless they are proved from them.
 
 use std::path::{Path, PathBuf};
 use tripos_derive::algebra::elimination::Elimination;
@@ -36,7 +36,8 @@ fn solved(arena: &mut Arena, equations: &Equations, what: &str) {
     }
 }
 
-/// Goal: a right derivation is never refused. Method: every formulation, also measured from singular poses, of every model.
+/// Goal: a right derivation is never refused. Method: every formulation of every model, also measured from singular
+/// poses.
 #[test]
 fn every_model_of_the_library_is_proved() {
     for path in models() {
@@ -142,8 +143,9 @@ fn accelerations_of_other_equations_are_refused() {
     assert!(Unsolved::from(why).to_string().contains("row 2 of the equations of motion"));
 }
 
-/// Goal: many square roots, of which no prime field has all, leave no right derivation unproved. Method: six particles, each tied to all others by
-/// springs: fifteen distances; a wrong entry of the Jacobian is not confirmed.
+/// Goal: a right derivation with many square roots is proved, though no prime field has all of them. Method: six
+/// particles, each tied to all others by springs, have fifteen distances. A wrong entry of the Jacobian is not
+/// confirmed.
 #[test]
 fn a_net_of_springs_is_proved() {
     let names: Vec<String> = (0..6).flat_map(|i| [format!("x{i}"), format!("y{i}")]).collect();

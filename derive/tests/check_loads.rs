@@ -1,12 +1,12 @@
-//! Which loads can create energy, by what `tripos check` says.
+//! Loads that can create energy, by the report of `tripos check`.
 //!
-//! Truth: textbook forces. A viscous damper takes energy, a follower force gives it on a closed way (H. Ziegler, *Principles of
-//! Structural Stability*, 1968, § 2.3), a magnetic force does no work.
+//! Truth: textbook forces. A viscous damper takes energy, a follower force gives it on a closed path (H. Ziegler,
+//! *Principles of Structural Stability*, 1968, § 2.3), a magnetic force does no work.
 
 use crate::common::read;
 use tripos_derive::check::{Effect, LoadEffect, check};
 
-/// A particle in a plane, in Cartesian coordinates, with what acts on it.
+/// Effects of loads on a particle in a plane, in Cartesian coordinates.
 fn particle(loads: &str) -> Vec<LoadEffect> {
     effects(&format!(
         "name = \"particle\"\n[parameters]\nm = {{ unit = \"kg\", value = 2, positive = true }}\nc = {{ unit = \"N*s/m\", value = 0.5 }}\n\
@@ -23,7 +23,7 @@ fn effects(text: &str) -> Vec<LoadEffect> {
     check(&model).unwrap_or_else(|e| panic!("{}", model.diagnose(&e))).loads
 }
 
-/// What the only load of a particle does, with these components.
+/// Effect of the only load of a particle, with these components.
 fn effect(x: &str, y: &str) -> (Effect, String) {
     let list = particle(&format!("[forces.load]\non = \"p\"\nframe = \"N\"\nvector = [\"{x}\", \"{y}\", 0]\n"));
     assert_eq!(list.len(), 1);
@@ -109,8 +109,8 @@ fn a_stronger_damper_covers_a_negative_one() {
     assert_eq!(weaker.iter().map(|l| l.effect).collect::<Vec<_>>(), [Effect::Creates, Effect::Dissipates]);
 }
 
-/// Goal: a damper between points of bodies that turn takes energy, however its length depends on them. Truth: c ḋ² for c > 0; with c < 0 it gives
-/// that.
+/// Goal: a damper between points of turning bodies takes energy, however its length depends on their angles. Truth:
+/// it takes the power c ḋ² for c > 0; with c < 0 it gives it.
 #[test]
 fn a_spring_with_a_damper_takes_energy_between_any_points() {
     for (joint, damping, expected) in [

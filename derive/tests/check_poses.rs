@@ -1,7 +1,8 @@
-//! Where mechanisms are singular, and what is said of their assembly branches, by `tripos check`.
+//! Singular poses of mechanisms, and their assembly branches, by the report of `tripos check`.
 //!
-//! Truth: closed forms. A four-bar linkage has a singular pose exactly if its bars can lie in a line, a ± b ± c ± d = 0 (Grashof's equality;
-//! J. J. Uicker, G. R. Pennock & J. E. Shigley, *Theory of Machines and Mechanisms*, 5th edition (2017), § 1.9).
+//! Truth: closed forms. A four-bar linkage has a singular pose exactly if its bars can lie in a line, a ± b ± c ± d =
+//! 0 (Grashof's equality; J. J. Uicker, G. R. Pennock & J. E. Shigley, *Theory of Machines and Mechanisms*, 5th
+//! edition (2017), § 1.9).
 
 use crate::common::read;
 use nalgebra::DMatrix;
@@ -52,8 +53,9 @@ fn linkages_that_can_lie_in_a_line_are_singular_there() {
     }
 }
 
-/// Goal: a driven linkage is singular where its coupler and its rocker come to lie in a line, whenever that is. Method: the distance of the pins that the
-/// crank and the ground hold, a² + d² − 2 a d cos q1 = (b ± c)², at q1 = 1.2 + w t, which is no singular pose at t = 0.
+/// Goal: a driven linkage is singular at the instant when its coupler and its rocker lie in a line. Method: the
+/// distance between the pins on the crank and on the ground, a² + d² − 2 a d cos q1 = (b ± c)², at q1 = 1.2 + w t.
+/// The pose at t = 0 is not singular.
 #[test]
 fn a_driven_linkage_is_singular_at_some_instant() {
     let driven = |b: f64, c: f64| {
@@ -106,8 +108,9 @@ fn rolling_is_regular_whatever_fails_of_the_speeds() {
     assert_eq!(checked(&of_library("pendulum")).rank_loss, None);
 }
 
-/// Goal: what is known since 1897. One pin of six is the ground's, so that five coordinates and the five equations of the last pin are
-/// left: five of six screws are independent, four of five equations.
+/// Goal: Bricard's mechanism, known since 1897, has one freedom. One pin of six is the ground's, so that five
+/// coordinates and the five equations of the last pin are left: five of six screws are independent, four of five
+/// equations.
 #[test]
 fn bricards_mechanism_moves_though_counting_says_that_it_does_not() {
     let found = checked(&of_library("bricard"));
@@ -206,8 +209,9 @@ impl Train {
         )
     }
 
-    /// The slips of all wheels along the axes of the ground, per rate of x, y, then of each axle's angle and those of its wheels: r' of the
-    /// axle's middle, less what the axle's turning and the wheel's own take away at the contact.
+    /// Slips of all wheels along the axes of the ground, per unit of each rate: of x, y, then of each axle's angle
+    /// and those of its wheels. A slip is r' of the axle's middle, less the velocities at the contact from the
+    /// turning of the axle and of the wheel.
     fn slips(&self, q: &[f64]) -> DMatrix<f64> {
         let n = 2 + 3 * self.axles.len();
         let mut rows = Vec::new();
@@ -259,8 +263,8 @@ fn slopes(model: &Model, q: &[f64]) -> DMatrix<f64> {
     DMatrix::from_row_slice(equations.len(), q.len(), &tape.evaluate(&[known.as_slice(), q].concat()))
 }
 
-/// Goal: a heading is no singular pose. Method: the slips of all wheels, written out in the test, whose rank is found by singular values, at
-/// random headings and at quarter turns; the model's own constraints must span the same there.
+/// Goal: no heading is a singular pose. Method: the slips of all wheels, written out in the test, whose rank is found
+/// by singular values, at random headings and at quarter turns; the model's own constraints must span the same there.
 #[test]
 fn wheels_on_axles_are_regular_at_every_heading() {
     let mut chance = Chance(7);
@@ -285,8 +289,8 @@ fn wheels_on_axles_are_regular_at_every_heading() {
     }
 }
 
-/// Goal: what is never zero together is no place, and the proof is told. Closed forms: the edge of a sleigh has slopes of length 1, the norm of
-/// Euler parameters slopes of length 2.
+/// Goal: formulas that are never zero together give no pose, and the proof is stated. Closed forms: the edge of a
+/// sleigh has slopes of length 1, the norm of Euler parameters slopes of length 2.
 #[test]
 fn formulas_that_are_never_all_zero_are_a_proof_and_no_place() {
     for model in ["knife_edge", "rolling_disc", "satellite"] {
@@ -296,7 +300,8 @@ fn formulas_that_are_never_all_zero_are_a_proof_and_no_place() {
     }
 }
 
-/// Goal: a pose that is claimed to be singular is: fewer rows are independent there, by singular values of slopes that the test takes itself.
+/// Goal: a pose that is reported as singular is singular. Method: fewer rows are independent there, by singular
+/// values of slopes that the test computes itself.
 #[test]
 fn a_claimed_pose_loses_rank() {
     for lengths in [[0.3, 0.7, 0.3, 0.7], [0.4, 0.4, 0.7, 0.7], [0.3, 0.8, 0.6, 0.5]] {
@@ -358,7 +363,8 @@ fn a_scissor_lift_is_judged_on_the_branch_with_as_many_freedoms_as_speeds() {
     }
 }
 
-/// Goal: sines and cosines of asin, acos and atan are algebraic. A wheel on a wavy road does not leave it, whatever the slope is.
+/// Goal: sines and cosines of asin, acos and atan are algebraic. Method: a wheel on a wavy road does not leave it,
+/// whatever the slope is.
 #[test]
 fn a_wheel_on_a_wavy_road_has_one_freedom() {
     let text = |slope: &str| {

@@ -1,7 +1,8 @@
-//! What `tripos check` says of a model: which constraints are integrable, and what can be reached.
+//! The report of `tripos check` on a model: integrable constraints, and the poses that can be reached.
 //!
-//! Truth: textbook mechanisms. Bloch, *Nonholonomic Mechanics and Control*, 2nd edition (2015), §§1.4, 1.6 (rolling disc, knife edge);
-//! Goldstein, Poole & Safko, *Classical Mechanics*, 3rd edition (2002), §1.3 (a disc that rolls along a line is holonomic).
+//! Truth: textbook mechanisms. Bloch, *Nonholonomic Mechanics and Control*, 2nd edition (2015), §§1.4, 1.6 (rolling
+//! disc, knife edge); Goldstein, Poole & Safko, *Classical Mechanics*, 3rd edition (2002), §1.3 (a disc that rolls
+//! along a line is holonomic).
 
 use crate::common::read;
 use std::fmt::Write;
@@ -64,7 +65,7 @@ fn loops_are_of_configuration() {
     assert_eq!(found.singular_where, ["sin(q2 - q3)"]);
 }
 
-/// A disc that rolls along a line, and what drives it.
+/// A disc that rolls along a line, with its drive.
 fn rolling(drive: &str) -> String {
     format!(
         "name = \"disc\"\n[parameters]\nm = {{ unit = \"kg\", value = 2 }}\nr = {{ unit = \"m\", value = 0.3 }}\nv = {{ unit = \"m/s\", \
@@ -92,8 +93,9 @@ fn rolling_along_a_line_is_integrable_and_so_is_a_drive() {
     assert_eq!(last.constraints[1].integral.as_deref(), Some("x - v*sin(w*t)/w"));
 }
 
-/// Goal: what a bicycle is. Truth: Meijaard, Papadopoulos, Ruina & Schwab 2007, §2: three velocities, seven coordinates of an accessible
-/// configuration; its wheels keep two more equations, which coordinates and other constraints say already.
+/// Goal: the freedoms of a bicycle. Truth: Meijaard, Papadopoulos, Ruina & Schwab 2007, §2: three velocities, seven
+/// coordinates of an accessible configuration; its wheels add two more equations, which follow from coordinates and
+/// other constraints.
 #[test]
 fn a_bicycle_has_three_velocities_and_seven_coordinates_to_choose() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/whipple_bicycle/model.toml");

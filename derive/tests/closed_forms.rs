@@ -1,4 +1,4 @@
-//! Systems of equations in closed form: what is found, that it solves them, and that nothing is missed.
+//! Systems of equations in closed form: solutions are found, they solve the equations, and none is missed.
 
 use expect_test::expect;
 use std::f64::consts::{PI, TAU};
@@ -62,7 +62,8 @@ impl Case {
         Tape::new(&self.arena, &symbols, terms).unwrap().evaluate(&values)
     }
 
-    /// All numbers that a branch stands for at some values of what it leaves free; none where it needs what is not so.
+    /// All numbers that a branch stands for at some values of its free symbols; none where a condition of the branch
+    /// does not hold.
     fn numbers(&self, branch: &Branch, given: &[(Expr, f64)]) -> Vec<Vec<(Expr, f64)>> {
         let mut lists = if branch.left.is_empty() { vec![given.to_vec()] } else { Vec::new() };
         let mut seen: Vec<Expr> = Vec::new();
@@ -227,7 +228,8 @@ fn every_branch_solves_its_equations() {
     assert!(tried > 600, "{tried}");
 }
 
-/// Goal: no solution is missed. Method: changes of sign of each equation with one unknown, on a fine grid, are at numbers of its branches.
+/// Goal: no solution is missed. Method: each equation with one unknown changes its sign, on a fine grid, only at
+/// values of its branches.
 #[test]
 fn no_root_of_one_unknown_is_missed() {
     let mut roots = 0;
@@ -277,7 +279,8 @@ fn number_of(case: &Case, given: &[(Expr, f64)], name: &str) -> f64 {
     given.iter().find(|(e, _)| case.arena.symbol_name(*e) == Some(name)).map_or(1.0, |(_, x)| *x)
 }
 
-/// Goal: an unknown that is asked for is solved for, at whatever cost; two roots have their discriminant. Method: a quadratic that is linear in another.
+/// Goal: a requested unknown is solved for, at whatever cost; two roots have their discriminant. Method: a quadratic
+/// that is linear in another.
 #[test]
 fn what_is_asked_for_is_solved_for() {
     let equations = ["w*(a*w*cos(x) - b*n) + c"];

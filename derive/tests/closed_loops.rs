@@ -1,7 +1,7 @@
-//! Loops that tie less where they are closed than elsewhere, and which speeds determine them best.
+//! Loops with fewer independent equations in closed poses than elsewhere, and the speeds that determine them best.
 //!
-//! Truth: linkages of pins in space that are known to move, R. Bricard 1897 and G. T. Bennett 1903, the latter with its angles in
-//! closed form.
+//! Truth: spatial linkages of pins that are known to move, by R. Bricard 1897 and G. T. Bennett 1903, the latter with
+//! its angles in closed form.
 
 use crate::common;
 
@@ -25,8 +25,8 @@ fn proved(model: &Model) {
     assert!(proof.pairs.iter().all(|e| e.verdict.is_equal()), "{:?}", proof.pairs);
 }
 
-/// Goal: six pins that stop six bars everywhere but where they are closed leave one freedom there. Method: five equations, of which
-/// four tie; the circuit of those that depend on one another; three derivations.
+/// Goal: six pins that fix six bars in all poses but the closed ones leave one freedom in these. Method: five
+/// equations, four of them independent; the circuit of the dependent ones; three derivations.
 #[test]
 fn bricards_linkage_moves() {
     let model = load(BRICARD);
@@ -41,8 +41,8 @@ fn bricards_linkage_moves() {
     proved(&model);
 }
 
-/// Goal: the start of an overdetermined loop is where all of it is closed. Method: with one angle given, tan(q1/2) tan(q2/2) =
-/// sin((β + α)/2)/sin((β − α)/2) and q3 = −q1, whichever of them was left out.
+/// Goal: an overdetermined loop starts where all of its equations hold. Method: with one angle given, tan(q1/2)
+/// tan(q2/2) = sin((β + α)/2)/sin((β − α)/2) and q3 = −q1, whichever equations were left out.
 #[test]
 fn bennetts_linkage_closes_and_moves() {
     let mut model = load(BENNETT);
@@ -64,8 +64,8 @@ fn bennetts_linkage_closes_and_moves() {
     }
 }
 
-/// Goal: what follows at the default values is not taken to follow at others. Method: the second twist a parameter of its own, so that
-/// nothing but its value closes the linkage.
+/// Goal: a dependence at the default values is not assumed at others. Method: the second twist is a parameter of its
+/// own, so that only its value closes the linkage.
 #[test]
 fn what_follows_at_other_values_is_asked_again() {
     let text =
@@ -97,8 +97,9 @@ fn what_does_not_fit_does_not_move() {
     assert_eq!((model.speeds.len(), model.coordinates.len(), model.motion_constraints.len()), (0, 3, 3));
 }
 
-/// Goal: a speed that goes all the way round is chosen. Method: crank-rockers by pins, whose crank comes first, in the middle and last.
-/// The crank turns against the ground and the coupler alike; the rocker has dead points.
+/// Goal: the chosen speed belongs to an angle that goes all the way round. Method: crank-rockers by pins, whose crank
+/// comes first, in the middle and last. The crank turns fully against both the ground and the coupler; the rocker has
+/// dead points.
 #[test]
 fn what_goes_round_is_chosen() {
     let head = "name = \"bars\"\n[parameters]\na = \"0.3 m\"\nb = \"0.8 m\"\nc = \"0.6 m\"\nd = \"0.7 m\"\nm = \"1 kg\"\nI = \"1 \

@@ -1,7 +1,7 @@
-//! Reactions that nobody named, found from what connections prevent.
+//! Reactions that the file does not name, found from the motions that connections prevent.
 //!
-//! Truth: the models of the library, which name theirs; textbook values; and, for mechanisms that nobody wrote down, that the
-//! Newton–Euler equations with what was found are proved to be Kane's and Lagrange's.
+//! Truth: the models of the library, which name their reactions; textbook values; and, for random mechanisms, the
+//! proof that the Newton–Euler equations with the found reactions are equal to Kane's and Lagrange's.
 
 use crate::common::read;
 use std::fmt::Write;
@@ -16,7 +16,7 @@ fn loaded(text: &str) -> Model {
     read(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
-/// The proof, and that there are three pairs, all equal.
+/// Proves a model, and checks that there are three pairs, all equal.
 fn proved(model: &Model, what: &str) -> (Proof, Derivations) {
     let mut derivations = derive_all(model).unwrap_or_else(|e| panic!("{what}: {e}"));
     let proof = prove(model, &mut derivations);
@@ -24,7 +24,8 @@ fn proved(model: &Model, what: &str) -> (Proof, Derivations) {
     (proof, derivations)
 }
 
-/// A model file without some of its reactions, the domain that may speak of them, and names of what enforces constraints.
+/// A model file without the reactions that `left_out` selects, without the domain, which may mention them, and
+/// without the names of reactions that enforce constraints.
 fn without(text: &str, left_out: impl Fn(&str) -> bool) -> String {
     let mut file: toml::Table = text.parse().unwrap();
     file.remove("domain");
@@ -68,8 +69,8 @@ fn the_librarys_reactions_are_found() {
     assert!(count >= 12, "{count}");
 }
 
-/// Goal: what was left out is completed, and what is complete is left alone. Method: one reaction of a model
-/// taken out at a time.
+/// Goal: missing reactions are completed, and a complete set is left alone. Method: one reaction of a model taken out
+/// at a time.
 #[test]
 fn stated_reactions_are_completed() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/chaotic_pendulum/model.toml");
@@ -84,8 +85,9 @@ fn stated_reactions_are_completed() {
     }
 }
 
-/// Goal: what is found is what holds. Method: a disc that rolls straight down an incline α: friction m g sin α/3, upward, and m g cos α
-/// from the ground; J. L. Meriam & L. G. Kraige, *Dynamics*, 7th edition (2012), sample problem 6/5.
+/// Goal: found reactions have the right values. Method: a disc that rolls straight down an incline α: friction m g sin
+/// α/3, upward, and m g cos α from the ground; J. L. Meriam & L. G. Kraige, *Dynamics*, 7th edition (2012), sample
+/// problem 6/5.
 #[test]
 fn the_ground_holds_a_disc_on_an_incline() {
     let model = loaded(
@@ -184,7 +186,8 @@ fn tree(chance: &mut Chance) -> String {
     )
 }
 
-/// Goal: every tree has Newton–Euler equations. Method: random ones, with pins, sliders, cylinders, universal joints and balls.
+/// Goal: every tree has Newton–Euler equations. Method: random ones, with pins, sliders, cylinders, universal joints
+/// and balls.
 #[test]
 fn random_trees_are_derived_three_ways() {
     let mut chance = Chance(5);

@@ -1,7 +1,8 @@
-//! What `diff` says of formulas that are right on the constraints of a model, or in its domain, and not elsewhere.
+//! Verdicts of `diff` on formulas that are right on the constraints of a model, or in its domain, and not elsewhere.
 //!
-//! Truth is told without Tripos's derivations: by Newton's law and hand-written energies, evaluated at random states that a solver of this file
-//! puts on the constraints. What agrees there must be acquitted, what does not must be convicted, by a state that is on the constraints.
+//! Truth comes from outside Tripos's derivations: Newton's law and hand-written energies, evaluated at random states
+//! that a solver of this file puts on the constraints. A formula that agrees there must be acquitted. Any other must be
+//! convicted, by a state that is on the constraints.
 
 use crate::differences::solved;
 use std::collections::BTreeMap;
@@ -37,7 +38,7 @@ impl Judged {
         self.difference.findings.iter().find(|f| f.id == id).unwrap_or_else(|| panic!("there is no {id}"))
     }
 
-    /// The verdict, and where it holds.
+    /// The verdict, and the region where it holds.
     fn said(&self, id: &str) -> String {
         let finding = self.finding(id);
         let place = finding.holds.words().map_or_else(String::new, |words| format!(" {words}"));
@@ -436,8 +437,9 @@ fn on_curve(curve: &str, dice: &mut Dice) -> Option<BTreeMap<String, f64>> {
     Some(at)
 }
 
-/// Goal: right formulas are acquitted however they are disguised on the constraint, wrong ones convicted. Method: T and V of a bead on
-/// random curves, with multiples of φ and of its rate added, or with a coefficient changed; truth by values at states on the curve.
+/// Goal: right formulas are acquitted however they are disguised on the constraint, wrong ones convicted. Method: T
+/// and V of a bead on random curves, with multiples of φ and of its rate added, or with a coefficient changed; truth
+/// by values at states on the curve.
 #[test]
 fn random_formulas_on_random_curves_are_judged_as_their_values_are() {
     let mut dice = Dice(7);
@@ -502,8 +504,9 @@ fn random_formulas_on_random_curves_are_judged_as_their_values_are() {
     assert!(right >= 8 && wrong >= 8, "{right} right, {wrong} wrong");
 }
 
-/// Goal: systems with a multiplier are judged as the motion is that they give. Method: random disguises of a sleigh's equations, and random
-/// slips; truth by solving the printed numbers at states on the constraint against Newton's law with the blade's force.
+/// Goal: systems with a multiplier are judged by the motion that they give. Method: random disguises of a sleigh's
+/// equations, and random mistakes. Truth: the printed numbers, solved at states on the constraint, against Newton's
+/// law with the blade's force.
 #[test]
 fn random_systems_with_multipliers_are_judged_as_their_accelerations_are() {
     let mut dice = Dice(11);

@@ -1,4 +1,4 @@
-//! What `diff` says of printed equations.
+//! Verdicts of `diff` on printed equations.
 
 use tripos_derive::algebra::compare::Verdict;
 use tripos_derive::algebra::evaluate::Tape;
@@ -87,7 +87,8 @@ fn every_entry_of_the_course_report_is_judged() {
     }
 }
 
-/// By hand: T*₁ = −M R²/4 (u1' + 2 u2 u3 − u2² t2), where the report prints 3 u2 u3 in (3.2) and 2 u2 u3 in (3.3).
+/// Truth by hand: T*₁ = −M R²/4 (u1' + 2 u2 u3 − u2² t2), where the report prints 3 u2 u3 in (3.2) and 2 u2 u3 in
+/// (3.3).
 #[test]
 fn the_errors_of_the_course_report_are_found_by_their_terms() {
     let judged = course_report();
@@ -269,8 +270,8 @@ fn printed_numbers_are_judged_by_definitions_and_by_one_another() {
     assert_eq!(words, ["equal", "different", "different", "equal", "different"]);
 }
 
-/// Goal: a verdict names the term. Method: one term of each entry changed by hand: a coefficient, a sign, one too many, one too
-/// few; and a row of the course report, whose right-hand side prints 3 u1 u3 for 2 u1 u3.
+/// Goal: a verdict names the wrong term. Method: one term of each entry changed by hand: a coefficient, a sign, a
+/// term too many, a term too few; and a row of the course report, whose right-hand side prints 3 u1 u3 for 2 u1 u3.
 #[test]
 fn a_verdict_names_the_term_that_is_wrong() {
     let entry = |id: &str, quantity: &str, printed: &str| {

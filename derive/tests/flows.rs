@@ -1,4 +1,4 @@
-//! Symmetries of the flow of a mechanism: what may be moved without changing how it moves.
+//! Symmetries of the flow of a mechanism: motions that leave its equations unchanged.
 
 use std::path::Path;
 use tripos_derive::Model;
@@ -11,8 +11,8 @@ fn symmetries(model: &str) -> Vec<String> {
     flow.symmetries.iter().map(|symmetry| symmetry.words(&model)).collect()
 }
 
-/// Goal: symmetries that a textbook names, and no others. Method: models whose symmetries are known; a disc that rolls may be moved on
-/// its plane though no momentum along it is kept, a pendulum may not be turned.
+/// Goal: the symmetries that a textbook names are found, and no others. Method: models whose symmetries are known. A
+/// rolling disc may be moved on its plane though no momentum along the plane is kept; a pendulum may not be turned.
 #[test]
 fn symmetries_are_those_of_the_textbook() {
     assert_eq!(symmetries("pendulum"), [""; 0]);
@@ -29,8 +29,8 @@ fn symmetries_are_those_of_the_textbook() {
     assert_eq!(symmetries("free_body").len(), 8, "{:?}", symmetries("free_body"));
 }
 
-/// Goal: attitudes by Euler parameters have the symmetries of attitudes by angles. Method: a satellite that nothing holds may be turned
-/// about any axis, and its wheel about its own.
+/// Goal: attitudes by Euler parameters have the symmetries of attitudes by angles. Method: a free satellite may be
+/// turned about any axis, and its wheel about its own.
 #[test]
 fn euler_parameters_hide_no_symmetry() {
     let found = symmetries("satellite");

@@ -1,4 +1,4 @@
-//! Equations in moving frames: which mechanisms have them, and which keep their states.
+//! Equations in moving frames: mechanisms that have such a frame, and mechanisms that keep their states.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
@@ -87,7 +87,7 @@ fn a_direction_that_is_shown_keeps_its_states() {
     assert_eq!((integrated(&r).0.len(), r.frame.is_none()), (4, true));
 }
 
-/// Of what is not the same in all directions, nothing is turned.
+/// A potential that is not the same in all directions has no frame that turns.
 #[test]
 fn what_has_no_symmetry_keeps_its_states() {
     let uneven = CENTRAL.replace("x^2 + y^2", "x^2 + 2*y^2");
@@ -151,7 +151,7 @@ fn a_top_in_cardans_angles_has_one_degree_of_freedom() {
     "#]].assert_eq(&(show(&r) + &ledger(&r)));
 }
 
-/// The domain of the library's top names an angle that its frame would turn.
+/// The domain of the library's top depends on an angle that its frame would turn.
 #[test]
 fn a_domain_that_names_what_turns_keeps_it() {
     let r = library("heavy_top", "looping", "[{ name = \"height\", value = \"cos(q1)*cos(q2)\" }]");

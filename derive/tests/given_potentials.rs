@@ -1,6 +1,7 @@
 //! Potentials that the file gives, `[potentials]`.
 //!
-//! Truth: the same mechanisms with forces, torques and springs in their stead, of which nothing of this is used; exact energies.
+//! Truth: the same mechanisms with forces, torques and springs instead, which use none of the code for potentials;
+//! exact energies.
 
 use crate::common;
 
@@ -18,7 +19,7 @@ fn model(text: &str) -> Model {
     read(text).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Accelerations with reactions or multipliers after them, by one formulation, then V and the power; at numbers of no meaning.
+/// Accelerations, then reactions or multipliers, by one formulation, and V and the power; all at arbitrary numbers.
 fn values(model: &Model, formulation: Formulation) -> (Vec<f64>, [f64; 2]) {
     let Derivation { arena, equations } =
         derive(model, formulation).unwrap_or_else(|e| panic!("{}: {e}", formulation.name()));
@@ -46,7 +47,7 @@ fn close(found: &[f64], expected: &[f64], what: &str) {
     }
 }
 
-/// Holds that two descriptions are one mechanism by every formulation, and that the first is proved equivalent.
+/// Checks that two descriptions are one mechanism by every formulation, and that the first is proved equivalent.
 fn are_one(given: &str, other: &str) {
     let (given, other) = (model(given), model(other));
     for formulation in Formulation::ALL {
@@ -102,7 +103,8 @@ frame = "N"
 acceleration = ["g", 0, 0]
 "#;
 
-/// Goal: a potential of a joint acts where a spring in the joint does. Method: a torque between the rods; the reactions agree as well.
+/// Goal: a potential of a joint acts like a spring in the joint. Method: a torque between the rods; the reactions
+/// agree as well.
 #[test]
 fn a_potential_of_relative_angles_is_a_spring_in_the_joint() {
     let given = format!("{CHAIN}[potentials]\ntwist = \"k*(b - a)^2/2 + k*(1 - cos(a))\"\n");
@@ -120,8 +122,8 @@ fn a_potential_of_relative_angles_is_a_spring_in_the_joint() {
     is_proved(&given_model);
 }
 
-/// Goal: potentials name distances, in space as well, with roots and powers. Method: a spring with the same ends, but for where it
-/// pulls, which reactions tell.
+/// Goal: potentials may contain distances, also in space, with roots and powers. Method: a spring with the same ends.
+/// The two differ only in the points at which they pull, which only reactions show.
 #[test]
 fn a_potential_of_a_distance_moves_what_a_spring_moves() {
     let given =
@@ -141,7 +143,8 @@ fn a_potential_of_a_distance_moves_what_a_spring_moves() {
     assert!(proof.integrals.iter().any(|i| i.is_energy() && i.verdict.is_equal()), "{}", proof.search.covered);
 }
 
-/// Goal: a particle in spherical coordinates, whose potential has no joint to act in. Method: Newton's law of gravitation as a force.
+/// Goal: a potential in spherical coordinates, without a joint to act in, is a force on its particle. Method:
+/// Newton's law of gravitation as a force.
 #[test]
 fn a_field_of_a_planet_is_a_force_on_the_particle() {
     let text = r#"
@@ -174,7 +177,7 @@ moon = { point = "P", mass = "m" }
     is_proved(&model);
 }
 
-/// Goal: what depends on time has a power, which is the rest of the energy. Method: dV/dt by hand.
+/// Goal: a potential that depends on time has a power, which is the rest of the energy. Method: dV/dt by hand.
 #[test]
 fn the_power_of_a_potential_in_time_is_its_slope_along_time() {
     let text = edited(&[("g = {", "k = { unit = \"N/m\", value = 70 }\nw = { unit = \"1/s\", value = 3 }\ng = {")], "");
@@ -194,7 +197,8 @@ fn the_power_of_a_potential_in_time_is_its_slope_along_time() {
     }
 }
 
-/// Goal: on a loop, potentials of dependent coordinates. Method: a torque on the rocker; multipliers and reactions agree.
+/// Goal: potentials of dependent coordinates act on a closed loop. Method: a torque on the rocker; multipliers and
+/// reactions agree.
 #[test]
 fn a_potential_of_a_dependent_angle_acts_on_the_rocker() {
     let text = include_str!("../../models/four_bar/model.toml")

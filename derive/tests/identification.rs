@@ -1,8 +1,8 @@
 //! Base parameters: number, combinations, minimality and completeness.
 //!
-//! Truth: W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), § 9.4, whose grouping relations are typed in and
-//! carried out here in numbers; M. Gautier & W. Khalil, IEEE Trans. Robotics and Automation 6 (1990) 368-373; M. Gautier, J. Robotic
-//! Systems 8 (1991) 485-506, for the rank in numbers.
+//! Truth: W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), § 9.4, whose grouping
+//! relations are typed in and carried out here in numbers; M. Gautier & W. Khalil, IEEE Trans. Robotics and
+//! Automation 6 (1990) 368-373; M. Gautier, J. Robotic Systems 8 (1991) 485-506, for the rank in numbers.
 
 use nalgebra::DMatrix;
 use std::path::Path;
@@ -86,9 +86,9 @@ spring = { on = "two", against = "one", frame = "A", vector = [0, 0, "-k2*sin(q2
 
 const GRAVITY: &str = "[gravity]\nframe = \"N\"\nacceleration = [0, \"-g\", 0]\n";
 
-/// Goal: the textbook's planar arm of two links, with and without gravity in its plane. Method: its closed form, by hand: the second
-/// mass acts as if it were at the end of the first link, and a first moment about a joint that stands still shows in weight alone
-/// (Khalil & Dombre, § 9.4.2.4).
+/// Goal: the base parameters of the textbook's planar arm of two links, with and without gravity in its plane. Method:
+/// its closed form, by hand: the second mass acts as if it were at the end of the first link, and a first moment about
+/// a joint that stands still shows in weight alone (Khalil & Dombre, § 9.4.2.4).
 #[test]
 fn a_planar_arm_has_the_base_parameters_of_the_textbook() {
     let falling = identify(&model(&format!("{ARM}{GRAVITY}")), Varied::Bodies);
@@ -103,8 +103,8 @@ fn a_planar_arm_has_the_base_parameters_of_the_textbook() {
     assert!(is_proved(&level), "{:?}", level.complete);
 }
 
-/// Goal: parameters that are declared are grouped as they enter, those of loads among them. Method: by hand. With known lengths, m₁ acts by
-/// c₁² with I₁ and in weight by itself, m₂ in the first link and in the second.
+/// Goal: declared parameters are grouped as they enter, those of loads among them. Method: by hand. With known lengths,
+/// m₁ acts by c₁² with I₁ and in weight by itself, m₂ in the first link and in the second.
 #[test]
 fn declared_parameters_are_grouped_as_they_enter() {
     let falling = identify(&model(&format!("{ARM}{GRAVITY}")), Varied::Declared);
@@ -121,7 +121,8 @@ type Ten = [f64; 10];
 const PUMA: [(f64, &str, &str); 6] =
     [(0.0, "", ""), (1.0, "", ""), (0.0, "a2", "d3"), (-1.0, "a3", "d4"), (1.0, "", ""), (-1.0, "", "")];
 
-/// By the grouping relations of Khalil & Dombre, chapter 9: what a revolute joint shares of its link with the link before. `turn` is α in quarter turns.
+/// Adds to the link before the parameters that a revolute joint shares with it, by the grouping relations of Khalil &
+/// Dombre, chapter 9. `turn` is α in quarter turns.
 fn grouped(link: &mut Ten, before: &mut Ten, turn: f64, d: f64, r: f64) {
     let (s, c) = (turn, 1.0 - turn.abs());
     let [_, _, _, yy, _, _, _, _, mz, m] = *link;
@@ -138,7 +139,7 @@ fn grouped(link: &mut Ten, before: &mut Ten, turn: f64, d: f64, r: f64) {
     before[9] += m;
 }
 
-/// About a point r below along z: what that makes of the ten parameters.
+/// The ten parameters about a point r below along z.
 fn lowered(link: &Ten, r: f64) -> Ten {
     let [xx, xy, xz, yy, yz, zz, mx, my, mz, m] = *link;
     let away = 2.0 * r * mz + r * r * m;
@@ -153,10 +154,11 @@ fn place(inertial: Inertial) -> usize {
     }
 }
 
-/// Goal: number and combinations of an arm of six joints as published. Method: 36 for this geometry (Gautier & Khalil 1990; of the same
-/// geometry Khalil & Dombre, table 9.4, 36 and 4 of rotors), of the links 1 and five times 7; the book's recursion on random numbers gives
-/// what the formulas found here give of the same bodies. The book takes a link about the end of its offset along the joint, the model about the
-/// joint before it: that matters for the forearm alone.
+/// Goal: an arm of six joints has the published number and combinations of base parameters. Method: the number is 36
+/// for this geometry (Gautier & Khalil 1990; for the same geometry Khalil & Dombre, table 9.4, 36 and 4 of rotors): 1
+/// of the first link and 7 of each of the others. For random numbers, the book's recursion gives the values of the
+/// formulas found here for the same bodies. The book takes a link about the end of its offset along the joint, the
+/// model about the joint before it. This matters for the forearm alone.
 #[test]
 fn the_puma_has_its_published_base_parameters() {
     let model = library("puma560");
@@ -221,8 +223,9 @@ fn the_puma_has_its_published_base_parameters() {
     }
 }
 
-/// Goal: the number is the rank, in numbers too. Method: all columns, and those of the base parameters, in doubles at random states and
-/// at the values of the file (Gautier 1991); singular values far from one another.
+/// Goal: the number of base parameters is the rank, in numbers too. Method: all columns, and those of the base
+/// parameters, in doubles at random states and at the values of the file (Gautier 1991); their singular values are
+/// far from one another.
 #[test]
 fn ranks_in_numbers_are_those_of_exact_algebra() {
     for name in ["puma560", "furuta", "rolling_disc", "heavy_top", "cart_with_spring", "gimbals"] {
@@ -261,8 +264,9 @@ fn ranks_in_numbers_are_those_of_exact_algebra() {
     }
 }
 
-/// Goal: no kind of mechanism is left out. Method: models with rolling, time, Euler parameters, springs and loops, both ways; what is
-/// found is proved against Kane's equations, which share nothing with it but velocities.
+/// Goal: all kinds of mechanisms have proved base parameters. Method: models with rolling, time, Euler parameters,
+/// springs and loops, with the parameters of bodies and with the declared ones. The result is proved against Kane's
+/// equations, which share only velocities with it.
 #[test]
 fn base_parameters_are_proved_for_all_kinds_of_mechanisms() {
     for name in [
@@ -284,9 +288,10 @@ fn base_parameters_are_proved_for_all_kinds_of_mechanisms() {
     }
 }
 
-/// Goal: loops leave fewer parameters that act apart. Method: four bars, by hand: a mass at the far pin of the coupler is one at the
-/// end of the rocker, so that m_b + b mx_b + b² I_b of the coupler and c mx_c + c² I_c of the rocker are the same motion's; of nine
-/// parameters that an open chain and a rocker have eight are left. Closed poses, in doubles, show no more.
+/// Goal: loops leave fewer parameters that act apart. Method: four bars, by hand. A mass at the far pin of the
+/// coupler acts like one at the end of the rocker, so that m_b + b mx_b + b² I_b of the coupler and c mx_c + c² I_c
+/// of the rocker belong to the same motion. An open chain and a rocker have nine parameters, of which eight are left.
+/// Closed poses, in doubles, show no more.
 #[test]
 fn loops_group_what_acts_as_one() {
     let found = identify(&library("four_bar"), Varied::Bodies);
@@ -305,8 +310,8 @@ fn loops_group_what_acts_as_one() {
     assert!(is_proved(&found), "{:?}", found.complete);
 }
 
-/// Goal: factors are formulas also where angles stay as letters. Method: a link on a link whose joints are skew by β: the second
-/// moves the first's shares by sine and cosine (Khalil & Dombre, chapter 9, with d = 0).
+/// Goal: factors are formulas also where angles stay as letters. Method: two links whose joints are skew by β. The
+/// second link adds to the first by the sine and cosine of β (Khalil & Dombre, chapter 9, with d = 0).
 #[test]
 fn factors_hold_sines_of_angles_that_stay() {
     let text = ARM

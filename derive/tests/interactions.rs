@@ -1,6 +1,6 @@
-//! What bodies exert on one another, named by the bodies; and what is held along no axis of a frame.
+//! Forces and torques between bodies, named by the bodies; and forces that lie along no axis of a frame.
 //!
-//! Truth: closed forms, three formulations that are proved equal, and mechanisms that hold themselves more than once.
+//! Truth: closed forms, three formulations that are proved equal, and mechanisms that are overdetermined.
 
 use crate::common::read;
 use std::fmt::Write;
@@ -17,7 +17,7 @@ fn loaded(text: &str) -> Model {
     read(text).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
-/// That all three formulations are there and equal.
+/// Checks that all three formulations are there and equal.
 fn proved(model: &Model, what: &str) {
     let mut derivations = derive_all(model).unwrap_or_else(|e| panic!("{what}: {e}"));
     let proof = prove(model, &mut derivations);
@@ -32,7 +32,7 @@ fn refused(model: &mut Model, text: &str) -> String {
     load_output(text, model).err().unwrap_or_else(|| panic!("{text} must be refused")).to_string()
 }
 
-/// Whether two terms mean the same, the second in names of the model.
+/// True if two terms mean the same; the second is in names of the model.
 fn means(model: &mut Model, e: Expr, text: &str) -> bool {
     let other = parse(&mut model.arena, text, &mut |arena, name| Ok(arena.symbol(name))).unwrap();
     let difference = model.arena.sub(e, other);
@@ -63,8 +63,9 @@ fn two_rods() -> Model {
     ))
 }
 
-/// Goal: the name says who pushes whom, where and along what. Method: a double pendulum, whose reactions are `lower_force_…` on the
-/// lower rod at B from the upper one; by hand turned, reversed, and with the arm from A to B.
+/// Goal: the name states the two bodies, the place and the direction of a force. Method: a double pendulum, whose
+/// reactions are `lower_force_…` on the lower rod at B from the upper one; by hand turned, reversed, and with the arm
+/// from A to B.
 #[test]
 fn a_force_between_two_bodies_is_the_sum_of_their_reactions() {
     let model = &mut two_rods();
@@ -111,8 +112,8 @@ fn what_acts_nowhere_is_refused_by_name() {
     assert!(errors.contains("reactions are of upper on lower, ground on upper"), "{errors}");
 }
 
-/// Goal: two pins between the same bodies have no one point. Method: a plate on two springy pins is none; a rod on a pin and a force at
-/// another point named by the file is.
+/// Goal: a torque is refused without the name of its point if the reactions between the bodies act at several points.
+/// Method: a rod with a pin at O and a force at P, both in the file.
 #[test]
 fn a_torque_about_several_points_asks_which() {
     let text = format!(
@@ -145,8 +146,9 @@ D = { kind = "pin", body = "rocker", at = ["0.7*l", 0, 0] }
 Q = { kind = "pin", body = "rocker", to = "coupler", at = ["0.8*l", 0, 0], body_at = ["0.6*l", 0, 0] }
 "#;
 
-/// Goal: what equilibrium does not determine is refused, and what it does determine is not. Method: pins in space hold a plane four-bar
-/// linkage out of its plane and against tilting three times more than they must; in the plane they do not.
+/// Goal: forces that equilibrium does not determine are refused, and those that it determines are not. Method: pins in
+/// space hold a plane four-bar linkage out of its plane and against tilting three times more than they must; in the
+/// plane they do not.
 #[test]
 fn what_pins_hold_more_than_once_is_not_determined() {
     let model = &mut loaded(&format!("{WORLD}{FOUR_BAR}"));
@@ -172,9 +174,10 @@ fn what_pins_hold_more_than_once_is_not_determined() {
     value(model, "Q_force1");
 }
 
-/// Goal: what equations that close a loop leave open is not shown as what the tree of pins would hold. Method: the library's four-bar linkage, whose loop two
-/// equations in its plane close: with nothing named, a coupler and a rocker that may hold across the plane as well; with the pins' forces named, they
-/// do not. In the plane the pins are determined, and a tooth is no pin.
+/// Goal: forces that equations of a loop leave open are not shown as the forces of the tree of pins. Method: the
+/// library's four-bar linkage, whose loop two equations in its plane close. With nothing named, a coupler and a rocker
+/// may hold across the plane as well; with the pins' forces named, they do not. In the plane the pins are determined,
+/// and a tooth is no pin.
 #[test]
 fn what_equations_of_a_loop_may_hold_is_not_determined() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/four_bar/model.toml");
@@ -202,8 +205,8 @@ fn what_equations_of_a_loop_may_hold_is_not_determined() {
     }
 }
 
-/// Goal: so it is where the dependence is only of closed poses. Method: Bricard's mechanism of the library, one of whose six equations
-/// follows from the other five.
+/// Goal: the same holds for a dependence in closed poses only. Method: Bricard's mechanism of the library, one of whose
+/// six equations follows from the other five.
 #[test]
 fn what_bricards_pins_hold_is_not_determined() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/bricard/model.toml");
@@ -217,7 +220,7 @@ fn what_bricards_pins_hold_is_not_determined() {
     assert!(errors.contains(&format!("`{dependent}` more than once")), "{errors}");
 }
 
-/// A sled that slides along a direction turned by `alpha` from its first axis, which one formula says, or a frame.
+/// A sled that slides along a direction turned by `alpha` from its first axis, given by a formula or by a frame.
 fn sled(tilted: bool) -> Model {
     let frame = "E = { from = \"B\", axis = 3, angle = \"alpha\" }\n";
     let (frame, law) = if tilted {
@@ -275,8 +278,9 @@ fn a_tilted_blade_holds_as_one_along_a_frame() {
     }
 }
 
-/// Goal: wheels whose turns are tied by a formula have the torques that hold them. Method: gears, θ₂ = −θ₁ r₁/r₂ with a torque M on the
-/// first: θ₁″ = M/(I₁ + I₂ (r₁/r₂)²), and the tooth exerts −I₂ θ₁″ (r₁/r₂)² on the first and I₂ θ₂″ on the second.
+/// Goal: wheels whose angles are tied by a formula have the torques that hold them. Method: gears, θ₂ = −θ₁ r₁/r₂
+/// with a torque M on the first: θ₁″ = M/(I₁ + I₂ (r₁/r₂)²). The tooth exerts −I₂ θ₁″ (r₁/r₂)² on the first and I₂
+/// θ₂″ on the second.
 #[test]
 fn gears_hold_one_another() {
     let text = format!(
@@ -296,9 +300,9 @@ fn gears_hold_one_another() {
     assert!((first - (2.0 * acceleration - 9.81)).abs() < 1e-12, "{first}");
 }
 
-/// Goal: teeth of gears press along the tooth, in every pose. Method: two pinned gears that roll on one another with a torque M on the first,
-/// θ₁″ = M/(I₁ + I₂ (r₁/r₂)²), whose tooth presses with I₂ θ₁″ r₁/r₂² on the second across the line of centres, over a turn: along an
-/// axis that turns with a gear it would have poles each half turn.
+/// Goal: teeth of gears press along the tooth, in every pose. Method: two pinned gears that roll on one another with
+/// a torque M on the first: θ₁″ = M/(I₁ + I₂ (r₁/r₂)²). The tooth presses with I₂ θ₁″ r₁/r₂² on the second across the
+/// line of centres, over a turn. Along an axis that turns with a gear the force would have poles each half turn.
 #[test]
 fn teeth_of_pinned_gears_press_along_the_tooth() {
     for (rolls, on) in [("b", "a"), ("a", "b")] {
@@ -325,8 +329,9 @@ fn teeth_of_pinned_gears_press_along_the_tooth() {
     }
 }
 
-/// Goal: the same on a gear that goes round another. Method: a planet on an arm, on a sun that stands still: with e = l − r the planet turns with
-/// l u/e, (I₁ + m l² + I₂ (l/e)²) u′ = M − m g l cos q, and the sun presses with −I₂ l u′/e² across the arm, over a turn of the arm.
+/// Goal: the right force on a gear that goes round another. Method: a planet on an arm, on a sun that stands still:
+/// with e = l − r the planet turns with l u/e, (I₁ + m l² + I₂ (l/e)²) u′ = M − m g l cos q, and the sun presses with
+/// −I₂ l u′/e² across the arm, over a turn of the arm.
 #[test]
 fn a_sun_presses_on_a_planet_across_the_arm() {
     let text = format!(
@@ -369,9 +374,9 @@ fn axle() -> String {
     )
 }
 
-/// Goal: what two contacts share is not told apart. Method: two wheels on one axle: each keeps the other from slipping sideways, so that neither's
-/// force along the axle is known, but the forces along their ways are: each (M/r + …)/2 as they drive together. And of pinned gears the push along
-/// the line of centres.
+/// Goal: a force that two contacts share is not split between them. Method: two wheels on one axle. Each keeps the
+/// other from slipping sideways, so that neither's force along the axle is known, but the forces along their ways are:
+/// each (M/r + …)/2 as they drive together. The second case is the push of pinned gears along the line of centres.
 #[test]
 fn what_two_contacts_hold_together_is_not_told_apart() {
     let text = axle();
@@ -394,9 +399,9 @@ fn what_two_contacts_hold_together_is_not_told_apart() {
     }
 }
 
-/// Goal: what two contacts share is refused alone, whatever else the model has. Method: the axle with a bead that has no
-/// place in half of all poses, whose forward forces are read and sideways forces are refused still; and with a parameter that is called as a force of
-/// a contact might be.
+/// Goal: only the shared force of two contacts is refused, whatever else the model has. Method: the axle with a bead
+/// that has no place in half of all poses, whose forward forces are read and sideways forces are refused still; and
+/// with a parameter that has the name of a possible contact force.
 #[test]
 fn what_contacts_share_hides_nothing_else() {
     let spot = "[points.S]\nfrom = \"O\"\nframe = \"N\"\nposition = [0, 0, \"sqrt(l^2 - (2*l*psi)^2)\"]\n[particles]\nspot = { point = \"S\", mass = \"m\" }\n";
@@ -421,8 +426,9 @@ fn reactions_of_many_bodies_are_to_be_named() {
     assert!(said.contains("up to 72 equations") && said.contains("have 78") && said.contains("[reactions]"), "{said}");
 }
 
-/// Goal: a rod without mass pulls along itself. Method: a particle with x² + y² = l², whose rod pulls with m v²/l + m g sin of its angle below the
-/// level; and two particles at a fixed distance in free flight, with the pull m₁ m₂/(m₁ + m₂) v²/l.
+/// Goal: a rod without mass pulls along itself. Method: a particle with x² + y² = l², whose rod pulls with m v²/l + m
+/// g sin of its angle below the horizontal; and two particles at a fixed distance in free flight, with the pull m₁
+/// m₂/(m₁ + m₂) v²/l.
 #[test]
 fn a_rod_without_mass_pulls_along_itself() {
     let head = WORLD;
@@ -453,7 +459,7 @@ fn a_rod_without_mass_pulls_along_itself() {
     }
 }
 
-/// A cart on wheels that roll on the ground, in the plane, each at so many l ahead of its mass centre.
+/// A plane cart on wheels that roll on the ground; `wheels` gives the place of each ahead of the mass centre, in l.
 fn cart(wheels: &[i32]) -> String {
     let [mut coordinates, mut frames, mut rest] = [const { String::new() }; 3];
     for (at, ahead) in wheels.iter().enumerate() {
@@ -471,8 +477,9 @@ fn cart(wheels: &[i32]) -> String {
     )
 }
 
-/// Goal: a cart presses on the ground by its wheels. Method: statics: of wheels at l and −2 l the first presses with 5/3 m g, the other with 4/3; three
-/// wheels in a row are more than equilibrium tells, and the ground does not touch the cart.
+/// Goal: a cart presses on the ground by its wheels. Method: statics. Of two wheels at l and −2 l the first presses
+/// with 5/3 m g, the other with 4/3 m g. Equilibrium does not determine the forces of three wheels in a row. The
+/// ground does not touch the cart itself.
 #[test]
 fn a_cart_presses_on_the_ground_by_its_wheels() {
     let mut model = loaded(&cart(&[1, -2]));

@@ -1,4 +1,4 @@
-//! Joints, repetition, named expressions and numbers with units: what they stand for, and what is said of those that cannot be.
+//! Joints, repetition, named expressions and numbers with units: their meaning, and the messages for wrong ones.
 //!
 //! `UPDATE_EXPECT=1 cargo test` accepts new words; read them before you commit them.
 
@@ -38,8 +38,8 @@ fn kane(model: &Model) -> (Vec<Vec<String>>, Vec<String>) {
     )
 }
 
-/// Goal: joints are frames, points, coordinates and speeds. Method: a double pendulum by joints and written out has the same
-/// equations, character by character.
+/// Goal: joints are frames, points, coordinates and speeds. Method: a double pendulum by joints and written out has the
+/// same equations, character by character.
 #[test]
 fn a_chain_by_joints_is_the_chain_written_out() {
     let by_joints = model(
@@ -105,8 +105,8 @@ fn a_screw_advances_by_its_lead() {
     assert_eq!(forcing, ["-l*m*g/(2*pi)"]);
 }
 
-/// Goal: speeds that constraints leave over are found, those of joints alone being left out. Method: a parallelogram closed by a
-/// pin keeps one of its three.
+/// Goal: the independent speeds that constraints leave are found; speeds of joints are left out. Method: a
+/// parallelogram closed by a pin keeps one of its three.
 #[test]
 fn a_closed_chain_keeps_the_speeds_that_are_independent() {
     let links = "[bodies]\na = { mass = \"m\", inertia = \"I\" }\nb = { mass = \"m\", inertia = \"I\" }\nc = { mass = \"m\", inertia = \
@@ -356,8 +356,8 @@ fn yoke(axis: &str) -> Model {
     ))
 }
 
-/// Goal: the frame of a joint along another axis than the third, which only exchanges axes, makes no small mechanism a large one, of which
-/// terms stand by names. Method: a scotch yoke, whose equation is (I + m l² sin² q) u' = −m l² u² sin q cos q.
+/// Goal: the frame of a joint along the first or second axis only exchanges axes, so a small mechanism keeps its closed
+/// form without named terms. Method: a scotch yoke, whose equation is (I + m l² sin² q) u' = −m l² u² sin q cos q.
 #[test]
 fn a_slider_along_any_axis_leaves_small_equations_in_closed_form() {
     for axis in ["1", "[1, 0, 0]", "[-1, 0, 0]"] {

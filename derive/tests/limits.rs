@@ -162,8 +162,8 @@ fn devices_and_pipes_are_refused_without_reading() {
     }
 }
 
-/// Goal: a product of many factors costs no more than its square. Method: one of 299 sines of sums, which took minutes to
-/// look for common products in; equations and accelerations are there.
+/// Goal: a product of many factors costs no more than its square. Method: one of 299 sines of sums, in which the search
+/// for common products took minutes; equations and accelerations are there.
 #[test]
 fn a_product_of_hundreds_of_sines_is_derived() {
     let start = Start::now();

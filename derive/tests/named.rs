@@ -1,4 +1,4 @@
-//! Large models: what grows is named, means the same, grows as it must, and is proved at its size.
+//! Large models: growing terms are named, keep their meaning, grow at the expected rate, and are proved at full size.
 
 use crate::arm::{arm, tree};
 use crate::chain::{chain, relative_chain};
@@ -102,8 +102,8 @@ fn an_arm_of_six_joints_takes_few_operations() {
     assert!(inverse <= 800, "{inverse}");
 }
 
-/// Goal: where rates of joints follow from angular accelerations, nothing that cancels is computed. Method: links whose angles are from the link
-/// before, of which the accelerations took 40 % more when a pivot was divided by itself.
+/// Goal: where rates of joints follow from angular accelerations, no term that cancels is computed. Method: links whose
+/// angles are from the link before. Their accelerations took 40 % more when a pivot was divided by itself.
 #[test]
 fn links_with_relative_angles_take_no_more_than_from_one_frame() {
     let [relative, absolute] = [relative_chain(20), chain(20)].map(|model| counts(&model)[2]);
@@ -143,8 +143,8 @@ fn operations_grow_as_they_must() {
     }
 }
 
-/// Goal: what the accelerations of bodies give one after the other solves the equations. Method: M u' = f by meaning, with
-/// every u' as the recursion has it, for arms, branches, slides and chains.
+/// Goal: the accelerations that the recursion gives body by body solve the equations. Method: M u' = f by meaning, with
+/// every u' of the recursion, for arms, branches, slides and chains.
 #[test]
 fn recursions_solve_the_equations() {
     let slide = |i: usize| i == 2;
@@ -173,8 +173,8 @@ fn recursions_solve_the_equations() {
     }
 }
 
-/// Goal: equivalence and conserved quantities are proved at any size, names and all. Method: a tree of thirty bodies with
-/// branches, hinges and slides.
+/// Goal: equivalence and conserved quantities are proved at any size, names and all. Method: a tree of thirty bodies
+/// with branches, hinges and slides.
 #[test]
 fn a_tree_of_thirty_bodies_is_proved() {
     let model = tree(30, |i| i / 2, |i| i % 7 == 3, false);
@@ -198,8 +198,8 @@ fn the_arm_of_the_benchmarks_is_proved() {
     assert_eq!(proof.integrals.iter().filter(|integral| integral.verdict.is_equal()).count(), 2);
 }
 
-/// Goal: a wrong sign anywhere in a large system is seen. Method: each entry of the matrix of an arm, doubled, makes the
-/// formulations differ.
+/// Goal: a wrong sign anywhere in a large system is seen. Method: each entry of the matrix of an arm, doubled, makes
+/// the formulations differ.
 #[test]
 fn a_wrong_entry_of_a_large_system_is_seen() {
     let model = arm(5, false);
@@ -287,8 +287,8 @@ fn a_name_changes_no_value() {
     assert!((found[0] - found[1]).abs() < 1e-9 && (found[2] - found[3]).abs() < 1e-9 * found[2].abs(), "{found:?}");
 }
 
-/// Goal: backward and forward derivatives are one. Method: weights times slopes, summed term by term along each variable,
-/// against the transposed product.
+/// Goal: backward and forward derivatives are one. Method: weights times slopes, summed term by term along each
+/// variable, against the transposed product.
 #[test]
 fn a_transposed_product_is_the_sum_of_weighted_slopes() {
     let (mut arena, variables, terms) = sample();

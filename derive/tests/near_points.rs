@@ -34,7 +34,7 @@ fn said(text: &str, expected: &Expect) {
     assert!(difference.consequences.is_empty(), "what holds near a point is no equation of the whole motion");
 }
 
-/// Of the pendulum on a cart as textbooks print it, hanging: 2 m ẍ + m l q̈ = 0, m l ẍ + (I + m l²) q̈ = −m g l q.
+/// The pendulum on a cart, hanging, as textbooks print it: 2 m ẍ + m l q̈ = 0, m l ẍ + (I + m l²) q̈ = −m g l q.
 #[test]
 fn linear_equations_are_right_about_their_point() {
     let text = |right: &str| {
@@ -75,7 +75,8 @@ fn linear_equations_are_right_about_their_point() {
     );
 }
 
-/// To second order the factor m l cos(q) of q̈ is still m l, since q̈ is a deviation itself, and −m l q̇² sin(q) is of third order.
+/// To second order the factor m l cos(q) of q̈ is still m l, since q̈ is a deviation itself, and −m l q̇² sin(q) is of
+/// third order.
 #[test]
 fn factors_of_deviations_count_to_one_order_less() {
     said(
@@ -126,7 +127,8 @@ fn the_point_need_not_be_zero() {
     );
 }
 
-/// Energies of linear equations are of second order: V = m g l q²/2 up to a constant, and T with the matrix at the point.
+/// Energies of linear equations are of second order: V = m g l q²/2 up to a constant, and T with the matrix at the
+/// point.
 #[test]
 fn energies_are_stated_to_second_order() {
     said(
@@ -168,7 +170,7 @@ fn energies_are_stated_to_second_order() {
     );
 }
 
-/// What moves near a steady motion: of x' = v and q = 0 follow u1 = v and u2 = 0, and the products of deviations are gone.
+/// A formula near a steady motion: from x' = v and q = 0 follow u1 = v and u2 = 0, and products of deviations vanish.
 #[test]
 fn a_point_may_move() {
     let text = |v: &str| {
@@ -235,7 +237,7 @@ fn solved_forms_and_programs_are_judged_to_the_order() {
     );
 }
 
-/// What has a bend or no value at the point has no series there.
+/// A formula with a bend or without a value at the point has no series there.
 #[test]
 fn what_has_no_series_is_undecided() {
     said(

@@ -207,7 +207,7 @@ fn what_a_language_means_otherwise_is_refused() {
     );
 }
 
-/// Goal: what is printed in LaTeX is read as the term that it was. Method: terms with every kind of mark, and their print.
+/// Goal: a term printed in LaTeX is read as the same term. Method: terms with every kind of mark, and their print.
 #[test]
 fn printed_latex_is_the_term_again() {
     let formulas = [
@@ -229,7 +229,7 @@ fn printed_latex_is_the_term_again() {
     }
 }
 
-/// What a finding says, but for the text of the entry.
+/// Content of a finding, except the text of the entry.
 fn said(arena: &Arena, f: &Finding) -> String {
     let shown = |e: Option<Expr>| e.map(|e| text(arena, e));
     format!(
@@ -244,7 +244,7 @@ fn said(arena: &Arena, f: &Finding) -> String {
     )
 }
 
-/// All findings of a publication of the disk, and what its systems make of the motion.
+/// All findings of a publication of the disk, and the consequences of its systems for the motion.
 fn verdicts(path: &Path) -> Vec<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut model = Model::read(&root.join("../models/disk/model.toml")).unwrap();
@@ -262,8 +262,8 @@ fn verdicts(path: &Path) -> Vec<String> {
     list
 }
 
-/// Goal: a publication is judged by what it says, however it is typed. Method: the report on the disk once more, its formulas
-/// in LaTeX, its listings in MATLAB, its symbols the paper's own.
+/// Goal: a publication is judged by its content, however it is typed. Method: the report on the disk once more, its
+/// formulas in LaTeX, its listings in MATLAB, its symbols the paper's own.
 #[test]
 fn the_report_on_the_disk_in_latex_has_the_same_verdicts() {
     let (plain, typeset) = (Path::new("../models/disk/report.toml"), Path::new("tests/publications/disk_latex.toml"));
@@ -344,8 +344,8 @@ const PIECES: [&str; 44] = [
     "1e999",
 ];
 
-/// Goal: no text of any notation does harm. Method: formulas of the disk's publication cut, doubled and mixed at random; what is
-/// refused is refused at a place of the text.
+/// Goal: no text of any notation does harm. Method: formulas of the disk's publication cut, doubled and mixed at
+/// random; every refusal marks a place of the text.
 #[test]
 fn no_formula_however_wrong_does_harm() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,4 +1,4 @@
-//! What `prove` proves, and that it proves nothing else.
+//! Statements that `prove` proves, and false ones that it does not.
 
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::compare::{Engine, Verdict};
@@ -251,8 +251,8 @@ fn a_force_along_no_axis_is_found_and_proved() {
     assert!(proof.missing.is_empty() && proof.pairs.len() == 3 && proof.is_equivalent());
 }
 
-/// Of more bodies than reactions are found for, thirteen rods that hang on one another, all that are missing are counted at once: three equations for
-/// each body in the plane, less one for each angle.
+/// Thirteen rods that hang on one another are more bodies than reactions are found for, so all missing reactions are
+/// counted at once: three equations for each body in the plane, less one for each angle.
 #[test]
 fn missing_reactions_are_counted_at_once() {
     const COUNT: usize = 13;

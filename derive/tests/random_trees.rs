@@ -16,10 +16,11 @@ fn count() -> u64 {
     std::env::var("TRIPOS_RANDOM_TREES").ok().and_then(|text| text.parse().ok()).unwrap_or(60)
 }
 
-/// 1e-9 of the largest acceleration: the reference solves a dense system in doubles, whose condition is at most some 1e4.
+/// Relative to the largest acceleration: the reference solves a dense system in doubles, whose condition is at most
+/// some 1e4.
 const TOLERANCE: f64 = 1e-9;
 
-/// What was tried, and what came of it.
+/// Numbers of trees, formulations and values that were tried.
 #[derive(Default, Debug)]
 struct Table {
     trees: usize,
@@ -28,8 +29,9 @@ struct Table {
     numbers: usize,
 }
 
-/// Goal: no path from a model to accelerations is wrong. Method: for each tree and formulation, accelerations eliminated,
-/// solved numerically, in 32 digits and by inverse dynamics, against a computation that shares nothing with them.
+/// Goal: no path from a model to accelerations is wrong. Method: for each tree and formulation, accelerations
+/// eliminated, solved numerically, in 32 digits and by inverse dynamics, against a computation that shares nothing with
+/// them.
 #[test]
 fn accelerations_of_random_trees_are_those_of_first_principles() {
     let mut table = Table::default();

@@ -10,14 +10,14 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::model;
 use tripos_derive::reduce::reduce;
 
-/// How a link hangs on what comes before it.
+/// Link of a random mechanism, with its joint to the link before or to the ground.
 #[derive(Clone, Debug)]
 struct Link {
     /// 0, 1, 2: turns about this axis; 3, 4, 5: slides along it.
     joint: usize,
-    /// Whether it starts from the link before, or from the ground.
+    /// True if it starts from the link before, false if from the ground.
     on_before: bool,
-    /// Where its mass is, in tenths of l.
+    /// Place of its mass, in tenths of l.
     arm: [i32; 3],
     /// A spring or a damper at the joint, or nothing.
     load: usize,
@@ -97,7 +97,7 @@ fn text(links: &[Link], gravity: Option<usize>) -> String {
     out
 }
 
-/// What may be asked for of link i.
+/// Output number `kind` of link i.
 fn output(kind: usize, i: usize) -> String {
     [
         format!("q{i}"),

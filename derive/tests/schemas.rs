@@ -11,7 +11,7 @@ use tripos_derive::report;
 use tripos_derive::scene::{self, load_asked};
 use tripos_derive::schema::Format;
 
-/// What a file says, as JSON.
+/// Content of a TOML value, as JSON.
 fn as_json(value: &DeValue<'_>) -> Value {
     match value {
         DeValue::String(text) => json!(text),
@@ -29,7 +29,7 @@ fn table_as_json(table: &DeTable<'_>) -> Value {
     Value::Object(entries.collect::<Map<String, Value>>())
 }
 
-/// What the schema of a format says against a text.
+/// Objection of the schema of a format to a text; `None` if it accepts the text.
 fn objection(format: Format, text: &str) -> Option<String> {
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
     compiler.add_resource("format.json", format.schema()).unwrap();
@@ -85,7 +85,7 @@ fn the_schemas_take_every_file_of_the_library() {
 /// A model with an entry of every kind, and of every kind that its keys depend on.
 const MODEL: &str = include_str!("forms/every_section.toml");
 const SCENE: &str = include_str!("forms/every_section_scene.toml");
-/// What the scene and the report are of.
+/// Model of the scene and of the report below.
 const PENDULUM: &str = "name = \"Pendulum\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\n[coordinates]\nq = { unit = \"rad\" }\n\
                         [speeds]\nu = \"q'\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n\
                         [points]\nP = { from = \"O\", frame = \"N\", position = [\"l*cos(q)\", \"l*sin(q)\", 0] }\n\
@@ -137,8 +137,8 @@ fn known_at(text: &str, marks: &[&str], read: &dyn Fn(&str) -> Diagnostics) -> B
     all
 }
 
-/// Goal: schemas and readers know the same keys. Method: a key that nobody knows in a table of each kind; readers then list those
-/// that they know.
+/// Goal: schemas and readers know the same keys. Method: an unknown key in a table of each kind; readers then list the
+/// keys that they know.
 #[test]
 fn schemas_state_the_keys_that_readers_know() {
     let of_model = |text: &str| load(&Source::from_text("model.toml", text)).map(|_| ()).unwrap_err();

@@ -1,4 +1,4 @@
-//! Shapes of a model: what they are, what is wrong with wrong ones, and that no equation knows of them.
+//! Shapes of a model: their meaning, the messages for wrong ones, and equations that do not depend on them.
 
 use crate::common;
 
@@ -33,8 +33,8 @@ fn every_kind_of_shape_is_read_where_its_body_is() {
     assert_eq!(of("wheel").about, "turns with the rod");
 }
 
-/// Goal: a model whose shapes are edited keeps the equations that were compiled. Method: hashes with, without and with other
-/// shapes; and of an edit that is none of shapes.
+/// Goal: a model whose shapes are edited keeps the equations that were compiled. Method: hashes with, without and with
+/// other shapes; and of an edit outside the shapes.
 #[test]
 fn shapes_do_not_change_what_equations_are_derived_from() {
     let plain = read(&edited(&[], "")).unwrap();
@@ -50,7 +50,8 @@ fn shapes_do_not_change_what_equations_are_derived_from() {
     assert_ne!(plain.text_hash(), middle.text_hash());
 }
 
-/// Goal: every way to get a shape wrong has its message, at its place. Method: one wrong shape each: (entry, where, message, help).
+/// Goal: every way to get a shape wrong has its message, at its place. Method: one wrong shape each: (entry, where,
+/// message, help).
 #[test]
 fn wrong_shapes_are_told_at_their_place() {
     let cases = [

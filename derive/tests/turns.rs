@@ -32,7 +32,8 @@ fn is_equal(arena: &mut Arena, a: Expr, b: Expr) -> bool {
     Comparer::default().compare(arena, a, b).is_equal()
 }
 
-/// A third of a turn about the diagonal of a cube permutes its axes; a turn about an axis backwards is one by the opposite angle.
+/// A third of a turn about the diagonal of a cube permutes its axes; a turn about a reversed axis is one by the
+/// opposite angle.
 #[test]
 fn vectors_are_axes() {
     let model = turned("axis = [1, 1, 1], angle = \"2*pi/3 + 0*q\"");
@@ -69,8 +70,8 @@ fn vectors_are_axes() {
     }
 }
 
-/// Goal: any four numbers turn. Method: Euler parameters of any length and about any vector of parameters give cosines of which rows
-/// have length 1 and are at right angles; the axis stays where it is.
+/// Goal: any four numbers give a rotation. Method: for Euler parameters of any length, and for a turn about any vector
+/// of parameters, the rows of the cosines have length 1 and are at right angles; the axis stays where it is.
 #[test]
 fn cosines_are_of_rotations() {
     let free = "euler_parameters = [\"e0\", \"e1\", \"e2\", \"e3\"]";

@@ -154,7 +154,7 @@ fn a_damping_of_zero_restores_the_energy_and_the_momentum() {
     assert_eq!(r.constants[0].unit.to_string(), "kg*m^2/s");
 }
 
-/// What a term is divided by keeps its letter where its value is 0; the other parameters become numbers.
+/// A parameter that is a divisor keeps its letter if its value is 0; the other parameters become numbers.
 #[test]
 fn a_parameter_that_is_zero_is_not_divided_by() {
     let spring = two_masses().replace("k*(y - x)", "(y - x)/c");
@@ -225,7 +225,8 @@ fn a_decoupled_subsystem_is_left_out() {
     assert_eq!(integrated(&r).0.len(), 4);
 }
 
-/// By meaning, not by symbols: the force mentions the angle in sin² + cos², and inside a function without rules.
+/// Dependence is by meaning, not by symbols: the force mentions the angle in sin² + cos², and inside a function without
+/// rules.
 #[test]
 fn what_a_formula_mentions_and_does_not_depend_on_is_left_out() {
     for hidden in

@@ -1,4 +1,4 @@
-//! What is said about constraints that cannot be: speeds too many, equations that repeat or contradict others.
+//! Messages for impossible constraints: too many speeds, equations that repeat or contradict others.
 //!
 //! `UPDATE_EXPECT=1 cargo test` accepts new words; read them before you commit them.
 
@@ -14,7 +14,7 @@ fn check(text: &str, expected: &Expect) {
     expected.assert_eq(&lines.join("\n"));
 }
 
-/// Of the pendulum on a cart, these constraints.
+/// The pendulum on a cart with these constraints.
 fn held(constraints: &str) -> String {
     edited(&[], &format!("[constraints]\n{constraints}"))
 }

@@ -1,4 +1,4 @@
-//! What is said about wrong models, word for word: names and form.
+//! Messages for wrong models, word for word: names and form.
 //!
 //! `UPDATE_EXPECT=1 cargo test` accepts new words; read them before you commit them.
 

@@ -1,4 +1,4 @@
-//! What is said about wrong models, word for word: speeds, units, masses, constraints, loads.
+//! Messages for wrong models, word for word: speeds, units, masses, constraints, loads.
 //!
 //! `UPDATE_EXPECT=1 cargo test` accepts new words; read them before you commit them.
 

@@ -4,8 +4,8 @@ use crate::common;
 
 use common::{BASE, errors, place};
 
-/// What is replaced in the base (nothing: the new text is added at the end), what by, where in it
-/// the error must stand, and what the message must contain.
+/// An edit of the base: the text to be replaced (empty: the new text is added at the end), the new text, the text in it
+/// at which the error must stand, and a part of the message.
 type Wrong = (&'static str, &'static str, &'static str, &'static str);
 
 const FORCE: &str = "[forces.f]\non = \"rod\"\nframe = \"N\"\nvector = ";
@@ -238,8 +238,8 @@ fn all_errors_of_a_file_come_at_once_in_order() {
     assert!(starts.is_sorted(), "{found}");
 }
 
-/// Goal: a file of a later format is refused for that alone, and one that states today's is read. Method: versions at the head of a
-/// model whose rest is right, and of one whose rest nobody knows.
+/// Goal: a file of a later format is refused for that alone, and one that states today's is read. Method: versions at
+/// the head of a model whose rest is right, and of one whose rest nobody knows.
 #[test]
 fn the_version_of_the_format_is_looked_at_first() {
     common::read(&format!("schema = 1\n{BASE}")).unwrap();

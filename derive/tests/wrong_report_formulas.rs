@@ -1,4 +1,4 @@
-//! What is said about wrong report files, word for word: names, formulas and numbers.
+//! Messages for wrong report files, word for word: names, formulas and numbers.
 //!
 //! `UPDATE_EXPECT=1 cargo test` accepts new words; read them before you commit them.
 
@@ -204,7 +204,7 @@ fn an_initial_value_is_a_number_and_stands_once_in_its_set() {
     );
 }
 
-/// What no double comes near is computed nowhere, and carried along exactly it costs minutes.
+/// A number beyond the range of doubles is refused: it cannot be computed, and exact arithmetic with it costs minutes.
 #[test]
 fn a_number_beyond_double_precision_is_refused() {
     check_edit(

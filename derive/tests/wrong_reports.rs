@@ -1,4 +1,4 @@
-//! What is said about wrong report files, word for word: keys, ids, systems and listings.
+//! Messages for wrong report files, word for word: keys, ids, systems and listings.
 //!
 //! `UPDATE_EXPECT=1 cargo test` accepts new words; read them before you commit them.
 

@@ -35,7 +35,8 @@ distance = { q2 = "90*deg" }
 kind = "passages"
 "#;
 
-/// What is replaced in the scene, what by, where in it the error must stand, and what the message must contain.
+/// An edit of the scene: the text to be replaced, the new text, the text in it at which the error must stand, and a
+/// part of the message.
 type Wrong = (&'static str, &'static str, &'static str, &'static str);
 
 const WRONG: &[Wrong] = &[
@@ -261,7 +262,7 @@ fn every_kind_of_figure_is_read() {
     assert_eq!(scene.rungs().len(), 2);
 }
 
-/// What is said about an `outputs` line that cannot be answered.
+/// Checks the message for a wrong `outputs` line.
 #[allow(clippy::needless_pass_by_value, reason = "as expect! is used everywhere")]
 fn check_outputs(line: &str, expected: Expect) {
     let text = format!("{line}\n{SCENE}");
@@ -375,7 +376,8 @@ fn a_free_parameter_that_the_model_does_not_have() {
     );
 }
 
-/// Goal: whoever takes a speed of a free body for the rate of an angle learns what the speeds are. Method: a name made of that of an angle.
+/// Goal: whoever takes a speed of a free body for the rate of an angle learns the right speeds. Method: a name made of
+/// that of an angle.
 #[test]
 fn a_speed_called_after_an_angle_of_a_free_body() {
     let model = "name = \"Brick\"\n[parameters]\nm = { unit = \"kg\", value = 1 }\nJ = { unit = \"kg*m^2\", value = 0.1 }\n[joints]\n\

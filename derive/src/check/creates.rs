@@ -1,9 +1,10 @@
-//! Which loads can give a mechanism energy, beyond what a potential holds.
+//! Loads that can give a mechanism energy, beyond the energy that a potential holds.
 //!
-//! What of a load is there at rest has a potential, or its work depends on the way. What it has beyond that works by P(q, u): where
-//! P ≤ 0 is proved, the load dissipates; where one state has P > 0, in ranges that are rounded outwards, it can create energy; else
-//! nothing is said. P ≤ 0 is proved by the ranges of its terms or, of a quadratic form −uᵀ D u, by the pivots of D.
-//! A. J. van der Schaft, *L2-Gain and Passivity Techniques in Nonlinear Control*, 3rd edition (2017), § 2.2.
+//! The part of a load that is there at rest has a potential, or its work depends on the way. The rest of the load has
+//! the power P(q, u). If P ≤ 0 is proved, the load dissipates; if one state has P > 0, in ranges that are rounded
+//! outwards, it can create energy; otherwise its effect is undecided. P ≤ 0 is proved by the ranges of its terms or,
+//! for a quadratic form −uᵀ D u, by the pivots of D. A. J. van der Schaft, *L2-Gain and Passivity Techniques in
+//! Nonlinear Control*, 3rd edition (2017), § 2.2.
 
 use crate::algebra::calculus::{Gradient, Substitution};
 use crate::algebra::interval::enclose;
@@ -16,34 +17,34 @@ use crate::model::{Model, Tie};
 use rustc_hash::FxHashMap;
 use std::fmt::Write;
 
-/// What a load does to the energy.
+/// Effect of a load on the energy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
-    /// It has a potential, or no power.
+    /// It keeps the energy: it has a potential, or no power.
     Keeps,
-    /// It takes energy, or none.
+    /// It takes energy, or has no power.
     Dissipates,
     /// It can give energy.
     Creates,
-    /// Neither is proved.
+    /// No effect is proved.
     Undecided,
 }
 
-/// A load, and what it does to the energy at the default values of parameters.
+/// A load, and its effect on the energy at the default values of parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadEffect {
     /// Its name in the file.
     pub load: String,
-    /// What it does.
+    /// Effect on the energy.
     pub effect: Effect,
-    /// Why, where that is not plain.
+    /// Reason for the effect; empty if it is plain.
     pub why: String,
 }
 
-/// Random states in which power is looked for.
+/// Number of random states in which positive power is searched.
 const STATES: usize = 60;
 
-/// What each applied load does, in the order of the file, forces first.
+/// Finds the effect of each applied load, in the order of the file, forces first.
 pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
     let names: Vec<String> =
         model.forces.iter().map(|f| &f.name).chain(model.torques.iter().map(|t| &t.name)).cloned().collect();
@@ -111,7 +112,7 @@ impl<'m> Judge<'m> {
         list.iter().map(put).collect()
     }
 
-    /// What of generalized forces is there at rest; nothing where it has no value there.
+    /// Generalized forces at rest; `None` if they have no value there.
     fn at_rest(&mut self, forces: &[Expr]) -> Option<Vec<Expr>> {
         let still: Vec<_> = self.model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
         let mut put = Substitution::new(&still);
@@ -123,7 +124,7 @@ impl<'m> Judge<'m> {
         potential_at_rest(&mut self.arena, &mut self.simplifier, self.model, forces).is_some()
     }
 
-    /// The power of what is not there at rest, in q and u.
+    /// The power of the forces beyond those at rest, in q and u.
     fn power(&mut self, forces: &[Expr]) -> Option<Expr> {
         let resting = self.at_rest(forces)?;
         let arena = &mut self.arena;
@@ -139,7 +140,7 @@ impl<'m> Judge<'m> {
         Some(self.simplifier.simplify(arena, power))
     }
 
-    /// Whether what a spring does beyond its potential is proved to be a damper: its power is −c ḋ², where c is above 0.
+    /// True if the part of a spring beyond its potential is proved to be a damper: its power is −c ḋ² with c above 0.
     fn damps(&mut self, forces: &[Expr], [coefficient, lengthening]: [Expr; 2]) -> bool {
         let coefficient = self.defaults.apply(&mut self.arena, coefficient);
         let taken = self.arena.neg(coefficient);
@@ -169,7 +170,7 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// What a load does by its power beyond that of what is there at rest.
+    /// Effect of a load by the power of its part beyond that at rest.
     fn effect_in_motion(&mut self, power: Expr, dissipate: bool) -> (Effect, String) {
         if zero_test(&self.arena, power) == ZeroTest::Zero {
             return (Effect::Keeps, String::new());
@@ -190,7 +191,8 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// Whether the work of what is there at rest is proved to depend on the way: ∂F_i/∂q_j ≠ ∂F_j/∂q_i, where all ways are open.
+    /// True if the work of the forces at rest is proved to depend on the way: ∂F_i/∂q_j ≠ ∂F_j/∂q_i, where all ways are
+    /// open.
     fn depends_on_way(&mut self, forces: &[Expr]) -> bool {
         let is_free = self.model.motion_constraints.iter().all(|c| c.tie == Tie::Clock) && self.model.loops.is_empty();
         let Some(resting) = self.at_rest(forces).filter(|_| is_free) else { return false };
@@ -210,7 +212,7 @@ impl<'m> Judge<'m> {
         })
     }
 
-    /// Whether a power is proved to be above zero nowhere.
+    /// True if a power is proved never to be positive.
     fn never_gives(&mut self, power: Expr) -> bool {
         if never_positive(&self.arena, power) {
             return true;
@@ -227,7 +229,7 @@ impl<'m> Judge<'m> {
         self.is_form(power, &form, &u) && self.is_negative(form)
     }
 
-    /// Whether a power is ½ uᵀ H u with an H that no speed is in.
+    /// True if a power is ½ uᵀ H u with an H that contains no speed.
     fn is_form(&mut self, power: Expr, form: &[Vec<Expr>], u: &[Expr]) -> bool {
         if self.arena.reachable(&form.concat()).iter().any(|part| u.contains(part)) {
             return false;
@@ -243,8 +245,9 @@ impl<'m> Judge<'m> {
         zero_test(&self.arena, rest) == ZeroTest::Zero
     }
 
-    /// Whether a symmetric matrix is negative semidefinite, by its pivots: each is nowhere above zero, and what is left where one is
-    /// zero by meaning has zeros in its row. Where a pivot is zero at single places, it is so by continuity.
+    /// True if a symmetric matrix is negative semidefinite, by its pivots. Each pivot is never above zero; where one is
+    /// zero by meaning, its row has zeros only. Where a pivot is zero at single places, the property holds by
+    /// continuity.
     fn is_negative(&mut self, mut form: Vec<Vec<Expr>>) -> bool {
         let is_zero = |arena: &Arena, e: Expr| zero_test(arena, e) == ZeroTest::Zero;
         while let Some(row) = form.pop() {
@@ -273,7 +276,7 @@ impl<'m> Judge<'m> {
         true
     }
 
-    /// A state in which a power is above zero, in words, if one is found.
+    /// Searches for a state in which a power is above zero; returns it in words.
     fn state_with(&mut self, power: Expr) -> Result<Option<String>, String> {
         let model = self.model;
         let without = model.parameters.iter().find(|p| p.value.is_none() && self.arena.mentions(power, p.symbol));
@@ -317,7 +320,7 @@ impl<'m> Judge<'m> {
     }
 }
 
-/// That a load adds energy in this state.
+/// Text that a load adds energy in this state.
 fn words(model: &Model, q: &[f64], u: &[f64]) -> String {
     let coordinates = model.coordinates.iter().map(|c| &c.name).zip(q);
     let named = coordinates.chain(model.speeds.iter().map(|s| &s.name).zip(u)).filter(|(_, value)| **value != 0.0);

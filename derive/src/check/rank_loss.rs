@@ -1,10 +1,11 @@
 //! Poses in which the constraints of a mechanism lose rank, whatever its speeds are.
 //!
-//! There more may move than elsewhere, no choice of independent speeds determines the motion, and some reactions are free. All rows count,
-//! those too that follow from the others in most poses: which of them was left out is a choice, and no property of the mechanism. The
-//! surfaces are the common zeros of minors, which are exact ([`minors`]). A claim carries its proof, or a pose in which the rank was computed
-//! ([`pose`]): q with as many vectors λ that Aᵀ λ = 0 as the loss of rank takes, orthonormal.
-//! J. M. Selig, *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6.
+//! In such a pose more may move than elsewhere, no choice of independent speeds determines the motion, and some
+//! reactions are free. All rows count, even those that follow from the others in most poses: which of them was left out
+//! is a choice, and no property of the mechanism. The surfaces are the common zeros of minors, which are exact
+//! ([`minors`]). A claim carries its proof, or a pose in which the rank was computed ([`pose`]): q with as many
+//! orthonormal vectors λ with Aᵀ λ = 0 as the loss of rank requires. J. M. Selig, *Geometric Fundamentals of Robotics*,
+//! 2nd edition (2005), § 4.6.
 
 mod minors;
 mod pose;
@@ -16,28 +17,31 @@ use crate::model::{Model, Tie};
 use minors::{Matrix, surfaces};
 use pose::Constraints;
 
-/// Where constraints lose rank.
+/// Poses where constraints lose rank, with the proof or an example.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RankLoss {
-    /// How many constraints are independent elsewhere.
+    /// Number of independent constraints in other poses.
     pub rank: usize,
-    /// Formulas that are all zero in exactly these poses, none where that is proved to be nowhere. `None` where they are too many.
+    /// Formulas that are all zero in exactly these poses; empty if there is proved to be no such pose. `None` if the
+    /// formulas are too many.
     pub where_all_zero: Option<Vec<String>>,
-    /// Whether it is proved that they lose rank nowhere.
+    /// True if it is proved that the constraints never lose rank.
     pub nowhere: bool,
-    /// Why that is so, for each part of the constraints that shares no coordinate with the others.
+    /// Proof of that, for each part of the constraints that shares no coordinate with the others.
     pub proof: Vec<String>,
-    /// Formulas of parameters that are taken as not zero, as at the default values.
+    /// Formulas of parameters that are assumed nonzero, as at the default values.
     pub taken: Vec<String>,
-    /// Such a pose, in doubles, at the default values: a value for each coordinate, and last the instant, s, where it depends on that.
+    /// An example of such a pose, in doubles, at the default values: a value for each coordinate, and last the instant,
+    /// s, if the pose depends on it.
     pub pose: Option<Vec<(String, f64)>>,
-    /// How many constraints are independent in that pose.
+    /// Number of independent constraints in that pose.
     pub rank_there: Option<usize>,
-    /// From how many random places one was looked for.
+    /// Number of random places from which such a pose was searched.
     pub sought: usize,
 }
 
-/// Where the constraints of a model lose rank; nothing if it has none between what is left of its coordinates.
+/// Finds the poses where the constraints of a model lose rank; `None` if no constraint is left between the remaining
+/// coordinates.
 pub fn rank_loss(model: &Model) -> Option<RankLoss> {
     let mut arena = model.arena.clone();
     let columns: Vec<usize> = (0..model.coordinates.len()).filter(|at| Some(*at) != model.time()).collect();
@@ -74,8 +78,8 @@ pub fn rank_loss(model: &Model) -> Option<RankLoss> {
     Some(found)
 }
 
-/// The slopes of all constraints along the rates of these coordinates: of those that are independent in most poses, whose number is returned,
-/// then of the others, without those that follow in every pose.
+/// The slopes of all constraints along the rates of these coordinates. First those that are independent in most poses,
+/// whose number is returned, then the others, without those that follow in every pose.
 fn rows(model: &Model, arena: &mut Arena, columns: &[usize]) -> (Vec<Vec<Expr>>, usize) {
     let rates: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].rate).collect();
     let places: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].symbol).collect();

@@ -1,52 +1,52 @@
-//! What an entry states, as data: by this wrong entries are traced to one another.
+//! Claims of printed entries, as data; they serve to trace wrong entries to one another.
 
 use super::rows::{Match, Row};
 use crate::algebra::Expr;
 use crate::mechanics::{Formulation, QuantityKind, RowName};
 
-/// What an entry states. Tables, rows and columns are positions from 0; the right-hand side is the last column.
+/// Claim of a printed entry. Tables, rows and columns are positions from 0; the right-hand side is the last column.
 #[derive(Clone, Debug)]
 pub enum Claim {
     /// A value of a named quantity, as printed and as derived.
     Value {
         /// The quantity.
         kind: QuantityKind,
-        /// Printed, with what symbols of the text stand for.
+        /// The printed value, with symbols of the text replaced by their values.
         printed: Expr,
-        /// Derived, in the same variables.
+        /// The derived value, in the same variables.
         derived: Expr,
     },
     /// A row of a printed system as a whole.
     Row {
-        /// Which system or listing.
+        /// Index of the system or listing.
         table: usize,
-        /// The row.
+        /// Index of the row.
         row: usize,
     },
     /// A single entry of a row.
     Entry {
-        /// Which system or listing.
+        /// Index of the system or listing.
         table: usize,
-        /// The row.
+        /// Index of the row.
         row: usize,
-        /// The column.
+        /// Index of the column.
         column: usize,
     },
-    /// A number.
+    /// A stated number.
     Number {
         /// The ids of the numbers that it contradicts.
         against: Vec<String>,
     },
-    /// What no other entry can be traced to.
+    /// A claim that is not traced to others, such as a definition or a formula near a point.
     Other,
 }
 
 /// A printed system beside the derived rows that it was matched with, columns in the order of the derived unknowns.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// What it was compared with.
+    /// Formulation that the system was compared with.
     pub formulation: Formulation,
-    /// What each derived row is of.
+    /// Name of each derived row.
     pub names: Vec<RowName>,
     /// The derived unknowns.
     pub unknowns: Vec<Expr>,
@@ -54,12 +54,12 @@ pub struct Table {
     pub derived: Vec<Row>,
     /// The printed rows.
     pub printed: Vec<Row>,
-    /// What each printed row was matched with.
+    /// Match of each printed row with the derived rows.
     pub matches: Vec<Match>,
 }
 
 impl Table {
-    /// The derived row that a printed one was matched with, and the printed one's factor.
+    /// The derived row that a printed row is a multiple of, and the factor; `None` for a combination of rows.
     pub fn matched(&self, row: usize) -> Option<(usize, Expr)> {
         match &self.matches[row] {
             Match::Row { at, factor } => Some((*at, *factor)),

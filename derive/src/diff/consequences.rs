@@ -1,4 +1,4 @@
-//! What printed systems make of the motion: determinants, rates of first integrals, agreement.
+//! Consequences of printed systems for the motion: determinants, rates of first integrals, agreement.
 
 use super::motion::{Motion, Solved};
 use super::rows::Match;
@@ -17,46 +17,46 @@ pub struct Rate {
     pub integral: Integral,
     /// d/dt in q and u, simplified; 0 where it is conserved.
     pub rate: Expr,
-    /// Whether the rate is zero.
+    /// Verdict on the claim that the rate is zero.
     pub verdict: Verdict,
 }
 
-/// What one printed system makes of the motion.
+/// Consequences of one printed system for the motion.
 #[derive(Clone, Debug)]
 pub struct Consequences {
     /// The system's id.
     pub system: String,
-    /// Its determinant, what it should be (the derived one times the factors of its rows), and whether it is.
+    /// Its determinant, the expected one (the derived one times the factors of its rows), and the verdict.
     pub determinant: Option<(Expr, Expr, Verdict)>,
     /// The rates of first integrals; none if the system is singular everywhere.
     pub rates: Vec<Rate>,
-    /// Whether its accelerations are the derived ones.
+    /// Verdict on the claim that its accelerations are the derived ones.
     pub accelerations: Verdict,
 }
 
 impl Consequences {
-    /// Every formula that is shown of them.
+    /// Every formula that is shown of the consequences.
     pub fn shown(&self) -> impl Iterator<Item = Expr> {
         let determinants = self.determinant.iter().flat_map(|(printed, derived, _)| [*printed, *derived]);
         determinants.chain(self.rates.iter().map(|rate| rate.rate))
     }
 }
 
-/// Whether two printed systems give the same accelerations.
+/// Comparison of the accelerations that two printed systems give.
 #[derive(Clone, Debug)]
 pub struct Agreement {
     /// The first system.
     pub left: String,
     /// The second.
     pub right: String,
-    /// Whether they do.
+    /// Verdict on the claim that the accelerations are equal.
     pub verdict: Verdict,
 }
 
 /// Systems beyond this many unknowns are not solved symbolically.
 const MOST_UNKNOWNS: usize = 12;
 
-/// The consequences of every printed system, and their agreement pair by pair.
+/// Finds the consequences of every printed system, and their agreement pair by pair.
 pub fn draw(
     model: &Model,
     derivations: &mut Derivations,

@@ -1,11 +1,11 @@
-//! Whether a term depends on parameters alone.
+//! Test for terms that depend on parameters alone.
 
 use crate::algebra::Expr;
 use crate::algebra::calculus::Differential;
 use crate::algebra::modular::{ZeroTest, zero_test};
 use crate::mechanics::Quantities;
 
-/// Whether a term is the same in every state.
+/// True if a term has the same value in every state.
 pub fn is_constant(quantities: &mut Quantities<'_>, e: Expr) -> bool {
     let model = quantities.model;
     let arena = &mut quantities.derivations.kinematics.arena;

@@ -1,5 +1,5 @@
-//! What two models declare, compared: defaults, units and signs of parameters, the domain, and every element of the
-//! mechanism.
+//! Comparison of the declarations of two models: defaults, units and signs of parameters, the domain, and every element
+//! of the mechanism.
 //!
 //! Invariant: terms are compared by meaning, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order
 //! of a file are not compared: no number depends on them.
@@ -31,7 +31,7 @@ pub enum Section {
 }
 
 impl Section {
-    /// What an entry of the section is called.
+    /// Noun for an entry of the section.
     #[must_use]
     pub const fn noun(self) -> &'static str {
         match self {
@@ -52,16 +52,16 @@ impl Section {
     }
 }
 
-/// A property of what is declared.
+/// A property of a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Property {
     /// The default value of a parameter.
     Default,
     /// The unit of a parameter or coordinate.
     Unit,
-    /// Whether a parameter is stated to be positive.
+    /// The statement that a parameter is positive.
     Positive,
-    /// Everything that makes an element what it is: where it is, what it acts on, its components, a condition.
+    /// Everything that defines an element: its place, the points it acts at, its components, a condition.
     Definition,
 }
 
@@ -78,36 +78,37 @@ impl Property {
     }
 }
 
-/// How a declaration differs.
+/// Kind of difference between two declarations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Edit {
     /// Only the new model has it.
     Added,
     /// Only the old model has it.
     Removed,
-    /// Both have it, and this is not the same.
+    /// Both models have it, with a different property.
     Changed {
-        /// What is not the same.
+        /// Property that differs.
         property: Property,
-        /// As the old model has it, for people.
+        /// The property in the old model, as text for people.
         old: String,
-        /// As the new model has it.
+        /// The property in the new model, as text for people.
         new: String,
     },
 }
 
-/// A declaration that is not the same in two models.
+/// A declaration that differs between two models.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declaration {
     /// The section of the file that it stands in.
     pub section: Section,
     /// Its name.
     pub name: String,
-    /// What differs.
+    /// Kind of the difference.
     pub edit: Edit,
 }
 
-/// One declared thing: what is compared as text, what by meaning, and how a person would say both.
+/// A declared element: properties that are compared as text, terms that are compared by meaning, and its text for
+/// people.
 struct Element {
     section: Section,
     name: String,
@@ -142,7 +143,7 @@ impl Element {
     }
 }
 
-/// Every declaration that differs, in the order of the new model's file, then what it no longer has.
+/// Every declaration that differs, in the order of the new model's file, then those that only the old model has.
 pub fn declarations(
     (old, before): (&Model, &Arena),
     (new, arena): (&Model, &mut Arena),

@@ -19,20 +19,20 @@ const MOST_ROUNDS: usize = 4;
 
 /// Judges entries one by one.
 pub struct Judge<'a, 'b> {
-    /// What is derived.
+    /// The derived quantities.
     pub quantities: &'a mut Quantities<'b>,
     /// Remembers normal forms.
     pub comparer: &'a mut Comparer,
-    /// What symbols of the text stand for.
+    /// Values of the names that the report gives to derived quantities.
     pub names: &'a Names,
-    /// How many printed systems came before.
+    /// Number of printed systems before this entry.
     pub tables: usize,
-    /// Near which point the entry holds.
+    /// Point near which the entry holds; `None` if it holds everywhere.
     pub near: Option<Near>,
 }
 
 impl Judge<'_, '_> {
-    /// Judges `quantity = printed`, and says what it states.
+    /// Judges `quantity = printed`, and returns the claim of the entry.
     pub fn equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> (Finding, Claim) {
         let in_rates = self.quantities.mentions_rates(printed);
         let both = self.names.resolve(self.quantities, printed).and_then(|printed| {

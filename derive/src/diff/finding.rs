@@ -4,18 +4,18 @@ use crate::algebra::Expr;
 use crate::algebra::compare::{Verdict, Witness};
 use crate::algebra::permitted::Holds;
 
-/// How a printed entry stands to what is derived.
+/// Relation of a printed entry to the derived value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Judgement {
     /// Equal in meaning.
     Equal,
-    /// Equal but for a factor.
+    /// Equal up to a factor.
     Scaled,
-    /// Not the same.
+    /// Different in meaning.
     Different,
-    /// Not known, and why.
+    /// Undecided, with the reason.
     Undecided(String),
-    /// Stated: nothing can contradict it.
+    /// A definition or number of the text, which nothing can contradict.
     Stated,
 }
 
@@ -40,28 +40,29 @@ pub struct Finding {
     pub id: String,
     /// The section it stands in.
     pub section: String,
-    /// The answer.
+    /// The verdict.
     pub judgement: Judgement,
-    /// Where printed and derived are equal, if they are.
+    /// Region where printed and derived are equal, if they are.
     pub holds: Holds,
-    /// What is printed, as transcribed.
+    /// The printed text, as transcribed.
     pub printed: String,
-    /// What is derived; for scaled entries times the factor.
+    /// The derived value; for scaled entries times the factor.
     pub derived: Option<Expr>,
     /// printed = factor · derived; for different entries only where that holds exactly.
     pub factor: Option<Expr>,
     /// printed − derived, in its shortest form.
     pub difference: Option<Expr>,
-    /// What is wrong, in words: terms with what they should be, and in rows the entries; where it is short.
+    /// Description of the mistake, in words: wrong terms with their right values, and in rows the entries. `None` if it
+    /// would be long.
     pub wrong: Option<String>,
     /// A state where printed and derived differ.
     pub witness: Option<Witness>,
-    /// What else is to be said: which row it was matched with, what the scan garbled.
+    /// Further remarks: the row it was matched with, the garbled part of the scan.
     pub remarks: Vec<String>,
 }
 
 impl Finding {
-    /// An entry of which nothing more is known yet.
+    /// An entry that is not judged further yet.
     pub(super) fn new(id: &str, section: &str, judgement: Judgement, printed: &str) -> Self {
         Self {
             id: id.to_owned(),
@@ -83,13 +84,13 @@ impl Finding {
         [self.derived, self.factor, self.difference].into_iter().flatten()
     }
 
-    /// With the terms that are wrong, if they are known.
+    /// Adds the wrong terms, if they are known.
     pub(super) fn name_terms(&mut self, terms: Vec<String>) {
         self.wrong = (!terms.is_empty()).then(|| terms.join("; "));
         self.remarks.extend(terms);
     }
 
-    /// With the answer of a comparison.
+    /// Adds the verdict of a comparison.
     pub(super) fn judged(mut self, (verdict, holds): (Verdict, Holds), derived: Expr) -> Self {
         self.derived = Some(derived);
         self.holds = holds;

@@ -14,7 +14,7 @@ use crate::algebra::print::text;
 use crate::model::Model;
 use crate::report::{Entry, EntryKind, Initial, Report};
 
-/// What the report states of one quantity, from somewhere else than the entry itself.
+/// A value of one quantity from another place of the report than the entry itself, with its uncertainty.
 struct Other {
     value: f64,
     slack: f64,
@@ -24,7 +24,7 @@ struct Other {
     entries: Vec<String>,
 }
 
-/// Judges one number, and says which others it contradicts.
+/// Judges one number, and returns the entries that it contradicts.
 pub fn judge(model: &Model, report: &Report, entry: &Entry) -> (Finding, Claim) {
     let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
     let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
@@ -113,7 +113,7 @@ fn by_definition(model: &Model, report: &Report, initial: &Initial) -> Option<Ot
     })
 }
 
-/// What other sets of initial values say of the quantity.
+/// Values of the quantity in other sets of initial values.
 fn repeated(model: &Model, report: &Report, entry: &Entry) -> Vec<Other> {
     let EntryKind::Initial(initial) = &entry.kind else { return Vec::new() };
     let others = report.entries.iter().filter_map(|other| match &other.kind {

@@ -1,7 +1,7 @@
-//! A published derivation compared with the derived one, entry by entry, and what its errors do to the motion.
+//! A published derivation compared with the derived one, entry by entry, and the effect of its errors on the motion.
 //!
-//! Every entry is judged on its own: symbols of the text stand for what is derived, so an error counts once, where it
-//! is made. Nothing is repaired or guessed; the only freedom is the factor that each row of a linear system may carry.
+//! Every entry is judged on its own: symbols of the text stand for derived values, so an error counts once, where it is
+//! made. Nothing is repaired or guessed; the only freedom is the factor that each row of a linear system may carry.
 
 mod claim;
 mod consequences;
@@ -51,33 +51,33 @@ pub struct Difference {
     pub findings: Vec<Finding>,
     /// The mistakes behind the findings that are different, each of which is in exactly one group.
     pub roots: Vec<Root>,
-    /// What each printed system makes of the motion.
+    /// Consequences of each printed system for the motion.
     pub consequences: Vec<Consequences>,
-    /// Whether the printed systems give the same motion.
+    /// Comparisons of the motions that the printed systems give, pair by pair.
     pub agreements: Vec<Agreement>,
 }
 
 impl Difference {
-    /// How many findings have this word.
+    /// Number of findings whose judgement has this word.
     #[must_use]
     pub fn count(&self, word: &str) -> usize {
         self.findings.iter().filter(|f| f.judgement.word() == word).count()
     }
 
-    /// Every formula that is shown of the verdicts, but those in remarks, which stand there written out.
+    /// Every formula that is shown of the verdicts, except those in remarks, which are written out there.
     #[must_use]
     pub fn shown(&self) -> Vec<Expr> {
         let findings = self.findings.iter().flat_map(Finding::shown);
         findings.chain(self.consequences.iter().flat_map(Consequences::shown)).collect()
     }
 
-    /// Gives the named terms of proofs and verdicts the names that every document about the model has.
+    /// Gives the named terms of proofs and verdicts the names that every document about the model uses.
     pub fn write_names(&self, proof: &Proof, derivations: &mut Derivations) {
         proof.write_names(derivations);
         write_down(&mut derivations.kinematics.arena, "diff", &self.shown());
     }
 
-    /// Whether nothing is different and nothing undecided.
+    /// True if no finding is different and none is undecided.
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.count("different") == 0 && self.count("undecided") == 0
@@ -125,11 +125,11 @@ pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof
     Difference { findings, roots, consequences, agreements }
 }
 
-/// What was found entry by entry.
+/// Findings, claims, tables and motions gathered entry by entry.
 #[derive(Default)]
 struct Found {
     findings: Vec<Finding>,
-    /// What each finding is about.
+    /// Claim of each finding.
     claims: Vec<Claim>,
     tables: Vec<Table>,
     motions: Vec<(Motion, systems::Matched)>,

@@ -1,4 +1,4 @@
-//! Two models compared: what an edit changed in the equations of motion, entry by entry, and in what is declared.
+//! Comparison of two models: changes of the equations of motion, entry by entry, and of the declarations.
 
 use super::declared::{Declaration, declarations};
 use crate::algebra::Expr;
@@ -9,29 +9,30 @@ use crate::mechanics::{Derivations, Formulation};
 use crate::model::Model;
 use crate::prove::Proof;
 
-/// Something that both models could have, compared.
+/// An entry that both models could have, compared.
 #[derive(Clone, Debug)]
 pub struct Change {
-    /// What it is: `kane M[u1, u2']`, `T`, `u1`.
+    /// Name of the entry: `kane M[u1, u2']`, `T`, `u1`.
     pub name: String,
     /// Its value in the old model, in the new model's arena.
     pub old: Option<Expr>,
     /// Its value in the new model.
     pub new: Option<Expr>,
-    /// new − old in its shortest form, where both are there.
+    /// new − old in its shortest form, if both are there.
     pub difference: Option<Expr>,
-    /// Whether they are the same; none where one is missing.
+    /// Verdict on the equality of both values; `None` if one is missing.
     pub verdict: Option<Verdict>,
 }
 
-/// What an edit changed.
+/// Differences of an edited model from the old one.
 #[derive(Clone, Debug)]
 pub struct ModelDifference {
-    /// Everything that is not the same, in the order of the equations.
+    /// Every entry that differs, in the order of the equations.
     pub changes: Vec<Change>,
-    /// How many entries were compared, those that only one model has among them.
+    /// Number of entries that were compared, those of only one model included.
     pub compared: usize,
-    /// Formulations that only the old model has, and why the new one has not; their entries are not compared.
+    /// Formulations that only the old model has, with the reason why the new one lacks them; their entries are not
+    /// compared.
     pub formulations_lost: Vec<(Formulation, String)>,
     /// Formulations that only the new model has; their entries are not compared.
     pub formulations_gained: Vec<Formulation>,
@@ -39,7 +40,7 @@ pub struct ModelDifference {
     pub integrals_lost: Vec<String>,
     /// Names of first integrals that only the new model has.
     pub integrals_gained: Vec<String>,
-    /// What is declared otherwise: defaults, units, the domain, elements of the mechanism.
+    /// Declarations that differ: defaults, units, the domain, elements of the mechanism.
     pub declarations: Vec<Declaration>,
 }
 
@@ -50,33 +51,33 @@ impl ModelDifference {
         self.changes.iter().flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
     }
 
-    /// Gives the named terms of the new model the names that every document about it has, and those that only the old one or
-    /// a difference has names of their own; `derivations` are the new model's.
+    /// Gives the named terms of the new model the names that every document about it uses, and own names to those that
+    /// only the old one or a difference has; `derivations` are the new model's.
     pub fn write_names(&self, derivations: &mut Derivations) {
         derivations.write_names();
         write_down(&mut derivations.kinematics.arena, "diff", &self.shown());
     }
 
-    /// Whether the equations of motion are the same.
+    /// True if the equations of motion are the same.
     #[must_use]
     pub fn has_same_equations(&self) -> bool {
         self.changes.is_empty() && self.formulations_lost.is_empty() && self.formulations_gained.is_empty()
     }
 
-    /// Whether nothing that any number depends on differs.
+    /// True if no difference can change a number.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.has_same_equations() && self.declarations.is_empty()
     }
 }
 
-/// A model with everything derived and proved of it.
+/// A model with its derivations and its proof.
 pub struct Derived<'a> {
     /// The model.
     pub model: &'a Model,
     /// Its equations.
     pub derivations: &'a mut Derivations,
-    /// What was proved of it; without, nothing is said of first integrals.
+    /// Proof of the model; without it, first integrals are not compared.
     pub proof: Option<&'a Proof>,
 }
 
@@ -108,7 +109,7 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
     }
 }
 
-/// What differs between entries of the same name, and entries that only one model has.
+/// Differences between entries of the same name, and entries that only one model has.
 fn changes(
     old: &Derivations,
     before: &[(String, Expr)],
@@ -144,7 +145,7 @@ fn changes(
     list
 }
 
-/// What a model conserves, in words.
+/// First integrals of a model, in words.
 fn integrals(of: &Derived<'_>) -> Vec<String> {
     of.proof
         .iter()
@@ -158,8 +159,8 @@ fn only(one: &Derivations, other: &Derivations) -> Vec<Formulation> {
     Formulation::ALL.into_iter().filter(|f| one.get(*f).is_some() && other.get(*f).is_none()).collect()
 }
 
-/// Everything that is compared, by name: speeds, kinematic equations, energies, each formulation's system but of those
-/// left out.
+/// Every compared entry by name: speeds, kinematic equations, energies, and each formulation's system except those left
+/// out.
 fn entries(of: &Derived<'_>, left_out: &[Formulation]) -> Vec<(String, Expr)> {
     let (model, derivations) = (of.model, &*of.derivations);
     let arena = &derivations.kinematics.arena;

@@ -1,4 +1,4 @@
-//! What a printed system makes of the motion: its accelerations, its determinant, the rates of first integrals.
+//! Solution of a printed system for its motion: its accelerations, its determinant, the rates of first integrals.
 
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::linear::{determinant, solve};
@@ -10,9 +10,9 @@ use crate::model::Model;
 /// A system of equations of motion as printed, or as derived.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// Its id.
+    /// Id of the printed system in the report.
     pub id: String,
-    /// Whether its variables are q̇ and not u.
+    /// True if its variables are q̇ and not u.
     pub in_rates: bool,
     /// q̇ in q and its variables.
     pub coordinate_rates: Vec<Expr>,
@@ -29,8 +29,8 @@ pub struct Solved {
     pub coordinate_rates: Vec<Expr>,
     /// u̇ in q and u.
     pub speed_rates: Vec<Expr>,
-    /// q̈ less what u̇ makes of q̇ = W u + w, in q and u: zero unless the system breaks a motion constraint. Empty where q̈ is not solved for, or
-    /// nothing is constrained.
+    /// Deviation of q̈ from the q̈ that u̇ gives by q̇ = W u + w, in q and u: zero unless the system breaks a motion
+    /// constraint. Empty if q̈ is not among the unknowns, or nothing is constrained.
     pub off_constraints: Vec<Expr>,
     /// Reactions in q and u, where they are among the unknowns.
     pub reactions: Vec<Expr>,

@@ -1,7 +1,8 @@
-//! Multipliers of printed equations: what they are called is the author's choice, and so are their signs and sizes.
+//! Multipliers of printed equations: their names, signs and sizes are the author's choice.
 //!
-//! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are the same as those with λ if B is regular, whatever else it is. B follows from rows
-//! that are as derived but for their multipliers, and is taken if it explains more rows than λ = μ does.
+//! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are equivalent to those with λ for every regular B. B follows
+//! from the rows that agree with the derived ones up to their multipliers, and is used if it explains more rows than
+//! λ = μ does.
 
 use super::ordered::Ordered;
 use super::rows::{Row, explained, seen};
@@ -13,24 +14,25 @@ use crate::algebra::rank::echelon;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 
-/// A printed row that is as derived but for its multipliers: what stands before them as derived, and as printed.
+/// Coefficients of the multipliers, derived and printed, in a row that agrees otherwise.
 struct Pair {
     derived: Row,
     printed: Row,
 }
 
-/// What compares terms.
+/// Tools for the comparison of terms.
 pub struct Terms<'a> {
     /// The store of every term.
     pub arena: &'a mut Arena,
     /// Finds short forms.
     pub simplifier: &'a mut Simplifier,
-    /// Tells what is equal.
+    /// Decides equality of terms.
     pub comparer: &'a mut Comparer,
 }
 
 impl Terms<'_> {
-    /// Writes the derived rows with the multipliers that are printed, and says in words what those are; nothing if they are the derived ones.
+    /// Writes the derived rows with the printed multipliers, and describes these in words; `None` if they are the
+    /// derived ones.
     pub fn adapt(&mut self, order: &mut Ordered, printed: &[Row], multipliers: &[Expr]) -> Option<String> {
         let at = |m: &Expr| order.unknowns.iter().position(|u| u == m);
         let columns: Vec<usize> = multipliers.iter().filter_map(at).collect();
@@ -65,7 +67,7 @@ impl Terms<'_> {
         Some(self.words(order, &columns, &change))
     }
 
-    /// The rows that are as derived but for their multipliers.
+    /// The rows that agree with the derived ones up to their multipliers.
     fn pairs(&mut self, order: &Ordered, printed: &[Row], columns: &[usize]) -> Vec<Pair> {
         let without = |row: &Row| {
             let mut row = row.clone();
@@ -103,7 +105,7 @@ impl Terms<'_> {
         (zero_test(self.arena, regular) == ZeroTest::NonZero).then_some(change)
     }
 
-    /// How many rows are as printed with these multipliers.
+    /// Number of rows that agree with the printed ones with these multipliers.
     fn explained(&mut self, pairs: &[Pair], change: &[Row]) -> usize {
         let mut count = 0;
         for pair in pairs {

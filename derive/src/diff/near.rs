@@ -1,7 +1,7 @@
-//! Formulas that hold near a point: what is printed and what is derived, both up to an order in the deviations from it.
+//! Formulas that hold near a point: printed and derived formulas, both up to an order in the deviations from it.
 //!
-//! x = x₀ + ε (x − x₀) for what stays near the point, and Taylor's series in ε: two formulas are the same to an order if their
-//! series are, whatever either has beyond it.
+//! x = x₀ + ε (x − x₀) for each variable that stays near the point, and Taylor's series in ε: two formulas are the same
+//! to an order if their series are, whatever terms either has beyond it.
 
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::modular::{ZeroTest, zero_test};
@@ -11,23 +11,23 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::report::Approximation;
 
-/// A point, with what it implies, and an order.
+/// A point with the values that follow from it, and an order.
 pub struct Near {
-    /// Each symbol with its value there.
+    /// Each symbol with its value at the point.
     point: Vec<(Expr, Expr)>,
-    /// Its formula in ε.
+    /// Formula in ε for each symbol.
     way: Substitution,
-    /// ε.
+    /// Symbol ε of the size of the deviations.
     epsilon: Expr,
     /// The order.
     pub order: u32,
-    /// What it is, in words.
+    /// Name of the order and of the point, in words.
     pub words: String,
 }
 
 impl Near {
-    /// A stated point, and what follows of it: what stays near a value has rates near zero, and a speed or a rate whose formula
-    /// names nothing but what does is near the value of that.
+    /// Completes a stated point. A variable that stays near a value has rates near zero. A speed or a rate whose
+    /// formula contains only such variables is near the value of the formula.
     pub fn new(quantities: &mut Quantities<'_>, stated: &Approximation) -> Self {
         let model = quantities.model;
         let arena = &mut quantities.derivations.kinematics.arena;
@@ -87,16 +87,17 @@ impl Near {
         Self { point, way: Substitution::new(&way), epsilon, order: stated.order, words }
     }
 
-    /// A formula up to the order.
+    /// Expands a formula up to the order.
     ///
     /// # Errors
-    /// Why it has no series there.
+    /// Reason why it has no series there.
     pub fn formula(&mut self, quantities: &mut Quantities<'_>, e: Expr) -> Result<Expr, String> {
         let order = self.order;
         self.up_to(quantities, e, order)
     }
 
-    /// The factor of an unknown: up to one order less where the unknown is zero at the point, since it is a deviation itself.
+    /// Expands the coefficient of an unknown, up to one order less if the unknown is zero at the point, since it is a
+    /// deviation itself.
     ///
     /// # Errors
     /// As [`Self::formula`].
@@ -136,7 +137,7 @@ impl Near {
     }
 }
 
-/// Whether what |x| or sign x are taken of vanishes at the point, and not throughout.
+/// True if an argument of |x| or sign x vanishes at the point, and not throughout.
 fn has_bend(arena: &mut Arena, at_point: &mut Substitution, epsilon: Expr, e: Expr) -> bool {
     let bent: Vec<Expr> = arena
         .reachable(&[e])

@@ -8,7 +8,7 @@ use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
 
 /// A system in the order of the derived unknowns: for each row its entries and right-hand side.
 pub struct Ordered {
-    /// What each row is of.
+    /// Name of each row.
     pub names: Vec<RowName>,
     /// The unknowns.
     pub unknowns: Vec<Expr>,
@@ -59,7 +59,7 @@ pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Opti
 }
 
 impl Ordered {
-    /// Beside the printed rows that were matched with it.
+    /// Puts the system beside the printed rows that were matched with it.
     pub fn beside(self, formulation: Formulation, printed: Vec<Row>, matches: Vec<Match>) -> Table {
         let Self { names, unknowns, rows } = self;
         Table { formulation, names, unknowns, derived: rows, printed, matches }

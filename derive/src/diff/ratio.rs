@@ -1,4 +1,4 @@
-//! Whether one term is another times a factor of parameters alone.
+//! Test for terms that differ by a factor of parameters alone.
 
 use crate::algebra::Expr;
 use crate::algebra::calculus::{Differential, Substitution};

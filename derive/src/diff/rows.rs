@@ -1,8 +1,8 @@
 //! Linear systems compared row by row: each printed row may carry a factor of its own.
 //!
 //! The factor is found, not given: every ratio of a printed entry to a derived one is tried, and the ratio that
-//! explains most entries wins. So a row with one wrong entry is still matched, and that entry named. The search
-//! itself runs modulo random primes and proves nothing; what it finds is then proved entry by entry.
+//! explains most entries wins. So a row with one wrong entry is still matched, and that entry is named. The search
+//! itself runs modulo random primes and proves nothing; its result is then proved entry by entry.
 
 use crate::algebra::compare::{Comparer, Engine, Verdict};
 use crate::algebra::linear::solve;
@@ -16,10 +16,10 @@ use crate::algebra::{Arena, Expr, Function, Node};
 /// A row of a linear system: entries, then the right-hand side.
 pub type Row = Vec<Expr>;
 
-/// What a printed row was matched with.
+/// Match of a printed row with derived rows.
 #[derive(Clone, Debug)]
 pub enum Match {
-    /// `factor` times a derived row, as well as it goes.
+    /// The row is `factor` times a derived row, in most entries.
     Row {
         /// The derived row.
         at: usize,
@@ -33,36 +33,36 @@ pub enum Match {
     },
 }
 
-/// How a printed row relates to the derived ones.
+/// Relation of a printed row to the derived ones.
 #[derive(Clone, Debug)]
 pub struct RowJudgement {
-    /// What it was matched with.
+    /// The derived rows that it was matched with.
     pub by: Match,
-    /// For each entry and the right-hand side: printed against what it should be.
+    /// For each entry and the right-hand side: verdict of printed against expected.
     pub entries: Vec<Verdict>,
-    /// What each entry should be.
+    /// Expected value of each entry.
     pub expected: Row,
-    /// For each entry that is equal: where.
+    /// For each entry that is equal: the region where it is.
     pub holds: Vec<Holds>,
 }
 
 impl RowJudgement {
-    /// Whether every entry is as it should be.
+    /// True if every entry has its expected value.
     #[must_use]
     pub fn is_right(&self) -> bool {
         self.entries.iter().all(Verdict::is_equal)
     }
 
-    /// Where all entries that are equal are so.
+    /// Region where all equal entries are equal.
     #[must_use]
     pub fn holds(&self) -> Holds {
         self.holds.iter().fold(Holds::EVERYWHERE, |all, one| all | *one)
     }
 }
 
-/// Largest system whose combinations of rows are written out and proved entry by entry.
+/// Most rows of a system whose combinations of rows are written out and proved entry by entry.
 const WRITTEN: usize = 6;
-/// Multipliers longer than this are not stated.
+/// Longest multipliers that are stated, in characters.
 const LONGEST: usize = 200;
 
 /// Judges the printed row number `index`; all rows have one length.
@@ -125,7 +125,7 @@ pub fn judge(
     }
 }
 
-/// A row as it is in permitted states, with equal angles as equal terms.
+/// A row in permitted states, with equal angles as equal terms.
 pub fn seen(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
     let put: Row = row.iter().map(|e| comparer.permitted().put(arena, *e)).collect();
     put.into_iter().map(|e| comparer.with_plain_angles(arena, e)).collect()
@@ -144,8 +144,8 @@ pub fn explained(arena: &Arena, printed: &Row, derived: &[Row], index: usize) ->
     is_multiple.then_some((at, column))
 }
 
-/// (derived row, the column whose quotient is the factor): the row of the same number first, any other only if it explains more. No column
-/// where none explains anything.
+/// Best match of a printed row: the derived row, and the column whose quotient is the factor. The row of the same
+/// number comes first, any other only if it explains more entries. No column if no row explains any.
 fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (usize, Option<usize>) {
     let own = index.min(derived.len() - 1);
     let mut all = derived.to_vec();
@@ -181,13 +181,14 @@ fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (
     (best.0, best.1)
 }
 
-/// Whether a term may vanish on one side of a surface, so that a row with it as a factor says nothing there.
+/// True if a term contains |x| or sign x: it may vanish on one side of a surface, and a row with it as a factor states
+/// nothing there.
 fn is_one_sided(arena: &Arena, e: Expr) -> bool {
     arena.reachable(&[e]).iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Abs | Function::Sign, _)))
 }
 
-/// The multipliers with Σ λ_i derived_i = printed, if the printed row follows from the derived ones; none that are
-/// stated for large systems. An error says why it is not known.
+/// The multipliers with Σ λ_i derived_i = printed, if the printed row follows from the derived ones; empty for large
+/// systems. An error gives the reason why this is not known.
 fn combination(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

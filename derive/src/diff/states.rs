@@ -1,8 +1,9 @@
 //! The states in which printed and derived are compared: on the constraints of a model and in its domain.
 //!
-//! Rates are those that speeds leave, q̇ = W u + w. Each equation between coordinates is solved for one symbol: a coordinate in which it
-//! is linear; else a parameter, such as a length of a loop; else the root of a quadratic equation. What was said of the other symbols is then
-//! said of every state on the constraints but for those at which something divides by 0.
+//! Rates are those that speeds leave, q̇ = W u + w. Each equation between coordinates is solved for one symbol: a
+//! coordinate in which it is linear; else a parameter, such as a length of a loop; else the root of a quadratic
+//! equation. A statement proved for the other symbols then holds in every state on the constraints, except where a
+//! divisor is 0.
 
 use crate::algebra::calculus::{Differential, Substitution};
 use crate::algebra::elementary::single_angles;
@@ -16,7 +17,7 @@ use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::model::{Model, TIME, Tie};
 
-/// Multiplications of terms that the numerator of one equation may cost.
+/// Number of multiplications of terms that the numerator of one equation may cost.
 const BUDGET: u64 = 100_000;
 
 /// The permitted states of a model.
@@ -45,7 +46,7 @@ pub fn permitted(quantities: &mut Quantities<'_>) -> Permitted {
     if is_told { permitted } else { permitted.untold() }
 }
 
-/// A symbol with a value for each equation between coordinates, and why there is none for one of them.
+/// A symbol with a value for each equation between coordinates, and the reason why one of them has none.
 fn solved_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<String>) {
     let model = quantities.model;
     let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
@@ -77,7 +78,8 @@ fn solved_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<S
     (solved, open)
 }
 
-/// The sums of coordinates that equations say are a constant or a term of parameters, with that: x² + y² with l².
+/// Sums of coordinates that an equation sets to a constant or a term of parameters, each with that value: x² + y² with
+/// l².
 fn shorter_sums(model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
     let coordinates = model.q();
     let mut list = Vec::new();
@@ -99,7 +101,7 @@ fn shorter_sums(model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
     list
 }
 
-/// What a fraction has above its denominator.
+/// Numerator of a fraction; the term itself if it is too large.
 fn numerator(arena: &mut Arena, e: Expr) -> Expr {
     let mut normalizer = Normalizer::new(BUDGET);
     match normalizer.fraction(arena, e) {
@@ -151,8 +153,8 @@ impl Quadratic {
 
 /// A symbol of an equation, and its value.
 ///
-/// An equation that is a product says nothing of a symbol that only one of its factors has: a value without coordinates is none, where the
-/// equation ties coordinates.
+/// An equation that is a product determines no symbol that only one of its factors contains. So a value without
+/// coordinates is refused where the equation ties coordinates.
 fn solve_one(
     model: &Model,
     (arena, simplifier): (&mut Arena, &mut Simplifier),

@@ -19,22 +19,22 @@ use crate::algebra::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities, QuantityKind};
 use crate::report::{Entry, Listing, Names, System};
 
-/// The derived rows that a printed system is compared with, and how its rows were matched.
+/// The derived rows that a printed system is compared with, and the matches of its rows.
 #[derive(Clone, Debug)]
 pub struct Matched {
     /// The derived matrix.
     pub matrix: Vec<Vec<Expr>>,
-    /// How each printed row was matched.
+    /// Match of each printed row.
     pub rows: Vec<Match>,
 }
 
-/// What came of one system or listing.
+/// Result for one system or listing.
 pub struct Judged {
-    /// Rows and entries, with what each states.
+    /// Findings for rows and entries, each with its claim.
     pub findings: Vec<(Finding, Claim)>,
-    /// The system beside what it was matched with; nothing if it states accelerations outright.
+    /// The system beside the derived rows; `None` if it states accelerations outright.
     pub table: Option<Table>,
-    /// The system as equations of motion, with what it was matched with; nothing if it is not a whole one.
+    /// The system as equations of motion, with its matches; `None` if it is not whole.
     pub motion: Option<(Motion, Matched)>,
 }
 
@@ -85,7 +85,7 @@ fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows:
     }
 }
 
-/// Where the model's coordinates and its motion variables stand in the state of a listing, if they do.
+/// Positions of the model's coordinates and motion variables in the state of a listing; `None` for an absent one.
 fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
     let model = quantities.model;
     let variables = listing.formulation.variables(model);
@@ -93,8 +93,8 @@ fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>
     (model.q().iter().map(place).collect(), variables.iter().map(place).collect())
 }
 
-/// A listing as equations of motion: its own q̇, and its own system or accelerations; what its state lacks has the
-/// derivative 0. Whether it lacks nothing is the second value.
+/// A listing as equations of motion: its own q̇, and its own system or accelerations. A variable that is absent from
+/// its state has the derivative 0. The second value is true if no variable is absent.
 pub fn listing_motion(
     quantities: &mut Quantities<'_>,
     names: &Names,
@@ -179,7 +179,7 @@ impl Judge<'_, '_> {
         self.kept(Judged { findings, table: Some(table), motion })
     }
 
-    /// Writes the derived rows with the multipliers of the printed ones; in words, if they are others.
+    /// Writes the derived rows with the multipliers of the printed ones; describes these in words if they are others.
     fn own_multipliers(&mut self, order: &mut Ordered, rows: &[Row]) -> Option<String> {
         let multipliers: Vec<Expr> =
             self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier).collect();
@@ -204,7 +204,8 @@ impl Judge<'_, '_> {
         Ok((Ordered { rows: derived, ..order }, rows))
     }
 
-    /// What was found of an entry; what holds near a point only is traced to nothing, and no equation of the whole motion.
+    /// The result for an entry. A result that holds near a point only is traced to no other, and is no equation of the
+    /// whole motion.
     fn kept(&self, judged: Judged) -> Judged {
         if self.near.is_none() {
             return judged;

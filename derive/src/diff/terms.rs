@@ -1,18 +1,19 @@
-//! Which terms of a printed value are wrong, and what they should be.
+//! Wrong terms of a printed value, each with its right value.
 //!
-//! Invariant: with everything mended that is named here the printed value is the derived one; where no such list is short, nothing is said. Each term of the
-//! difference belongs to the printed term that it is a multiple of, by a number; one that belongs to none is missing.
+//! Invariant: if every named term is corrected, the printed value is the derived one; if no such list is short, the
+//! list is empty. Each term of the difference belongs to the printed term of which it is a multiple, by a number; a
+//! term that belongs to none is missing.
 
 use crate::algebra::print::text;
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Node, Rational};
 
-/// Terms beyond which a list of them is no help.
+/// Most terms that a list names.
 const MOST: usize = 3;
-/// Characters of a term beyond which it is not named.
+/// Longest term that is named, in characters.
 const LONGEST: usize = 80;
 
-/// What is wrong with single terms of a printed value, from printed − derived.
+/// Describes the mistakes in single terms of a printed value, from printed − derived.
 pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr, difference: Expr) -> Vec<String> {
     let (printed, wrong) = (spread(arena, printed), spread(arena, difference));
     if printed.len() < 2 || wrong.len() > MOST {

@@ -1,7 +1,9 @@
-//! What must vanish where a mechanism rests, or moves along its symmetries, in letters; and where that is, in closed form.
+//! Conditions for rest, or for motion along the symmetries of a mechanism, in letters; and their solutions in closed
+//! form.
 //!
-//! Along Σ c ζ with symmetries ζ = (ξ, η) the coordinates have the rates q̇ = Σ c ξ, so that the speeds u = J q̇ + d are formulas in q and c. What
-//! is left are W u + w = Σ c ξ, which the speeds meet by themselves but where motions are constrained, M Σ c η = F, and loops φ(q) = 0.
+//! Along Σ c ζ with symmetries ζ = (ξ, η) the coordinates have the rates q̇ = Σ c ξ, so that the speeds u = J q̇ + d
+//! are formulas in q and c. The remaining conditions are W u + w = Σ c ξ, M Σ c η = F, and the loops φ(q) = 0. The
+//! first holds by itself unless motions are constrained.
 
 use super::Flow;
 use crate::algebra::calculus::Substitution;
@@ -16,29 +18,29 @@ use crate::prove::IntegralKind;
 /// The velocity along a symmetry, a letter.
 #[derive(Clone, Debug)]
 pub struct Along {
-    /// Its symbol: that of a rate where it is one.
+    /// Its symbol: that of the coordinate's rate if `is_rate`.
     pub symbol: Expr,
     /// The symmetry, by its place.
     pub symmetry: usize,
-    /// Whether it is the rate of a coordinate, and no other symmetry changes that.
+    /// True if it is the rate of a coordinate that no other symmetry changes.
     pub is_rate: bool,
 }
 
-/// What must vanish where the symmetries carry the mechanism along.
+/// Conditions of rest, or of motion along the symmetries, as terms that must vanish.
 #[derive(Clone, Debug, Default)]
 pub struct Balance {
     /// Velocities along symmetries; none at rest.
     pub along: Vec<Along>,
-    /// The generalized speeds, in coordinates and these.
+    /// The generalized speeds, in coordinates and velocities along symmetries.
     pub speeds: Vec<Expr>,
-    /// What must vanish, in parameters, coordinates and velocities along symmetries.
+    /// Terms that must vanish, in parameters, coordinates and velocities along symmetries.
     pub rows: Vec<Expr>,
-    /// What the equations of the mechanism divide by, with the speeds put in.
+    /// Divisors of the kinematic equations, with the speeds put in.
     pub divisors: Vec<Expr>,
 }
 
 impl Flow {
-    /// What must vanish at rest, or in motions along the symmetries; of what is driven at a constant rate, beside its drives.
+    /// Conditions of rest, or of motions along the symmetries if `moves`. Drives at a constant rate go on in both.
     pub fn balance(&mut self, model: &Model, moves: bool) -> Balance {
         let along = if moves { self.velocities(model) } else { Vec::new() };
         let q_count = model.coordinates.len();
@@ -108,7 +110,8 @@ impl Flow {
         list
     }
 
-    /// A balance in closed form, for velocities along symmetries and coordinates: those that are asked for first, parameters among them.
+    /// Solves a balance in closed form for velocities along symmetries and coordinates. The symbols in `asked` come
+    /// first, parameters among them.
     pub fn closed_form(&mut self, model: &Model, balance: &Balance, asked: &[Expr]) -> (Vec<Expr>, Solutions) {
         let mentioned = self.arena.reachable(&balance.rows);
         let is_new = |e: &Expr| mentioned.binary_search(e).is_ok() && !asked.contains(e);
@@ -120,7 +123,7 @@ impl Flow {
     }
 }
 
-/// What a velocity along a symmetry is called where it is the rate of no coordinate.
+/// Name of a velocity along a symmetry that is the rate of no coordinate.
 fn name(model: &Model, kind: IntegralKind) -> String {
     let axis = |frame: usize, axis: usize| format!("{}{}", model.frames[frame].name.to_lowercase(), axis + 1);
     let of = |body: usize| &model.bodies[body].name;

@@ -1,5 +1,5 @@
-//! The linear system near a steady motion with some numbers kept as letters: by exact algebra, from values and slopes at a state that
-//! is given by formulas.
+//! The linear system near a steady motion with some numbers kept as letters: by exact algebra, from values and slopes
+//! at a state that is given by formulas.
 
 use super::{Flow, Rates};
 use crate::algebra::calculus::{Differential, Substitution};
@@ -10,11 +10,11 @@ use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashSet;
 
-/// Powers of a letter up to which an entry is looked at as a polynomial.
+/// Highest power of a letter up to which an entry is treated as a polynomial.
 const MOST_POWERS: i64 = 8;
 
-/// Which states are kept, and by what the others are eliminated: places of states, loops and symmetries, as a numeric elimination
-/// chose them.
+/// Choice of the states that are kept, and of the loops and symmetries that eliminate the others. All are positions
+/// from 0, as a numeric elimination chose them.
 #[derive(Clone, Debug, Default)]
 pub struct Chosen {
     /// The states of the result.
@@ -25,11 +25,11 @@ pub struct Chosen {
     pub shifted: Vec<usize>,
     /// The symmetries that shift them.
     pub symmetries: Vec<usize>,
-    /// States and symmetries that determine how the state is carried along.
+    /// States and symmetries that determine the velocities along the symmetries.
     pub carried: (Vec<usize>, Vec<usize>),
 }
 
-/// The state and the numbers at which it is asked.
+/// The state and the numbers at which the linear system is taken.
 #[derive(Clone, Debug, Default)]
 pub struct Stated {
     /// Exact values of parameters.
@@ -42,12 +42,12 @@ pub struct Stated {
     pub outputs: Vec<Expr>,
 }
 
-/// Why there is no such system.
+/// Reason why there is no linear system in letters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotInLetters {
     /// The state is not steady for every value of the letters.
     NotSteady,
-    /// The elimination, or a slope, divides by what is 0 for every value of the letters.
+    /// The elimination, or a slope, divides by a term that is 0 for every value of the letters.
     Singular,
 }
 
@@ -201,7 +201,7 @@ impl Work {
         Ok((Rates::new(sizes, &values), slopes))
     }
 
-    /// c with f = Σ c ζ, for the symmetries that carry the state along, proved for all values of the letters.
+    /// Finds c with f = Σ c ζ, for the symmetries that carry the state along; proved for all values of the letters.
     fn carried(&mut self, flow: &Flow, values: &Rates<Expr>, chosen: &Chosen) -> Result<Vec<Expr>, NotInLetters> {
         let (rows, columns) = &chosen.carried;
         let a: Vec<Vec<Expr>> =
@@ -222,7 +222,7 @@ impl Work {
         if zero_test(&self.arena, e) == ZeroTest::Zero { Ok(()) } else { Err(NotInLetters::NotSteady) }
     }
 
-    /// X with M_d X = −M_k, so that M x = 0 for x_d = X x_k; M by its entries.
+    /// Finds X with M_d X = −M_k, so that M x = 0 for x_d = X x_k; M is given by its entries.
     fn follows(
         &mut self,
         rows: &[usize],

@@ -1,8 +1,8 @@
-//! How a mechanism moves, as a system of first order, with its slopes and its symmetries: what equilibria, steady motions and
-//! linearisations are asked of.
+//! The motion of a mechanism as a system of first order, with its slopes and its symmetries: the basis of equilibria,
+//! steady motions and linearisations.
 //!
-//! The states x are the coordinates, then the generalized speeds; x' = f(x, r) with f(q, u) = (W u + w, u̇) by Kane's method and
-//! inputs r. Where loops close the mechanism, f is meant on φ(q) = 0, which it leaves invariant.
+//! The states x are the coordinates, then the generalized speeds; x' = f(x, r) with f(q, u) = (W u + w, u̇) by Kane's
+//! method and inputs r. Where loops close the mechanism, f is meant on φ(q) = 0, which it leaves invariant.
 
 mod balance;
 mod letters;
@@ -24,12 +24,12 @@ use crate::mechanics::{DeriveError, Equations, Formulation, Kinematics, Solved, 
 use crate::model::Model;
 use crate::prove::{Field, IntegralKind};
 
-/// x' = f(x, r) of a mechanism, with what leaves it as it is.
+/// System x' = f(x, r) of a mechanism, with its loops and symmetries.
 #[derive(Clone)]
 pub struct Flow {
     /// The terms of all below.
     pub arena: Arena,
-    /// What f is computed by, in order; its last symbols are u̇.
+    /// Steps that compute f, in order; the last symbols are u̇.
     pub steps: Vec<Definition>,
     /// Symbols of the parameters, those of inputs among them.
     pub parameters: Vec<Expr>,
@@ -39,17 +39,17 @@ pub struct Flow {
     pub rates: Vec<Expr>,
     /// M of M u̇ = F, in parameters and states.
     pub inertia: Vec<Vec<Expr>>,
-    /// F.
+    /// Forcing F of M u̇ = F.
     pub balances: Vec<Expr>,
     /// φ: zero where the loops are closed.
     pub loops: Vec<Expr>,
-    /// What is zero beside where all loops are closed, and ties no velocities that φ does not tie.
+    /// Further terms that are zero where all loops are closed; they tie no velocities that φ does not tie.
     pub closed: Vec<Expr>,
     /// Motions of the state that take solutions to solutions, proved.
     pub symmetries: Vec<Symmetry>,
     /// T and V in states, and the power of what V leaves out.
     pub energies: [Expr; 3],
-    /// What the kinematic equations divide by.
+    /// Divisors of the kinematic equations.
     pub divisors: Vec<Expr>,
 }
 
@@ -87,7 +87,8 @@ impl Flow {
         Ok(flow)
     }
 
-    /// The place of the shift of time among the symmetries, where the model names time and its equations do not depend on it.
+    /// Position among the symmetries of the shift of time; `None` if the model does not name time or its equations
+    /// depend on it.
     #[must_use]
     pub fn by_time(&self, model: &Model) -> Option<usize> {
         let time = model.time()?;
@@ -106,7 +107,7 @@ impl Flow {
         })
     }
 
-    /// Terms with every symbol of a step replaced by what it stands for: shared, not written out.
+    /// Terms with every symbol of a step replaced by its value: shared, not written out.
     pub fn behind(&mut self, terms: &[Expr]) -> Vec<Expr> {
         let mut put = Substitution::default();
         for step in &self.steps {
@@ -116,8 +117,8 @@ impl Flow {
         terms.iter().map(|term| put.apply(&mut self.arena, *term)).collect()
     }
 
-    /// A term of a run, as outputs name it, in states and symbols of steps: rates and accelerations are replaced by f, energies by
-    /// what they are.
+    /// A term of a run, as outputs name it, in states and symbols of steps. Rates and accelerations are replaced by f,
+    /// energies by their formulas.
     pub fn in_states(&mut self, model: &Model, term: Expr) -> Expr {
         let mut put = Substitution::default();
         let rates = model.q_dot().into_iter().chain(model.speeds.iter().map(|speed| speed.rate));

@@ -7,22 +7,22 @@ use crate::algebra::evaluate::{Numeric, Tape, UnknownSymbol};
 use crate::algebra::simplify::Simplifier;
 use crate::algebra::steps::{Definition, fresh_symbol};
 
-/// How many of what a program takes and gives.
+/// Numbers of the inputs and results of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
-    /// Parameters.
+    /// Number of parameters.
     pub parameters: usize,
-    /// States.
+    /// Number of states.
     pub states: usize,
-    /// Inputs along which slopes can be had.
+    /// Number of inputs along which slopes can be computed.
     pub inputs: usize,
-    /// Loops, those that tie the mechanism first.
+    /// Number of loops, those that tie the mechanism first.
     pub loops: usize,
-    /// How many of them tie it.
+    /// Number of loops that tie the mechanism; the others follow from them.
     pub ties: usize,
-    /// Symmetries.
+    /// Number of symmetries.
     pub symmetries: usize,
-    /// Outputs.
+    /// Number of outputs.
     pub outputs: usize,
 }
 
@@ -30,20 +30,20 @@ pub struct Sizes {
 #[derive(Clone)]
 pub struct Program {
     tape: Tape,
-    /// How many of what there are.
+    /// Numbers of its parameters, states, inputs, loops, symmetries and outputs.
     pub sizes: Sizes,
 }
 
-/// What a program gives: values, or slopes of these along a direction.
+/// Results of a program: values, or slopes of these along a direction.
 #[derive(Clone, Debug)]
 pub struct Rates<S> {
-    /// f.
+    /// Rates f of the states.
     pub flow: Vec<S>,
-    /// φ.
+    /// Residuals φ of the loops.
     pub loops: Vec<S>,
-    /// ζ, a list a symmetry.
+    /// Symmetries ζ, one list for each.
     pub symmetries: Vec<Vec<S>>,
-    /// y.
+    /// Outputs y.
     pub outputs: Vec<S>,
 }
 
@@ -108,13 +108,14 @@ impl Flow {
 }
 
 impl Program {
-    /// What computes it in doubles; [`Tape::to`] makes that of other numbers.
+    /// Tape that computes the program in doubles; [`Tape::to`] converts it to other numbers.
     #[must_use]
     pub fn tape(&self) -> &Tape {
         &self.tape
     }
 
-    /// Values by a tape of this program at a state, and slopes there along each of some directions of states and inputs.
+    /// Evaluates the program by a tape at a state: values, and slopes along each of the given directions of states and
+    /// inputs.
     #[must_use]
     pub fn evaluate<S: Numeric>(
         &self,

@@ -1,7 +1,7 @@
 //! Symmetries of the flow of a mechanism: fields ζ(x) with [ζ, f] = 0, along which a solution is moved into a solution.
 //!
-//! A field ξ(q) on coordinates moves speeds with it: u = J q̇ + d becomes u + ε η with η = ∂u/∂q ξ + J ξ̇. No momentum need be
-//! conserved for that: a rolling wheel may be moved on its plane, and the momenta of the plane change.
+//! A field ξ(q) on coordinates moves speeds with it: u = J q̇ + d becomes u + ε η with η = ∂u/∂q ξ + J ξ̇. No momentum
+//! need be conserved for that: a rolling wheel may be moved on its plane, and the momenta of the plane change.
 
 use super::Flow;
 use crate::algebra::calculus::Differential;
@@ -16,21 +16,22 @@ use nalgebra::DMatrix;
 /// A field on the states that commutes with the flow and leaves the loops closed.
 #[derive(Clone, Debug)]
 pub struct Symmetry {
-    /// Along what it moves the mechanism.
+    /// Kind of the motion along which it moves the mechanism.
     pub kind: IntegralKind,
     /// Its components, one a state, in parameters and states.
     pub along: Vec<Expr>,
 }
 
 impl Symmetry {
-    /// What it is in words.
+    /// Description of the motion in words.
     #[must_use]
     pub fn words(&self, model: &Model) -> String {
         self.kind.motion(model)
     }
 }
 
-/// The shift of time: a symmetry where the equations do not depend on it, as those of what is driven at a constant rate.
+/// The shift of time: a symmetry if the equations do not depend on time, as for a drive at a constant rate. `None` if
+/// the model does not name time.
 pub(super) fn of_time(model: &Model) -> Option<Field> {
     let time = model.time()?;
     let unit = |at| if at == time { Expr::ONE } else { Expr::ZERO };
@@ -49,7 +50,7 @@ pub fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     list
 }
 
-/// Those of the fields that are symmetries, by exact tests.
+/// Returns those of the fields that are symmetries, by exact tests.
 pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> Vec<Symmetry> {
     let rates = flow.rates.clone();
     let rates = flow.behind(&rates);
@@ -72,8 +73,8 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
     list
 }
 
-/// Those of the fields that turn states into one another, not all of their components being numbers, that somebody wants to have,
-/// and that are symmetries, by exact tests.
+/// Returns those of the fields that are symmetries, are wanted, and turn states into one another, by exact tests. A
+/// field turns states if some of its components are not numbers.
 pub fn turned(
     model: &Model,
     flow: &mut Flow,
@@ -95,8 +96,8 @@ pub fn turned(
     list
 }
 
-/// Whether a field moves coordinates as a combination of the others does, at a random state: in shares that may depend on it, which is why speeds
-/// are not moved by the same.
+/// True if a field moves coordinates as a combination of the others does, at a random state. The coefficients may
+/// depend on the state, so the speeds may move otherwise.
 fn follows(flow: &mut Flow, (list, count): (&[Symmetry], usize), at: usize) -> bool {
     let fields: Vec<Expr> = list.iter().flat_map(|symmetry| symmetry.along[..count].iter().copied()).collect();
     let fields = flow.behind(&fields);
@@ -111,10 +112,10 @@ fn follows(flow: &mut Flow, (list, count): (&[Symmetry], usize), at: usize) -> b
     (others * shares - &own).norm() <= DEPENDENT * own.norm()
 }
 
-/// What is left of a field, over its length, if it is a combination of others.
+/// Relative remainder of a field below which it counts as a combination of others.
 const DEPENDENT: f64 = 1e-9;
 
-/// Whether two fields are one.
+/// True if two fields are equal.
 fn is_same(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let difference = flow.arena.sub(*a, *b);
@@ -140,7 +141,7 @@ fn prolonged(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
     xi.iter().copied().chain(eta.collect::<Vec<_>>()).collect()
 }
 
-/// Whether the loops stay closed along a field.
+/// True if the loops stay closed along a field.
 fn closes(flow: &mut Flow, along: &[Expr]) -> bool {
     let mut moved = Differential::along(&pairs(flow, along));
     let arena = &mut flow.arena;
@@ -150,7 +151,7 @@ fn closes(flow: &mut Flow, along: &[Expr]) -> bool {
     })
 }
 
-/// Whether [ζ, f] = Df ζ − Dζ f is zero.
+/// True if `[ζ, f] = Df ζ − Dζ f` is zero.
 fn commutes(flow: &mut Flow, rates: &[Expr], along: &[Expr]) -> bool {
     let mut by_field = Differential::along(&pairs(flow, along));
     let mut by_time = Differential::along(&pairs(flow, rates));

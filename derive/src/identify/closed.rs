@@ -1,5 +1,5 @@
-//! What columns depend on where the loops of a mechanism are closed, beyond what they depend on elsewhere: in doubles, at the values of
-//! the file, since closed poses are known in numbers only.
+//! Relations between columns that hold only where the loops of a mechanism are closed. They are found in doubles, at
+//! the values of the file, since closed poses are known in numbers only.
 
 use super::{Base, Factor, Identification};
 use crate::algebra::Expr;
@@ -8,30 +8,31 @@ use crate::model::Model;
 use crate::model::closed_poses::{Chance, Poses, reach};
 use nalgebra::{DMatrix, DVector};
 
-/// Poses that are enough, and states at each: half of them to find what depends on what, half to see that it does so elsewhere.
+/// Number of closed poses, and of states at each: half of these to find the relations, half to confirm them elsewhere.
 const POSES: usize = 12;
 const STATES: usize = 16;
-/// How far speeds and accelerations of these states go, 1/s and 1/s² for angles.
+/// Range of speeds and accelerations of these states, 1/s and 1/s² for angles.
 const FAST: f64 = 3.0;
-/// What is left of a column of length 1 when those before it are taken out: above the first it is independent, below the second not.
+/// Remainder of a column of length 1 after those before it are taken out: above the first the column is independent,
+/// below the second dependent.
 const INDEPENDENT: f64 = 1e-6;
 const DEPENDENT: f64 = 1e-9;
-/// Factors below this, beside the largest, are none.
+/// Factors below this fraction of the largest count as zero.
 const NONE: f64 = 1e-8;
 
-/// How it was asked where loops are closed.
+/// Sample of closed states by which relations on loops were found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnLoops {
-    /// Closed poses, at the values of the file.
+    /// Number of closed poses, at the values of the file.
     pub poses: usize,
-    /// The least that was left of an independent column of length 1.
+    /// Smallest remainder of an independent column of length 1.
     pub independent: f64,
-    /// The most that was left of a dependent one.
+    /// Largest remainder of a dependent column of length 1.
     pub dependent: f64,
 }
 
-/// Groups base parameters that act as one where loops are closed; nothing, and nothing is changed, where no closed pose is found, a value is
-/// not known, or it is not clear.
+/// Groups base parameters that act as one in closed poses. Returns `None` and leaves the base parameters unchanged if
+/// no closed pose is found, a parameter has no value, or a dependence is unclear.
 pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     let ([rows, elsewhere], poses) = rows(model, found)?;
     let mut basis: Vec<DVector<f64>> = Vec::new();
@@ -41,7 +42,7 @@ pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     for at in 0..found.base.len() {
         let column: DVector<f64> = rows.column(at).into_owned();
         let mut left = column.clone();
-        // Twice, for what rounding leaves.
+        // The second pass removes the rounding errors of the first.
         for _ in 0..2 {
             for other in &basis {
                 left -= other * other.dot(&left);
@@ -66,7 +67,7 @@ pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     for (at, column) in given {
         let factors = svd.solve(&column, 0.0).ok()?;
         let there = elsewhere.column(at);
-        // What holds at the states that it was found at alone is chance.
+        // A dependence that holds only at the states where it was found is chance.
         if (&beside * &factors - there).norm() > INDEPENDENT * there.norm() {
             return None;
         }
@@ -76,7 +77,7 @@ pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     Some(seen)
 }
 
-/// Puts base parameters that are given up into those that are kept.
+/// Adds the base parameters that are given up to those that are kept.
 fn regroup(found: &mut Identification, kept: &[usize], shares: &[(usize, DVector<f64>)]) {
     let mut base: Vec<Base> = kept.iter().map(|at| found.base[*at].clone()).collect();
     for (at, factors) in shares {
@@ -86,13 +87,14 @@ fn regroup(found: &mut Identification, kept: &[usize], shares: &[(usize, DVector
             base[place].with.push((column, Factor::Number(*factor)));
         }
     }
-    // What was added to what is given up goes with it: its name stands for its whole combination.
+    // A dependent base parameter keeps its own combination: its name stands for all of it.
     let given: Vec<Base> = shares.iter().map(|(at, _)| found.base[*at].clone()).collect();
     found.grouped = given.into_iter().filter(|base| !base.with.is_empty()).collect();
     found.base = base;
 }
 
-/// The base columns at closed states of two samples, a row for each speed of each, and the number of poses.
+/// Values of the base columns in closed poses at the states of two samples, one row for each speed of each state, and
+/// the number of poses. `None` if a parameter has no value or no closed pose is found.
 fn rows(model: &Model, found: &mut Identification) -> Option<([DMatrix<f64>; 2], usize)> {
     let regressor = &mut found.regressor;
     let time = model.time();

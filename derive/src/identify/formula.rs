@@ -1,8 +1,9 @@
-//! Factors as formulas in letters, from their residues: sums of products of lengths, and of sines and cosines of angles that stay, with
-//! rational coefficients.
+//! Formulas for factors in the known parameters, found from their residues: sums of products of lengths, and of sines
+//! and cosines of constant angles, with coefficients a or, if square roots occur, a + b √n, where a and b are
+//! rational.
 //!
-//! A factor has a unit, by which most products are none of it. What is found has the residues at more points than it has unknowns, and is
-//! proved afterwards.
+//! The unit of a factor excludes most products. A formula must agree with the residues at more points than it has
+//! unknowns, and is proved afterwards.
 
 use super::Factor;
 use super::letters::{Letters, Powers, STAGES};
@@ -14,17 +15,18 @@ use crate::mechanics::Column;
 use crate::model::Unit;
 use rustc_hash::FxHashSet;
 
-/// Points at which factors are known first, and those beyond the unknowns that must agree.
+/// Number of points at which factors are computed first, and number of points beyond the unknowns that must agree.
 const FIRST: usize = 6;
 const BEYOND: usize = 4;
 fn value(f: Field, atoms: &[u64], powers: &Powers) -> Option<u64> {
     powers.iter().try_fold(1, |product, (at, n)| Some(f.mul(product, f.power(atoms[*at], *n)?)))
 }
 
-/// A dependent column, by its place, with the factors of the pivots that it is made of, by theirs.
+/// Index of a dependent column, and the pivots that it is a sum of: the index of each among the pivots, and its
+/// factor.
 pub type Made = (usize, Vec<(usize, Factor)>);
 
-/// The factors of all dependent columns.
+/// Finds the factors of all dependent columns, as formulas where possible.
 pub fn factors(table: &mut Table<'_>, arena: &mut Arena, letters: &Letters, columns: &[Column]) -> Vec<Made> {
     let Some(mut known) = Known::new(table, letters) else {
         let unknown = |support: &[usize]| support.iter().map(|pivot| (*pivot, Factor::Unknown)).collect();
@@ -45,10 +47,10 @@ pub fn factors(table: &mut Table<'_>, arena: &mut Arena, letters: &Letters, colu
     made
 }
 
-/// Factors at points of the letters.
+/// Residues of the factors at random values of the letters.
 struct Known {
     rows: Vec<Row>,
-    /// At the first point, with one letter elsewhere.
+    /// Residues at the first point with the value of one letter changed; one row for each letter.
     beside: Vec<Row>,
 }
 
@@ -99,7 +101,8 @@ impl Known {
         Factor::Unknown
     }
 
-    /// Residues of the coefficients with which products add up to a factor at all points.
+    /// Residues of the coefficients with which the products add up to a factor at all points; `None` if there are
+    /// none.
     fn sum(&self, f: Field, products: &[Powers], (k, i): (usize, usize)) -> Option<Vec<u64>> {
         let rows: Option<Vec<Vec<u64>>> = self
             .rows
@@ -113,7 +116,7 @@ impl Known {
     }
 }
 
-/// The sum of products with coefficients of these residues.
+/// Sum of products whose coefficients have these residues; `None` if a coefficient is not found.
 fn formula_of<'p>(
     arena: &mut Arena,
     letters: &Letters,

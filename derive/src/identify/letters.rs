@@ -1,13 +1,13 @@
-//! What is known in the columns: parameters as letters, and products of them that factors may be sums of.
+//! Known quantities in the columns: parameters as letters, and products of them of which factors may be sums.
 
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::Column;
 use crate::model::{Model, Unit};
 use rustc_hash::FxHashSet;
 
-/// Products that a sum is looked for among.
+/// Largest number of products among which a sum is searched.
 const MOST: usize = 240;
-/// What is tried, in this order. Numbers of a file may be lengths that it does not name, so that units need not tell.
+/// Stages of the search, in this order. The file may state lengths as plain numbers, so the last stages ignore units.
 pub const STAGES: [Stage; 6] = [
     Stage { degree: 1, divides: false, by_unit: true },
     Stage { degree: 2, divides: false, by_unit: true },
@@ -16,51 +16,52 @@ pub const STAGES: [Stage; 6] = [
     Stage { degree: 2, divides: false, by_unit: false },
     Stage { degree: 2, divides: true, by_unit: false },
 ];
-/// Angles that are numbers, up to which their sines are looked for.
+/// Number of angles given as numbers up to which their sines are searched.
 const MOST_FIXED: usize = 2;
-/// Powers of the sine and the cosine of one angle, and of all.
+/// Largest powers of the sine and of the cosine of one angle, and largest total power of all.
 const TURNS: [i32; 2] = [1, 2];
 const MOST_TURNS: i32 = 4;
 
-/// Which products are tried.
+/// Set of products that one stage of the search tries.
 #[derive(Clone, Copy)]
 pub struct Stage {
-    /// The degree in letters, at most.
+    /// Largest total degree in the letters.
     degree: i32,
-    /// Whether letters may divide.
+    /// True if letters may be divisors.
     divides: bool,
-    /// Whether products have the unit of the factor.
+    /// True if products must have the unit of the factor.
     by_unit: bool,
 }
 
-/// A parameter that is taken to be known.
+/// A parameter whose value counts as known.
 pub struct Letter {
-    /// Its symbol.
+    /// Symbol of the parameter.
     pub symbol: Expr,
     unit: Unit,
-    /// Its place among the atoms, and those of its sine and its cosine if it stands in functions.
+    /// Index of the parameter among the atoms; `turned` holds those of its sine and its cosine if it occurs inside
+    /// functions.
     plain: usize,
     turned: Option<[usize; 2]>,
 }
 
-/// What columns are made of beside their states.
+/// Constants in the columns: the known parameters, with the atoms of formulas for factors.
 pub struct Letters {
-    /// In the order of the model.
+    /// Letters in the order of the model.
     pub list: Vec<Letter>,
     atoms: Vec<Expr>,
-    /// Sines and cosines of angles that are numbers.
+    /// Indices, among the atoms, of the sine and the cosine of each numeric angle.
     fixed: Vec<[usize; 2]>,
-    /// Whether roots of numbers occur.
+    /// True if square roots occur.
     pub has_roots: bool,
-    /// Coordinates, speeds, accelerations and signals.
+    /// Symbols of coordinates, speeds, accelerations and signals.
     pub moving: FxHashSet<Expr>,
 }
 
-/// Powers of atoms, by their places.
+/// Product of powers of atoms: the index of each atom and its exponent.
 pub type Powers = Vec<(usize, i32)>;
 
 impl Letters {
-    /// Those of some columns.
+    /// Collects the letters and atoms of some columns.
     pub fn of(model: &Model, arena: &mut Arena, columns: &[Column]) -> Self {
         let inputs = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol);
         let moving: FxHashSet<Expr> =
@@ -107,12 +108,12 @@ impl Letters {
         self.atoms.len() - 1
     }
 
-    /// What formulas are made of.
+    /// Terms from which formulas are built: letters, and sines and cosines.
     pub fn atoms(&self) -> &[Expr] {
         &self.atoms
     }
 
-    /// The products of this unit in these letters.
+    /// Products of these letters that the stage tries for a factor of this unit; empty if there are too many.
     pub fn products(&self, letters: &[usize], unit: &Unit, stage: Stage) -> Vec<Powers> {
         let plain = self.plain_products(letters, unit, stage);
         let circles = self.circles(letters);
@@ -122,7 +123,7 @@ impl Letters {
         plain.iter().flat_map(|p| circles.iter().map(move |c| [p.clone(), c.clone()].concat())).collect()
     }
 
-    /// Products of lengths and the like.
+    /// Products of powers of the letters themselves, without sines and cosines.
     fn plain_products(&self, letters: &[usize], unit: &Unit, stage: Stage) -> Vec<Powers> {
         let mut list: Vec<(Powers, i32, Unit)> = vec![(Vec::new(), stage.degree, Unit::default())];
         for letter in letters.iter().map(|at| &self.list[*at]) {
@@ -144,7 +145,7 @@ impl Letters {
         list.into_iter().filter(|(.., u)| !stage.by_unit || u == unit).map(|(powers, ..)| powers).collect()
     }
 
-    /// Products of sines and cosines; of a square of a sine one less that of the cosine.
+    /// Products of sines and cosines. A sine has at most power 1: its square is 1 less that of the cosine.
     fn circles(&self, letters: &[usize]) -> Vec<Powers> {
         let mut circles: Vec<(Powers, i32)> = vec![(Vec::new(), MOST_TURNS)];
         let turned = letters.iter().filter_map(|at| self.list[*at].turned).chain(self.fixed.iter().copied());

@@ -1,13 +1,15 @@
-//! What can be identified from motion: the inertial parameters in which M u̇ − f is linear, those that have no effect, and the fewest
-//! combinations of the others that determine all motions and all forces, the base parameters.
+//! Parameters that can be identified from motion. The force M u̇ − f is linear in the inertial parameters. Some of them
+//! have no effect; the base parameters are the fewest combinations of the others that determine all motions and all
+//! forces.
 //!
-//! Which columns of the regressor Y depend on others is asked at random states modulo a prime, with all other parameters as letters; how
-//! they do, and that nothing is left, is proved by the zero test ([`crate::algebra::modular`]). That no smaller set does is proved by the
-//! rank: a minor that is not 0 modulo a prime is not 0.
+//! The dependent columns of the regressor Y are found at random states modulo a prime, with all other parameters as
+//! letters. The zero test ([`crate::algebra::modular`]) then proves the relations, and that nothing is left. The rank
+//! proves that no smaller set does: a minor that is not 0 modulo a prime is not 0.
 //!
-//! H. Mayeda, K. Yoshida & K. Osuka, "Base parameters of manipulator dynamic models", IEEE Trans. Robotics and Automation 6 (1990)
-//! 312–321; M. Gautier & W. Khalil, "Direct calculation of minimum set of inertial parameters of serial robots", ibid. 368–373;
-//! W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), § 9.4.
+//! H. Mayeda, K. Yoshida & K. Osuka, "Base parameters of manipulator dynamic models", IEEE Trans. Robotics and
+//! Automation 6 (1990) 312–321; M. Gautier & W. Khalil, "Direct calculation of minimum set of inertial parameters of
+//! serial robots", ibid. 368–373; W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002),
+//! § 9.4.
 
 mod closed;
 mod formula;
@@ -23,54 +25,56 @@ use crate::model::Model;
 use letters::Letters;
 use table::Table;
 
-/// A base parameter: what is identified in the place of a parameter.
+/// A base parameter: a combination that is identified in place of a single parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Base {
-    /// The parameter whose column stands for it, by its place among the columns.
+    /// Index of the column whose parameter names the combination.
     pub column: usize,
-    /// What is added to it: other parameters, by their places, each with its factor.
+    /// Other parameters that are added to it, by their indices, each with its factor.
     pub with: Vec<(usize, Factor)>,
 }
 
-/// What a parameter is multiplied by where it acts as a part of another.
+/// Factor of a parameter that acts as a part of another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor {
-    /// A formula in the parameters that are no columns, proved.
+    /// A proved formula in the parameters that have no columns.
     Exact(Expr),
-    /// A number, where loops are closed, at the values of the file.
+    /// A number that holds in closed poses, at the parameter values of the file.
     Number(f64),
-    /// One of which no closed form was found.
+    /// A factor for which no closed form was found.
     Unknown,
 }
 
-/// How sure it is that the base parameters are all.
+/// Degree of certainty that the base parameters are complete.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Complete {
-    /// M u̇ − f less Σ Y_b π_b is zero by meaning, and wrong with a probability below 2 to minus this.
+    /// M u̇ − f less Σ Y_b π_b is identically zero; the probability that this is wrong is below 2 to minus this
+    /// number.
     Proved(f64),
-    /// It is zero at random states modulo a prime, as often as was asked, and a factor has no closed form.
+    /// The difference is zero at random states modulo a prime, as often as was tested, and a factor has no closed form.
     AtPoints,
-    /// It is not known: functions stand in it that the zero test knows nothing of.
+    /// The zero test cannot decide: the difference contains functions that it does not know.
     Undecided,
-    /// It is not zero: what was derived in two ways is not the same.
+    /// The difference is not zero: two derivations disagree.
     No,
 }
 
-/// What can be identified from motion.
+/// Identifiable parameters of a model.
 pub struct Identification {
-    /// M u̇ − f, parameter by parameter.
+    /// Regressor: M u̇ − f, parameter by parameter.
     pub regressor: Regressor,
     /// The base parameters.
     pub base: Vec<Base>,
-    /// Parameters of no effect, by their places among the columns.
+    /// Parameters without effect, by their indices among the columns.
     pub without_effect: Vec<usize>,
-    /// Random states at which it was asked.
+    /// Number of random states at which the columns were evaluated.
     pub states: usize,
-    /// Whether nothing was left out.
+    /// Certainty that the base parameters are complete.
     pub complete: Complete,
-    /// Combinations that act as a part of base parameters where loops are closed: the name of the first column stands for each.
+    /// Combinations that act as a part of other base parameters in closed poses. The parameter of the first column
+    /// names each.
     pub grouped: Vec<Base>,
-    /// Where loops are closed: how it was asked there, if it could be.
+    /// Sample of closed states; `None` without loops, or if no relation could be decided there.
     pub on_loops: Option<OnLoops>,
 }
 
@@ -106,7 +110,7 @@ impl Identification {
         Ok(found)
     }
 
-    /// Takes columns for base parameters, with what the others add to them.
+    /// Makes base parameters of the pivot columns, with the additions of the others.
     fn take(&mut self, pivots: &[usize], made: Vec<formula::Made>) {
         self.base = pivots.iter().map(|column| Base { column: *column, with: Vec::new() }).collect();
         let mut is_left: Vec<bool> = (0..self.regressor.columns.len()).map(|at| !pivots.contains(&at)).collect();
@@ -123,7 +127,7 @@ impl Identification {
         self.base.iter().flat_map(|base| &base.with).all(|(_, factor)| *factor != Factor::Unknown)
     }
 
-    /// Parameters that act alone: base parameters that nothing is added to.
+    /// Parameters that act alone: base parameters without additions.
     pub fn alone(&self) -> impl Iterator<Item = usize> + '_ {
         self.base.iter().filter(|base| base.with.is_empty()).map(|base| base.column)
     }

@@ -1,4 +1,4 @@
-//! That base parameters are all: what they are made of, put into M u̇ − f, leaves nothing.
+//! Proof that the base parameters are complete: their combinations, put into M u̇ − f, leave nothing.
 
 use super::{Base, Complete, Factor};
 use crate::algebra::Expr;
@@ -6,9 +6,9 @@ use crate::algebra::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::steps::fresh_symbol;
 use crate::mechanics::Regressor;
 
-/// Two statements in one: each column is the sum of base columns that is said, so that Σ π_k Y_k = Σ π_b Y_b for all π, and M u̇ − f, as Kane's
-/// method has it of the model, is Σ π_b Y_b and the rest with the π that the model states. A sum with a letter of its own for each entry is
-/// zero only if all entries are.
+/// Proves two statements in one. Each column is the stated sum of base columns, so that Σ π_k Y_k = Σ π_b Y_b for all
+/// π. And M u̇ − f by Kane's method is Σ π_b Y_b and the rest, with the π of the model. A sum with a separate letter
+/// for each entry is zero only if all entries are.
 pub fn proved(regressor: &mut Regressor, base: &[Base]) -> Complete {
     let Regressor { arena, columns, rest, required, .. } = regressor;
     let values: Vec<Expr> = (0..columns.len()).map(|at| fresh_symbol(arena, &format!("pi_{at}"))).collect();

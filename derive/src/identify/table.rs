@@ -1,4 +1,4 @@
-//! How columns depend on others, in residues.
+//! Linear relations between columns, in residues.
 
 use super::letters::Letters;
 use crate::algebra::field::Field;
@@ -8,39 +8,39 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::Column;
 use rustc_hash::FxHashSet;
 
-/// States beyond those that raise the rank, at which it must stay.
+/// Number of further states at which the rank must stay unchanged.
 const STILL: usize = 2;
-/// Tries for each state where something has no value.
+/// Number of tries for each state where a term has no value.
 const TRIES: usize = 20;
 
-/// Which columns depend on others, and by which factors at points of the letters.
+/// Linear relations between columns, with the factors at points of the letters.
 pub struct Table<'a> {
     sampler: Sampler<'a>,
     field: Field,
     moving: &'a FxHashSet<Expr>,
     speeds: usize,
     columns: usize,
-    /// The columns that are independent of those before them.
+    /// Indices of the columns that are independent of those before them.
     pub pivots: Vec<usize>,
-    /// The other columns that are not 0, each with the places among the pivots of those that it is made of.
+    /// The other nonzero columns, each with the indices, among the pivots, of the columns of which it is a sum.
     pub dependent: Vec<(usize, Vec<usize>)>,
-    /// Random states at which the rank was found.
+    /// Number of random states at which the rank was found.
     pub states: usize,
 }
 
-/// Values at a point of the letters.
+/// Residues at one point of the letters.
 pub struct Row {
-    /// A list for each dependent column, in the order of what it is made of.
+    /// Factors of each dependent column, in the order of its pivots.
     pub factors: Vec<Vec<u64>>,
-    /// Values of the atoms of the letters.
+    /// Residues of the atoms of the letters.
     pub atoms: Vec<u64>,
 }
 
-/// Letters that stand elsewhere than at the point of the seed.
+/// Letters with other values than at the point of the seed.
 pub type Moved<'s> = Option<(&'s FxHashSet<Expr>, u64)>;
 
 impl<'a> Table<'a> {
-    /// Finds which columns depend on others, for general values of the letters; nothing where they have no values.
+    /// Finds the dependent columns for general values of the letters; `None` if the columns have no values.
     pub fn new(arena: &'a Arena, columns: &[Column], letters: &'a Letters) -> Option<Self> {
         let terms = columns.iter().flat_map(|column| &column.forces).chain(letters.atoms()).copied().collect();
         let mut sampler = Sampler::new(arena, terms);
@@ -71,7 +71,7 @@ impl<'a> Table<'a> {
         Some(table)
     }
 
-    /// Raises the number of states until the rank stays as it is.
+    /// Raises the number of states until the rank stays the same; `None` if terms have no values.
     fn settle(&mut self, seed: u64) -> Option<()> {
         self.states = self.columns.div_ceil(self.speeds.max(1)).max(1);
         let rank =
@@ -104,17 +104,17 @@ impl<'a> Table<'a> {
         Some(())
     }
 
-    /// A seed of a point of the letters.
+    /// Draws a seed for a point of the letters.
     pub fn seed(&mut self) -> u64 {
         self.sampler.seed()
     }
 
-    /// The field of all residues.
+    /// Finite field of all residues.
     pub fn field(&self) -> Field {
         self.field
     }
 
-    /// Forces at so many states, a row for each speed of each, and the atoms.
+    /// Forces at this number of states, a row for each speed of each, and the atoms.
     fn rows(&self, seed: u64, moved: Moved<'_>, states: usize) -> Option<(Vec<Vec<u64>>, Vec<u64>)> {
         let mut rows = Vec::new();
         let mut left = states;
@@ -133,13 +133,13 @@ impl<'a> Table<'a> {
         None
     }
 
-    /// The factors of dependent columns at a point of the letters; nothing where there are none.
+    /// Factors of the dependent columns at a point of the letters; `None` if they have no values there.
     pub fn at(&self, seed: u64, moved: Moved<'_>) -> Option<Row> {
         let (rows, atoms) = self.rows(seed, moved, self.states)?;
         let factors = self.dependent.iter().map(|(column, support)| {
             let places: Vec<usize> = support.iter().map(|pivot| self.pivots[*pivot]).chain([*column]).collect();
             let part = rows.iter().map(|row| places.iter().map(|at| row[*at]).collect());
-            // Speeds that none of them moves say nothing.
+            // Rows in which all entries are zero tell nothing.
             solved(self.field, part.filter(|row: &Vec<u64>| row.iter().any(|x| *x != 0)).collect())
         });
         Some(Row { factors: factors.collect::<Option<_>>()?, atoms })

@@ -40,7 +40,8 @@ impl Solved {
         Ok(Self { accelerations, jacobian, certificate })
     }
 
-    /// The steps by which v̇ is computed, of equations [as they are written][Equations::written], with those that q̇ and the energies need.
+    /// Steps that compute v̇, for equations [in written form][Equations::written], with the steps that q̇ and the
+    /// energies need.
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -52,8 +53,8 @@ impl Solved {
     }
 }
 
-/// v̇ in parameters, q and v, step by step, proved from the equations; the symbols of the last steps are the unknowns of
-/// `equations`.
+/// v̇ in parameters, q and v, step by step, proved from the equations; the symbols of the last steps are the unknowns
+/// of `equations`.
 ///
 /// # Errors
 /// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
@@ -67,12 +68,12 @@ pub fn accelerations(
     Ok(solved)
 }
 
-/// v̇ by the way that takes fewer operations: elimination, or the recursion that Gauss's principle gives.
+/// Solves for v̇ by the way that takes fewer operations: elimination, or the recursion that Gauss's principle gives.
 ///
-/// Where reactions stand among the unknowns, the rows are first multiplied by the partial velocities: the reactions
-/// do no work in a permitted motion and cancel, and a symmetric, positive definite system is left, in which no
-/// pivot vanishes; so it is with the multipliers of motion constraints, and the system that is left is that of the free
-/// accelerations. Elimination of the reactions instead would divide by direction cosines, which do.
+/// Where reactions stand among the unknowns, the rows are first multiplied by the partial velocities. The reactions do
+/// no work in a permitted motion and cancel; a symmetric, positive definite system is left, in which no pivot vanishes.
+/// The multipliers of motion constraints cancel likewise, and leave the system of the free accelerations. Elimination
+/// of the reactions instead would divide by direction cosines, which do vanish.
 ///
 /// # Errors
 /// [`Singular`] if v̇ is not determined in any configuration.
@@ -128,7 +129,7 @@ fn pivoting(matrix: &[Vec<Expr>]) -> usize {
     count
 }
 
-/// The definitions that do not need v̇ itself, as those of inverse dynamics do.
+/// Definitions that do not depend on v̇; those of inverse dynamics do.
 fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
     let mut sought: FxHashSet<Expr> = equations.unknowns.iter().copied().collect();
     let mut list = Vec::with_capacity(equations.definitions.len());
@@ -142,12 +143,12 @@ fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
     list
 }
 
-/// Operations of the steps that these symbols need, each that stands in several once.
+/// Number of operations of the steps that these symbols need, each shared term counted once.
 fn operations(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
     cost_of_all(arena, &needed(arena, steps, symbols).iter().map(|step| step.value).collect::<Vec<_>>())
 }
 
-/// v̇ by elimination of the linear system.
+/// Solves for v̇ by elimination of the linear system.
 fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];

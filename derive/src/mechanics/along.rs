@@ -1,4 +1,4 @@
-//! The balance of a body along a reaction: what gives it without a division that anything on the way can make zero.
+//! Balance of a body along each reaction: it gives the reaction without a division by terms that may vanish.
 
 use super::kinematics::Kinematics;
 use super::rows::{BalanceName, RowName};
@@ -6,8 +6,8 @@ use crate::algebra::Expr;
 use crate::geometry::Vector;
 use crate::model::{Model, ReactionKind};
 
-/// For each reaction the multipliers of `rows` that give the balance of the body it acts on, along it: the direction's components, so that the reaction itself stands there with the
-/// square of its direction, which is 1.
+/// For each reaction, the multipliers of `rows` that give the balance of its body along the reaction. They are the
+/// components of the direction, so that the coefficient of the reaction itself is the square of its direction, 1.
 pub fn along_reactions(model: &Model, kinematics: &mut Kinematics, rows: &[RowName]) -> Vec<Vec<Expr>> {
     let mut result = Vec::new();
     for reaction in &model.reactions {

@@ -1,8 +1,8 @@
-//! Where the inertial parameters of a body are taken: a point and axes that are fixed in it.
+//! Anchors of bodies: for each body, the point and the axes, fixed in it, to which its inertial parameters refer.
 //!
-//! The textbooks' base parameters are those about a point on the axis of the joint that carries a body, in axes of which one lies along
-//! the joint (W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), §§ 3.2, 9.4). So both are sought as near to
-//! the ground as they are still fixed in the body.
+//! The base parameters of textbooks refer to a point on the axis of the joint that carries a body, and to axes of which
+//! one lies along the joint (W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), §§ 3.2,
+//! 9.4). So an anchor is the point and the frame nearest to the ground that are still fixed in the body.
 
 use super::inertial::Inertial;
 use crate::algebra::Expr;
@@ -18,16 +18,16 @@ pub struct Anchor {
     pub point: usize,
     /// The frame of the axes.
     pub frame: usize,
-    /// The axis of the joint that turns the frame, 0 to 2; 2 where there is none.
+    /// The axis of the joint that turns the frame, 0 to 2; 2 if there is no joint.
     pub axis: usize,
-    /// The frame that turns with the body; none for a particle.
+    /// The frame that turns with the body; `None` for a particle.
     pub(super) turns: Option<usize>,
     /// The coordinates of the model.
     pub(super) moved: Vec<Expr>,
 }
 
 impl Anchor {
-    /// That of a body.
+    /// Finds the anchor of a body.
     pub(super) fn of(model: &Model, body: usize) -> Self {
         let moved = model.q();
         let Some((own, _)) = &model.bodies[body].rigid else {
@@ -50,8 +50,9 @@ impl Anchor {
         Self { body, point, frame, axis, turns: Some(*own), moved }
     }
 
-    /// The parameters of the body, first what is kept where several act as one: of the ten those that the joint's axis leaves, then the
-    /// moment along it, an inertia beside it, and the mass, as Khalil and Dombre group them.
+    /// The inertial parameters of the body, in the order in which they are kept where several act as one. First those
+    /// of the ten that the joint's axis leaves, then the moment along it, an inertia beside it, and the mass, as Khalil
+    /// and Dombre group them.
     pub(super) fn parameters(&self) -> Vec<Inertial> {
         if self.turns.is_none() {
             return vec![Inertial::Mass];
@@ -73,7 +74,7 @@ impl Anchor {
     }
 }
 
-/// Whether terms stay as they are in all motions.
+/// True if these terms contain no coordinate.
 fn is_fixed(model: &Model, moved: &[Expr], terms: &[Expr]) -> bool {
     let reached = model.arena.reachable(terms);
     !reached.iter().any(|part| moved.contains(part))

@@ -1,18 +1,18 @@
-//! What a derivation may cost, by counts that are the same on every machine.
+//! Limits of the cost of a derivation, by counts that are the same on every machine.
 
 use super::error::DeriveError;
 use crate::algebra::Arena;
 use crate::geometry::Frames;
 use crate::model::Model;
 
-/// Frames and points between bodies and the ground, over all bodies, that are derived: a mass matrix has about as many
-/// entries.
+/// Most links that are derived: frames and points between a body and the ground, added up over all bodies. A mass
+/// matrix has about as many entries.
 const MOST_LINKS: usize = 25_000;
 
-/// Terms of a store above which a derivation is given up: about a gigabyte.
+/// Most terms of a store; above them a derivation is given up, at about a gigabyte.
 const MOST_TERMS: usize = 6_000_000;
 
-/// Refuses a model whose equations would be too many.
+/// Refuses a model with more than `MOST_LINKS` links.
 ///
 /// # Errors
 /// [`DeriveError::TooLarge`].
@@ -26,7 +26,7 @@ pub(super) fn check_tree(model: &Model) -> Result<(), DeriveError> {
     refuse(model, count, MOST_LINKS, "frames and points between its bodies and the ground")
 }
 
-/// Refuses what has become too large.
+/// Refuses a derivation whose store has more than `MOST_TERMS` terms.
 ///
 /// # Errors
 /// [`DeriveError::TooLarge`].

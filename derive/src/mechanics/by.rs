@@ -1,29 +1,29 @@
-//! Which equations of motion: data, from which what they are called is made, here and nowhere else.
+//! Origin of a set of equations of motion, as data; names and titles are made from it here and nowhere else.
 
 use super::formulation::Formulation;
 use crate::model::Model;
 
-/// Which equations of motion.
+/// Origin of a set of equations of motion.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum By {
-    /// Derived ones.
+    /// Derived by this formulation.
     Derived(Formulation),
-    /// Those of a published system or listing, as they stand.
+    /// Those of a published system or listing, as printed.
     Printed {
         /// Its id in the report.
         id: String,
-        /// The formulation that it says it is.
+        /// The formulation that the report states for it.
         formulation: Formulation,
     },
-    /// A scene's own.
+    /// The reduced equations of a scene.
     Reduced,
 }
 
-/// What stands before the id of printed equations.
+/// Prefix of the id of printed equations.
 const PRINTED: &str = "printed:";
 
 impl By {
-    /// What they are called on the command line and in files: `kane`, `printed:ID`, `reduced`.
+    /// Name on the command line and in files: `kane`, `printed:ID`, `reduced`.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
@@ -33,7 +33,7 @@ impl By {
         }
     }
 
-    /// What they are called in a heading.
+    /// Title of the equations for a heading.
     #[must_use]
     pub fn title(&self) -> String {
         match self {
@@ -43,31 +43,31 @@ impl By {
         }
     }
 
-    /// What the same equations in a distance are called in generated code: `kane@q2-90deg`.
+    /// Name in generated code of these equations in a distance: `kane@q2-90deg`; without a distance, the plain name.
     #[must_use]
     pub fn name_in(&self, distance: Option<Distance>, model: &Model) -> String {
         distance.map_or_else(|| self.name(), |distance| format!("{}@{}", self.name(), distance.name(model)))
     }
 
-    /// The formulation of derived equations; none for others.
+    /// The formulation of derived equations; `None` for others.
     #[must_use]
     pub fn formulation(&self) -> Option<Formulation> {
         if let Self::Derived(formulation) = self { Some(*formulation) } else { None }
     }
 
-    /// The id of printed equations; none for others.
+    /// The id of printed equations; `None` for others.
     #[must_use]
     pub fn printed_id(&self) -> Option<&str> {
         if let Self::Printed { id, .. } = self { Some(id) } else { None }
     }
 
-    /// Whether these are a scene's own equations.
+    /// True for the reduced equations of a scene.
     #[must_use]
     pub fn is_reduced(&self) -> bool {
         *self == Self::Reduced
     }
 
-    /// The id that an argument such as `printed:ID` asks for, if it asks for printed equations.
+    /// The id in an argument such as `printed:ID`; `None` if it does not ask for printed equations.
     #[must_use]
     pub fn asked_id(argument: &str) -> Option<&str> {
         argument.strip_prefix(PRINTED)
@@ -80,10 +80,10 @@ impl From<Formulation> for By {
     }
 }
 
-/// A coordinate is replaced by its distance from a multiple of a quarter turn.
+/// Distance of a coordinate from a multiple of a quarter turn, which replaces the coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Distance {
-    /// Which coordinate, from 0.
+    /// Index of the coordinate, from 0.
     pub coordinate: usize,
     /// The origin in quarter turns: 1 for 90°.
     pub quarter_turns: i32,
@@ -96,13 +96,13 @@ impl Distance {
         90 * i64::from(self.quarter_turns)
     }
 
-    /// How equations in it are called: `q2-90deg`.
+    /// Name of the distance for names of equations: `q2-90deg`.
     #[must_use]
     pub fn name(&self, model: &Model) -> String {
         self.with_unit(model, "deg")
     }
 
-    /// The name of a distance for a heading: `q2-90°`.
+    /// Title of the distance for a heading: `q2-90°`.
     #[must_use]
     pub fn title(&self, model: &Model) -> String {
         self.with_unit(model, "°")

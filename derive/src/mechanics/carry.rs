@@ -1,10 +1,10 @@
 //! Vectors carried from frame to frame, one turn at a time, each component by a name.
 //!
-//! Where rotations over many frames would be multiplied out, terms grow with every frame that lies between two bodies.
-//! A vector that is carried instead takes what it meets on its way with it: the angular velocity of a frame is that of
-//! its parent, turned once, and its own, so that velocities become recursions along the tree without being written as
-//! such (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line computational scheme for mechanical manipulators", ASME J.
-//! Dyn. Sys. Meas. Control 102 (1980) 69–76). Which models are derived so is told by [`is_large`] alone.
+//! Rotations over many frames that are multiplied out grow with every frame between two bodies. A vector that is
+//! carried instead is turned once per frame and takes up the vectors that it meets. The angular velocity of a frame is
+//! that of its parent, turned once, and its own. So velocities become recursions along the tree without being written
+//! as such (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line computational scheme for mechanical manipulators",
+//! ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76). [`is_large`] alone decides which models are derived so.
 
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Turn, Vector};
@@ -12,25 +12,26 @@ use crate::model::Model;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Terms of the closed form of a mass matrix, about, above which what grows is named.
+/// Terms of the closed form of a mass matrix, about, above which growing terms get names.
 const MOST_TERMS: usize = 50;
 
-/// Whether the closed form of the equations of a model would be too long to be read or computed with.
+/// True if the closed form of the equations of a model would be too long to be read or computed with.
 ///
-/// Counted are the products of two parts of velocities, with the speeds that each depends on and the terms of the
-/// rotation between them: what a mass matrix multiplied out is made of. The count is of the model's tree alone, so that
+/// The count is of products of two parts of velocities, with the speeds that each depends on and the terms of the
+/// rotation between them: a mass matrix multiplied out consists of these. It depends on the model's tree alone, so that
 /// it is the same for every formulation and on every machine.
 #[must_use]
 pub fn is_large(model: &Model) -> bool {
     has_more_closed_terms(model, MOST_TERMS)
 }
 
-/// Terms up to which a scene's own equations are made, which are written out.
+/// Terms of the closed form up to which a scene's reduced equations are made, which are written out.
 const MOST_REDUCED: usize = 400;
 
-/// Whether the equations of a model may be written out to make a scene's own of them, where a momentum stands for a speed
-/// and what is not asked for is left out. Larger models run by whole equations, and so do those with loops, of which nothing
-/// can be left out that is to stay closed, and those whose rates have names.
+/// True if the reduced equations of a scene may be made from the equations of this model. In reduced equations, which
+/// are written out, a momentum stands for a speed and unneeded variables are left out. Larger models run by whole
+/// equations. So do models with loops, of which nothing can be left out if they are to stay closed, and models whose
+/// rates have names.
 #[must_use]
 pub fn is_reducible(model: &Model) -> bool {
     let rates = model.arena.reachable(&model.kinematic_equations.rates);
@@ -38,16 +39,17 @@ pub fn is_reducible(model: &Model) -> bool {
     !has_more_closed_terms(model, MOST_REDUCED) && model.loops.is_empty() && !has_names
 }
 
-/// Whether the closed form of the mass matrix has more terms than so many, about. No more are counted than tells, since a
-/// chain of hundreds of bodies has a hundred thousand pairs of parts with hundreds of turns between them.
+/// True if the closed form of the mass matrix has more terms than `most`, about. The count stops there, since a chain
+/// of hundreds of bodies has a hundred thousand pairs of parts with hundreds of turns between them.
 fn has_more_closed_terms(model: &Model, most: usize) -> bool {
     let frames = Frames::new(&model.frames);
     let (q, arena) = (model.q(), &model.arena);
     let moves = |turn: &Turn| turn.quantities().iter().any(|e| q.iter().any(|q| arena.mentions(*e, *q)));
-    // How many turns that move, and so about how many speeds, stand above a frame.
+    // Number of turns above a frame that depend on q, and so about the number of speeds.
     let moved = |frame: &usize| frames.turned_into(*frame).is_some_and(moves);
     let depth = |frame: usize| frames.ancestors(frame).into_iter().filter(moved).count();
-    // What only exchanges axes, as the frame of a joint along another axis than the third, makes nothing longer.
+    // A turn that only exchanges axes, such as the frame of a joint along the first or second axis, makes nothing
+    // longer.
     let counts = |turn: &Turn| moves(turn) || !turn.is_exchange();
     let terms = |a: usize, b: usize| {
         let speeds = depth(a).max(1).saturating_mul(depth(b).max(1));
@@ -94,8 +96,8 @@ impl Frames {
         meeting[0]
     }
 
-    /// All of a vector in one frame: what is farthest is carried first, and takes the parts that it meets with it.
-    /// Components are named after its letter and what it is of, `w_B_1`, and on the way after the frame that they come
+    /// Carries all parts of a vector into one frame: the farthest first, which takes up the parts that it meets.
+    /// Components are named after its letter and its owner, `w_B_1`, and on the way after the frame that they come
     /// from, `w_A_in_B_1`.
     pub fn carry(&self, arena: &mut Arena, v: &Vector, frame: usize, (letter, of): (&str, &str)) -> Components {
         let path = self.ancestors(frame);
@@ -147,7 +149,7 @@ impl Frames {
     }
 }
 
-/// Components by names after what they are of.
+/// Names the components after their owner.
 pub fn named(arena: &mut Arena, components: Components, what: &str) -> Components {
     let mut at = 0;
     components.map(|e| {

@@ -1,13 +1,14 @@
-//! Proof that what was made from equations of motion satisfies them: accelerations, their Jacobian, inverse dynamics.
+//! Proof that results made from equations of motion satisfy them: accelerations, their Jacobian, inverse dynamics.
 //!
-//! The equations are M x = f with x = (v̇, reactions or multipliers). The eliminated v̇ are put in, and M x − f is evaluated
-//! modulo random primes at random states, in dual numbers along a random direction of the state. Where there are
-//! reactions, v̇ is right if the remaining system has a solution for them. The slope of M x − f vanishes only if the
-//! Jacobian is the derivative of v̇. Residues are exact: no rounding can hide an error or invent one. A wrong formula
-//! passes only if a polynomial that is not zero vanishes at every point, with a probability below its degree divided
-//! by 2^60 at each (Schwartz 1980, Zippel 1979).
+//! The equations are M x = f with x = (v̇, reactions or multipliers). The eliminated v̇ are put in, and M x − f is
+//! evaluated modulo random primes at random states, in dual numbers along a random direction of the state. Where there
+//! are reactions, v̇ is right if the remaining system has a solution for them. The slope of M x − f vanishes only if
+//! the Jacobian is the derivative of v̇. Residues are exact: no rounding can hide an error or invent one. A wrong
+//! formula passes only if a polynomial that is not zero vanishes at every point, with a probability below its degree
+//! divided by 2^60 at each (Schwartz 1980, Zippel 1979).
 //!
-//! Where constraints tie the motion variables, v = W(q) u of independent speeds: the equations hold on the constraints alone.
+//! Where constraints tie the motion variables, v = W(q) u with independent speeds u: the equations hold on the
+//! constraints alone.
 //!
 //! Invariant: no derivative that is checked is taken by [`crate::algebra::calculus`], which made the Jacobian.
 
@@ -54,7 +55,7 @@ pub fn certify(
     Ok(Certificate { primes })
 }
 
-/// What is claimed, as terms in parameters, q, v and the direction alone.
+/// Claim to be checked, as terms in parameters, q, v and the direction alone.
 struct Claim {
     arena: Arena,
     /// Each state with the symbol of its slope.
@@ -68,7 +69,7 @@ struct Claim {
     shape: Shape,
 }
 
-/// How many terms of each kind there are.
+/// Number of terms of each kind.
 #[derive(Clone, Copy)]
 struct Shape {
     rows: usize,
@@ -82,7 +83,8 @@ impl Claim {
     fn new(arena: &Arena, equations: &Equations, solved: &Elimination, jacobian: Option<&Jacobian>) -> Self {
         let mut arena = arena.clone();
         let Direction { along, states, slopes } = Direction::new(&mut arena, equations);
-        // Definitions of their own come first, so that the matrix is read as it stands and not as the elimination has it.
+        // The equations' own definitions come first, so that the matrix is read in its original form, not as the
+        // elimination changed it.
         let mut put = states.clone();
         put_in(&mut arena, &mut put, &equations.definitions);
         let matrix: Vec<Vec<Expr>> = equations.matrix.iter().map(|row| put.all(&mut arena, row)).collect();
@@ -200,7 +202,7 @@ struct Row {
     right: Dual,
 }
 
-/// Which part of a dual number does not vanish.
+/// Part of a dual number that does not vanish.
 enum Part {
     Value,
     Slope,
@@ -247,8 +249,8 @@ impl Row {
 }
 
 impl Equations {
-    /// With inverse dynamics, proved to be M v̇ − f for any v̇: M v̇ − f itself where the method has it not otherwise. As they are
-    /// where there are unknowns beside v̇.
+    /// Adds inverse dynamics, proved to be M v̇ − f for any v̇; a method without its own form gets M v̇ − f itself.
+    /// Equations with unknowns beside v̇ are returned unchanged.
     ///
     /// # Errors
     /// [`Unproved::InverseDynamics`] with the first row that differs.

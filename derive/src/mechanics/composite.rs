@@ -1,11 +1,11 @@
-//! The mass matrix of a tree of bodies from its composite bodies: all that lies beyond a joint, taken for one body.
+//! The mass matrix of a tree of bodies from its composite bodies: everything beyond a joint, taken as one body.
 //!
-//! The tree has an edge for each turn from a frame to the next and for each shift from a point to the next in one frame.
-//! A composite body is its mass m, its first moment s and its inertia J about the point of its node, all in the frame
-//! of the node. A unit motion of an edge gives the composite body beyond it a momentum, which is carried to the root:
-//! what it is along the motion of another edge on the way is the entry for both. The work grows with the square of the
-//! depth (R. Featherstone, *Rigid Body Dynamics Algorithms* (2008), §6.2; M. W. Walker & D. E. Orin, ASME J. Dyn. Sys.
-//! Meas. Control 104 (1982) 205–211).
+//! The tree has an edge for each turn from a frame to the next and for each shift from a point to the next in one
+//! frame. A composite body is its mass m, its first moment s and its inertia J about the point of its node, all in the
+//! frame of the node. A unit motion of an edge gives the composite body beyond it a momentum, which is carried to the
+//! root. The component of this momentum along the motion of another edge on the way is the matrix entry for both edges.
+//! The work grows with the square of the depth (R. Featherstone, *Rigid Body Dynamics Algorithms* (2008), §6.2; M. W.
+//! Walker & D. E. Orin, ASME J. Dyn. Sys. Meas. Control 104 (1982) 205–211).
 
 use super::carry::{named, turned};
 use super::kinematics::{Kinematics, Velocities};
@@ -23,7 +23,7 @@ enum Edge {
     Shift { by: Components },
 }
 
-/// A frame with a point, and all that lies beyond.
+/// A frame with a point, and all bodies beyond.
 struct Node {
     parent: usize,
     edge: Edge,
@@ -31,13 +31,13 @@ struct Node {
     /// The rates of the edge's motion: the components of its angular velocity, or those of the shift.
     rates: Components,
     mass: Vec<Expr>,
-    /// Σ m r.
+    /// First moment Σ m r, kg m.
     moment: [Vec<Expr>; 3],
     /// The upper triangle of Σ m (r² − r rᵀ), row by row.
     inertia: [Vec<Expr>; 6],
 }
 
-/// Where entry (i, j) of a symmetric tensor stands.
+/// Index of entry (i, j) of a symmetric tensor, stored as its upper triangle.
 fn place(i: usize, j: usize) -> usize {
     let (i, j) = (i.min(j), i.max(j));
     i * (5 - i) / 2 + j
@@ -174,7 +174,7 @@ impl Tree {
         }
     }
 
-    /// (m, s, J) of what lies beyond each node, leaves first.
+    /// (m, s, J) of all bodies beyond each node, leaves first.
     fn composites(&mut self, arena: &mut Arena, model: &Model) -> Vec<(Expr, Components, [Expr; 6])> {
         let mut list = vec![(Expr::ZERO, NOTHING, [Expr::ZERO; 6]); self.nodes.len()];
         for at in (0..self.nodes.len()).rev() {
@@ -308,8 +308,8 @@ fn shifted(
     (sum, result)
 }
 
-/// R J Rᵀ, back from a frame that is turned. About one axis, with t = s (J_kk − J_jj) − 2 c J_jk, it is J_jj + s t, J_kk − s t and
-/// −c t − J_jk.
+/// R J Rᵀ, the tensor turned back into the frame before the turn. About one axis, with t = s (J_kk − J_jj) − 2 c J_jk,
+/// the entries are J_jj + s t, J_kk − s t and −c t − J_jk.
 fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str) -> [Expr; 6] {
     let Turn::About(axis, angle) = turn else {
         let half = [0, 1, 2].map(|i| {

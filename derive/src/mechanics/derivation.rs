@@ -22,8 +22,8 @@ pub struct Derivation {
 }
 
 impl Derivation {
-    /// Gives the named terms of the equations the names that every document about the model has; of another formulation than
-    /// Kane's only those that it does not share with it.
+    /// Gives the named terms of the equations the names that every document about the model uses. For a formulation
+    /// other than Kane's, only terms that Kane's equations lack are named after it.
     pub fn write_names(&mut self) {
         write_names(&mut self.arena, self.equations.formulation, &self.equations);
     }
@@ -36,7 +36,7 @@ pub struct DerivationInSteps {
     pub arena: Arena,
     /// The equations.
     pub equations: Equations,
-    /// What they come from, in order.
+    /// Steps from which the equations come, in order.
     pub steps: Vec<Step>,
 }
 
@@ -44,7 +44,7 @@ pub struct DerivationInSteps {
 pub struct Derivations {
     /// The kinematics that they share, with the store of all terms.
     pub kinematics: Kinematics,
-    /// Each formulation, or why this one cannot be had.
+    /// Each formulation with its equations, or the reason why it cannot be derived.
     pub list: Vec<(Formulation, Result<Equations, DeriveError>)>,
 }
 
@@ -55,8 +55,8 @@ impl Derivations {
         self.result(formulation).ok()
     }
 
-    /// Gives the named terms of all equations the names that every document about the model has: Kane's, then those that only
-    /// others have.
+    /// Gives the named terms of all equations the names that every document about the model uses: Kane's, then those
+    /// that only others have.
     pub fn write_names(&mut self) {
         for (formulation, equations) in &self.list {
             if let Ok(equations) = equations {
@@ -117,7 +117,7 @@ fn with_names(model: &Model, formulation: Formulation) -> Result<Arena, DeriveEr
     Ok(all.kinematics.arena)
 }
 
-/// The formulation whose named terms have the same plain names in every document; others name theirs after themselves.
+/// The formulation whose named terms have plain names in every document; others put their own name into theirs.
 const REFERENCE: Formulation = Formulation::Kane;
 
 /// Gives the named terms of these equations their names.

@@ -1,7 +1,7 @@
 //! Equations in the distance from a singular surface instead of the coordinate itself.
 //!
-//! Near q = π/2 the number q has no digits left for π/2 − q: at a distance of 10⁻⁵ five of sixteen are gone before
-//! anything is computed. In d = q − π/2 the same equations read cos q = −sin d, exactly, and nothing is lost.
+//! Near q = π/2 the number q has no digits left for π/2 − q: at a distance of 10⁻⁵ five of sixteen digits are lost
+//! before anything is computed. In d = q − π/2 the same equations read cos q = −sin d, exactly, and no digit is lost.
 
 use super::by::Distance;
 use super::derivation::Derivation;
@@ -11,8 +11,8 @@ use crate::algebra::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::model::Model;
 
-/// The distances that are worth having: from +90° for each coordinate by whose cosine the kinematic equations divide. Loops leave
-/// none: what they divide by is a dead point, which runs go through by other equations.
+/// The useful distances: from +90° for each coordinate whose cosine is a divisor of the kinematic equations. None for a
+/// model with loops: its divisors vanish at dead points, which runs pass by other equations.
 #[must_use]
 pub fn distances(model: &Model) -> Vec<Distance> {
     if !model.loops.is_empty() {

@@ -1,4 +1,4 @@
-//! What equations divide by while they run.
+//! Divisors of equations of motion in a run.
 
 use super::equations::Equations;
 use crate::algebra::calculus::Gradient;
@@ -9,20 +9,20 @@ use crate::algebra::steps::{Definition, needed};
 use crate::algebra::{Arena, Expr, Node};
 use crate::model::Model;
 
-/// What running equations divide by that depends on the state and is not proved to be zero nowhere: where one of these
-/// vanishes the equations have no value, and a step across is no part of a motion.
+/// Divisors of running equations that depend on the state and may vanish: where one is zero the equations have no
+/// value, and a step across is no part of a motion. Divisors that are proved never to be zero are left out.
 ///
-/// Sums that only an elimination brings in are left out: pivots of a positive definite matrix never change their sign.
+/// Sums that only an elimination brings in are left out, too: pivots of a positive definite matrix never change sign.
 #[derive(Clone, Debug, Default)]
 pub struct Divisors {
-    /// What the values mention, in the order of computation.
+    /// Definitions of the symbols in `values`, in the order of computation.
     pub steps: Vec<Definition>,
     /// The divisors, without powers and factors that are numbers, each once.
     pub values: Vec<Expr>,
 }
 
 impl Divisors {
-    /// What equations divide by as they stand, or what was solved of them does.
+    /// Finds the divisors of equations, or of their solution for the accelerations if one is given.
     #[must_use]
     pub fn of(arena: &Arena, equations: &Equations, solved: Option<&Elimination>) -> Self {
         let e = equations;
@@ -57,14 +57,14 @@ impl Divisors {
 pub struct LoadDivisor {
     /// The name of the load.
     pub load: String,
-    /// Whether it is a spring or a damper between two points, whose ends meet where the divisor is zero.
+    /// True if the load is a spring or a damper between two points, whose ends meet where the divisor is zero.
     pub is_distance: bool,
     /// The divisor, which depends on the state.
     pub value: Expr,
 }
 
 impl LoadDivisor {
-    /// What happens where it is zero, in words.
+    /// Consequence of a zero of the divisor, in words.
     #[must_use]
     pub fn meaning(&self) -> String {
         if self.is_distance {
@@ -75,8 +75,8 @@ impl LoadDivisor {
     }
 }
 
-/// What the loads of a model divide by that depends on the state and is not proved to be zero nowhere, in the order of the file: distances
-/// of springs, quotients, and what slopes of potentials divide by.
+/// Divisors of the loads of a model that depend on the state and are not proved never to be zero, in the order of the
+/// file: distances of springs, divisors of quotients, and divisors of slopes of potentials.
 #[must_use]
 pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
     let forces = model.forces.iter().map(|f| (f.name.clone(), f.end.is_some(), f.vector.to_vec()));
@@ -107,11 +107,11 @@ pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
     list
 }
 
-/// What a divisor is called that would take more than a line.
+/// Longest formula, in bytes, that serves as the name of a divisor.
 const LONGEST: usize = 80;
 
 impl Divisors {
-    /// What people call each: its formula, or, where that is long, its place among the divisors.
+    /// Names of the divisors: the formula of each, or its number among the divisors if the formula is long.
     #[must_use]
     pub fn names(&self, arena: &Arena) -> Vec<String> {
         let name = |(at, value): (usize, &Expr)| {
@@ -122,10 +122,10 @@ impl Divisors {
     }
 }
 
-/// What tells a pivot from what was divided by before anything was eliminated.
+/// Test for pivots of an elimination, against divisors that were there before it.
 struct Pivots<'a> {
     is_definite: bool,
-    /// What the equations divide by as they were derived.
+    /// Divisors of the equations as they were derived.
     before: Vec<Expr>,
     steps: &'a [Definition],
     /// The variables of the state, and the steps that depend on them.
@@ -140,8 +140,8 @@ impl<'a> Pivots<'a> {
         Self { is_definite, before: divisors(arena, &values), steps, moving }
     }
 
-    /// Whether a divisor is a pivot: a sum that only the elimination divides by, times what is constant, or the name of
-    /// one.
+    /// True if a divisor is a pivot: a sum that only the elimination divides by, times constant factors, or the symbol
+    /// of such a sum.
     fn contains(&self, arena: &Arena, divisor: Expr) -> bool {
         let is_constant = |e: Expr| !arena.reachable(&[e]).iter().any(|part| self.moving.contains(part));
         let is_sum = |e: Expr| match arena.node(bare(arena, e)) {

@@ -1,4 +1,4 @@
-//! Equations of motion, whichever method gave them.
+//! Equations of motion, by any method.
 
 use super::by::{By, Distance};
 use super::error::DeriveError;
@@ -18,14 +18,14 @@ const MOST_WRITTEN_OUT: usize = 40;
 /// Equations of motion  matrix · unknowns = forcing,  q̇ = `coordinate_rates`.
 #[derive(Clone, Debug)]
 pub struct Equations {
-    /// Which these are.
+    /// Origin of the equations: a formulation, a publication or a reduction.
     pub by: By,
-    /// The distance that stands for a coordinate, if one does.
+    /// The distance that stands for a coordinate, if there is one.
     pub distance: Option<Distance>,
     /// The formulation whose motion variables and unknowns these have.
     pub formulation: Formulation,
-    /// Symbols that stand for terms in parameters, q and v in everything below, each after those that it mentions:
-    /// none but in reduced equations, and where names were written down ([`Self::written`]).
+    /// Symbols that stand for terms in parameters, q and v in everything below, each after those that it mentions.
+    /// Empty except in reduced equations, and where names were written down ([`Self::written`]).
     pub definitions: Vec<Definition>,
     /// The generalized coordinates q, or the distance that stands for one ([`super::in_distance`]).
     pub coordinates: Vec<Expr>,
@@ -33,26 +33,27 @@ pub struct Equations {
     pub variables: Vec<Expr>,
     /// Their time derivatives, then the reactions or the multipliers.
     pub unknowns: Vec<Expr>,
-    /// What each row is of.
+    /// Name of each row: the speed, coordinate, constraint or balance that it belongs to.
     pub rows: Vec<RowName>,
     /// Square; in parameters, q and v.
     pub matrix: Vec<Vec<Expr>>,
     /// One entry a row; in parameters, q and v.
     pub forcing: Vec<Expr>,
-    /// Whether the matrix is symmetric by construction, and positive definite where it is regular.
+    /// True if the matrix is symmetric by construction, and positive definite where it is regular.
     pub symmetric: bool,
     /// Multipliers of the rows, one list for each motion variable, under which the reactions cancel and a
     /// symmetric, positive definite system is left: the partial velocities. Empty without reactions.
     pub projection: Vec<Vec<Expr>>,
-    /// How v̇ follows from fewer accelerations that motion constraints leave free, where v has more variables than these:
-    /// the projection leaves a system for those.
+    /// Map from the free accelerations to v̇, where motion constraints leave fewer free accelerations than v has
+    /// variables. The projection leaves a system for the free ones.
     pub embedding: Option<Embedding>,
     /// q̇ in q and v.
     pub coordinate_rates: Vec<Expr>,
-    /// What must act along the motion variables beside the loads for v̇ to be as it is, M v̇ − f: inverse dynamics, in
+    /// Forces along the motion variables, beside the loads, that v̇ requires, M v̇ − f: inverse dynamics, in
     /// parameters, q, v and v̇. Empty until it is asked for, and where reactions or multipliers are among the unknowns.
     pub required: Vec<Expr>,
-    /// What v̇ makes least, by the accelerations of the bodies (Gauss's principle): a second way to v̇, for large systems.
+    /// Function that v̇ minimizes, by the accelerations of the bodies (Gauss's principle): a second way to v̇, for
+    /// large systems.
     pub gauss: Option<Sum>,
     /// The symbols of the generalized speeds u; fewer than motion variables where constraints tie these.
     pub speeds: Vec<Expr>,
@@ -66,35 +67,35 @@ pub struct Equations {
     pub kinetic_energy: Expr,
     /// V in q: of gravity, and of the applied loads that have a potential.
     pub potential_energy: Expr,
-    /// The power of what V leaves out, in q and v: d(T + V)/dt. 0 in equations of a scene's own, whose T
-    /// and V are others.
+    /// Power of the forces without a potential in V, in q and v: d(T + V)/dt. 0 in reduced equations, whose T and V are
+    /// others.
     pub power: Expr,
     /// Expressions in q that the kinematic equations divide by.
     pub divisors: Vec<Expr>,
-    /// What is zero in every motion and drifts in a run: the loops of the model, and its motion constraints where the
-    /// variables may break them.
+    /// Constraints that are zero in every motion and drift in a run: the loops of the model, and its motion constraints
+    /// where the variables may break them.
     pub constraints: Vec<Constrained>,
 }
 
-/// A constraint that a run may break, and is kept on.
+/// A constraint that a run may break, and that is therefore enforced.
 #[derive(Clone, Debug)]
 pub struct Constrained {
-    /// What it is called: the name in the file, with a prime if it is the rate of a loop.
+    /// Name of the constraint in the file, with a prime if it is the rate of a loop.
     pub name: String,
-    /// What is zero, in q and v.
+    /// Residual of the constraint, in q and v; zero where it holds.
     pub value: Expr,
     /// Its slopes along q, then along v.
     pub slopes: Vec<Expr>,
 }
 
 impl Equations {
-    /// What they are called in files: `kane`, `kane@q2-90deg`, `printed:ID`.
+    /// Name of the equations in files: `kane`, `kane@q2-90deg`, `printed:ID`.
     #[must_use]
     pub fn name(&self, model: &Model) -> String {
         self.by.name_in(self.distance, model)
     }
 
-    /// What they are called in a heading.
+    /// Title of the equations for a heading.
     #[must_use]
     pub fn title(&self, model: &Model) -> String {
         let title = self.by.title();
@@ -107,13 +108,13 @@ impl Equations {
         self.rows.iter().map(|row| row.text(model)).collect()
     }
 
-    /// Whether so much is named that nothing is written out again.
+    /// True if there are too many named terms to write the equations out again.
     pub(super) fn is_large(&self) -> bool {
         self.definitions.len() > MOST_WRITTEN_OUT
     }
 
-    /// As they are solved, differentiated and written as code: with a symbol for every term that has a name, and what
-    /// the symbols stand for among the definitions.
+    /// The equations in the form that is solved, differentiated and written as code: every term with a name is replaced
+    /// by a symbol, and the symbols are among the definitions.
     #[must_use]
     pub fn written(&self, arena: &mut Arena) -> Self {
         let mut result = self.clone();
@@ -134,7 +135,7 @@ impl Equations {
         terms
     }
 
-    /// Changes every expression; what is made of other terms than these, Gauss's form, is left out.
+    /// Changes every expression except Gauss's form, which consists of other terms.
     pub(crate) fn visit(&mut self, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
         self.gauss = None;
         let vectors = [
@@ -158,7 +159,7 @@ impl Equations {
     }
 }
 
-/// The equations whose rows a method gave: with q̇ and u in its motion variables, every entry simplified.
+/// Completes the rows of a method to equations, with q̇ and u in its motion variables and every entry simplified.
 ///
 /// # Errors
 /// [`DeriveError::NoZeroOfPotential`].

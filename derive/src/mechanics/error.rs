@@ -76,7 +76,7 @@ pub enum DeriveError {
     },
     /// The reactions named are not independent: they cannot be told apart.
     ReactionsDependent,
-    /// That a reaction that was found does no work cannot be shown.
+    /// The reaction was computed by the program, and it cannot be shown that it does no work.
     ReactionNotShown {
         /// The reaction.
         reaction: String,
@@ -97,29 +97,29 @@ pub enum DeriveError {
         bodies: usize,
         /// Its coordinates.
         coordinates: usize,
-        /// How many there are of what is counted.
+        /// Number of links or terms that the derivation has.
         count: usize,
-        /// What is counted.
+        /// Noun for the counted things.
         what: &'static str,
-        /// How many are derived.
+        /// Largest number that is derived.
         most: usize,
     },
-    /// A scene's own equations are not made of a mechanism whose loops a run must keep closed.
+    /// Reduced equations of a scene cannot be made for a mechanism whose loops a run must keep closed.
     LoopsReduced {
-        /// A loop.
+        /// Name of a loop.
         name: String,
     },
-    /// A scene's own equations are not made of a mechanism whose constraints leave no speed.
+    /// Reduced equations of a scene cannot be made for a mechanism whose constraints leave no speed.
     NothingMoves,
-    /// A scene's own equations are not known to give what the model's give.
+    /// The reduced equations of a scene are not proved equivalent to those of the model.
     ReductionNotProved {
-        /// What is not known.
+        /// Statement that is not proved.
         what: String,
     },
 }
 
 impl DeriveError {
-    /// Whether the model is right and only this formulation cannot be had.
+    /// True if the model is right and only this formulation cannot be derived.
     #[must_use]
     pub fn is_unsupported(&self) -> bool {
         matches!(

@@ -1,4 +1,4 @@
-//! The formulations: all that the program knows of a method of derivation is its row of one table.
+//! The formulations: each method of derivation is one row of a table.
 
 use super::error::DeriveError;
 use super::kinematics::Kinematics;
@@ -18,7 +18,7 @@ pub enum Formulation {
     NewtonEuler,
 }
 
-/// What the motion variables v of equations are.
+/// Kind of the motion variables v of equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MotionVariables {
     /// The generalized speeds u.
@@ -27,7 +27,7 @@ pub enum MotionVariables {
     Rates,
 }
 
-/// What is known of a method of derivation.
+/// Properties of a method of derivation.
 pub struct Method {
     /// The name on the command line and in files.
     pub name: &'static str,
@@ -35,22 +35,22 @@ pub struct Method {
     pub title: &'static str,
     /// The name in a formula, such as `Kane = Wᵀ · Lagrange`.
     pub label: &'static str,
-    /// What it states, in words.
+    /// Principle of the method, in words.
     pub principle: &'static str,
-    /// The formula that the words end with, as presentation MathML without its row, and what motion constraints add to it;
-    /// empty if they need none.
+    /// Formula at the end of the principle, as presentation MathML without its row, then the addition for motion
+    /// constraints. Empty if there is none.
     law: [&'static str; 2],
     /// The system that it gives, in plain text, without and with motion constraints.
     equation: [&'static str; 2],
-    /// What is integrated beside q.
+    /// Variables that are integrated beside q.
     pub variables: MotionVariables,
-    /// Whether the reactions are among the unknowns.
+    /// True if the reactions are among the unknowns.
     pub carries_reactions: bool,
-    /// Whether the matrix is symmetric by construction, and positive definite where it is regular.
+    /// True if the matrix is symmetric by construction, and positive definite where it is regular.
     pub symmetric: bool,
     /// Derives the rows.
     pub derive: fn(&Model, &mut Kinematics) -> Result<Rows, DeriveError>,
-    /// What the rows come from, step by step, to be shown.
+    /// Derives the steps that lead to the rows, for display.
     pub steps: fn(&Model, &mut Kinematics) -> Result<Vec<Step>, DeriveError>,
 }
 
@@ -116,7 +116,7 @@ impl Formulation {
     /// All of them, in the order in which they are always listed.
     pub const ALL: [Self; 3] = [Self::Kane, Self::Lagrange, Self::NewtonEuler];
 
-    /// All that is known of it.
+    /// Properties of the method, from the table.
     #[must_use]
     pub fn method(self) -> &'static Method {
         &TABLE[self as usize]
@@ -128,7 +128,7 @@ impl Formulation {
         self.method().equation[usize::from(!model.motion_constraints.is_empty())]
     }
 
-    /// The law that it rests on, for this model, as presentation MathML; empty where words say it. The constraints c are
+    /// The law of the method, for this model, as presentation MathML; empty where words say it. The constraints c are
     /// functions of q and q̇ that are zero.
     #[must_use]
     pub fn law(self, model: &Model) -> String {
@@ -155,13 +155,13 @@ impl Formulation {
         Self::ALL.into_iter().find(|f| f.name() == name)
     }
 
-    /// Whether the motion variables are the rates q̇, and not the speeds u.
+    /// True if the motion variables are the rates q̇, and not the speeds u.
     #[must_use]
     pub fn is_in_rates(self) -> bool {
         self.method().variables == MotionVariables::Rates
     }
 
-    /// Whether the reactions are among the unknowns.
+    /// True if the reactions are among the unknowns.
     #[must_use]
     pub fn carries_reactions(self) -> bool {
         self.method().carries_reactions
@@ -184,7 +184,7 @@ impl Formulation {
         }
     }
 
-    /// What its equations are solved for, with names: v̇, then the reactions if it carries them, and the multipliers of
+    /// Unknowns of its equations, with names: v̇, then the reactions if the method carries them, and the multipliers of
     /// motion constraints where the rates of all coordinates are variables.
     #[must_use]
     pub fn unknowns(self, model: &Model) -> Vec<(String, Expr)> {

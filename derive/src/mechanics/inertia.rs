@@ -1,7 +1,7 @@
-//! Whether what moves has inertia where parameters are 0.
+//! Check that every motion has inertia where parameters are 0.
 //!
-//! There the mass matrix may be singular in every configuration, and what divides by it has no meaning. Which
-//! parameters are 0 decides; their other values do not matter.
+//! There the mass matrix may be singular in every configuration, and a quotient by its determinant has no meaning. The
+//! set of parameters that are 0 decides; their other values do not matter.
 
 use super::derivation::{Derivation, derive};
 use super::equations::Equations;
@@ -14,8 +14,8 @@ use crate::model::Model;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::{Mutex, PoisonError};
 
-/// The question for many values of one model's parameters: what answers need is derived once, and only if one is 0
-/// that inertia can depend on.
+/// Check of many sets of values of one model's parameters. Kane's equations are derived once, and only if a parameter
+/// is 0 that inertia can depend on.
 pub struct InertiaCheck<'a> {
     model: &'a Model,
     inertial: Vec<bool>,
@@ -25,18 +25,18 @@ pub struct InertiaCheck<'a> {
 #[derive(Default)]
 struct Known {
     kane: Option<Derivation>,
-    /// By the parameters that are 0.
+    /// Answers by the indices of the parameters that are 0.
     answers: FxHashMap<Vec<usize>, Result<(), DeriveError>>,
 }
 
 impl<'a> InertiaCheck<'a> {
-    /// For this model; derives nothing yet.
+    /// Makes the check for this model; derives nothing yet.
     #[must_use]
     pub fn new(model: &'a Model) -> Self {
         Self { model, inertial: inertial(model), known: Mutex::default() }
     }
 
-    /// Asks for these values, one for each parameter; letters have none.
+    /// Checks these values, one for each parameter; a parameter that stays a letter has none.
     ///
     /// # Errors
     /// [`DeriveError::NoInertiaAt`] if something that moves has no inertia; another if Kane's equations cannot be
@@ -61,10 +61,11 @@ impl<'a> InertiaCheck<'a> {
     }
 }
 
-/// That what moves has inertia at these values of the parameters, exactly.
+/// Checks that every motion has inertia at these values of the parameters, exactly.
 ///
 /// # Errors
-/// [`DeriveError::NoInertiaAt`] if it has not; `kane` are the model's equations by Kane's method, in their store.
+/// [`DeriveError::NoInertiaAt`] if a motion has none; `kane` are the model's equations by Kane's method, in their
+/// store.
 pub fn has_inertia_at(
     arena: &Arena,
     kane: &Equations,
@@ -75,8 +76,8 @@ pub fn has_inertia_at(
     if absent.is_empty() { Ok(()) } else { without(arena, kane, model, &absent) }
 }
 
-/// Which parameters inertia can depend on: those of masses, of inertias, of where things are and of what the speeds
-/// are.
+/// For each parameter, true if inertia can depend on it: those of masses, of inertias, of positions and rotations, of
+/// constraints, and of the definitions of speeds.
 fn inertial(model: &Model) -> Vec<bool> {
     let bodies = model.bodies.iter().flat_map(|body| {
         let tensor = body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied());
@@ -92,14 +93,14 @@ fn inertial(model: &Model) -> Vec<bool> {
     model.parameters.iter().map(|parameter| reached.contains(&parameter.symbol)).collect()
 }
 
-/// The places of those that are 0.
+/// Indices of the inertial parameters that are 0.
 fn absent(inertial: &[bool], values: &[Option<Rational>]) -> Vec<usize> {
     let is_zero = |value: &Option<Rational>| value.as_ref().is_some_and(Rational::is_zero);
     let each = inertial.iter().zip(values).enumerate();
     each.filter(|(_, (inertial, value))| **inertial && is_zero(value)).map(|(at, _)| at).collect()
 }
 
-/// That what moves has inertia where these parameters are 0.
+/// Checks that every motion has inertia where these parameters are 0.
 fn without(arena: &Arena, kane: &Equations, model: &Model, absent: &[usize]) -> Result<(), DeriveError> {
     let mut arena = arena.clone();
     let pairs: Vec<(Expr, Expr)> = absent.iter().map(|at| (model.parameters[*at].symbol, Expr::ZERO)).collect();

@@ -5,7 +5,7 @@ use crate::model::Unit;
 /// An inertial parameter of a body, about a point of it, in axes fixed in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inertial {
-    /// m.
+    /// Mass m, kg.
     Mass,
     /// m times the place of the mass centre from the point, along an axis.
     FirstMoment(usize),

@@ -1,4 +1,5 @@
-//! The Jacobian of a first-order system: slopes of q̇ and v̇ along the state, by the chain rule over the steps of an elimination.
+//! The Jacobian of a first-order system: slopes of q̇ and v̇ along the state, by the chain rule over the steps of an
+//! elimination.
 
 use super::equations::Equations;
 use crate::algebra::calculus::Differential;
@@ -7,7 +8,7 @@ use crate::algebra::simplify::{Simplifier, cost, cost_of_all};
 use crate::algebra::steps::{Definition, fresh_symbol, needed};
 use crate::algebra::{Arena, Expr};
 
-/// Operations in a slope of an intermediate quantity above which it gets a name of its own.
+/// Number of operations above which a slope of an intermediate quantity gets a name of its own.
 const LONGEST_SLOPE: usize = 6;
 
 /// The Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step: whole, or its product with a direction.
@@ -22,9 +23,10 @@ pub struct Jacobian {
     pub direction: Vec<Expr>,
 }
 
-/// Slopes of steps, each of each along all states, above which the product with a direction stands for the whole.
+/// Number of slopes, of each step along all states, above which the product with a direction stands for the whole.
 const MOST_SLOPES: usize = 2000;
-/// Slopes of operations, each of each along all states, above which it does: their number tells how long the whole would be.
+/// Number of slopes, of each operation along all states, above which the product is used: it tells how long the whole
+/// would be.
 const MOST_SLOPES_OF_OPERATIONS: usize = 8000;
 
 /// Differentiates q̇ and v̇ exactly, by the chain rule over the steps of an elimination, so that nothing is expanded.

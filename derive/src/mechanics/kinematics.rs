@@ -50,7 +50,7 @@ pub struct Velocities {
     pub angular: Vec<Vector>,
     /// v of each point in the inertial frame.
     pub linear: Vec<Vector>,
-    /// q̇.
+    /// Rates q̇ of the coordinates.
     pub rates: Vec<Expr>,
 }
 
@@ -58,13 +58,13 @@ impl Kinematics {
     /// The kinematics of a model.
     ///
     /// # Errors
-    /// [`DeriveError`] if the stated inertia of a body is not constant in the body, a reaction of the file works, or a load divides
-    /// by a velocity that is zero.
+    /// [`DeriveError`] if the stated inertia of a body is not constant in the body, a reaction of the file does work,
+    /// or a load divides by a velocity that is zero.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         Self::in_form(model, is_large(model))
     }
 
-    /// The kinematics of a model, with what grows named or everything written out.
+    /// The kinematics of a model, with growing terms named if `named`, or everything written out.
     ///
     /// # Errors
     /// As [`Self::new`].

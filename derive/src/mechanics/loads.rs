@@ -1,4 +1,4 @@
-//! What acts on the bodies, and the velocity of what it acts on.
+//! Loads on the bodies, and the velocities of the points and bodies on which they act.
 //!
 //! A force acts on the material of its body: its power is that of v_C + ω × p_CP, where the body's material is at P
 //! now, and not of the velocity of P, which may move in the body as a contact point does.
@@ -15,7 +15,7 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::{Dots, Vector};
 use crate::model::{Body, Model, NamedVelocity, Place, ReactionKind};
 
-/// A force or a torque and the velocity of what it acts on: F_r = Σ ∂velocity/∂u_r · scale load.
+/// A force or a torque and the velocity along which it acts: F_r = Σ ∂velocity/∂u_r · scale load.
 pub struct Load {
     /// The velocity of the material at the point, or the angular velocity of the body for a torque.
     pub velocity: Vector,
@@ -30,12 +30,12 @@ pub struct Load {
 pub struct MovingPlace {
     /// The force or reaction, in words: `force drag`.
     pub load: String,
-    /// Where it acts.
+    /// Body and point at which the load acts.
     pub place: Place,
 }
 
 impl MovingPlace {
-    /// What that means, in a sentence.
+    /// Explanation of the moving point, in a sentence.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         let (load, body) = (&self.load, &model.bodies[self.place.body].name);
@@ -62,7 +62,7 @@ pub fn moving_places(model: &Model) -> Result<Vec<MovingPlace>, DeriveError> {
     Ok(list)
 }
 
-/// Where every force and reaction force acts, with what it is called.
+/// Names of all forces and reaction forces and of their opposites, with the places at which they act.
 fn places(model: &Model) -> Vec<(String, Place)> {
     let mut list = Vec::new();
     for force in &model.forces {
@@ -95,7 +95,7 @@ impl Kinematics {
         self.positions[point].add(&mut self.arena, &back)
     }
 
-    /// Whether the point of a place moves in its body: its velocity and that of the material differ by meaning.
+    /// True if the point of a place moves in its body: its velocity differs from that of the material there.
     fn moves_in_body(&mut self, model: &Model, place: Place) -> bool {
         let velocities = self.in_rates.clone();
         let material = self.place_velocity(model, &velocities, place);
@@ -116,8 +116,8 @@ impl Kinematics {
         model.bodies.iter().map(|body| weight(body.centre, body.mass)).collect()
     }
 
-    /// The applied loads other than weights: a list for each force and torque of the model, with its opposite, and for each
-    /// potential of the file.
+    /// The applied loads other than weights: a list for each force and torque of the model, with its opposite, and for
+    /// each potential of the file.
     pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Vec<Load>> {
         let mut groups = Vec::new();
         for (at, force) in model.forces.iter().enumerate() {
@@ -177,7 +177,7 @@ impl Kinematics {
         Ok(())
     }
 
-    /// A velocity that a load names, in q and q̇; the literal 0 if that is what it means.
+    /// A velocity that a load names, in q and q̇; the literal 0 if it is identically zero.
     fn named_velocity(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
         let velocities = self.in_rates.clone();
         let velocity = match name.of {

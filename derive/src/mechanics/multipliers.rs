@@ -1,7 +1,8 @@
 //! Motion constraints among Lagrange's equations: a multiplier λ for each, and its time derivative as a row.
 //!
-//! E q̈ − Aᵀ λ = f and A q̈ = −(dA/dt q̇ + da/dt), for the constraints A q̇ + a = 0. The kinetic energy knows nothing of them:
-//! a constraint put into T before it is differentiated would lose the forces that enforce it.
+//! E q̈ − Aᵀ λ = f and A q̈ = −(dA/dt q̇ + da/dt), for the constraints A q̇ + a = 0. The kinetic energy is that without
+//! constraints: a constraint put into T before it is differentiated would lose the forces that enforce it.
+//!
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §2.4.
 
 use super::kinematics::{Kinematics, speeds_to_rates};
@@ -11,8 +12,8 @@ use crate::algebra::calculus::{Differential, Gradient};
 use crate::model::Model;
 
 impl Kinematics {
-    /// The rows of all coordinates with the forces of the constraints, and a row for each constraint; as they are where
-    /// there are none.
+    /// Adds the forces of the constraints to the rows of all coordinates, and a row for each constraint. A model
+    /// without motion constraints keeps its rows.
     pub(super) fn with_multipliers(&mut self, model: &Model, rows: Rows) -> Rows {
         if model.motion_constraints.is_empty() {
             return rows;

@@ -19,9 +19,9 @@ use crate::model::{Body, Model, Place, Reaction, ReactionKind};
 ///
 /// # Errors
 /// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies feel;
-/// [`DeriveError::ReactionNotShown`] if it cannot be shown of a reaction that was found that it does no work;
-/// [`DeriveError::TorqueOnNothing`] for a torque on a frame that carries no body;
-/// [`DeriveError::PotentialOnNothing`] for a potential that no forces and torques between bodies are known to be.
+/// [`DeriveError::ReactionNotShown`] if it cannot be shown that a reaction that the program found does no work;
+/// [`DeriveError::TorqueOnNothing`] for a torque on a frame that carries no body; [`DeriveError::PotentialOnNothing`]
+/// for a potential that is not known as forces and torques between bodies.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     if let Some(torque) = model.torques.iter().find(|t| t.on.1.is_none() || t.against.is_some_and(|(_, b)| b.is_none()))
     {
@@ -84,11 +84,12 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     })
 }
 
-/// That reactions which are shared do no work together.
+/// Conditions that shared reactions do no work together.
 struct SharedPowers {
-    /// Their power along a speed, as a row of the unknowns; speeds whose power follows from that along others have none.
+    /// Power of the shared reactions along a speed, as a row of the unknowns; none for speeds whose power follows from
+    /// that along others.
     rows: Vec<(usize, Vec<Expr>)>,
-    /// For each speed, with which multiples these rows cancel its power.
+    /// For each speed, the multiples of these rows that cancel its power.
     projection: Vec<Vec<Expr>>,
 }
 
@@ -147,7 +148,7 @@ fn felt(model: &Model, rows: &[Balance]) -> Vec<String> {
 /// One component of Newton's or Euler's equation of one body.
 #[derive(Clone, Debug)]
 pub struct Balance {
-    /// Which component.
+    /// Body, frame and axis of the component, and whether it is of forces or moments.
     pub name: BalanceName,
     /// m a − ΣF or dH/dt − ΣM, in q, u, u̇ and reactions.
     pub residual: Expr,
@@ -307,7 +308,7 @@ pub(super) fn torques_on(
     loads.into_iter().filter(|(on, _)| *on == Some(body)).map(|(_, v)| v).collect()
 }
 
-/// What potentials and these reactions exert.
+/// Forces and torques of potentials and of these reactions, with their places.
 fn exerted(model: &Model, arena: &mut Arena, reactions: &[Reaction]) -> Vec<(ReactionKind, Vector)> {
     let efforts = model.efforts.iter().map(|effort| (effort.kind, Vector::in_frame(effort.frame, effort.vector)));
     let mut list: Vec<_> = efforts.collect();

@@ -1,7 +1,7 @@
-//! The potential energy of a model, and the power of what has none.
+//! The potential energy of a model, and the power of forces without a potential.
 //!
-//! Of the applied loads those count that are there at rest: where −∂U/∂q are their generalized forces, U is potential
-//! energy. What a load has beyond that works in motion alone, as a damper does, or not at all, as a magnetic field.
+//! Applied loads count with their value at rest: where −∂U/∂q are their generalized forces, U is potential energy. The
+//! rest of a load works in motion alone, as a damper does, or not at all, as a magnetic field.
 //!
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7.
 
@@ -49,7 +49,7 @@ impl Kinematics {
         groups.iter().map(|group| forces_of(model, self, group)).collect()
     }
 
-    /// The power of what V leaves out, W, in q and the rates, or in q and u: d(T + V)/dt in every motion.
+    /// The power of the forces that V leaves out, W, in q and the rates, or in q and u: d(T + V)/dt in every motion.
     pub(super) fn power(&mut self, model: &Model, in_rates: bool) -> Expr {
         let rest = self.load_potential(model).rest;
         let arena = &mut self.arena;
@@ -119,7 +119,8 @@ impl Kinematics {
     }
 }
 
-/// Which loads name inputs, in the order of [`Kinematics::loads`]: what is fed in from outside is no energy that the mechanism holds.
+/// For each load, true if it names an input, in the order of [`Kinematics::loads`]. Work that inputs do is no energy
+/// stored in the mechanism.
 fn driven(model: &Model) -> Vec<bool> {
     let inputs: Vec<Expr> = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol).collect();
     let vectors = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
@@ -142,15 +143,16 @@ pub fn potential_at_rest(
             arena.neg(resting)
         })
         .collect();
-    // What divides by a speed, as dry friction does, has no value at rest.
+    // A load that divides by a speed, as dry friction does, has no value at rest.
     if at_rest.undefined.is_some() {
         return None;
     }
-    // A potential that jumps takes energy in at an instant, which no power shows: the work of such a load is counted instead.
+    // A potential that jumps takes energy in at an instant, which no power shows: the work of such a load is counted
+    // instead.
     primitive(arena, simplifier, &model.q(), &slopes).filter(|energy| !jumps_in_time(arena, model, *energy))
 }
 
-/// Whether a term has the sign of what depends on time alone, `abs(t - 1)/(t - 1)` among them.
+/// True if a term contains the sign of a function of time alone, also in the form `abs(t - 1)/(t - 1)`.
 fn jumps_in_time(arena: &Arena, model: &Model, e: Expr) -> bool {
     let Some(time) = model.time() else { return false };
     let (clock, others): (Vec<_>, Vec<_>) = model.q().into_iter().enumerate().partition(|(at, _)| *at == time);

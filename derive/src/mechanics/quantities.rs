@@ -1,8 +1,7 @@
 //! Values of the quantities that a textbook derivation names: velocities, loads, generalized forces, energies.
 //!
-//! Everything is computed from the kinematics that the formulations share, or read off their finished equations; what
-//! was computed once is remembered. Absent on purpose: solving. Accelerations stay linear in u̇, loads in the
-//! reactions.
+//! Everything is computed from the kinematics that the formulations share, or read off their finished equations;
+//! results are cached. Absent on purpose: solving. Accelerations stay linear in u̇, loads in the reactions.
 
 #[cfg(test)]
 mod name_tests;
@@ -89,7 +88,7 @@ impl<'a> Quantities<'a> {
     /// E and A are in q and q̇.
     ///
     /// # Errors
-    /// Why the formulation that the quantity belongs to cannot be had.
+    /// Reason why the formulation that the quantity belongs to cannot be derived.
     pub fn value(&mut self, quantity: &Quantity) -> Result<Expr, String> {
         let value = match *quantity.kind() {
             QuantityKind::Rotation { from, to, entry: (i, j) } => {
@@ -133,7 +132,7 @@ impl<'a> Quantities<'a> {
     /// A term with every u̇ and q̈ in it solved for by Kane's equations.
     ///
     /// # Errors
-    /// Why there are no such equations, or that they determine no acceleration.
+    /// Reason why there are no such equations, or the fact that they determine no acceleration.
     pub fn solved(&mut self, e: Expr) -> Result<Expr, String> {
         let e = self.to_speeds.apply(&mut self.derivations.kinematics.arena, e);
         if self.accelerations.is_none() {
@@ -151,14 +150,14 @@ impl<'a> Quantities<'a> {
         Ok(written.apply(&mut self.derivations.kinematics.arena, e))
     }
 
-    /// Whether q̇ or q̈ occurs: such an entry is compared in q and q̇.
+    /// True if q̇ or q̈ occurs: such an entry is compared in q and q̇.
     #[must_use]
     pub fn mentions_rates(&self, e: Expr) -> bool {
         let symbols = self.model.coordinates.iter().flat_map(|c| [c.rate, c.second_rate]);
         self.mentions(e, symbols)
     }
 
-    /// Whether u or u̇ occurs.
+    /// True if u or u̇ occurs.
     #[must_use]
     pub fn mentions_speeds(&self, e: Expr) -> bool {
         let symbols = self.model.speeds.iter().flat_map(|s| [s.symbol, s.rate]);
@@ -186,7 +185,8 @@ impl<'a> Quantities<'a> {
         self.to_speeds.apply(&mut self.derivations.kinematics.arena, e)
     }
 
-    /// An energy that entries write in q̇, with no constraint put into it: T keeps all n rates. Any other value is `derived`.
+    /// Value of an energy without any constraint put into it, for entries in q̇: T keeps all n rates. Any other
+    /// quantity keeps its value `derived`.
     #[must_use]
     pub fn before_constraints(&mut self, kind: &QuantityKind, derived: Expr) -> Expr {
         let QuantityKind::Energy(energy) = kind else { return derived };

@@ -1,15 +1,15 @@
-//! What a derived quantity is called: the names in report files, as data.
+//! Names of derived quantities in report files, as data.
 
 use crate::algebra::parse::{VelocityOf, velocity_name};
 use crate::model::Model;
 use std::fmt;
 
-/// What a vector quantity belongs to.
+/// Kind of the object that a vector quantity belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Owner {
-    /// A point.
+    /// A point of the model.
     Point,
-    /// A frame.
+    /// A frame of the model.
     Frame,
     /// A body or particle.
     Body,
@@ -51,7 +51,7 @@ pub enum VectorName {
     InertiaForce,
     /// T* = −dH/dt, N m.
     InertiaTorque,
-    /// m g, N.
+    /// Weight m g, N.
     Weight,
     /// The sum of all forces on a body, weight and reactions included, N.
     Force,
@@ -77,7 +77,7 @@ impl VectorName {
         (Self::Moment, "moment"),
     ];
 
-    /// What it belongs to.
+    /// Kind of the object that the vector belongs to.
     #[must_use]
     pub const fn owner(self) -> Owner {
         match self {
@@ -133,7 +133,7 @@ impl Row {
 /// An energy, J.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Energy {
-    /// T.
+    /// Kinetic energy T.
     Kinetic,
     /// Σ ½ m v·v.
     Translation,
@@ -145,12 +145,12 @@ pub enum Energy {
     Gravity,
     /// L = T − V.
     Lagrangian,
-    /// T + V.
+    /// Total energy T + V.
     Total,
 }
 
 impl Energy {
-    /// Whether a constant may be added to it without a meaning.
+    /// True if the energy is defined up to an additive constant.
     #[must_use]
     pub const fn has_a_zero(self) -> bool {
         matches!(self, Self::Potential | Self::Gravity | Self::Lagrangian | Self::Total)
@@ -168,7 +168,8 @@ impl Energy {
     ];
 }
 
-/// What a quantity is. Points, frames, bodies, speeds, coordinates, rows and axes are positions from 0.
+/// Kind of a quantity, with its indices. Points, frames, bodies, speeds, coordinates, rows and axes are positions
+/// from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum QuantityKind {
     /// Entry (row, column) of R with (components in `to`) = R · (components in `from`).
@@ -295,7 +296,7 @@ impl Quantity {
         Self { kind, name }
     }
 
-    /// What it is.
+    /// Kind of the quantity, with its indices.
     #[must_use]
     pub fn kind(&self) -> &QuantityKind {
         &self.kind

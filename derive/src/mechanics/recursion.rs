@@ -1,9 +1,9 @@
-//! The equations of models whose closed form would be too long: every vector is carried along the tree, what grows is
-//! named, and sums over bodies are taken backwards through the names.
+//! The equations of models whose closed form would be too long: every vector is carried along the tree, growing terms
+//! get names, and sums over bodies are taken backwards through the names.
 //!
-//! The formulations stay three. Kane's adds up what acts, weights and inertia forces, along partial velocities that are
-//! never written (backward sums of forces); Lagrange's differentiates the energies, backwards through their steps and
-//! then in time; Newton's and Euler's are stated body by body, as for every other model. They share the kinematics.
+//! The three formulations stay distinct. Kane's adds up weights, loads and inertia forces along partial velocities that
+//! are never written (backward sums of forces); Lagrange's differentiates the energies, backwards through their steps
+//! and then in time; Newton's and Euler's are stated body by body, as for every other model. They share the kinematics.
 //!
 //! Luh, Walker & Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76; R. Featherstone, *Rigid Body Dynamics
 //! Algorithms* (2008), §§ 5.3, 6.2.
@@ -19,11 +19,11 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Components, Vector, apply_tensor, cross_components};
 use crate::model::{Body, Model};
 
-/// The letters of what acts along a velocity, and of the momentum along it, before the velocity's name.
+/// The letters of a force along a velocity, and of the momentum along it, before the velocity's name.
 const FORCE: &str = "F";
 const MOMENTUM: &str = "p";
 
-/// A component of a velocity and of what acts along it.
+/// A component of a velocity and the force or momentum along it.
 pub(super) type Pair = (Expr, Expr);
 
 impl Kinematics {
@@ -201,7 +201,7 @@ impl Kinematics {
         (matrix, forcing)
     }
 
-    /// F_r + F*_r: what acts along each speed, inertia forces among them, where the motion has these rates.
+    /// F_r + F*_r: the force along each speed, inertia forces among them, where the motion has these rates.
     pub(super) fn forces_of_motion(
         &mut self,
         model: &Model,
@@ -233,7 +233,8 @@ impl Kinematics {
         (force, moment.map_or_else(Vector::default, |rate| Vector::in_frame(frame, rate)))
     }
 
-    /// What u̇ makes least by Gauss's principle: ½ Σ m a² + ½ ω' · I ω' + ω' · (ω × H) less what loads do along u̇.
+    /// Function that u̇ minimizes by Gauss's principle: ½ Σ m a² + ½ ω' · I ω' + ω' · (ω × H) less the power of the
+    /// loads along u̇.
     pub(super) fn gauss(&mut self, model: &Model, velocities: &Velocities, loads: &[Load]) -> Sum {
         let accelerations = self.accelerations(model, velocities, &mut motion_rates(model), (&Self::fall(model), true));
         let mut blocks = Vec::new();

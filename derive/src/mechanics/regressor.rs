@@ -1,14 +1,16 @@
 //! The forces that a motion needs, parameter by parameter: M u̇ − f = Σ π_k Y_k + rest, with the Y_k free of the π.
 //!
-//! Of a rigid body that moves with the velocity v of one of its points P and turns at ω, what acts on it about P, weight taken for an
-//! inertia force, is linear in its mass m, its first moments s = m p_PC and its inertia J about P:
+//! Consider a rigid body that moves with the velocity v of one of its points P and turns at ω. The force and moment on
+//! it about P, weight taken for an inertia force, are linear in its mass m, its first moments s = m p_PC and its
+//! inertia J about P:
 //!
 //! ```text
 //! F = m b + α × s + ω × (ω × s),    N = s × b + J α + ω × J ω,    b = a_P − g
 //! ```
 //!
-//! C. G. Atkeson, C. H. An & J. M. Hollerbach, "Estimation of inertial parameters of manipulator loads and links", Int. J. Robotics
-//! Research 5(3) (1986) 101–119. Nothing here is taken from the equations by Kane's method, with which it is compared.
+//! C. G. Atkeson, C. H. An & J. M. Hollerbach, "Estimation of inertial parameters of manipulator loads and links", Int.
+//! J. Robotics Research 5(3) (1986) 101–119. Nothing here is taken from the equations by Kane's method, with which it
+//! is compared.
 
 use super::anchor::Anchor;
 use super::error::DeriveError;
@@ -23,17 +25,18 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Vector, apply_tensor, cross_components};
 use crate::model::{Body, Model, Unit};
 
-/// Which parameters are asked for.
+/// Set of parameters for which a regressor has columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Varied {
-    /// All ten inertial parameters of every rigid body and the mass of every particle, whatever the file states of them, and the
-    /// parameters of loads.
+    /// All ten inertial parameters of every rigid body and the mass of every particle, whatever values the file states,
+    /// and the parameters of loads.
     Bodies,
-    /// The parameters that the file declares, as they enter: those with the unit of mass once in theirs.
+    /// The parameters that the file declares, as they enter: those whose unit contains the unit of mass to the first
+    /// power.
     Declared,
 }
 
-/// What a column belongs to.
+/// Owner of a column: a body's inertial parameter, or a parameter of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
     /// A body, by its place.
@@ -42,10 +45,10 @@ pub enum Of {
     Parameter(usize),
 }
 
-/// What one parameter adds to the forces, per unit of it.
+/// Column of a regressor: the force that one parameter adds, per unit of it.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// Which parameter.
+    /// The parameter of the column.
     pub of: Of,
     /// Its name.
     pub name: String,
@@ -53,21 +56,22 @@ pub struct Column {
     pub unit: Unit,
     /// Y_k: one entry a speed, in geometry, q, u and u̇.
     pub forces: Vec<Expr>,
-    /// What the model says that the parameter is, in the parameters that it declares.
+    /// Value of the parameter by the model, in the parameters that it declares.
     pub stated: Expr,
 }
 
-/// M u̇ − f, taken apart.
+/// Regressor of a model: M u̇ − f = Σ π_k Y_k + rest.
 pub struct Regressor {
-    /// The terms.
+    /// Store of the terms.
     pub arena: Arena,
-    /// The parameters, from the ground outward; of a body first what is kept where several act as one.
+    /// The columns, from the ground outward; for a body, in the order in which parameters are kept where several act as
+    /// one.
     pub columns: Vec<Column>,
-    /// What loads take that belongs to no column: one entry a speed.
+    /// Required force of loads that belongs to no column: one entry a speed.
     pub rest: Vec<Expr>,
     /// M u̇ − f by Kane's method, in parameters, q, u and u̇.
     pub required: Vec<Expr>,
-    /// Where each body's parameters are taken, where bodies are asked for.
+    /// Anchor of each body's parameters; empty for [`Varied::Declared`].
     pub anchors: Vec<Anchor>,
 }
 
@@ -120,13 +124,15 @@ impl Regressor {
     }
 }
 
-/// Whether a parameter has the unit of mass once in its own: then forces are linear in all such together, unless they stand in ratios.
-/// What drives loads is no parameter of the mechanism.
+/// True if the unit of a parameter contains the unit of mass to the first power, and it is no input. Forces are linear
+/// in all such parameters together, unless they stand in ratios. An input, which drives loads, is no parameter of the
+/// mechanism.
 fn is_mass_like(parameter: &crate::model::Parameter) -> bool {
     !parameter.is_input && parameter.unit.of_mass().is_one()
 }
 
-/// Forces as Σ θ Y_θ + rest in those of the candidates in which they are linear, with the others among what is known.
+/// Splits forces into Σ θ Y_θ + rest, over those of the candidates in which they are linear; the other candidates count
+/// as known.
 fn linear_part(
     model: &Model,
     arena: &mut Arena,
@@ -187,7 +193,7 @@ fn bent_along(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<
     bent
 }
 
-/// How a body moves, in the axes of its anchor.
+/// Motion of a body, in the axes of its anchor.
 struct Motion {
     /// b = a_P − g.
     b: Components,
@@ -220,7 +226,7 @@ impl Motion {
         Self { b, omega, alpha, along }
     }
 
-    /// How many speeds move the body.
+    /// Number of speeds that move the body.
     fn moves_with(&self) -> usize {
         self.along.iter().filter(|pair| pair.iter().flatten().any(|e| *e != Expr::ZERO)).count()
     }
@@ -281,7 +287,7 @@ fn anchor_name(model: &Model, anchor: &Anchor) -> String {
     model.bodies[anchor.body].name.clone()
 }
 
-/// What a model says of a body: mass, first moments, and inertia about the anchor.
+/// Inertial parameters of a body by the model: mass, first moments, and inertia about the anchor.
 struct Stated {
     mass: Expr,
     moment: Components,
@@ -336,7 +342,7 @@ impl Stated {
     }
 }
 
-/// A term with what its names stand for written out.
+/// A term with the symbols of names written out.
 fn plain(arena: &mut Arena, e: Expr) -> Expr {
     let names: Vec<(Expr, Expr)> =
         arena.reachable(&[e]).into_iter().filter_map(|part| Some((part, arena.behind(part)?))).collect();
@@ -348,7 +354,8 @@ fn plain(arena: &mut Arena, e: Expr) -> Expr {
     put.apply(arena, e)
 }
 
-/// What does not depend on coordinates by meaning, without them; as it is where it has no value at 0.
+/// Value of a term at coordinates 0; the term itself if it has no value there. For terms that do not depend on
+/// coordinates by meaning.
 fn at_rest(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
     let e = plain(arena, e);
     let mut put = Substitution::new(&coordinates.iter().map(|q| (*q, Expr::ZERO)).collect::<Vec<_>>());

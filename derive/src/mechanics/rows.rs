@@ -1,15 +1,15 @@
-//! What a method of derivation gives: rows, and the steps that they come from. Names are data; their text is made
-//! from them.
+//! Results of a method of derivation: rows, and the steps that they come from. Names are data; their text is made from
+//! them.
 
 use super::quantity::{QuantityKind, VectorName};
 use crate::algebra::Expr;
 use crate::algebra::least::Sum;
 use crate::model::Model;
 
-/// The rows of a linear system, as a method of derivation states them: the rest of [`super::Equations`] follows from
+/// The rows of a linear system, as a method of derivation states them. The rest of [`super::Equations`] follows from
 /// the model.
 pub struct Rows {
-    /// What each row is of.
+    /// Name of each row: the speed, coordinate, constraint or balance that it belongs to.
     pub names: Vec<RowName>,
     /// One row each, in the order of the unknowns; in parameters, q and v.
     pub matrix: Vec<Vec<Expr>>,
@@ -18,18 +18,18 @@ pub struct Rows {
     /// Multipliers of the rows, one list for each motion variable, under which reactions cancel; empty without
     /// reactions.
     pub projection: Vec<Vec<Expr>>,
-    /// How v̇ follows from fewer accelerations, where constraints tie them.
+    /// Map from fewer, free accelerations to v̇, where constraints tie the motion variables.
     pub embedding: Option<Embedding>,
     /// T in q and v.
     pub kinetic_energy: Expr,
-    /// What must act along the motion variables beside the loads for v̇ to be as it is: M v̇ − f, where a method has it
-    /// otherwise than so.
+    /// Forces along the motion variables, beside the loads, that v̇ requires, M v̇ − f; `Some` if the method has its
+    /// own form of it.
     pub required: Option<Vec<Expr>>,
-    /// What v̇ makes least, by the accelerations of the bodies, where these are named.
+    /// Function that v̇ minimizes, by the accelerations of the bodies, where these are named.
     pub gauss: Option<Sum>,
 }
 
-/// How all v̇ follow from fewer accelerations s that constraints leave free: v̇ = W s + x.
+/// Map from the accelerations s that constraints leave free to all v̇: v̇ = W s + x.
 #[derive(Clone, Debug)]
 pub struct Embedding {
     /// s: the rates of the generalized speeds.
@@ -40,7 +40,7 @@ pub struct Embedding {
     pub rest: Vec<Expr>,
 }
 
-/// What a row of equations of motion is of. Places are positions from 0.
+/// Name of a row of equations of motion, as data. Places are positions from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum RowName {
     /// A generalized speed.
@@ -51,9 +51,9 @@ pub enum RowName {
     Constraint(usize),
     /// A component of the balance of one body.
     Balance(BalanceName),
-    /// That reactions which are shared do no work together along a speed.
+    /// The condition that shared reactions do no work together along a speed.
     Power(usize),
-    /// A motion variable of a scene's own equations, by its name.
+    /// A motion variable of a scene's reduced equations, by its name.
     Along(String),
     /// A row of a published system, by its place.
     Printed(usize),
@@ -64,7 +64,7 @@ pub enum RowName {
 pub struct BalanceName {
     /// The body.
     pub body: usize,
-    /// Whether it is of moments about the mass centre, and not of forces.
+    /// True for a balance of moments about the mass centre, false for one of forces.
     pub moments: bool,
     /// The frame of the component.
     pub frame: usize,
@@ -90,7 +90,7 @@ impl RowName {
         }
     }
 
-    /// What is balanced, without the direction: `disk force`; of other rows the whole name.
+    /// Name of the balance without the direction: `disk force`; for other rows the whole name.
     #[must_use]
     pub fn subject(&self, model: &Model) -> String {
         match self {
@@ -105,13 +105,13 @@ impl RowName {
 /// A stage of a derivation, to be shown: named quantities and their values.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// What it gives.
+    /// Stage of the derivation.
     pub stage: Stage,
     /// The quantities.
     pub lines: Vec<(LineName, Expr)>,
 }
 
-/// What a step of a derivation gives. Places are positions from 0.
+/// Stage of a derivation, with its vector, frame or body. Places are positions from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// The definitions of the speeds, and the rates of the coordinates.
@@ -127,7 +127,7 @@ pub enum Stage {
     },
     /// The accelerations of a body.
     Accelerations(usize),
-    /// T and V.
+    /// The energies T and V.
     Energies,
     /// Kane's generalized active forces.
     ActiveForces,
@@ -153,7 +153,7 @@ impl Stage {
     }
 }
 
-/// What a line of a step is. Places are positions from 0.
+/// Quantity on the left-hand side of a line of a step. Places are positions from 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LineName {
     /// A quantity that report files can name, too.

@@ -1,4 +1,4 @@
-//! Why accelerations, or what else is made from equations of motion, cannot be used.
+//! Reasons why accelerations, or other results made from equations of motion, cannot be used.
 
 use crate::algebra::linear::Singular;
 use std::fmt;
@@ -8,7 +8,8 @@ use std::fmt;
 pub enum Unproved {
     /// The accelerations do not satisfy this row of the equations, counted from 0.
     Accelerations(usize),
-    /// The Jacobian is not the derivative of the rates in this row, counted from 0: first q̇, then the rows of the equations.
+    /// The Jacobian is not the derivative of the rates in this row, counted from 0: first q̇, then the rows of the
+    /// equations.
     Jacobian(usize),
     /// Inverse dynamics is not M v̇ − f in this row, counted from 0.
     InverseDynamics(usize),
@@ -29,10 +30,10 @@ impl fmt::Display for Unproved {
     }
 }
 
-/// Why accelerations cannot be used.
+/// Reason why accelerations cannot be used.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Unsolved {
-    /// They are determined in no configuration.
+    /// The equations determine them in no configuration.
     Singular(Singular),
     /// They were found, and a check did not confirm them: a fault of this library.
     Unproved(Unproved),
@@ -60,7 +61,7 @@ impl fmt::Display for Unsolved {
 }
 
 impl Unsolved {
-    /// What a user can do about it.
+    /// Advice for the user.
     #[must_use]
     pub fn help(&self) -> &'static str {
         match self {

@@ -78,8 +78,8 @@ impl Integral {
         list
     }
 
-    /// Divisors of its value that may vanish; where one is 0, the integral has no value. Those proved to be zero
-    /// nowhere are left out. A parameter that is not stated to be positive is among them.
+    /// Divisors of its value that may vanish; where one is 0, the integral has no value. Divisors that are proved never
+    /// to be zero are left out. A parameter that is not stated to be positive is among them.
     #[must_use]
     pub fn divisors(&self, arena: &Arena) -> Vec<Expr> {
         let all = divisors(arena, &[self.expression]);

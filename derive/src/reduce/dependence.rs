@@ -1,4 +1,4 @@
-//! What a term depends on, by meaning.
+//! Dependence of terms on variables, decided by meaning.
 //!
 //! A term may mention a variable and not depend on it: then the derivative is zero by identity, and any value may stand
 //! for the variable. Invariant: a definition mentions only symbols and what is defined before it.
@@ -13,7 +13,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Values that are put for a variable on which a term does not depend, in turn: at some the term has no value.
 const STANDINS: [(i64, i64); 4] = [(0, 1), (1, 1), (1, 2), (2, 1)];
 
-/// Finds out what terms depend on by meaning, definitions included.
+/// Decides on which variables terms depend by meaning, definitions included.
 #[derive(Clone)]
 pub struct Dependence {
     /// Each symbol that stands for a term, after those that its term mentions.
@@ -38,7 +38,7 @@ impl Dependence {
         self.inline.apply(arena, e)
     }
 
-    /// Whether a term in variables alone depends on a symbol, by meaning; if that cannot be decided, it does.
+    /// True if a term in variables alone depends on a symbol by meaning, or if that cannot be decided.
     fn on(&mut self, arena: &mut Arena, whole: Expr, symbol: Expr) -> bool {
         if !arena.mentions(whole, symbol) {
             return false;

@@ -1,9 +1,9 @@
-//! Equations in a moving frame: what symmetries turn into one another is turned so that some of it stays zero.
+//! Equations in a moving frame: symmetries turn the state so that some of its variables stay zero.
 //!
-//! A symmetry ζ(x) takes solutions of x' = f(x) to solutions, so that with numbers ε(y) the motion y' = f(y) + Σ ε ζ(y) is at
-//! every instant a solution x turned by symmetries alone: what no ζ changes is the same of both. Where the matrix of the ζ's
-//! components at as many pinned states has full rank, ε keeps these at zero, and they are no states any more
-//! (a cross-section and its moving frame: M. Fels & P. J. Olver 1999).
+//! A symmetry ζ(x) takes solutions of x' = f(x) to solutions. So with numbers ε(y) the motion y' = f(y) + Σ ε ζ(y) is
+//! at every instant a solution x turned by symmetries alone: every quantity that no ζ changes is equal in both. Where
+//! the matrix of the ζ's components at as many pinned states has full rank, ε keeps these at zero, and they are no
+//! states any more (a cross-section and its moving frame: M. Fels & P. J. Olver 1999).
 
 use crate::algebra::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
@@ -12,7 +12,7 @@ use crate::mechanics::{Equations, Solved};
 /// A symmetry that turns states into one another.
 #[derive(Clone)]
 pub struct Turn {
-    /// Along what it moves the mechanism, in words.
+    /// Description of the motion along it, in words.
     pub words: String,
     /// Its components in the states of the equations, q then u.
     pub along: Vec<Expr>,
@@ -27,15 +27,15 @@ pub struct Frame {
     pub turns: Vec<usize>,
     /// The states that stay zero, as places in q, then u.
     pub pins: Vec<usize>,
-    /// How fast it moves along each symmetry.
+    /// Velocity of the frame along each symmetry.
     pub rates: Vec<Expr>,
-    /// What it adds to the rate of each state.
+    /// Addition to the rate of each state by the motion of the frame.
     pub added: Vec<Expr>,
-    /// Where it is singular.
+    /// Divisors of the rates; the frame is singular where one is zero.
     pub divisors: Vec<Expr>,
 }
 
-/// q̇ and u̇ of equations, in q and u: shared, not written out. Nothing if the accelerations are not determined.
+/// q̇ and u̇ of equations, in q and u: shared, not written out. `None` if the accelerations are not determined.
 pub fn solved_rates(arena: &mut Arena, kane: &Equations) -> Option<Vec<Expr>> {
     let mut solved = Substitution::default();
     for step in Solved::steps(arena, kane).ok()? {

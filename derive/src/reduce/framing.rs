@@ -1,7 +1,7 @@
-//! Which moving frame costs a scene least.
+//! Search for the moving frame by which a scene costs least.
 //!
-//! Symmetries that leave all that is wanted as it is are tried alone and in sets that close under brackets, with pins among the
-//! states that the scene otherwise integrates.
+//! Symmetries that leave all wanted quantities unchanged are tried alone and in sets that close under brackets, with
+//! pins among the states that the scene otherwise integrates.
 
 use super::frame::Turn;
 use super::ground::Ground;
@@ -15,11 +15,11 @@ use crate::algebra::{Arena, Expr};
 use crate::flow::{Flow as Whole, Symmetry, turned};
 use crate::mechanics::Solved;
 
-/// Symmetries above which none are combined.
+/// Number of symmetries above which none are combined.
 const MOST_TURNS: usize = 9;
 /// Sections that are tried for each set of symmetries and momenta.
 const MOST_SECTIONS: usize = 4;
-/// What a state costs beside its rate, in operations: sums of its stages, its error and its dense output.
+/// Cost of a state beside that of its rate, in operations: sums of its stages, its error and its dense output.
 const STATE: usize = 12;
 
 /// A choice of momenta, and of a frame.
@@ -33,13 +33,14 @@ pub struct Choice {
     pub pins: Vec<usize>,
 }
 
-/// What a choice costs: all that is integrated, and operations.
+/// Cost of a choice, in operations, from the number of integrated variables and the operations of their rates.
 fn cost(integrated: usize, operations: usize) -> usize {
     STATE * integrated + operations
 }
 
 impl Ground {
-    /// The frame that leaves fewer variables to a scene than these momenta alone do, and makes it cost less, if there is one.
+    /// Finds the frame that leaves a scene fewer variables than these momenta alone and costs least; `None` if no frame
+    /// is better.
     pub(super) fn framing(
         &mut self,
         wanted: &Wanted,
@@ -82,8 +83,8 @@ impl Ground {
         best
     }
 
-    /// Differences for what the momenta of a choice move together; in a frame those alone count that turn nothing, since on its
-    /// section the others move less.
+    /// Puts differences for variables that the momenta of a choice move together. In a frame only momenta count whose
+    /// symmetries move all speeds at constant ratios, since on its section the others move less.
     pub(super) fn differences(&mut self, choice: &Choice, wanted: &Wanted) -> Wanted {
         let momenta = if choice.turns.is_empty() { choice.momenta.clone() } else { self.plain(&choice.momenta) };
         self.relative(&momenta, wanted.clone())
@@ -95,7 +96,7 @@ impl Ground {
         momenta.iter().filter(is_plain).copied().collect()
     }
 
-    /// What is needed by a choice; nothing if its equations are not determined.
+    /// Least system that a choice needs; `None` if its equations are not determined.
     fn flow_of(&mut self, choice: &Choice, wanted: &Wanted) -> Option<Flow> {
         let wanted = self.differences(choice, wanted);
         let wanted = self.framed_by(choice, wanted)?;
@@ -103,7 +104,7 @@ impl Ground {
         Flow::new(self, &level, &wanted)
     }
 
-    /// In the frame of a choice, if it has one.
+    /// Writes the wanted quantities in the frame of a choice; unchanged if it has none.
     pub(super) fn framed_by(&mut self, choice: &Choice, wanted: Wanted) -> Option<Wanted> {
         match choice.turns.as_slice() {
             [] => Some(wanted),
@@ -111,7 +112,7 @@ impl Ground {
         }
     }
 
-    /// Finds the symmetries that turn some of these states, and leave what is wanted as it is.
+    /// Finds the symmetries that turn some of these states and leave the wanted quantities unchanged.
     fn find_turns(&mut self, needed: &[usize], wanted: &Wanted) {
         let Some(mut whole) = self.whole_flow() else { return };
         let rates = whole.rates.clone();
@@ -153,7 +154,7 @@ impl Ground {
         self.arena = whole.arena;
     }
 
-    /// x' = f(x) of the whole, its rates solved for.
+    /// x' = f(x) of the whole model, with solved rates.
     fn whole_flow(&self) -> Option<Whole> {
         let mut arena = self.arena.clone();
         let steps = Solved::steps(&mut arena, &self.kane).ok()?;
@@ -174,7 +175,7 @@ impl Ground {
         })
     }
 
-    /// Single symmetries, commuting pairs, and threes of which the bracket of any two is none or one of them.
+    /// Single symmetries, commuting pairs, and triples in which the bracket of any two is zero or a member.
     fn closed_sets(&mut self) -> Vec<Vec<usize>> {
         let count = self.turns.len();
         let mut sets: Vec<Vec<usize>> = (0..count).map(|at| vec![at]).collect();
@@ -207,7 +208,7 @@ impl Ground {
         sets
     }
 
-    /// [ζ_a, ζ_b] as far as it is one of the symmetries.
+    /// Classifies the bracket of ζ_a and ζ_b: zero, one of the symmetries, or another field.
     fn bracket(&mut self, a: usize, b: usize) -> Bracket {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         let arena = &mut self.arena;
@@ -239,7 +240,7 @@ impl Ground {
         Bracket::Other
     }
 
-    /// Choices of momenta and pins for a frame along these symmetries: of the momenta, the most that can be held.
+    /// Choices of momenta and pins for a frame along these symmetries, with the largest possible sets of momenta.
     fn framed(&self, turns: &[usize], wanted: &Wanted, choices: &[Vec<usize>]) -> Vec<Choice> {
         let mut list: Vec<Choice> = Vec::new();
         let mut sorted: Vec<&Vec<usize>> = choices.iter().collect();
@@ -262,8 +263,8 @@ impl Ground {
         list
     }
 
-    /// States to pin: some that the frame's symmetries move and the scene would integrate, coordinates first and each from the last,
-    /// so that a distance is along the first axis.
+    /// Candidate sets of pins: states that the frame's symmetries move and the scene would integrate. Coordinates come
+    /// first and each kind from the last, so that a distance is along the first axis.
     fn sections(&self, turns: &[usize], momenta: &[usize], wanted: &Wanted) -> Vec<Vec<usize>> {
         let needed = self.needed(momenta, wanted);
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
@@ -293,7 +294,7 @@ impl Ground {
         sections
     }
 
-    /// Whether the symmetries' components at these states are independent where the states are zero.
+    /// True if the symmetries' components at these states are independent where the states are zero.
     fn is_section(&self, turns: &[usize], pins: &[usize]) -> bool {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         let mut arena = self.arena.clone();
@@ -305,7 +306,8 @@ impl Ground {
         put.undefined.is_none() && rank(&arena, &rows).is_some_and(|found| found.rank == pins.len())
     }
 
-    /// The variables that a scene integrates if it holds those of these momenta whose symmetries turn nothing, without a frame.
+    /// Variables that a scene integrates without a frame if it holds those of these momenta whose symmetries move all
+    /// speeds at constant ratios.
     fn needed(&self, momenta: &[usize], wanted: &Wanted) -> Vec<Expr> {
         let mut trial = self.clone();
         let level = trial.level(&self.plain(momenta), None).or_else(|| trial.level(&[], None));
@@ -314,13 +316,13 @@ impl Ground {
     }
 }
 
-/// What the bracket of two symmetries is.
+/// Bracket of two symmetries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Bracket {
-    /// Nothing: they commute.
+    /// Zero: the two commute.
     Zero,
-    /// One of them, or its negative.
+    /// One of the symmetries, or its negative.
     Turn(usize),
-    /// Something else.
+    /// Another field.
     Other,
 }

@@ -1,4 +1,4 @@
-//! What reductions start from: a model's equations, its momenta and its energy, with the parameters of a scene as
+//! Starting point of reductions: a model's equations, its momenta and its energy, with the parameters of a scene as
 //! numbers.
 
 use super::frame::{Frame, Turn};
@@ -18,25 +18,25 @@ use crate::model::{Model, Unit};
 use crate::prove::{Basis, Field, Integral, IntegralKind};
 use crate::scene::Scene;
 
-/// Coordinates above which first integrals are not searched.
+/// Number of coordinates above which first integrals are not searched.
 const MOST_COORDINATES: usize = 12;
-/// Momenta of which every choice is tried.
+/// Number of momenta up to which every choice is tried.
 const MOST_TRIED: usize = 5;
 
 /// The momentum of a symmetry, linear in the speeds: row · u + rest.
 #[derive(Clone)]
 pub struct Momentum {
-    /// What it is.
+    /// Kinds of the integral.
     pub kinds: Vec<IntegralKind>,
-    /// Whether it is one of these with a function of place beside it.
+    /// True if the integral has a function of place beside the momentum.
     pub has_place: bool,
-    /// The first of these, in words.
+    /// Name of its first kind, in words.
     pub about: String,
     /// Its value in q and u.
     pub value: Expr,
     /// Its coefficients of the speeds.
     pub row: Vec<Expr>,
-    /// What is left at rest.
+    /// Part that does not depend on the speeds, in q.
     pub rest: Expr,
     /// The symmetry q′ = ξ(q).
     pub field: Vec<Expr>,
@@ -46,22 +46,22 @@ pub struct Momentum {
     pub unit: Unit,
     /// A function of q whose rate the momentum is, if there is one: a mass times a coordinate of a mass centre.
     pub position: Option<Expr>,
-    /// The unit of that.
+    /// The unit of `position`.
     pub position_unit: Unit,
 }
 
-/// A variable that stands as a difference.
+/// A variable that is replaced by its difference from a pivot.
 #[derive(Clone, Copy, Debug)]
 pub struct Relative {
     /// The variable.
     pub variable: Expr,
-    /// What is taken off.
+    /// Pivot variable whose multiple is subtracted.
     pub pivot: Expr,
-    /// What stands for it.
+    /// Symbol of the difference.
     pub symbol: Expr,
 }
 
-/// A model's equations by Kane's method and what its motions conserve.
+/// A model's equations by Kane's method and its first integrals.
 #[derive(Clone)]
 pub struct Ground {
     /// The model.
@@ -72,37 +72,38 @@ pub struct Ground {
     pub simplifier: Simplifier,
     /// The coordinates; one may be the distance from a singular surface.
     pub q: Vec<Expr>,
-    /// What these are in the coordinates of the model.
+    /// Values of these coordinates in the coordinates of the model.
     pub q_start: Vec<Expr>,
-    /// What the speeds of the equations are in those of the model.
+    /// Values of the equations' speeds in the speeds of the model.
     pub u_start: Vec<Expr>,
-    /// Variables that stand as differences.
+    /// Variables that are replaced by differences.
     pub relatives: Vec<Relative>,
     /// The equations.
     pub kane: Equations,
-    /// The force balance that determines reactions, or why there is none.
+    /// The force balance that determines reactions, or the reason why there is none.
     pub balance: Result<ForceBalance, DeriveError>,
-    /// What the motions conserve.
+    /// First integrals of the motion.
     pub integrals: Vec<Integral>,
-    /// Momenta of symmetries among that.
+    /// Momenta of symmetries among the integrals.
     pub momenta: Vec<Momentum>,
     /// The energy, if it is conserved.
     pub energy: Option<Expr>,
-    /// Parameters that stand as numbers.
+    /// Parameters that are replaced by numbers.
     pub folded: Vec<(String, Rational)>,
     /// Motions of the whole that may be symmetries.
     pub(super) fields: Vec<Field>,
-    /// Symmetries that turn states into one another and leave what a scene wants as it is; none before it is known.
+    /// Symmetries that turn states into one another and leave a scene's wanted quantities unchanged; empty before these
+    /// are known.
     pub turns: Vec<Turn>,
-    /// Symmetries that would be among these, in words, if the domain did not name what they turn.
+    /// Symmetries that would be in `turns` if the domain did not depend on states that they turn, in words.
     pub kept_by_domain: Vec<String>,
     /// The moving frame that the equations are written in.
     pub frame: Option<Frame>,
-    /// What first integrals are searched from, as long as parameters may become numbers.
+    /// Basis of the search for first integrals; `None` once parameters cannot become numbers any more.
     search: Option<Search>,
 }
 
-/// What first integrals are searched from, and what the numbers of a scene would hide.
+/// Basis of the search for first integrals, with data that the numbers of a scene would hide.
 #[derive(Clone)]
 struct Search {
     basis: Basis,
@@ -115,7 +116,7 @@ struct Search {
 }
 
 impl Ground {
-    /// Derives the equations of a model and finds what its motions conserve.
+    /// Derives the equations of a model and finds its first integrals.
     ///
     /// # Errors
     /// [`DeriveError`] if Kane's equations cannot be derived.
@@ -158,7 +159,7 @@ impl Ground {
         Ok(ground)
     }
 
-    /// Finds what the motions conserve.
+    /// Finds the first integrals of the motion.
     fn find_integrals(&mut self) {
         let Some(search) = &self.search else { return };
         let terms = (&mut self.arena, &mut self.simplifier);
@@ -169,8 +170,8 @@ impl Ground {
         self.integrals = integrals;
     }
 
-    /// Puts the numbers of the scene in the place of the parameters that it does not leave free, where they are short
-    /// and exact.
+    /// Puts the numbers of the scene in the place of the parameters that it does not leave free, if they are short and
+    /// exact.
     pub(super) fn fold(&mut self, scene: &Scene) {
         let parameters = self.model.parameters.iter().enumerate();
         let fixed = parameters.filter(|(at, _)| !scene.free.contains(at)).filter_map(|(at, p)| {
@@ -242,7 +243,8 @@ impl Ground {
         Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())
     }
 
-    /// Which momenta may be used together, as lists of places: all commuting choices of a few, the largest of many.
+    /// Sets of momenta that may be held together, as lists of indices: all commuting sets of a few momenta, the largest
+    /// sets of many.
     pub(super) fn choices(&mut self) -> Vec<Vec<usize>> {
         let count = self.momenta.len();
         let pairs = (0..count).flat_map(|a| (0..a).map(move |b| (a, b)));
@@ -269,7 +271,7 @@ impl Ground {
         list
     }
 
-    /// Whether the bracket of two symmetries vanishes: [ξ, η]_i = ξ·∂η_i − η·∂ξ_i.
+    /// True if two symmetries commute: their bracket, with the components ξ·∂η_i − η·∂ξ_i, vanishes.
     fn commute(&mut self, a: usize, b: usize) -> bool {
         let arena = &mut self.arena;
         let along = |field: &[Expr]| {

@@ -15,9 +15,9 @@ pub struct Held {
     pub momentum: usize,
     /// The symbol of its value.
     pub symbol: Expr,
-    /// What the symbol is, in q and u: the momentum, or what is left of it on a singular surface.
+    /// Value of the symbol, in q and u: the momentum, or the remaining part of it on a singular surface.
     pub of_state: Expr,
-    /// What the symbol is, in words.
+    /// Description of the symbol, in words.
     pub about: Prose,
     /// Its unit.
     pub unit: Unit,
@@ -33,8 +33,8 @@ impl Ground {
         Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
     }
 
-    /// What a momentum's row times u is, c − b, and what it times u̇ is: minus the change of the row and of b along the
-    /// motion.
+    /// Right-hand sides of a momentum's row: row · u = c − b, and row · u̇ = minus the change of the row times u and of
+    /// b along the motion.
     pub(super) fn right_of(&mut self, held: &Held) -> Vec<Expr> {
         let momentum = &self.momenta[held.momentum];
         let arena = &mut self.arena;
@@ -52,8 +52,8 @@ impl Ground {
     }
 }
 
-/// `p_q3` where it is the momentum of a coordinate, else its customary symbol; `momentum2` where it has none. With a function of
-/// place beside it, it is another quantity: `p_q3_total`.
+/// Symbol of a momentum: `p_q3` for the momentum of a coordinate, else its customary symbol, else `momentum2`. A
+/// momentum with a function of place beside it is another quantity: `p_q3_total`.
 fn symbol_of(model: &Model, momentum: &Momentum, at: usize) -> String {
     let kinds = &momentum.kinds;
     let of_coordinate = kinds.iter().find(|kind| matches!(kind, IntegralKind::Coordinate(_)));

@@ -1,4 +1,4 @@
-//! What was left out, why, and how that is known.
+//! List of the omissions of a reduction, each with its reason and its proof.
 
 use super::ground::Ground;
 use super::level::Level;
@@ -13,7 +13,7 @@ use crate::algebra::print::text;
 use crate::algebra::steps::Definition;
 use crate::scene::Scene;
 
-/// Everything of the model that the scene's equations do not have.
+/// Lists everything of the model that the reduced equations omit.
 pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene, proof: &Proof) -> Vec<Omission> {
     let mut list = Vec::new();
     for (name, value) in &ground.folded {
@@ -100,7 +100,7 @@ fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omiss
     level.definitions.iter().rev().map(one).collect()
 }
 
-/// A variable that neither the outputs nor what they need depends on.
+/// A variable on which neither the outputs nor the variables that they need depend.
 fn independence(ground: &mut Ground, flow: &Flow, variable: Variable) -> Omission {
     let (mut weakest, mut shown) = (f64::INFINITY, Vec::new());
     for (rate, value) in &flow.raw {
@@ -123,12 +123,12 @@ fn independence(ground: &mut Ground, flow: &Flow, variable: Variable) -> Omissio
     Omission { what: Prose::term(variable.symbol), why: unneeded(variable.symbol), proof }
 }
 
-/// That what a scene wants does not ask for this.
+/// Reason of an omission: no wanted quantity depends on this symbol.
 fn unneeded(symbol: Expr) -> Prose {
     Prose::from("no output and nothing that outputs need depends on ").then(Piece::Term(symbol))
 }
 
-/// What no output asks for.
+/// Omissions of quantities that no output requests: reactions, and the total energy.
 fn unasked(ground: &Ground, flow: &Flow, scene: &Scene) -> Vec<Omission> {
     let (arena, model) = (&ground.arena, &ground.model);
     let asked: Vec<Expr> = scene

@@ -12,14 +12,14 @@ use crate::algebra::simplify::Simplifier;
 use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr};
 
-/// Equations on a level set.
+/// Equations on a level set of momenta.
 #[derive(Clone)]
 pub struct Level {
-    /// What is held.
+    /// The held momenta.
     pub held: Vec<Held>,
-    /// The speeds that stay, by place.
+    /// Indices of the speeds that stay.
     pub kept: Vec<usize>,
-    /// The other speeds, each in q, what is held, the kept speeds and those defined before it.
+    /// The other speeds, each in q, the held momenta, the kept speeds and those defined before it.
     pub definitions: Vec<Definition>,
     /// Every u̇ in q, u and the rates of the kept speeds.
     pub accelerations: Vec<Expr>,
@@ -27,12 +27,13 @@ pub struct Level {
     pub matrix: Vec<Vec<Expr>>,
     /// Zᵀ(f − M (Ṗ + Ż u_R)), in q and u.
     pub forcing: Vec<Expr>,
-    /// What the speeds are divided by.
+    /// Divisors of the solved speeds.
     pub divisors: Vec<Expr>,
 }
 
 impl Ground {
-    /// The equations on the level set of these momenta; nothing if their symmetries move more speeds than they are.
+    /// The equations on the level set of these momenta; `None` if their symmetries move more speeds than there are
+    /// momenta.
     pub(super) fn level(&mut self, momenta: &[usize], surface: Option<&Surface>) -> Option<Level> {
         let n = self.kane.variables.len();
         if momenta.len() > n {

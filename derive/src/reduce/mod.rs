@@ -1,13 +1,13 @@
-//! The least system that gives what a scene wants to see: equations of motion on the level set of its momenta, without
-//! what the outputs do not depend on.
+//! The least system that gives the outputs of a scene: equations of motion on the level set of its momenta, without
+//! variables on which no output depends.
 //!
-//! Every step is exact. Momenta of commuting symmetries take speeds out (`level`); what nothing depends on by meaning
-//! is left out and stands as a constant where a formula mentions it (`slice`); variables that a symmetry moves together
-//! become differences (`relative`); what follows from the rest is computed when it is asked for. The result is a model
-//! and equations as any others, with the momenta among the parameters, so that all that runs, charts and emits
-//! equations takes it.
+//! Every step is exact. Momenta of commuting symmetries take speeds out (`level`). A variable on which nothing depends
+//! by meaning is left out and replaced by a constant where a formula mentions it (`slice`). Variables that a symmetry
+//! moves together become differences (`relative`). Quantities that follow from the rest are computed when they are
+//! requested. The result is a model and equations as any others, with the momenta among the parameters, so that every
+//! program that runs, charts and emits equations accepts it.
 //!
-//! Absent on purpose: numbers of the start. A reduction holds for every start on every level set, but for the distance
+//! Absent on purpose: numbers of the start. A reduction holds for every start on every level set, except the distance
 //! from a singular surface, whose side the start decides.
 
 mod constants;
@@ -54,8 +54,8 @@ use work::Work;
 ///
 /// # Errors
 /// [`DeriveError`] if the model's own equations cannot be derived, or an output needs a reaction that they do not
-/// determine; [`DeriveError::ReductionNotProved`] if even the system without momenta cannot be proved to give what the
-/// scene wants.
+/// determine; [`DeriveError::ReductionNotProved`] if even the system without momenta cannot be proved to give the
+/// scene's outputs.
 pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
     Ground::new(model)?.reduce(scene)
 }
@@ -85,7 +85,8 @@ impl Ground {
         let wanted = ground.wanted(scene)?;
         let mut best: Option<(Weight, Vec<usize>)> = None;
         let choices = ground.choices();
-        // With one choice there is nothing to compare. Those that hold most come first: they are most often the best, and work is bounded.
+        // With one choice there is nothing to compare. Choices that hold most momenta come first: they are most often
+        // the best, and work is bounded.
         let mut compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
         compared.sort_by_key(|momenta| Reverse(momenta.len()));
         let mut work = Work::default();
@@ -124,7 +125,7 @@ impl Ground {
         found.map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
-    /// What the equations on the level set of these momenta cost; nothing if they are not determined.
+    /// Cost of the equations on the level set of these momenta; `None` if they are not determined.
     fn weight_on(&mut self, momenta: &[usize], wanted: &Wanted) -> Option<Weight> {
         let wanted = self.relative(momenta, wanted.clone());
         let level = self.level(momenta, None)?;
@@ -133,7 +134,7 @@ impl Ground {
         Some((core, integrated, operations, Reverse(momenta.len())))
     }
 
-    /// The system of a scene that holds no momenta: nothing is divided by but what the model's own equations divide by.
+    /// The system of a scene that holds no momenta: its only divisors are those of the model's own equations.
     ///
     /// # Errors
     /// As [`reduce`].
@@ -159,7 +160,8 @@ impl Ground {
         let momenta = &choice.momenta;
         let wanted = self.differences(choice, &whole.wanted);
         let wanted = self.framed_by(choice, wanted).ok_or("that the frame is determined")?;
-        // The equations are written anew in the distance from where this choice is singular; those in a frame stay as they are.
+        // The equations are written anew in the distance from the singular surface of this choice; those in a frame
+        // stay unchanged.
         let mut trial = self.clone();
         let place = if self.frame.is_some() { None } else { Some(()) };
         let place =
@@ -177,5 +179,6 @@ impl Ground {
     }
 }
 
-/// By what choices of momenta are compared: states, all that is integrated, operations, momenta held.
+/// Criteria by which choices of momenta are compared: numbers of states, of integrated variables, of operations and of
+/// held momenta.
 type Weight = (usize, usize, usize, Reverse<usize>);

@@ -1,4 +1,5 @@
-//! What quadrature needs of a system with one degree of freedom: its potential energy without cancellation.
+//! Potential energy of a system with one degree of freedom in a form without cancellation, for its solution by
+//! quadrature.
 
 use super::ground::Ground;
 use super::slice::Flow;
@@ -18,12 +19,12 @@ pub struct Slope {
     pub value: Expr,
     /// (symbol, z): the symbol stands for sin z/z.
     pub sincs: Vec<(Expr, Expr)>,
-    /// After how many turns of 2 π of the coordinate rates, T and V repeat, where that is seen of them.
+    /// Turns of 2 π of the coordinate after which rates, T and V repeat; `None` if no such number is found.
     pub turns: Option<Rational>,
 }
 
 impl Slope {
-    /// After how much of the coordinate rates, T and V repeat.
+    /// Change of the coordinate after which rates, T and V repeat.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.turns.as_ref().map(|turns| std::f64::consts::TAU * turns.to_f64())
@@ -69,7 +70,7 @@ impl Flow {
     }
 }
 
-/// Whether e = xⁿ e(x = 1), by meaning.
+/// True if e = xⁿ e(x = 1), by meaning.
 fn is_homogeneous(arena: &mut Arena, e: Expr, x: Expr, n: i64) -> bool {
     let slope = Differential::partial(x).apply(arena, e);
     let times = arena.mul(x, slope);

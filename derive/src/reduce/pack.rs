@@ -1,4 +1,4 @@
-//! A reduced system as a model and equations like any others, with the account of what was left out.
+//! A reduced system as a model and equations like any others, with the list of omissions.
 
 use super::ground::Ground;
 use super::hoist::Hoist;
@@ -24,7 +24,7 @@ use rustc_hash::FxHashSet;
 /// The reduced system of a scene.
 ///
 /// # Errors
-/// What cannot be proved, in words: such a reduction is not to be used.
+/// Statement that cannot be proved, in words: such a reduction must not be used.
 pub fn pack(
     mut ground: Ground,
     whole: &Whole,
@@ -86,7 +86,7 @@ pub fn pack(
     Ok(reduction)
 }
 
-/// Every symbol that is computed with has a value: it is a parameter, a variable, the time, or defined before.
+/// Checks that every symbol used in a formula has a value: it is a parameter, a variable, the time, or defined before.
 fn closed(reduction: &Reduction) -> Result<(), String> {
     let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
     let mut known: FxHashSet<Expr> = reduction.model.p().into_iter().collect();
@@ -138,7 +138,7 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
     list.iter().map(quantity).collect()
 }
 
-/// What is held, and the mass centre's place at the start, as far as the system mentions them.
+/// The held momenta, and the mass centre's place at the start, if the system mentions them.
 fn constants(
     ground: &mut Ground,
     level: &Level,
@@ -171,10 +171,10 @@ fn constants(
         .collect()
 }
 
-/// The symbols of everything that is computed, definitions included.
+/// The symbols of all computed terms, definitions included.
 ///
-/// Only equations have constants in place of products of momenta and parameters: what stands beside them may name a momentum
-/// that they do not.
+/// Only equations have constants in place of products of momenta and parameters: other terms may name a momentum that
+/// the equations do not.
 fn mentioned(arena: &Arena, flow: &Flow, e: &Equations, slope: Option<&Slope>) -> FxHashSet<Expr> {
     let wanted = flow.wanted.named().into_iter().map(|(_, value)| value);
     let lists = [&e.forcing, &e.coordinate_rates].into_iter().flatten().chain(e.matrix.iter().flatten());
@@ -190,7 +190,7 @@ fn mentioned(arena: &Arena, flow: &Flow, e: &Equations, slope: Option<&Slope>) -
     found
 }
 
-/// Takes constants out of the equations that are called in every step.
+/// Takes constants out of the equations, which are evaluated in every step.
 fn hoist(ground: &mut Ground, level: &Level, e: &mut Equations) -> Hoist {
     let folded = &ground.folded;
     let free = ground.model.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name));
@@ -204,7 +204,8 @@ fn hoist(ground: &mut Ground, level: &Level, e: &mut Equations) -> Hoist {
 }
 
 impl Flow {
-    /// Takes from the energy what is constant and not of the system: the energy of a mass centre that no output shows.
+    /// Removes a constant part of the energy that is not of the system: the energy of a mass centre that no output
+    /// shows.
     fn strip_energy(&mut self, ground: &mut Ground, level: &Level) {
         let Some(energy) = self.energy.take() else { return };
         let terms = self.terms();
@@ -230,7 +231,8 @@ impl Flow {
         };
     }
 
-    /// The linear system on the level, if all of its speeds are there and it mentions nothing but what they depend on.
+    /// Keeps the linear system on the level, if all of its speeds are there and it mentions only variables on which
+    /// they depend.
     fn keep_system(&mut self, ground: &mut Ground, level: &Level) {
         let all: Vec<Variable> = self.core.iter().chain(&self.quadratures).copied().collect();
         let speeds = all.iter().filter(|v| v.is_speed).map(|v| v.place);
@@ -256,7 +258,7 @@ impl Flow {
         rates.chain(self.shown()).collect()
     }
 
-    /// What is shown and watched: outputs, conditions, events and the energy.
+    /// Values that are shown and watched: outputs, conditions, events and the energy.
     fn shown(&self) -> impl Iterator<Item = Expr> {
         let Wanted { outputs, conditions, events } = &self.wanted;
         let outputs = outputs.iter().map(|(_, e)| *e);
@@ -332,8 +334,8 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     }
 }
 
-/// What of a divisor can be zero: without its number and without factors that are proved to be zero nowhere, such as an
-/// inertia; none if nothing of it can be.
+/// Factors of a divisor that can be zero. Numbers and factors that are proved never to be zero, such as an inertia, are
+/// left out; `None` if no factor remains.
 fn part_with_zeros(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
     let (_, divisor) = arena.split_content(divisor);
     let factors = match arena.node(divisor) {

@@ -1,10 +1,10 @@
 //! The proof that a reduced system is the whole one on each level set.
 //!
-//! Nothing of the way to it is believed. The coordinates and speeds of the model are written in what the reduced system
-//! has; differentiated along its rates, they must satisfy the kinematic equations and every row of Kane's M u̇ = f of
-//! the whole model, for all values of the constants. What is wanted, what was left out of formulas, the constants and
-//! the energy are each held against what they stand for. Every identity is a zero test at random points of random prime
-//! fields, with a stated bound.
+//! No intermediate step is trusted. The coordinates and speeds of the model are written in the variables of the reduced
+//! system; differentiated along its rates, they must satisfy the kinematic equations and every row of Kane's M u̇ = f
+//! of the whole model, for all values of the constants. The wanted outputs, the terms left out of formulas, the
+//! constants and the energy are each compared with their values in the whole model. Every identity is a zero test at
+//! random points of random prime fields, with a stated bound.
 
 use super::frame::{Turn, solved_rates};
 use super::ground::Ground;
@@ -18,17 +18,17 @@ use crate::algebra::linear::LinearForm;
 use crate::algebra::modular::{ZeroTest, bounded_zero_test};
 use crate::mechanics::Equations;
 
-/// That a reduced system gives what the whole one gives.
+/// Proof that a reduced system gives the outputs of the whole one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Proof {
-    /// How many identities were tested, each of them zero.
+    /// Number of identities that were tested, each of them zero.
     pub identities: usize,
     /// Each is wrong with a probability below 2^−exponent; infinite where all are zero by form.
     pub exponent: f64,
 }
 
 impl Proof {
-    /// ` (in doubt by less than 2^-95)`, or nothing where all is zero by form.
+    /// ` (in doubt by less than 2^-95)`; empty if every identity is zero by form.
     pub(super) fn doubt(&self) -> String {
         match self.exponent {
             e if e.is_finite() => format!(" (in doubt by less than 2^-{})", e.floor().min(9999.0)),
@@ -49,14 +49,14 @@ impl std::fmt::Display for Proof {
 pub struct Whole {
     /// Kane's equations in the model's own q and u.
     pub kane: Equations,
-    /// What is wanted, in the same, u̇ among them.
+    /// The wanted outputs, in the same variables, u̇ among them.
     pub wanted: Wanted,
 }
 
-/// Holds a reduction against the whole model.
+/// Proves a reduction against the whole model.
 ///
 /// # Errors
-/// What is not known to hold, in words.
+/// Identity that is not proved, in words.
 pub fn prove(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow) -> Result<Proof, String> {
     let mut check =
         Check::new(ground, whole, level, flow).ok_or("the variables are no linear functions of the model's")?;
@@ -71,9 +71,9 @@ pub fn prove(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow)
 
 /// A proof under way.
 struct Check {
-    /// The model's q, u and u̇ in the variables of the level, what is held and parameters.
+    /// The model's q, u and u̇ in the variables of the level, the held momenta and parameters.
     written: Substitution,
-    /// d/dt along the motion on the level, nothing shed.
+    /// d/dt along the motion on the level, with every term kept.
     change: Differential,
     /// q̇ and u̇ of the whole motion in the same.
     rates: Vec<Expr>,
@@ -126,7 +126,8 @@ impl Check {
         Some(check)
     }
 
-    /// Each symmetry of the frame commutes with the motion of the whole model and leaves what is wanted as it is.
+    /// Checks that each symmetry of the frame commutes with the motion of the whole model and leaves the wanted
+    /// quantities unchanged.
     fn frame(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
         let Some(frame) = ground.frame.clone() else { return Ok(()) };
         let flow = solved_rates(&mut ground.arena, &whole.kane)
@@ -156,7 +157,7 @@ impl Check {
         Ok(())
     }
 
-    /// Notes an identity, or says which one does not hold.
+    /// Records an identity, or names the one that does not hold.
     fn zero(&mut self, ground: &Ground, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
         self.proof.identities += 1;
         if e == Expr::ZERO {
@@ -176,7 +177,7 @@ impl Check {
         self.zero(ground, difference, what)
     }
 
-    /// q̇ is what the speeds make it.
+    /// Checks that the speeds give q̇.
     fn kinematics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
         let rates = whole.kane.coordinates.iter().zip(&whole.kane.coordinate_rates);
         for (at, (q, rate)) in rates.enumerate() {
@@ -188,7 +189,7 @@ impl Check {
         Ok(())
     }
 
-    /// M u̇ − f = 0, row by row.
+    /// Checks M u̇ − f = 0, row by row.
     fn dynamics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
         for (at, (row, right)) in whole.kane.matrix.iter().zip(&whole.kane.forcing).enumerate() {
             let products = row.iter().zip(&whole.kane.unknowns);
@@ -201,7 +202,7 @@ impl Check {
         Ok(())
     }
 
-    /// Each constant is what it is called, at every state of its level, and does not change.
+    /// Checks that each constant has its stated value at every state of its level, and does not change.
     fn constants(&mut self, ground: &mut Ground, level: &Level, flow: &mut Flow) -> Result<(), String> {
         let mut back = ground.back();
         for held in &level.held {
@@ -218,8 +219,8 @@ impl Check {
         Ok(())
     }
 
-    /// What was left out of rates, and the solved rates themselves, against the equations of the level; the energy
-    /// against its rate.
+    /// Checks the rates with terms left out, and the solved rates themselves, against the equations of the level; and
+    /// the energy against its rate.
     fn rates(&mut self, ground: &mut Ground, flow: &mut Flow) -> Result<(), String> {
         for variable in flow.core.iter().chain(&flow.quadratures) {
             let (_, raw) =
@@ -244,7 +245,8 @@ impl Check {
         Ok(())
     }
 
-    /// What is wanted against the same in the whole model; a coordinate computed from the time against itself.
+    /// Checks the wanted outputs against those of the whole model; a coordinate computed from the time is checked
+    /// against itself.
     fn wanted(&mut self, ground: &mut Ground, whole: &Whole, flow: &mut Flow) -> Result<(), String> {
         let mut started = Vec::new();
         for carried in &flow.carried {
@@ -265,7 +267,7 @@ impl Check {
     }
 }
 
-/// The model's variables in those of the equations, which are linear functions of them with numbers for coefficients.
+/// The model's variables in those of the equations, which are linear functions of them with numbers as coefficients.
 fn inverse(ground: &mut Ground, model: &[Expr], stated: &[Expr], symbols: &[Expr]) -> Option<Vec<Expr>> {
     let mut form = LinearForm::new(model);
     let (mut rows, mut right) = (Vec::new(), Vec::new());

@@ -1,38 +1,38 @@
-//! Words in which formulas stand, as data: plain text prints what a page typesets.
+//! Words with formulas among them, as data: plain text prints a formula that a page typesets.
 
 use crate::algebra::print::text;
 use crate::algebra::{Arena, Expr};
 
-/// A part of what is said.
+/// A part of a text: words, a term or an equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Piece {
-    /// Words.
+    /// Plain words.
     Words(String),
-    /// A term.
+    /// A term of the store.
     Term(Expr),
     /// Two terms that are equal.
     Equation(Expr, Expr),
 }
 
-/// What is said of something: words and terms of a reduction's store.
+/// Text about a reduction: words and terms of its store.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Prose(pub Vec<Piece>);
 
 impl Prose {
-    /// Nothing but a term.
+    /// Text that consists of a term alone.
     #[must_use]
     pub fn term(e: Expr) -> Self {
         Self(vec![Piece::Term(e)])
     }
 
-    /// This, then that.
+    /// Appends more text.
     #[must_use]
     pub fn then(mut self, more: impl Into<Self>) -> Self {
         self.0.extend(more.into().0);
         self
     }
 
-    /// In plain text.
+    /// The text in plain characters.
     #[must_use]
     pub fn text(&self, arena: &Arena) -> String {
         let piece = |piece: &Piece| match piece {

@@ -1,7 +1,7 @@
 //! Reactions in q, u and u̇, from the balances of the bodies.
 //!
-//! Balances along the reactions stand before those along axes of frames: there a reaction has the factor 1, and nothing is divided by a cosine that the motion may
-//! bring to zero.
+//! Balances along the reactions stand before those along axes of frames: there a reaction has the factor 1, and no
+//! divisor is a cosine that the motion may bring to zero.
 
 use super::pivots::solve_rows;
 use crate::algebra::simplify::Simplifier;
@@ -49,7 +49,7 @@ impl ForceBalance {
         self.matrix.iter_mut().flatten().chain(&mut self.right).for_each(change);
     }
 
-    /// Each reaction and its value; `states` are what changes along a motion.
+    /// Each reaction and its value; `states` are the variables that change along a motion.
     pub fn solved(self, arena: &mut Arena, simplifier: &mut Simplifier, states: &[Expr]) -> Vec<(Expr, Expr)> {
         let right = self.right.into_iter().map(|value| vec![value]).collect();
         let columns: Vec<usize> = (0..self.reactions.len()).collect();

@@ -1,4 +1,4 @@
-//! A scene's own equations, as data.
+//! Reduced equations of a scene, as data.
 
 use super::one_degree::Slope;
 use super::proof::Proof;
@@ -8,14 +8,14 @@ use crate::algebra::{Arena, Expr, Rational, print};
 use crate::mechanics::Derivation;
 use crate::model::{Model, Unit, text_hash};
 
-/// Something that stands among the variables or parameters of a reduced system, and its value at the start.
+/// A variable or parameter of a reduced system, and its value at the start.
 #[derive(Clone, Debug)]
 pub struct Quantity {
     /// Its name in the reduced system.
     pub name: String,
     /// Its symbol there.
     pub symbol: Expr,
-    /// What it is.
+    /// Description of the quantity, in words.
     pub about: Prose,
     /// Its unit.
     pub unit: Unit,
@@ -23,7 +23,7 @@ pub struct Quantity {
     pub of_start: Expr,
 }
 
-/// What a scene asks for, as the reduced system gives it.
+/// Output of a scene, as a value of the reduced system.
 #[derive(Clone, Debug)]
 pub struct Output {
     /// Its name in the scene.
@@ -32,74 +32,75 @@ pub struct Output {
     pub value: Expr,
 }
 
-/// What was left out of a system.
+/// Omission of a reduced system, with reason and proof.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Omission {
-    /// What is not there.
+    /// Omitted quantity.
     pub what: Prose,
-    /// Why it need not be.
+    /// Reason why it is not needed.
     pub why: Prose,
-    /// How that is known.
+    /// Proof that it is not needed, in words.
     pub proof: String,
 }
 
-/// The moving frame of a reduction: from a start of the whole model its symmetries lead to where the pins are zero, and the
-/// variables of the reduction are those of the model there.
+/// Moving frame of a reduction. From a start of the whole model its symmetries lead to a state where the pins are zero;
+/// the variables of the reduction are those of the model in that state.
 #[derive(Clone, Debug)]
 pub struct Turned {
-    /// Along what the frame moves, in words.
+    /// Description of the motions of the frame, in words.
     pub about: Vec<String>,
-    /// For each symmetry its components, in parameters, coordinates and speeds of the whole model: one a coordinate, then one a
-    /// speed.
+    /// For each symmetry its components, in parameters, coordinates and speeds of the whole model: one for each
+    /// coordinate, then one for each speed.
     pub fields: Vec<Vec<Expr>>,
-    /// What is zero in the frame, in coordinates and speeds of the whole model.
+    /// Terms that are zero in the frame, in coordinates and speeds of the whole model.
     pub pins: Vec<Expr>,
-    /// For each pin how it changes along each symmetry.
+    /// For each pin its slope along each symmetry.
     pub slopes: Vec<Vec<Expr>>,
 }
 
-/// A scene's own equations.
+/// Reduced equations of a scene.
 #[derive(Clone)]
 pub struct Reduction {
     /// The variables and parameters of the reduced system, the momenta among the latter; its store holds all terms.
     pub model: Model,
     /// Its equations, with the same store.
     pub derivation: Derivation,
-    /// What is integrated and depends on nothing else than these.
+    /// Integrated variables that depend on one another alone.
     pub states: Vec<Quantity>,
-    /// What is integrated along with them, since the outputs need it; no state depends on it.
+    /// Variables that are integrated along with the states since the outputs need them; no state depends on them.
     pub quadratures: Vec<Quantity>,
-    /// What stays as it is at the start.
+    /// Quantities that keep their value at the start.
     pub constants: Vec<Quantity>,
     /// Those of the constants that stand for products of parameters and other constants.
     pub products: Vec<Definition>,
-    /// What the scene wants to see.
+    /// Outputs of the scene.
     pub outputs: Vec<Output>,
     /// The functions of the scene's events, in its order.
     pub events: Vec<Expr>,
-    /// The moving frame that it is written in, if it is.
+    /// The moving frame in which it is written; `None` without one.
     pub frame: Option<Turned>,
-    /// Symmetries that change nothing that is shown, in words, along which there is no frame since the domain names what they turn.
+    /// Symmetries that leave every shown quantity unchanged, in words, but give no frame since the domain depends on
+    /// states that they turn.
     pub kept_by_domain: Vec<String>,
-    /// Parameters that stand as numbers.
+    /// Parameters that are replaced by numbers.
     pub folded: Vec<(String, Rational)>,
-    /// What was left out.
+    /// Omissions, each with its reason and its proof.
     pub omitted: Vec<Omission>,
-    /// What the reduction divides by: where one of these is zero, it says nothing.
+    /// Divisors of the reduction: where one is zero, the reduction has no value.
     pub divisors: Vec<Expr>,
-    /// Whether the energy is a function of what is kept; otherwise the energies of the equations are 0.
+    /// True if the energy is a function of the kept variables; otherwise the energies of the equations are 0.
     pub has_energy: bool,
     /// For quadrature, if there is one degree of freedom.
     pub slope: Option<Slope>,
     /// The time since the start, in outputs that are linear in it.
     pub time: Expr,
-    /// That it gives what the whole model gives: nothing else is returned.
+    /// Proof that the reduction gives the outputs of the whole model; a reduction without proof is never returned.
     pub proof: Proof,
 }
 
 impl Reduction {
-    /// A hash of everything that the reduced equations depend on: the model's text, what the scene asks for, the
-    /// numbers that it fixes, and what was chosen to hold and to measure from.
+    /// A hash of everything that the reduced equations depend on: the model's text, the scene's outputs, the numbers
+    /// that it fixes, the held momenta, and the origins of distances.
     #[must_use]
     pub fn key(&self) -> String {
         let arena = self.terms();

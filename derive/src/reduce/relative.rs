@@ -1,9 +1,8 @@
 //! Variables that a symmetry moves together become differences.
 //!
-//! Where a chain floats in space, all of its angles turn at one rate when it is turned as a whole. In ψ_i = q_i − r_i
-//! q_g, and likewise in speeds, only q_g and u_g move along the symmetry: its momentum determines u_g, divided by the
-//! inertia of the whole turned as if it were rigid, which is never zero, and q_g is needed only by outputs that show
-//! it.
+//! If a floating chain is turned as a whole, all of its angles change at one rate. In ψ_i = q_i − r_i q_g, and likewise
+//! in speeds, only q_g and u_g move along the symmetry. Its momentum determines u_g, with the inertia of the whole as a
+//! rigid body as divisor, which is never zero. Only outputs that show q_g need it.
 
 use super::ground::{Ground, Momentum, Relative};
 use super::wanted::Wanted;
@@ -13,7 +12,7 @@ use crate::algebra::steps::fresh_symbol;
 
 impl Ground {
     /// Puts differences for the coordinates and for the speeds that one of these symmetries alone moves together at
-    /// constant ratios; what is wanted comes back in them.
+    /// constant ratios; returns the wanted quantities in them.
     pub(super) fn relative(&mut self, momenta: &[usize], wanted: Wanted) -> Wanted {
         let mut wanted = wanted;
         for at in momenta {
@@ -31,8 +30,8 @@ impl Ground {
         wanted
     }
 
-    /// The places, with their numbers, at which this direction is not zero and the others are, if there are several and
-    /// all are numbers.
+    /// Indices and numbers of the components at which this direction is not zero and the others are; `None` unless
+    /// there are several and all are numbers.
     fn together(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<(usize, Expr)>> {
         let alone = |at: usize| others.iter().all(|other| other[at] == Expr::ZERO);
         let moved: Vec<(usize, Expr)> =
@@ -103,7 +102,7 @@ impl Ground {
         self.rewrite(&pairs, wanted)
     }
 
-    /// How many times the pivot goes with a variable, and the symbol of what is left.
+    /// Ratio at which a variable moves with the pivot, and the symbol of their difference.
     fn difference(&mut self, variable: Expr, pivot: Expr, number: Expr, of_pivot: Expr) -> (Expr, Expr) {
         let ratio = self.arena.div(number, of_pivot).expect("a component that is not zero");
         let name = |e: Expr| self.arena.symbol_name(e).unwrap_or_default();

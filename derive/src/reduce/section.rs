@@ -12,8 +12,9 @@ use crate::algebra::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 
 impl Ground {
-    /// Writes the equations in the frame that moves along these symmetries and keeps these states at zero; what is wanted comes
-    /// back on the section. Nothing if the section is singular, or one of these momenta changes as the frame moves.
+    /// Writes the equations in the frame that moves along these symmetries and keeps these states at zero; returns the
+    /// wanted quantities on the section. `None` if the section is singular, or one of these momenta changes as the
+    /// frame moves.
     pub(super) fn in_frame(
         &mut self,
         (turns, pins): (&[usize], &[usize]),
@@ -76,7 +77,7 @@ impl Ground {
         Some(wanted)
     }
 
-    /// The frame as what leads to it from a start of the whole model.
+    /// Data of the frame that lead to it from a start of the whole model.
     pub(super) fn turned(&mut self) -> Option<Turned> {
         let frame = self.frame.clone()?;
         let starts = [self.q_start.as_slice(), &self.u_start].concat();
@@ -102,12 +103,12 @@ impl Ground {
         Substitution::new(&pins.map(|pin| (states[*pin], Expr::ZERO)).collect::<Vec<_>>())
     }
 
-    /// Whether a frame keeps this speed at zero.
+    /// True if a frame keeps this speed at zero.
     pub(super) fn is_pinned_speed(&self, at: usize) -> bool {
         self.frame.as_ref().is_some_and(|frame| frame.pins.contains(&(self.q.len() + at)))
     }
 
-    /// How these momenta change along a symmetry.
+    /// Slopes of these momenta along a symmetry.
     fn changes(&mut self, turn: usize, momenta: &[usize], states: &[Expr]) -> Vec<Expr> {
         let along = states.iter().copied().zip(self.turns[turn].along.iter().copied()).collect::<Vec<_>>();
         let mut change = Differential::along(&along);

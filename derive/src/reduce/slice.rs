@@ -1,7 +1,7 @@
-//! What the outputs depend on, by meaning.
+//! Dependence of the outputs on the variables, by meaning, and the least set of variables that they need.
 //!
-//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. Where it does not, any value may stand for q₁, and what
-//! mentions it only by form loses its terms.
+//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. If it does not, any value may stand for q₁, and terms
+//! that mention q₁ only by form vanish.
 
 use super::dependence::Dependence;
 use super::ground::Ground;
@@ -15,14 +15,14 @@ use crate::algebra::steps::Definition;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// A variable that the equations have, and its rate.
+/// A variable of the equations, and its rate.
 #[derive(Clone, Copy, Debug)]
 pub struct Variable {
     /// Its symbol.
     pub symbol: Expr,
-    /// Its rate in variables, what is held and parameters.
+    /// Its rate in variables, held momenta and parameters.
     pub rate: Expr,
-    /// Whether it is a speed.
+    /// True for a speed, false for a coordinate.
     pub is_speed: bool,
     /// Its place among the model's coordinates or speeds.
     pub place: usize,
@@ -33,30 +33,30 @@ pub struct Variable {
 pub struct Carried {
     /// The coordinate.
     pub coordinate: Expr,
-    /// Its value in other variables, time, what is held and the position at the start.
+    /// Its value in other variables, time, held momenta and the position at the start.
     pub value: Expr,
     /// The symbol of the position at the start.
     pub symbol: Expr,
     /// The position in q.
     pub position: Expr,
-    /// Which of what is held moves it.
+    /// Index of the held momentum that moves it.
     pub held: usize,
 }
 
-/// The least closed set of variables that what is wanted depends on.
+/// The least closed set of variables on which the wanted quantities depend.
 #[derive(Clone)]
 pub struct Flow {
     /// The variables on which others depend: coordinates first.
     pub core: Vec<Variable>,
-    /// Those on which nothing depends but what is wanted, each after those it depends on.
+    /// Variables on which only wanted quantities depend, each after those it depends on.
     pub quadratures: Vec<Variable>,
-    /// Variables of the model that are not there.
+    /// Variables of the model that are left out.
     pub dropped: Vec<Variable>,
-    /// What stands for longer terms, and what terms depend on.
+    /// Definitions of longer terms, and the test of dependence.
     pub dependence: Dependence,
-    /// What is wanted, in the variables that are there.
+    /// The wanted quantities, in the variables that are kept.
     pub wanted: Wanted,
-    /// The energy, if it is conserved and a function of the variables that are there.
+    /// The energy, if it is conserved and a function of the kept variables.
     pub energy: Option<Expr>,
     /// Coordinates computed from the motion of a mass centre.
     pub carried: Vec<Carried>,
@@ -64,12 +64,13 @@ pub struct Flow {
     pub time: Expr,
     /// The matrix and the right-hand side of the speeds' rates, if that form of the equations is kept.
     pub system: Option<(Vec<Vec<Expr>>, Vec<Expr>)>,
-    /// Each variable and its rate before what it does not depend on was taken out.
+    /// Each variable and its rate before terms on which it does not depend were taken out.
     pub raw: Vec<(Expr, Expr)>,
 }
 
 impl Flow {
-    /// What is needed of a level for what is wanted; nothing if the level does not determine its accelerations.
+    /// Finds the variables of a level that the wanted quantities need; `None` if the level does not determine its
+    /// accelerations.
     pub(super) fn new(ground: &mut Ground, level: &Level, wanted: &Wanted) -> Option<Self> {
         let (mut variables, definitions) = ground.variables(level)?;
         let symbols: Vec<Expr> = variables.iter().map(|v| v.symbol).collect();
@@ -127,12 +128,12 @@ impl Flow {
         Some(flow)
     }
 
-    /// Whether a variable is among the states.
+    /// True if a variable is among the states.
     pub fn is_core(&self, symbol: Expr) -> bool {
         self.core.iter().any(|v| v.symbol == symbol)
     }
 
-    /// States, all that is integrated, and operations.
+    /// Numbers of states, of integrated variables and of operations.
     pub(super) fn weight(&self, ground: &Ground) -> (usize, usize, usize) {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate).collect::<Vec<_>>();
         let used = self.used(&ground.arena, &rates);
@@ -141,7 +142,7 @@ impl Flow {
         (self.core.len(), integrated, cost_of_all(&ground.arena, &rates))
     }
 
-    /// Sorts all variables anew into those that are needed, for their own sake or for others, and those that are not.
+    /// Sorts all variables anew into needed and unneeded ones.
     pub(super) fn close(&mut self, arena: &Arena) {
         let mut all: Vec<Variable> =
             self.core.drain(..).chain(self.quadratures.drain(..)).chain(self.dropped.drain(..)).collect();
@@ -180,7 +181,7 @@ impl Flow {
         self.dependence.definitions.iter().copied().filter(|d| mentioned.contains(&d.symbol)).collect()
     }
 
-    /// Coordinates that no rate depends on and that the uniform motion of a mass centre gives.
+    /// Takes out coordinates on which no rate depends and that the uniform motion of a mass centre gives.
     fn carry(&mut self, ground: &mut Ground, level: &Level) {
         // A frame may move the mass centre.
         if ground.frame.is_some() {
@@ -220,7 +221,7 @@ impl Flow {
 }
 
 impl Ground {
-    /// Coordinates and kept speeds with their rates, and what these are defined by; nothing if the matrix is singular.
+    /// Coordinates and kept speeds with their rates, and the definitions of these; `None` if the matrix is singular.
     fn variables(&mut self, level: &Level) -> Option<(Vec<Variable>, Vec<Definition>)> {
         let mut list: Vec<Variable> = Vec::new();
         for (place, (symbol, rate)) in self.q.iter().zip(&self.kane.coordinate_rates).enumerate() {
@@ -267,7 +268,7 @@ impl Ground {
         }
     }
 
-    /// A coordinate from position = start + momentum · t, if it stands in the position with a constant factor.
+    /// A coordinate from position = start + momentum · t, if it enters the position with a constant factor.
     fn carried_coordinate(
         &mut self,
         coordinate: Expr,

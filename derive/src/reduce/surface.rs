@@ -1,8 +1,8 @@
 //! The singular surface of a reduction, and equations in the distance from it.
 //!
-//! Where a momentum loses its hold on the speeds, as the spin about the vertical does on an axis that is vertical, the
-//! reduced equations hold a quotient N(q; c)/D(q) whose parts vanish together. In d = q − q_s the divisor is computed
-//! without cancellation; what becomes of the numerator is a matter of `separate`.
+//! Where a momentum does not determine its speed, as the spin about the vertical on a vertical axis, the reduced
+//! equations hold a quotient N(q; c)/D(q) whose parts vanish together. In d = q − q_s the divisor is computed without
+//! cancellation; `separate` treats the numerator.
 
 use super::ground::Ground;
 use super::level::Level;
@@ -21,8 +21,8 @@ use std::f64::consts::FRAC_PI_2;
 const MOST_TURNS: i32 = 100;
 
 impl Ground {
-    /// Where this level is singular, if that is a multiple of a quarter turn of a coordinate among the states: what the
-    /// scene names, or else the one nearest to the start.
+    /// Finds the singular surface of this level, if it is a multiple of a quarter turn of a coordinate among the
+    /// states. The surface that the scene names is taken, or else the one nearest to the start.
     pub(super) fn surface(&mut self, level: &Level, wanted: &Wanted, scene: &Scene) -> Option<Distance> {
         let stated = scene.integration.distance;
         if !scene.integration.may_measure || (level.divisors.is_empty() && stated.is_none()) {
@@ -57,7 +57,7 @@ impl Ground {
         there.undefined.is_none() && self.simplifier.simplify(&mut self.arena, value) == Expr::ZERO
     }
 
-    /// Writes every equation in the distance from a surface; what is wanted comes back in it.
+    /// Writes every equation in the distance from a surface; returns the wanted quantities in it.
     pub(super) fn measure_from(&mut self, place: Distance, wanted: &Wanted) -> (Surface, Wanted) {
         let surface = Surface { symbol: self.distance_symbol(place) };
         let Distance { coordinate, quarter_turns } = place;
@@ -91,7 +91,7 @@ impl Ground {
     }
 }
 
-/// k π/2.
+/// Angle k π/2 of k quarter turns.
 pub fn quarter(arena: &mut Arena, turns: i32) -> Expr {
     let pi = arena.pi();
     let half_turns = arena.ratio(i64::from(turns), 2);

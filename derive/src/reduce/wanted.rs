@@ -1,4 +1,4 @@
-//! What a scene wants to see and to watch, in the variables of a reduction.
+//! Outputs, conditions and events of a scene, in the variables of a reduction.
 
 use super::ground::Ground;
 use crate::algebra::Expr;
@@ -6,7 +6,7 @@ use crate::algebra::calculus::Substitution;
 use crate::mechanics::{DeriveError, rates_to_speeds};
 use crate::scene::Scene;
 
-/// What a scene wants to see and to watch.
+/// Values that a scene shows or watches: outputs, conditions and events.
 #[derive(Clone, Debug)]
 pub struct Wanted {
     /// Names and values of the outputs.
@@ -27,7 +27,7 @@ impl Wanted {
         }
     }
 
-    /// Each value with what it is.
+    /// Each value with its description.
     pub fn named(&self) -> Vec<(String, Expr)> {
         let outputs = self.outputs.iter().map(|(name, e)| (format!("the output {name}"), *e));
         let conditions = self.conditions.iter().map(|e| ("a condition of the domain".to_owned(), *e));
@@ -42,7 +42,7 @@ impl Wanted {
 }
 
 impl Ground {
-    /// What the scene wants to see and to watch, in q and u; reactions from the force balance.
+    /// Values that the scene shows or watches, in q and u; reactions from the force balance.
     pub(super) fn wanted(&mut self, scene: &Scene) -> Result<Wanted, DeriveError> {
         let mut rewrite = self.names(scene)?;
         let mut output = |ground: &mut Self, e: Expr| {

@@ -17,11 +17,11 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub struct Compared {
     /// The name of the quantity, or the place in a system, as in `kane matrix[1,2]`.
     pub name: String,
-    /// What the reference says; nothing if it leaves the entry out.
+    /// Value in the reference; `None` if the reference leaves the entry out.
     pub reference: Option<Expr>,
-    /// What is derived here; nothing if it cannot be had.
+    /// Value derived here; `None` if it cannot be derived.
     pub derived: Option<Expr>,
-    /// Reference against derived. What only one of the two has is undecided.
+    /// Verdict of reference against derived. It is undecided if only one of the two is present.
     pub verdict: Verdict,
 }
 
@@ -207,7 +207,7 @@ fn names(model: &Model) -> FxHashMap<String, Expr> {
     names
 }
 
-/// What every reference of a model states: see `tests/sympy/README.md`.
+/// Quantities that every reference of a model states: see `tests/sympy/README.md`.
 fn expected(model: &Model) -> Vec<Quantity> {
     let mut kinds = Vec::new();
     for (to, frame) in model.frames.iter().enumerate() {

@@ -5,20 +5,20 @@
 //! of the chain and of the disk from that code and a derivation of its own.
 #![allow(clippy::unreadable_literal, clippy::approx_constant, reason = "figures as they were printed")]
 
-/// A state and what holds there.
+/// A state, with the accelerations and energies there.
 pub struct State {
     pub q: &'static [f64],
     pub u: &'static [f64],
     pub u_dot: &'static [f64],
     pub kinetic_energy: f64,
-    /// Up to a constant.
+    /// Potential energy, up to a constant.
     pub gravity_potential: f64,
 }
 
 /// A model file and its states.
 pub struct Case {
     pub file: &'static str,
-    /// Whether its reactions are declared, so that Newton-Euler can be derived.
+    /// True if the model declares its reactions, so that Newton-Euler can be derived.
     pub reactions: bool,
     pub states: &'static [State],
 }

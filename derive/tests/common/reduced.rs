@@ -26,7 +26,7 @@ pub fn scene_of(model: &mut Model, text: &str) -> Scene {
     scene::load(&Source::from_text("scene.toml", text), model).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The reduction of a model for a scene that says this, and where it starts.
+/// The reduction of a model for a scene with this text, and a start.
 pub fn reduced(model: &str, scene: &str) -> Reduction {
     let mut model = model::load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
     let scene = with_start(&model, scene);
@@ -52,12 +52,12 @@ pub fn names(list: &[Quantity]) -> Vec<&str> {
     list.iter().map(|q| q.name.as_str()).collect()
 }
 
-/// States, then what is integrated along with them.
+/// Names of the states, then of the quadratures.
 pub fn integrated(r: &Reduction) -> (Vec<&str>, Vec<&str>) {
     (names(&r.states), names(&r.quadratures))
 }
 
-/// What the reduced system says of an output.
+/// Value of an output in the reduced system, as text.
 pub fn output(r: &Reduction, name: &str) -> String {
     let output = r.outputs.iter().find(|o| o.name == name).unwrap_or_else(|| panic!("no output {name}"));
     text(r.terms(), output.value)

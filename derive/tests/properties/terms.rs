@@ -148,7 +148,7 @@ pub fn sum_of(arena: &mut Arena, angle: &Angle) -> Expr {
     arena.linear_combination(&parts)
 }
 
-/// Whether one may divide by it: it is not zero by meaning.
+/// True if a term may be a divisor: it is not zero by meaning.
 pub fn divides(arena: &Arena, e: Expr) -> bool {
     zero_test(arena, e) == ZeroTest::NonZero
 }

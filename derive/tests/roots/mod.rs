@@ -1,4 +1,4 @@
-//! Root mistakes: what `diff` makes of errors that are repeated and inherited.
+//! Root mistakes: groups that `diff` makes of repeated and inherited errors.
 
 mod planted;
 
@@ -52,8 +52,8 @@ fn outline(difference: &Difference) -> String {
     out
 }
 
-/// By hand: the report takes ω(B) for ω(C) in ω × H and carries it into Kane's second row, Euler's rows and the program that solves them; its
-/// Lagrangian system has three wrong entries, which its program repeats.
+/// Truth by hand: the report takes ω(B) for ω(C) in ω × H and carries it into Kane's second row, Euler's rows and the
+/// program that solves them; its Lagrangian system has three wrong entries, which its program repeats.
 #[test]
 fn the_errors_of_the_course_report_come_of_few_mistakes() {
     let difference = disk("../models/disk/report.toml");
@@ -121,7 +121,7 @@ fn equal_differences_alone_prove_nothing() {
     assert!(difference.roots.iter().all(|root| root.linked(Link::Follows).count() == 0));
 }
 
-/// A report of one wrong value, and what is made of it by hand: everything comes of it.
+/// Checks that every line of a report, made by hand from one wrong value, is traced to the first.
 fn all_come_of_the_first(lines: &[(&str, &str)]) {
     let entry = |(quantity, printed): &(&str, &str)| {
         let id = quantity.replace(char::is_whitespace, "");
@@ -133,8 +133,8 @@ fn all_come_of_the_first(lines: &[(&str, &str)]) {
     assert_eq!(difference.roots.len(), 1, "{}", outline(&difference));
 }
 
-/// Goal: the formulas of kinematics, each by hand. Method: l printed twice too long in one line, and put into those below it; components in
-/// a frame that turns, so that a = dv/dt + ω × v.
+/// Goal: the formulas of kinematics, each by hand. Method: l printed twice too long in one line, and put into those
+/// below it; components in a frame that turns, so that a = dv/dt + ω × v.
 #[test]
 fn what_is_made_of_a_velocity_comes_of_it() {
     all_come_of_the_first(&[

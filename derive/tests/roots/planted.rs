@@ -49,8 +49,8 @@ pub fn judged(report: &str) -> Difference {
 /// A coefficient that is 1 where the derivation is right, and the id of the line in which it is made.
 const SITES: [&str; 5] = ["a1", "J", "W", "Tt", "V"];
 
-/// A line of a derivation: id, the sites whose mistake it may inherit, and what it prints with coefficients K of these sites, in
-/// their order. Derived by hand for any values of the coefficients.
+/// A line of a derivation: id, the sites whose mistake it may inherit, and what it prints with coefficients K of these
+/// sites, in their order. Derived by hand for any values of the coefficients.
 type Line = (&'static str, &'static [usize], fn(&[&str]) -> String);
 
 /// The derivation.
@@ -123,8 +123,9 @@ impl Dice {
     }
 }
 
-/// Goal: roots are where mistakes were made, and followers come of exactly those that they inherit. Method: 12 derivations with random
-/// mistakes, each later line inheriting or not at random; a line that inherits nothing is right.
+/// Goal: roots are where mistakes were made, and followers are traced to exactly those that they inherit. Method: 12
+/// derivations with random mistakes, each later line inheriting or not at random; a line that inherits nothing is
+/// right.
 #[test]
 fn planted_mistakes_are_found_with_all_that_inherits_them() {
     let mut inherited = 0;

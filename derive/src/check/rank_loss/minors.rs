@@ -1,8 +1,8 @@
-//! Minors of a matrix of constraints, and whether they can all be zero together.
+//! Minors of a matrix of constraints, and their common zeros.
 //!
-//! A matrix has fewer than r independent rows exactly where all of its minors of r rows are zero (J. M. Selig, *Geometric Fundamentals of
-//! Robotics*, 2nd edition (2005), § 4.6). They are expanded without a division. Rows that share no column are asked apart: the whole loses
-//! rank where one of its parts does.
+//! A matrix has fewer than r independent rows exactly where all of its minors of r rows are zero (J. M. Selig,
+//! *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6). They are expanded without a division. Rows that
+//! share no column are treated apart: the whole loses rank where one of its parts does.
 
 use crate::algebra::contract::contract;
 use crate::algebra::evaluate::Tape;
@@ -13,17 +13,17 @@ use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::bare;
 use rustc_hash::FxHashSet;
 
-/// Rows of a minor, minors of one part, and formulas of all parts together up to which all are made.
+/// Most rows of a minor, minors of one part, and formulas of all parts together.
 const MOST_ROWS: usize = 4;
 const MOST_MINORS: usize = 200;
 const MOST_FORMULAS: usize = 20;
 /// The longest formula that a proof shows, in characters.
 const LONGEST: usize = 120;
 
-/// A matrix with what is known of its entries.
+/// A matrix with the known properties of its entries.
 pub struct Matrix<'a> {
     pub rows: &'a [Vec<Expr>],
-    /// How many of the first rows are independent; the others follow from these, except in single poses.
+    /// Number of the first rows that are independent; the others follow from these, except in single poses.
     pub rank: usize,
     /// Default values of parameters.
     pub known: &'a [(Expr, f64)],
@@ -33,17 +33,17 @@ pub struct Matrix<'a> {
     pub places: &'a [Expr],
 }
 
-/// Where the rows of a matrix lose rank.
+/// Poses where the rows of a matrix lose rank, as common zeros of formulas.
 pub struct Surfaces {
-    /// Formulas that are all zero exactly there; empty where that is proved to be nowhere.
+    /// Formulas that are all zero exactly in these poses; empty if there is proved to be none.
     pub all_zero: Vec<Expr>,
-    /// Terms that are never zero, which prove it of the parts that lose rank nowhere.
+    /// Terms that are never zero, which prove it for the parts that never lose rank.
     pub never: Vec<String>,
-    /// Factors without coordinates that a proof takes as not zero, though nothing says that they are positive.
+    /// Factors without coordinates that a proof assumes nonzero, though nothing states that they are positive.
     pub taken: Vec<Expr>,
 }
 
-/// Where the rows lose rank; nothing where the minors are too many.
+/// Finds the poses where the rows lose rank; `None` if there are too many minors.
 pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
     let mut found = Surfaces { all_zero: Vec::new(), never: Vec::new(), taken: Vec::new() };
     let mut sets: Vec<Vec<Expr>> = Vec::new();
@@ -72,7 +72,7 @@ pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
     Some(found)
 }
 
-/// Formulas that are all zero exactly where those of one of the sets all are.
+/// Formulas that are all zero exactly where all formulas of one of the sets are.
 fn any_of(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
     let mut all: Vec<Expr> = Vec::new();
     for set in sets {
@@ -92,7 +92,7 @@ fn any_of(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
     Some(all)
 }
 
-/// Rows that share columns, with how many of them are independent.
+/// Rows that share columns, with the number of independent ones.
 struct Part {
     rows: Vec<usize>,
     columns: Vec<usize>,
@@ -141,7 +141,7 @@ fn minors(arena: &mut Arena, simplifier: &mut Simplifier, rows: &[Vec<Expr>], pa
     Some(found)
 }
 
-/// The choices of so many items, in order.
+/// All choices of `count` items, in order.
 fn combinations(items: &[usize], count: usize) -> Vec<Vec<usize>> {
     let Some(left) = count.checked_sub(1) else { return vec![Vec::new()] };
     let with = |at: usize| {
@@ -163,8 +163,8 @@ fn minor(arena: &mut Arena, rows: &[Vec<Expr>], chosen: &[usize], columns: &[usi
     arena.sum(&terms)
 }
 
-/// The factors of a minor that may be zero in a pose, each once; those without coordinates that are left out for their default value are
-/// added to `taken`.
+/// The factors of a minor that may be zero in a pose, each once. Factors without coordinates that are left out because
+/// of their default value are added to `taken`.
 fn moving_factors(arena: &mut Arena, matrix: &Matrix<'_>, minor: Expr, taken: &mut Vec<Expr>) -> Vec<(Expr, i32)> {
     let minor = contract(arena, minor);
     let minor = bare(arena, minor);
@@ -189,7 +189,7 @@ fn value(arena: &Arena, e: Expr, known: &[(Expr, f64)]) -> Option<f64> {
     Some(Tape::new(arena, &inputs, &[e]).ok()?.evaluate(&values)[0])
 }
 
-/// Takes the factors out that all have.
+/// Takes out the factors that all products have.
 fn take_common(all: &mut [Vec<(Expr, i32)>]) -> Vec<(Expr, i32)> {
     let Some((first, others)) = all.split_first() else { return Vec::new() };
     let common: FxHashSet<(Expr, i32)> =
@@ -206,7 +206,8 @@ fn product(arena: &mut Arena, factors: &[(Expr, i32)]) -> Expr {
     arena.try_product(factors).expect("positive powers")
 }
 
-/// A proof that terms are never all zero: one of them never is, or the sum of their squares, less a multiple of what is zero in every pose.
+/// Proves that terms are never all zero. Either one of them never is, or the sum of their squares, less a multiple of a
+/// term that is zero in every pose.
 fn not_all_zero(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -238,7 +239,8 @@ fn shown(arena: &Arena, what: &str, e: Expr) -> String {
     if formula.len() > LONGEST { format!("{what} is never 0") } else { format!("{what}, {formula}, is never 0") }
 }
 
-/// Whether a term is zero in no pose: by its range, or, without coordinates, at the default values: it is then `taken` as not zero.
+/// True if a term is zero in no pose: by its range, or, without coordinates, at the default values. In the second case
+/// it is added to `taken`.
 fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>) -> bool {
     if never_zero(arena, e) {
         return true;
@@ -249,7 +251,7 @@ fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>
     is_taken
 }
 
-/// A sum less the multiple of another with which one of their common terms goes.
+/// A sum less the multiple of another by which one of their common terms cancels.
 fn less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, other: Expr) -> Option<Expr> {
     let terms = |arena: &Arena, e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),

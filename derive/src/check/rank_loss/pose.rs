@@ -1,4 +1,4 @@
-//! Poses in which rows lose rank, looked for in doubles.
+//! Search for poses in which rows lose rank, in doubles.
 
 use crate::algebra::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
@@ -6,21 +6,21 @@ use crate::model::closed_poses::{Poses, reach};
 use crate::model::{Model, Unit};
 use nalgebra::DMatrix;
 
-/// Unknowns up to which poses are looked for.
+/// Number of unknowns up to which poses are searched.
 const MOST_UNKNOWNS: usize = 120;
-/// What a row of length 1 adds to the others where it follows from them, to rounding of a double root.
+/// Remainder below which a row of length 1 counts as a combination of the others, up to the rounding of a double root.
 const LOST: f64 = 1e-5;
 
-/// How far from 0 instants are drawn, s.
+/// Largest distance from 0 at which instants are drawn, s.
 const SECONDS: f64 = 10.0;
-/// What rounding leaves of an equation of which the slopes vanish in the pose.
+/// Residual, by rounding, of an equation whose slopes vanish in the pose.
 const FLAT: f64 = 1e-14;
 
-/// What was found from random places.
+/// Result of a search from random places.
 pub struct Sought {
-    /// A value for each coordinate, and last the instant where that matters; with the rank there.
+    /// A value for each coordinate, and last the instant where it matters; with the rank in that pose.
     pub pose: Option<(Vec<(String, f64)>, usize)>,
-    /// How many places it was looked for from.
+    /// Number of places from which the search started.
     pub tries: usize,
 }
 
@@ -33,12 +33,12 @@ pub struct Constraints<'a> {
     pub columns: &'a [usize],
     /// Default values of parameters.
     pub known: &'a [(Expr, f64)],
-    /// What is zero in closed poses.
+    /// Terms that are zero in closed poses.
     pub closed: &'a [Expr],
 }
 
 impl Constraints<'_> {
-    /// A closed pose in which the rows lose rank.
+    /// Searches for a closed pose in which the rows lose rank.
     pub fn sought(&self, arena: &mut Arena) -> Sought {
         let nothing = Sought { pose: None, tries: 0 };
         let Self { model, columns, .. } = *self;
@@ -73,7 +73,8 @@ impl Constraints<'_> {
         Sought { pose, tries: poses.tries() }
     }
 
-    /// What is zero where loops are closed and as many orthonormal λ as the loss of rank takes have Aᵀ λ = 0, with all components of λ.
+    /// Terms that are zero where loops are closed and Aᵀ λ = 0 for as many orthonormal λ as the loss of rank requires;
+    /// with all components of λ.
     fn equations(&self, arena: &mut Arena) -> (Vec<Expr>, Vec<Expr>) {
         let mut equations = self.closed.to_vec();
         let vectors = self.rows.len() - self.rank + 1;
@@ -95,7 +96,7 @@ impl Constraints<'_> {
         (equations, multipliers.concat())
     }
 
-    /// How many rows are independent in a pose, as far as doubles tell; nothing if they have no value.
+    /// Number of independent rows in a pose, within rounding; `None` if an entry has no value.
     fn rank_in(&self, arena: &Arena, places: &[Expr], q: &[f64]) -> Option<usize> {
         let inputs: Vec<Expr> = self.known.iter().map(|(symbol, _)| *symbol).chain(places.iter().copied()).collect();
         let tape = Tape::new(arena, &inputs, &self.rows.concat()).ok()?;

@@ -1,12 +1,12 @@
-//! Quantities as they come out when printed values stand in the place of derived ones.
+//! Values of quantities that follow when printed values replace derived ones.
 //!
-//! Every formula is the textbook's, in quantities that a report can name: a = dv/dt, dH/dt = I·α + ω × I·ω, F*_r = Σ ∂v/∂u_r·R* +
-//! ∂ω/∂u_r·T*, L = T − V. What no printed value reaches has no value here, so that it is never taken for a consequence.
-//! Invariant: everything is in q, u and u̇. Absent on purpose: walks along the tree of frames; a formula looks at what is printed of its own
-//! operands and no further.
+//! Every formula is the textbook's, in quantities that a report can name: a = dv/dt, dH/dt = I·α + ω × I·ω, F*_r = Σ
+//! ∂v/∂u_r·R* + ∂ω/∂u_r·T*, L = T − V. A quantity that no printed value reaches has no value here, so that it is never
+//! taken for a consequence. Invariant: everything is in q, u and u̇. Absent on purpose: walks along the tree of frames;
+//! a formula uses the printed values of its own operands and no further.
 //!
-//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition
-//! (2002), § 5.5.
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H. Goldstein, C. Poole & J.
+//! Safko, *Classical Mechanics*, 3rd edition (2002), § 5.5.
 
 mod sums;
 mod vectors;
@@ -19,7 +19,7 @@ use crate::mechanics::{Quantities, QuantityKind, Row, VectorName, motion_rates};
 use crate::model::Model;
 use rustc_hash::FxHashMap;
 
-/// Printed values, and what follows from them.
+/// Printed values, and the values that follow from them.
 pub struct Chain {
     put: Vec<(QuantityKind, Expr)>,
     /// d/dt, along printed rates of coordinates if there are any.
@@ -30,7 +30,7 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// What follows from these values, which are in q, u and u̇.
+    /// Makes the chain of these printed values, which are in q, u and u̇.
     pub fn new(model: &Model, put: Vec<(QuantityKind, Expr)>) -> Self {
         let mut d_dt = motion_rates(model);
         let mut moves_otherwise = false;
@@ -48,7 +48,7 @@ impl Chain {
         self.put.iter().find(|(k, _)| k == kind).map(|(_, value)| *value)
     }
 
-    /// The value of a quantity with the printed ones put in; none if they do not reach it.
+    /// The value of a quantity with the printed values put in; `None` if they do not reach it.
     pub fn value(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         if let Some(value) = self.printed(kind) {
             return Some(value);
@@ -61,7 +61,7 @@ impl Chain {
         value
     }
 
-    /// By how much a quantity differs from what is derived, if it is reached.
+    /// Difference of a quantity from its derived value; `None` if no printed value reaches it.
     pub fn change(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         let value = self.value(quantities, kind)?;
         let right = derived(quantities, kind)?;

@@ -9,7 +9,7 @@ pub fn component(vector: VectorName, of: usize, frame: usize, axis: usize) -> Qu
     QuantityKind::Component { vector, of, frame, axis }
 }
 
-/// The derived value in q, u and u̇; what cannot be derived has no consequences.
+/// The derived value in q, u and u̇; `None` if it cannot be derived, and then it has no consequences.
 pub fn derived(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
     let quantity = Quantity::new(kind.clone(), quantities.model);
     let Ok(value) = quantities.value(&quantity) else { return None };
@@ -42,17 +42,17 @@ pub fn arena_of<'a>(quantities: &'a mut Quantities<'_>) -> &'a mut Arena {
     &mut quantities.derivations.kinematics.arena
 }
 
-/// a + b.
+/// Sum of two vectors, a + b, by components.
 pub fn sum(arena: &mut Arena, a: &Components, b: &Components) -> Components {
     [0, 1, 2].map(|at| arena.add(a[at], b[at]))
 }
 
-/// a − b.
+/// Difference of two vectors, a − b, by components.
 pub fn difference(arena: &mut Arena, a: &Components, b: &Components) -> Components {
     [0, 1, 2].map(|at| arena.sub(a[at], b[at]))
 }
 
-/// a · b.
+/// Scalar product of two vectors, a · b.
 pub fn dot(arena: &mut Arena, a: &Components, b: &Components) -> Expr {
     let products = [0, 1, 2].map(|at| arena.mul(a[at], b[at]));
     arena.sum(&products)

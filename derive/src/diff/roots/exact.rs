@@ -1,4 +1,4 @@
-//! Exact answers about derived and printed terms, counted: when the comparisons of a report are spent, every answer is no.
+//! Exact comparisons of derived and printed terms, counted: after the last allowed one, every answer is no.
 
 use crate::algebra::Expr;
 use crate::algebra::compare::Comparer;
@@ -7,7 +7,7 @@ use crate::algebra::permitted::Permitted;
 use crate::diff::ratio::constant_ratio;
 use crate::mechanics::{Quantities, QuantityKind};
 
-/// Comparisons of one report.
+/// Number of comparisons that one report may cost.
 const COMPARISONS: usize = 20_000;
 
 /// A wrong value of a quantity, in q, u and u̇.
@@ -15,32 +15,32 @@ const COMPARISONS: usize = 20_000;
 pub struct Value {
     /// The quantity.
     pub kind: QuantityKind,
-    /// What is printed.
+    /// The printed value.
     pub printed: Expr,
-    /// What is derived.
+    /// The derived value.
     pub derived: Expr,
 }
 
-/// What compares terms of a model's quantities.
+/// Comparison of terms of a model's quantities, up to a limited number.
 pub struct Exact<'a, 'b> {
-    /// What is derived.
+    /// The derived quantities.
     pub quantities: &'a mut Quantities<'b>,
     comparer: Comparer,
     left: usize,
 }
 
 impl<'a, 'b> Exact<'a, 'b> {
-    /// With all comparisons left.
+    /// Starts with all comparisons left.
     pub fn new(quantities: &'a mut Quantities<'b>, permitted: &Permitted) -> Self {
         Self { quantities, comparer: Comparer::within(permitted.clone()), left: COMPARISONS }
     }
 
-    /// Whether no comparison is left.
+    /// True if no comparison is left.
     pub fn is_spent(&self) -> bool {
         self.left == 0
     }
 
-    /// Whether two terms are equal by meaning.
+    /// True if two terms are equal by meaning.
     pub fn same(&mut self, a: Expr, b: Expr) -> bool {
         if self.is_spent() {
             return false;

@@ -1,10 +1,11 @@
-//! Root mistakes: which wrong entries are repeats and consequences of others, by proof.
+//! Root mistakes: finds, by proof, which wrong entries are repeats and consequences of others.
 //!
-//! An entry hangs on earlier ones if it is the same wrong value, if exactly the printed value comes out when theirs are put in the place of
-//! what is derived ([`chain`], [`rows`], [`solved`]), or if the same mistake stands in another component of one vector ([`shared`]). Every such
-//! claim is an identity of terms; what is not proved within a counted budget is a root of its own. Invariant: every entry that is different is in
-//! exactly one group, that of its first source. Absent on purpose: entries that are alike only by their differences. Two slips may give equal
-//! ones, and nothing would prove that they are one.
+//! An entry is traced to earlier ones in three cases: it has the same wrong value; exactly the printed value follows
+//! when their printed values replace the derived ones ([`chain`], [`rows`], [`solved`]); or the same mistake stands in
+//! another component of one vector ([`shared`]). Every such claim is an identity of terms. An entry without a proof
+//! within a counted budget is a root of its own. Invariant: every entry that is different is in exactly one group, that
+//! of its first source. Absent on purpose: entries whose differences alone are alike. Two slips may give equal
+//! differences, and nothing would prove that they are one.
 
 mod chain;
 mod derived;
@@ -26,7 +27,7 @@ use crate::algebra::print::text;
 use crate::mechanics::Quantities;
 use search::{Reason, Search};
 
-/// Characters beyond which a title does not show what is wrong.
+/// Number of characters beyond which a title leaves out the mistake.
 const LONGEST: usize = 200;
 
 /// The root mistakes behind the entries that are different, in the order of the file.
@@ -53,7 +54,7 @@ pub fn find(
     grouped(&wrong, &reasons, words)
 }
 
-/// What is wrong with an entry by itself.
+/// Description of the mistake in an entry by itself.
 fn mistake(arena: &Arena, finding: &Finding) -> String {
     if let Some(wrong) = finding.wrong.as_ref().filter(|words| words.chars().count() <= LONGEST) {
         return wrong.clone();

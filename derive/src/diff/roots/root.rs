@@ -1,15 +1,15 @@
-//! A mistake of a publication, and the wrong entries that come of it.
+//! A mistake of a publication, and the wrong entries that it causes.
 
 use crate::diff::finding::Finding;
 
-/// How a wrong entry hangs on another.
+/// Kind of dependence of a wrong entry on another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Link {
-    /// A wrong value that stands there too, or one mistake in another component.
+    /// The same wrong value, or one mistake in another component.
     Repeated,
-    /// It comes out as printed when the other's printed value is put in the place of the derived one.
+    /// The printed value follows when the other's printed value replaces the derived one.
     Follows,
-    /// A number that others contradict: one of them is wrong, and nothing tells which.
+    /// A number that others contradict: one of them is wrong, and nothing decides which.
     Contradicts,
 }
 
@@ -25,32 +25,32 @@ impl Link {
     }
 }
 
-/// A wrong entry that comes of a mistake made elsewhere. Entries are positions in the list of findings.
+/// A wrong entry that is caused by a mistake made elsewhere. Entries are positions in the list of findings.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Follower {
     /// The entry.
     pub finding: usize,
-    /// How it hangs on `from`.
+    /// Kind of dependence on `from`.
     pub link: Link,
     /// The entries that it repeats, follows from or contradicts.
     pub from: Vec<usize>,
-    /// Entries of other root mistakes that it comes of as well.
+    /// Entries of other root mistakes that cause it as well.
     pub also: Vec<usize>,
 }
 
-/// A mistake that none of the others explains, where it is first made.
+/// A mistake that no other mistake explains, in the entry where it is first made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Root {
     /// The entry, a position in the list of findings.
     pub finding: usize,
-    /// What is wrong, in words.
+    /// Description of the mistake, in words.
     pub mistake: String,
-    /// The entries that come of it, in the order of the file.
+    /// The entries that it causes, in the order of the file.
     pub followers: Vec<Follower>,
 }
 
 impl Root {
-    /// How many entries are wrong by it.
+    /// Number of entries that are wrong by this mistake, the root's own among them.
     #[must_use]
     pub fn entries(&self) -> usize {
         1 + self.followers.len()
@@ -62,7 +62,7 @@ impl Root {
         format!("{}: {}", findings[self.finding].id, self.mistake)
     }
 
-    /// The followers that hang on others in one way.
+    /// The followers with one kind of dependence.
     pub fn linked(&self, link: Link) -> impl Iterator<Item = &Follower> {
         self.followers.iter().filter(move |f| f.link == link)
     }

@@ -1,7 +1,7 @@
-//! For each wrong entry the earlier ones that prove to be its source.
+//! For each wrong entry, the earlier entries that are proved to be its source.
 //!
-//! Sources are tried from the nearest to the farthest: a line follows from the line above it sooner than from one a page before. Work is
-//! counted in comparisons; when they are spent, what is left is explained by nothing.
+//! Sources are tried from the nearest to the farthest: a line follows more probably from the line above it than from
+//! one a page before. Work is counted in comparisons; after the last one, entries stay unexplained.
 
 use super::chain::Chain;
 use super::exact::{Exact, Value};
@@ -18,16 +18,16 @@ use crate::diff::rows::Row;
 use crate::mechanics::{Quantities, QuantityKind};
 use rustc_hash::FxHashMap;
 
-/// Sources that are tried together, beside all at once.
+/// Largest number of sources that are tried together, beside all at once.
 const LARGEST_SET: usize = 3;
-/// Sets of each size that are tried for one entry.
+/// Number of sets of each size that are tried for one entry.
 const SETS: usize = 100;
 
-/// Why an entry is wrong; entries are positions among those that are.
+/// Reason why an entry is wrong; entries are positions in the list of wrong entries.
 pub struct Reason {
-    /// How it hangs on the others.
+    /// Kind of dependence on the other entries.
     pub link: Link,
-    /// The entries to be named.
+    /// Entries that are named as sources.
     pub from: Vec<usize>,
     /// Earlier entries in whose group it is.
     pub hangs_on: Vec<usize>,
@@ -39,18 +39,18 @@ impl Reason {
     }
 }
 
-/// The wrong entries of a report, and what was found out about them.
+/// The wrong entries of a report, and the reasons found for them.
 pub struct Search<'a, 'b> {
     exact: Exact<'a, 'b>,
     stated: &'a [&'a Claim],
     tables: &'a [Table],
     values: Vec<Option<Value>>,
-    /// What follows from each value alone.
+    /// Consequences of each value alone.
     chains: Vec<Option<Chain>>,
-    /// The rows that follow from it: by source, table and derived row.
+    /// The rows that follow from a value: by source, table and derived row.
     rows: FxHashMap<(usize, usize, usize), Option<Row>>,
     solutions: Solutions,
-    /// What each entry has in common with another component, if something was found, in words.
+    /// Mistake that each entry shares with another component, in words; `None` if none was found.
     pub shared: Vec<Option<String>>,
 }
 
@@ -85,7 +85,7 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// Why an entry is wrong, if others before it say so.
+    /// Finds the reason why an entry is wrong among the entries before it; `None` if it is a root.
     pub fn explain(&mut self, at: usize) -> Option<Reason> {
         let before = (0..at).rev();
         if let Some(source) = before.clone().find(|source| self.repeats(*source, at)) {
@@ -104,7 +104,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.follows_from_several(at).map(|sources| Reason::new(Link::Follows, sources))
     }
 
-    /// Whether a value is the printed one; of energies with a zero of their own but for a constant.
+    /// True if a value is the printed one. Energies with a free zero may differ by a constant.
     fn is_printed(&mut self, value: Expr, of: &Value) -> bool {
         let arena = &mut self.exact.quantities.derivations.kinematics.arena;
         let difference = arena.sub(value, of.printed);
@@ -114,7 +114,7 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// Whether it is one quantity with one wrong value, or the same row, or entry of a row, wrong alike.
+    /// True if both entries are one quantity with one wrong value, or the same row or entry of a row, wrong alike.
     fn repeats(&mut self, source: usize, at: usize) -> bool {
         if let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) {
             let (kinds_agree, a, b) = (a.kind == b.kind, a.printed, b.printed);
@@ -146,7 +146,8 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// Whether the entry is as printed when the derived row is this one: as a whole, of single entries at least in its column.
+    /// True if the entry is as printed when the derived row is this one. A row must fit as a whole; for a single entry
+    /// its own column is enough.
     fn fits(&mut self, at: usize, (table, row): (usize, usize), with: &Row) -> bool {
         let table = &self.tables[table];
         if let (Claim::Entry { column, .. }, Some((_, factor))) = (self.stated[at], table.matched(row)) {
@@ -158,7 +159,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.is_multiple(&table.printed[row], with)
     }
 
-    /// Whether one row is another times a factor.
+    /// True if one row is a multiple of another.
     fn is_multiple(&mut self, a: &Row, b: &Row) -> bool {
         let arena = &mut self.exact.quantities.derivations.kinematics.arena;
         let both = |at: &usize| [a[*at], b[*at]].iter().all(|e| zero_test(arena, *e) == ZeroTest::NonZero);
@@ -170,7 +171,7 @@ impl<'a, 'b> Search<'a, 'b> {
         })
     }
 
-    /// Whether the entry comes out as printed when one printed value is put in.
+    /// True if exactly the printed entry follows when one printed value is put in.
     fn follows(&mut self, source: usize, at: usize) -> bool {
         let Some(mut chain) = self.chains[source].take() else { return false };
         let key = self.row_of(at).and_then(|(table, row)| Some((source, table, self.tables[table].matched(row)?.0)));
@@ -185,7 +186,7 @@ impl<'a, 'b> Search<'a, 'b> {
         found
     }
 
-    /// Whether the entry comes out as printed by a chain, with its row if that is known.
+    /// True if a chain gives exactly the printed entry; `row` is the entry's row by the chain, if known.
     fn comes_out(&mut self, chain: &mut Chain, row: Option<Row>, at: usize) -> bool {
         if let (Some(place), Some(row)) = (self.row_of(at), row) {
             return self.fits(at, place, &row);
@@ -196,7 +197,7 @@ impl<'a, 'b> Search<'a, 'b> {
         reached.is_some_and(|reached| self.is_printed(reached, &value))
     }
 
-    /// Whether the printed value is that of the source, or its opposite: −T* for dH/dt.
+    /// True if the printed value is that of the source, or its opposite: −T* for dH/dt.
     fn is_opposite(&mut self, source: usize, at: usize) -> bool {
         let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) else { return false };
         let (a, b) = (a.printed, b.printed);
@@ -204,7 +205,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.exact.same(a, b) || self.exact.same(negative, b)
     }
 
-    /// Rows before the entry whose solution it is.
+    /// Finds rows before the entry whose solution it is.
     fn solves(&mut self, at: usize) -> Option<Vec<usize>> {
         let value = self.values[at].clone()?;
         let symbol = match value.kind {
@@ -228,7 +229,7 @@ impl<'a, 'b> Search<'a, 'b> {
         None
     }
 
-    /// The wrong rows of a table before an entry, each with the first entry that says so.
+    /// The wrong rows of a table before an entry, each with the first entry that shows it.
     fn wrong_rows(&self, table: usize, before: usize) -> Vec<(usize, usize)> {
         let mut rows: Vec<(usize, usize)> = Vec::new();
         for at in 0..before {
@@ -240,7 +241,7 @@ impl<'a, 'b> Search<'a, 'b> {
         rows
     }
 
-    /// A component before the entry with the same mistake in it.
+    /// Finds a component before the entry with the same mistake.
     fn shares(&mut self, at: usize) -> Option<usize> {
         let own = self.values[at].clone()?;
         for source in (0..at).rev() {
@@ -255,7 +256,7 @@ impl<'a, 'b> Search<'a, 'b> {
         None
     }
 
-    /// Several values before the entry that give it together: two, three, or one of each quantity.
+    /// Finds several values before the entry that give it together: two, three, or one of each quantity.
     fn follows_from_several(&mut self, at: usize) -> Option<Vec<usize>> {
         let reaching: Vec<usize> = (0..at).rev().filter(|source| self.reaches(*source, at)).collect();
         for set in self.sets(&reaching) {
@@ -303,7 +304,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.values[at].as_ref().map(|v| &v.kind)
     }
 
-    /// Whether a printed value changes what the entry should be.
+    /// True if a printed value of the source changes the expected value of the entry.
     fn reaches(&mut self, source: usize, at: usize) -> bool {
         if let Some((table, row)) = self.row_of(at) {
             let Some((derived, _)) = self.tables[table].matched(row) else { return false };
@@ -325,7 +326,7 @@ impl<'a, 'b> Search<'a, 'b> {
         chosen
     }
 
-    /// Whether the entry comes out as printed when all these values are put in together.
+    /// True if exactly the printed entry follows when all these values are put in together.
     fn comes_of(&mut self, sources: &[usize], at: usize) -> bool {
         let put: Vec<_> =
             sources.iter().filter_map(|s| self.values[*s].as_ref()).map(|v| (v.kind.clone(), v.printed)).collect();

@@ -1,7 +1,8 @@
 //! One mistake in several components of one vector or matrix.
 //!
-//! Invariant: of both components the whole difference from what is derived is told by the same words, by identity: the same factor, the same factor of one
-//! part of the vector's formula, or the angular velocity of one frame in the place of another's.
+//! Invariant: in both components one description explains the whole difference from the derived value, by identity. It
+//! is the same factor, the same factor of one part of the vector's formula, or the angular velocity of one frame in the
+//! place of another's.
 
 use super::derived::{arena_of, components, difference};
 use super::exact::{Exact, Value};
@@ -10,13 +11,13 @@ use crate::algebra::print::text;
 use crate::geometry::{Components, cross_components};
 use crate::mechanics::{Kinematics, Quantities, QuantityKind, VectorName};
 
-/// What two components have in common.
+/// Common mistake of two components.
 pub enum Shared {
-    /// Both are this many times what is derived.
+    /// Factor of both components against the derived ones.
     Factor(Expr),
-    /// A part of both is this many times what it should be.
+    /// Name of a part of both components, and its factor against the derived part.
     Part(String, Expr),
-    /// In ω × a vector, of the first frame for that of the second.
+    /// In ω × a vector, the angular velocity of the first frame stands in the place of that of the second.
     Turned(usize, usize, &'static str),
 }
 
@@ -42,9 +43,9 @@ impl Shared {
 struct Rate {
     /// The vector that changes.
     of: Components,
-    /// Which one that is.
+    /// Kind of the vector that changes.
     changing: VectorName,
-    /// ±m, as the quantity has it.
+    /// Factor ±m of the rate in the quantity.
     times: Expr,
     /// The frame of the components.
     frame: usize,
@@ -52,7 +53,7 @@ struct Rate {
     carrier: Option<usize>,
 }
 
-/// What two wrong components have in common, if they are of one vector or matrix.
+/// Finds the common mistake of two wrong components, if they are of one vector or matrix.
 pub fn common(exact: &mut Exact<'_, '_>, a: &Value, b: &Value) -> Option<Shared> {
     if family(&a.kind).is_none() || family(&a.kind) != family(&b.kind) || a.kind == b.kind {
         return None;
@@ -83,13 +84,13 @@ fn family(kind: &QuantityKind) -> Option<QuantityKind> {
     }
 }
 
-/// The ratio of two pairs, if it is the same and of parameters alone.
+/// The ratio of two pairs, if it is the same and depends on parameters alone.
 fn same_ratio(exact: &mut Exact<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Option<Expr> {
     let (k, other) = (exact.ratio(a.0, a.1)?, exact.ratio(b.0, b.1)?);
     exact.same(k, other).then_some(k)
 }
 
-/// The rate that a vector is, but for a factor.
+/// Writes a vector as a rate times a factor, if it is one.
 fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
     let model = quantities.model;
@@ -113,7 +114,7 @@ fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
     Some(Rate { of: components(quantities, changing, owner, frame)?, changing, times, frame, carrier })
 }
 
-/// One part of the formula that has the same factor in both components: the vector's ω × part, or what is left.
+/// Finds one part of the formula that has the same factor in both components: the vector's ω × part, or the remainder.
 fn parts(
     exact: &mut Exact<'_, '_>,
     rate: &Rate,
@@ -143,7 +144,7 @@ fn parts(
     None
 }
 
-/// ω of another frame in the ω × part.
+/// Finds the ω of another frame in the ω × part.
 fn turned(exact: &mut Exact<'_, '_>, rate: &Rate, (i, j): (usize, usize), off: [Expr; 2]) -> Option<Shared> {
     for right in [rate.carrier, Some(rate.frame)].into_iter().flatten() {
         let own = components(exact.quantities, VectorName::AngularVelocity, right, rate.frame)?;

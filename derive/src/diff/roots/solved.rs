@@ -6,12 +6,12 @@ use crate::diff::claim::Table;
 use crate::mechanics::{Kinematics, Quantities};
 use rustc_hash::FxHashMap;
 
-/// Unknowns beyond which nothing is solved.
+/// Number of unknowns beyond which no system is solved.
 const MOST_UNKNOWNS: usize = 12;
-/// Wrong rows beyond which only each alone and all together are tried.
+/// Number of wrong rows beyond which only each alone and all together are tried.
 const MOST_ROWS: usize = 4;
 
-/// What was solved before: by table and rows.
+/// Known solutions, by table and rows.
 #[derive(Default)]
 pub struct Solutions(FxHashMap<(usize, Vec<usize>), Option<Vec<Expr>>>);
 
@@ -27,8 +27,8 @@ impl Solutions {
         sets
     }
 
-    /// The unknowns of the table number `place`, with these printed rows in the place of the derived ones; none where they are
-    /// not determined.
+    /// Solves the table number `place`, with these printed rows in the place of the derived ones; `None` if the
+    /// unknowns are not determined.
     pub fn of(
         &mut self,
         quantities: &mut Quantities<'_>,

@@ -5,12 +5,12 @@ use crate::mechanics::quantity::{Energy, Owner, Quantity, QuantityKind, Row, Vec
 use crate::model::Model;
 use std::ops::Range;
 
-/// What is wrong with the name of a quantity.
+/// Error in the name of a quantity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct QuantityError {
-    /// What is wrong, in one line.
+    /// Message of the error, in one line.
     pub message: String,
-    /// What to do.
+    /// Advice for correcting the name.
     pub help: String,
     /// The place, as a byte range of the text.
     pub range: Range<usize>,
@@ -44,7 +44,7 @@ struct Cursor<'a> {
     text: &'a str,
     at: usize,
     model: &'a Model,
-    /// What the quantity should look like.
+    /// Expected form of the quantity, such as `v(POINT) @ FRAME [COMPONENT]`; empty until its kind is known.
     form: String,
 }
 
@@ -169,7 +169,7 @@ impl<'a> Cursor<'a> {
         Ok((of, frame, axis))
     }
 
-    /// Whether two names stand in the parentheses that begin here.
+    /// True if two names stand in the parentheses that begin here.
     fn names_two(&self) -> bool {
         self.text[self.at..].split(')').next().is_some_and(|inside| inside.contains(','))
     }
