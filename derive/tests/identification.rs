@@ -121,8 +121,8 @@ type Ten = [f64; 10];
 const PUMA: [(f64, &str, &str); 6] =
     [(0.0, "", ""), (1.0, "", ""), (0.0, "a2", "d3"), (-1.0, "a3", "d4"), (1.0, "", ""), (-1.0, "", "")];
 
-/// Adds to the link before the parameters that a revolute joint shares with it, by the grouping relations of Khalil &
-/// Dombre, chapter 9. `turn` is α in quarter turns.
+/// Moves the parameters that a revolute joint's link shares with the link before into that link, by the grouping
+/// relations of Khalil & Dombre, chapter 9. `turn` is α in quarter turns.
 fn grouped(link: &mut Ten, before: &mut Ten, turn: f64, d: f64, r: f64) {
     let (s, c) = (turn, 1.0 - turn.abs());
     let [_, _, _, yy, _, _, _, _, mz, m] = *link;

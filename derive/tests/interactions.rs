@@ -32,7 +32,7 @@ fn refused(model: &mut Model, text: &str) -> String {
     load_output(text, model).err().unwrap_or_else(|| panic!("{text} must be refused")).to_string()
 }
 
-/// True if two terms mean the same; the second is in names of the model.
+/// True if two terms are proved equal; the second is in names of the model.
 fn means(model: &mut Model, e: Expr, text: &str) -> bool {
     let other = parse(&mut model.arena, text, &mut |arena, name| Ok(arena.symbol(name))).unwrap();
     let difference = model.arena.sub(e, other);
@@ -146,9 +146,9 @@ D = { kind = "pin", body = "rocker", at = ["0.7*l", 0, 0] }
 Q = { kind = "pin", body = "rocker", to = "coupler", at = ["0.8*l", 0, 0], body_at = ["0.6*l", 0, 0] }
 "#;
 
-/// Goal: forces that equilibrium does not determine are refused, and those that it determines are not. Method: pins in
-/// space hold a plane four-bar linkage out of its plane and against tilting three times more than they must; in the
-/// plane they do not.
+/// Goal: forces that equilibrium does not determine are refused, and those that it determines are not. Method:
+/// spatial pins hold a plane four-bar linkage three times more than necessary, across its plane and against tilting.
+/// In the plane no force is redundant.
 #[test]
 fn what_pins_hold_more_than_once_is_not_determined() {
     let model = &mut loaded(&format!("{WORLD}{FOUR_BAR}"));
@@ -175,9 +175,9 @@ fn what_pins_hold_more_than_once_is_not_determined() {
 }
 
 /// Goal: forces that equations of a loop leave open are not shown as the forces of the tree of pins. Method: the
-/// library's four-bar linkage, whose loop two equations in its plane close. With nothing named, a coupler and a rocker
-/// may hold across the plane as well; with the pins' forces named, they do not. In the plane the pins are determined,
-/// and a tooth is no pin.
+/// library's four-bar linkage, whose loop is closed by two equations in its plane. With no reaction named, the
+/// coupler and the rocker may hold across the plane as well; with the pins' forces named, they do not. In the plane
+/// the pins are determined.
 #[test]
 fn what_equations_of_a_loop_may_hold_is_not_determined() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/four_bar/model.toml");
@@ -205,8 +205,8 @@ fn what_equations_of_a_loop_may_hold_is_not_determined() {
     }
 }
 
-/// Goal: the same holds for a dependence in closed poses only. Method: Bricard's mechanism of the library, one of whose
-/// six equations follows from the other five.
+/// Goal: forces are refused also if equations are dependent in closed poses only. Method: Bricard's mechanism of the
+/// library, one of whose six equations follows from the other five.
 #[test]
 fn what_bricards_pins_hold_is_not_determined() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/bricard/model.toml");
@@ -329,9 +329,9 @@ fn teeth_of_pinned_gears_press_along_the_tooth() {
     }
 }
 
-/// Goal: the right force on a gear that goes round another. Method: a planet on an arm, on a sun that stands still:
-/// with e = l − r the planet turns with l u/e, (I₁ + m l² + I₂ (l/e)²) u′ = M − m g l cos q, and the sun presses with
-/// −I₂ l u′/e² across the arm, over a turn of the arm.
+/// Goal: the tooth presses across the arm also on a gear that goes round another. Method: a planet on an arm, on a
+/// sun that stands still. With e = l − r the planet turns with l u/e, and (I₁ + m l² + I₂ (l/e)²) u′ = M − m g l cos
+/// q. The sun presses with −I₂ l u′/e² across the arm, over a turn of the arm.
 #[test]
 fn a_sun_presses_on_a_planet_across_the_arm() {
     let text = format!(
@@ -375,8 +375,8 @@ fn axle() -> String {
 }
 
 /// Goal: a force that two contacts share is not split between them. Method: two wheels on one axle. Each keeps the
-/// other from slipping sideways, so that neither's force along the axle is known, but the forces along their ways are:
-/// each (M/r + …)/2 as they drive together. The second case is the push of pinned gears along the line of centres.
+/// other from slipping sideways, so that the force of neither along the axle is determined. The forward forces are
+/// determined: both wheels drive, each with (M − I v'/r)/r.
 #[test]
 fn what_two_contacts_hold_together_is_not_told_apart() {
     let text = axle();

@@ -162,8 +162,8 @@ fn devices_and_pipes_are_refused_without_reading() {
     }
 }
 
-/// Goal: a product of many factors costs no more than its square. Method: one of 299 sines of sums, in which the search
-/// for common products took minutes; equations and accelerations are there.
+/// Goal: the cost of a product grows at most with the square of its number of factors. Method: a product of 299 sines
+/// of sums, in which the search for common products took minutes; its equations and accelerations are found.
 #[test]
 fn a_product_of_hundreds_of_sines_is_derived() {
     let start = Start::now();

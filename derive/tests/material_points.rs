@@ -1,7 +1,7 @@
 //! Forces act on the material of bodies, at points that may move in them: their power, and the velocities in formulas.
 //!
-//! Truth by hand for the disk, whose lowest point P keeps its place on the rim while the rim turns: the material there
-//! has the velocity of P and R u₃ along h1, so that drag on it has the power −c |v|².
+//! Truth by hand for the disk, whose lowest point P stays the lowest while the rim turns. The material there has the
+//! velocity of P plus R u₃ along h1, so that drag on it has the power −c |v|².
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
@@ -150,8 +150,8 @@ fn what_is_said_of_loads_at_moving_points() {
     .assert_eq(&said.join("\n"));
 }
 
-/// Goal: no reaction works on the material. Method: along a1 the rim moves where the contact point stands still, as the
-/// disk spins.
+/// Goal: a reaction that works on the material is refused. Method: along a1 the rim moves where the contact point
+/// stands still, since the disk spins.
 #[test]
 fn a_reaction_that_works_on_the_material_is_refused() {
     let along = DISK.replace("direction = [\"0\", \"0\", \"1\"]", "direction = [\"1\", \"0\", \"0\"]");

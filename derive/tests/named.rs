@@ -143,8 +143,8 @@ fn operations_grow_as_they_must() {
     }
 }
 
-/// Goal: the accelerations that the recursion gives body by body solve the equations. Method: M u' = f by meaning, with
-/// every u' of the recursion, for arms, branches, slides and chains.
+/// Goal: the accelerations that the recursion gives body by body solve the equations. Method: M u' = f as an
+/// identity, with every u' of the recursion, for arms, branches, slides and chains.
 #[test]
 fn recursions_solve_the_equations() {
     let slide = |i: usize| i == 2;
@@ -198,7 +198,7 @@ fn the_arm_of_the_benchmarks_is_proved() {
     assert_eq!(proof.integrals.iter().filter(|integral| integral.verdict.is_equal()).count(), 2);
 }
 
-/// Goal: a wrong sign anywhere in a large system is seen. Method: each entry of the matrix of an arm, doubled, makes
+/// Goal: a wrong entry anywhere in a large system is seen. Method: each entry of the matrix of an arm, doubled, makes
 /// the formulations differ.
 #[test]
 fn a_wrong_entry_of_a_large_system_is_seen() {

@@ -170,7 +170,8 @@ fn energies_are_stated_to_second_order() {
     );
 }
 
-/// A formula near a steady motion: from x' = v and q = 0 follow u1 = v and u2 = 0, and products of deviations vanish.
+/// Formulas near a steady motion are judged to first order: from x' = v and q = 0 follow u1 = v and u2 = 0, and
+/// products of deviations vanish.
 #[test]
 fn a_point_may_move() {
     let text = |v: &str| {

@@ -11,13 +11,13 @@ use tripos_derive::mechanics::{Derivation, Solved, Unsolved};
 use tripos_derive::{Formulation, Model, derive, model};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
-/// Trees that are tried: `TRIPOS_RANDOM_TREES`, else as many as every change waits for.
+/// Number of trees that are tried: `TRIPOS_RANDOM_TREES`, else 60.
 fn count() -> u64 {
     std::env::var("TRIPOS_RANDOM_TREES").ok().and_then(|text| text.parse().ok()).unwrap_or(60)
 }
 
-/// Relative to the largest acceleration: the reference solves a dense system in doubles, whose condition is at most
-/// some 1e4.
+/// Tolerance relative to the largest acceleration: the reference solves a dense system in doubles, whose condition
+/// number is at most about 1e4.
 const TOLERANCE: f64 = 1e-9;
 
 /// Numbers of trees, formulations and values that were tried.
@@ -59,7 +59,7 @@ fn accelerations_of_random_trees_are_those_of_first_principles() {
     assert_eq!(table.unsupported, 0, "every tree has every formulation");
 }
 
-/// Compares all numbers of one formulation at one state; how many there were.
+/// Compares all accelerations of one formulation at one state; returns the number of comparisons.
 fn numbers(model: &Model, tree: &Tree, (q, u): (&[f64], &[f64]), derivation: Derivation, seed: u64) -> usize {
     let Derivation { mut arena, equations } = derivation;
     let e = equations.written(&mut arena);

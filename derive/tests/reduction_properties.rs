@@ -17,9 +17,9 @@ struct Link {
     joint: usize,
     /// True if it starts from the link before, false if from the ground.
     on_before: bool,
-    /// Place of its mass, in tenths of l.
+    /// Position of its mass centre relative to the point before, in units of l/2.
     arm: [i32; 3],
-    /// A spring or a damper at the joint, or nothing.
+    /// Load on its body: 0 is a spring force, 1 a damper force, other values are none.
     load: usize,
 }
 

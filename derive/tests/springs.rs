@@ -86,8 +86,7 @@ fn a_sprung_mechanism_keeps_its_energy() {
     assert!(proof.integrals.iter().any(|i| i.is_energy() && i.verdict.is_equal()), "{}", proof.search.covered);
 }
 
-/// Goal: a spring between two bodies pulls both. Method: it takes nothing from the momentum of the whole along the
-/// rail.
+/// Goal: a spring between two bodies pulls both. Method: it does not change the total momentum along the rail.
 #[test]
 fn a_spring_between_bodies_pulls_both() {
     let text = "[springs.s]\non = \"rod\"\nat = \"E\"\nagainst = \"cart\"\nstiffness = \"k\"\n";
@@ -119,8 +118,8 @@ fn what_cannot_be_a_spring_is_refused() {
     }
 }
 
-/// Goal: constraints may name positions. Method: a loop by the places of its pins is the loop by its angles, and a
-/// height that is held is solved for.
+/// Goal: constraints may name positions. Method: a loop closed by the positions of its pins is the loop closed by its
+/// angles, and a height that is held is solved for.
 #[test]
 fn constraints_name_positions() {
     let text = include_str!("../../models/four_bar/model.toml");

@@ -238,8 +238,8 @@ fn all_errors_of_a_file_come_at_once_in_order() {
     assert!(starts.is_sorted(), "{found}");
 }
 
-/// Goal: a file of a later format is refused for that alone, and one that states today's is read. Method: versions at
-/// the head of a model whose rest is right, and of one whose rest nobody knows.
+/// Goal: a file of a later format is refused for that alone, and one that states the present version is read. Method:
+/// versions at the head of a model whose rest is right, and of one whose rest is unknown.
 #[test]
 fn the_version_of_the_format_is_looked_at_first() {
     common::read(&format!("schema = 1\n{BASE}")).unwrap();

@@ -376,8 +376,8 @@ fn a_free_parameter_that_the_model_does_not_have() {
     );
 }
 
-/// Goal: whoever takes a speed of a free body for the rate of an angle learns the right speeds. Method: a name made of
-/// that of an angle.
+/// Goal: a user who takes a speed of a free body for the rate of an angle learns the right speeds. Method: a start
+/// value for `u_psi`, a name made from that of the angle `psi`.
 #[test]
 fn a_speed_called_after_an_angle_of_a_free_body() {
     let model = "name = \"Brick\"\n[parameters]\nm = { unit = \"kg\", value = 1 }\nJ = { unit = \"kg*m^2\", value = 0.1 }\n[joints]\n\

@@ -55,17 +55,17 @@ pub fn term() -> impl Strategy<Value = Term> {
     composed(leaf(angle()).prop_recursive(3, 16, 3, |inner| composed(inner).boxed()))
 }
 
-/// The same, short enough for a normal form.
+/// Random terms like those of [`term`], short enough for a normal form.
 pub fn short_term() -> impl Strategy<Value = Term> {
     leaf(angle()).prop_recursive(3, 12, 3, |inner| composed(inner).boxed())
 }
 
-/// The same, short enough to be multiplied by others, and that for a normal form.
+/// Random terms that are short enough to be multiplied by others before the product gets a normal form.
 pub fn factor() -> impl Strategy<Value = Term> {
     leaf(plain_angle()).prop_recursive(2, 6, 2, |inner| composed(inner).boxed())
 }
 
-/// The same with roots, absolute values and functions that have no rules.
+/// Random terms like those of [`term`], with roots, absolute values and functions that have no rules.
 pub fn term_with_functions() -> impl Strategy<Value = Term> {
     let functions = prop::sample::select(&Function::ALL[..]).prop_map(|(f, _)| f);
     let with_functions = leaf(angle()).prop_recursive(3, 16, 3, move |inner| {

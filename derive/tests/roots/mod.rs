@@ -150,7 +150,7 @@ fn what_is_made_of_a_velocity_comes_of_it() {
     all_come_of_the_first(&[("q2'", "2*u2"), ("a(P) @ N [1]", "u1' + l*u2'*cos(q2) - 2*l*u2^2*sin(q2)")]);
 }
 
-/// The same of an angular velocity, of an angular acceleration, and of single entries of Kane's system.
+/// Mistakes are traced through an angular velocity, an angular acceleration, and single entries of Kane's system.
 #[test]
 fn what_is_made_of_an_angular_velocity_comes_of_it() {
     all_come_of_the_first(&[
@@ -169,7 +169,7 @@ fn what_is_made_of_an_angular_velocity_comes_of_it() {
     ]);
 }
 
-/// The same factor in two entries of an inertia is one mistake, two factors are two.
+/// One wrong factor in two entries of an inertia is one mistake; two different factors are two.
 #[test]
 fn one_factor_in_several_entries_is_one_mistake_and_two_are_two() {
     let entry = |at: &str, factor: &str| {

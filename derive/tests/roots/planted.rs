@@ -49,8 +49,8 @@ pub fn judged(report: &str) -> Difference {
 /// A coefficient that is 1 where the derivation is right, and the id of the line in which it is made.
 const SITES: [&str; 5] = ["a1", "J", "W", "Tt", "V"];
 
-/// A line of a derivation: id, the sites whose mistake it may inherit, and what it prints with coefficients K of these
-/// sites, in their order. Derived by hand for any values of the coefficients.
+/// A line of a derivation: its id, the sites whose mistakes it may inherit, and its printed text with coefficients K
+/// of these sites, in their order. Derived by hand for any values of the coefficients.
 type Line = (&'static str, &'static [usize], fn(&[&str]) -> String);
 
 /// The derivation.
