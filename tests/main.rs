@@ -28,6 +28,7 @@ mod named;
 mod operation_counts;
 mod passages;
 mod peers;
+mod prose;
 mod reductions;
 mod reference_cases;
 mod rolling_wheel;
