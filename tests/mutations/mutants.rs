@@ -44,7 +44,7 @@ pub struct Mutant {
     pub place: Place,
     /// The right value, or the right row with its right-hand side.
     pub original: Vec<String>,
-    /// The same, one place changed.
+    /// The value or row with one place changed.
     pub mutated: Vec<String>,
 }
 

@@ -59,7 +59,7 @@ pub fn edits(tree: &View, edit: &dyn Fn(&View) -> Vec<View>) -> Vec<View> {
     edits_within(tree, &|_| true, edit)
 }
 
-/// The same, below nodes of one sort only.
+/// Edited trees as of [`edits`], changed only below nodes that `enter` accepts.
 pub fn edits_within(tree: &View, enter: &dyn Fn(&View) -> bool, edit: &dyn Fn(&View) -> Vec<View>) -> Vec<View> {
     let mut list = edit(tree);
     if enter(tree) {
