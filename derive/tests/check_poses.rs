@@ -316,6 +316,43 @@ fn a_claimed_pose_loses_rank() {
     }
 }
 
+/// Goal: rows that are nearly parallel count as independent. Closed form: two edges 0.1 rad apart hold a disc in place in
+/// every pose, so that only the third constraint is lost, where sin p = 0: rank 2 of 3.
+#[test]
+fn nearly_parallel_rows_count_in_the_rank_of_a_pose() {
+    let text = r#"
+name = "Two edges"
+[parameters]
+m = "2 kg"
+I = "1 kg*m^2"
+[coordinates]
+x = { unit = "m" }
+y = { unit = "m" }
+z = { unit = "m" }
+p = { unit = "rad" }
+[speeds]
+w = "p'"
+[constraints]
+first = { equation = "x'*cos(p) + y'*sin(p) = 0" }
+second = { equation = "x'*cos(p + 0.1) + y'*sin(p + 0.1) = 0" }
+third = { equation = "z'*sin(p) = 0" }
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+A = { from = "N", axis = 3, angle = "p" }
+[points]
+P = { from = "O", frame = "N", position = ["x", "y", "z"] }
+[bodies]
+disc = { frame = "A", centre = "P", mass = "m", inertia = { diagonal = ["I", "I", "I"] } }
+"#;
+    let loss = checked(text).rank_loss.unwrap();
+    let pose = loss.pose.unwrap();
+    let p = pose.iter().find(|(name, _)| name == "p").unwrap().1;
+    assert!(p.sin().abs() < 1e-6, "{pose:?}");
+    assert_eq!((loss.rank, loss.rank_there), (3, Some(2)));
+}
+
 /// A scissor lift: each stage crosses two bars, and is pinned to the one below.
 fn scissor(stages: usize) -> String {
     format!(
