@@ -316,8 +316,8 @@ fn a_claimed_pose_loses_rank() {
     }
 }
 
-/// Goal: rows that are nearly parallel count as independent. Closed form: two edges 0.1 rad apart hold a disc in place in
-/// every pose, so that only the third constraint is lost, where sin p = 0: rank 2 of 3.
+/// Goal: rows that are nearly parallel count as independent. Closed form: two edges 0.1 rad apart hold a disc in place
+/// in every pose, so that only the third constraint is lost, where sin p = 0: rank 2 of 3.
 #[test]
 fn nearly_parallel_rows_count_in_the_rank_of_a_pose() {
     let text = r#"

@@ -15,9 +15,9 @@
 
 use tripos_traits::Real;
 
-use crate::correction::{Correction, Least};
-use crate::metric::{DEPENDENT, dot};
-use crate::options::Options;
+use crate::constraints::correction::{Correction, Least};
+use crate::linear::metric::{DEPENDENT, dot};
+use crate::methods::options::Options;
 use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
 
@@ -146,7 +146,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         let (m, n) = (count, y0.len());
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
         // A run with fixed steps has no tolerances: all components then count alike if those given make no sense.
-        let weights = ErrorTest::new::<S>(crate::method::norm(options.method), options.rtol, &options.atol, n)
+        let weights = ErrorTest::new::<S>(crate::methods::method::norm(options.method), options.rtol, &options.atol, n)
             .ok()
             .map(|(test, _)| test);
         let mut projector = Self {

@@ -7,9 +7,9 @@ use std::fmt;
 
 use tripos_traits::{Real, larger};
 
+use crate::contacts::impact::ImpactRecord;
 use crate::error::Failure;
 use crate::events::EventRecord;
-use crate::impact::ImpactRecord;
 use crate::projection::ProjectionReport;
 use crate::warning::Warning;
 

@@ -2,9 +2,9 @@
 //!
 //! Absent on purpose: models and references. Any right-hand side will do; one with a Jacobian gives more exact answers.
 
+use crate::driver::integrate::integrate;
 use crate::error::{Failure, SimError};
-use crate::integrate::integrate;
-use crate::options::{Options, Output};
+use crate::methods::options::{Options, Output};
 use crate::rhs::{Lent, RightHandSide};
 use crate::solution::Stop;
 use tripos_traits::largest;

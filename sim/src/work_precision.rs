@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use tripos_traits::{DoubleDouble, Method, Real, Scalar, larger};
 
-use crate::options::{Options, Output};
+use crate::methods::options::{Options, Output};
 
 /// Times of repeated runs, in s.
 #[derive(Clone, Copy, Debug, PartialEq)]

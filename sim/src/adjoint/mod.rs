@@ -17,9 +17,9 @@
 
 mod step;
 
-use crate::corners::{Between, Corner, Corners, Sides};
 use crate::error::Failure;
-use crate::options::{Options, Poll};
+use crate::events::corners::{Between, Corner, Corners, Sides};
+use crate::methods::options::{Options, Poll};
 use crate::projection::{Onto, Projector};
 use crate::rhs::{RightHandSide, Transposed};
 use std::fmt;

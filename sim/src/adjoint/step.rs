@@ -5,12 +5,12 @@
 //! f_pᵀ wᵢ adds to those of the parameters. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd
 //! edition (2006), §VI.1: the transpose of a method is that of its linear part.
 
-use crate::corners::Between;
-use crate::dormand_prince::DORMAND_PRINCE_54;
-use crate::dormand_prince_853::{DORMAND_PRINCE_853, Row};
 use crate::error::Failure;
+use crate::events::corners::Between;
+use crate::methods::dormand_prince::DORMAND_PRINCE_54;
+use crate::methods::dormand_prince_853::{DORMAND_PRINCE_853, Row};
+use crate::methods::tableau::Coefficients;
 use crate::rhs::{RightHandSide, Transposed};
-use crate::tableau::Coefficients;
 use tripos_traits::Method;
 
 /// The stages that a row uses, from 0, each with its coefficient.

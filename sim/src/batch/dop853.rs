@@ -1,6 +1,6 @@
 //! A step of DOP853 in every lane at once; each lane has its own step size and its own error.
 //!
-//! The formulae, coefficients and errors are those of [`crate::dop853`], in the same order of operations, so that a
+//! The formulae, coefficients and errors are those of [`crate::methods::dop853`], in the same order of operations, so that a
 //! lane takes the steps that a run by itself takes, up to rounding. Invariant: what a lane computes depends on nothing
 //! in another.
 
@@ -9,9 +9,9 @@
 use tripos_traits::{Lanes, Lengths, Rates, Scalar};
 
 use super::method::{Attempt, Method, chosen, mask, note};
-use crate::dense::{powers_of, value_of};
-use crate::dop853::{END, STAGES, USED, USED_BY_ERROR, error_of};
-use crate::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
+use crate::methods::dense::{powers_of, value_of};
+use crate::methods::dop853::{END, STAGES, USED, USED_BY_ERROR, error_of};
+use crate::methods::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
 use crate::tolerance::ErrorTest;
 
 /// The published numbers; 0 where a row has no entry.

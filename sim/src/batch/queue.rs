@@ -7,7 +7,7 @@ use tripos_traits::Lanes;
 use super::method::{Attempt, Method};
 use super::watching::{Ending, Watcher, Watching};
 use super::{Outcome, Trajectory};
-use crate::pace::{Pace, Verdict};
+use crate::driver::pace::{Pace, Verdict};
 use crate::solution::Stop;
 use crate::stepper::Trial;
 

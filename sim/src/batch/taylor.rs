@@ -1,6 +1,6 @@
 //! A step of Taylor's method in every lane at once; each lane has its own step size and its own error.
 //!
-//! The order, the choice of steps, the errors and the carried roundings are those of [`crate::taylor`], so that a lane
+//! The order, the choice of steps, the errors and the carried roundings are those of [`crate::methods::taylor`], so that a lane
 //! takes the steps that a run by itself takes, up to rounding. Invariant: `x` has the coefficients at the start of the
 //! step, row k of order k, `next` those at its end; where a lane's highest coefficients are not finite they are zero
 //! from there on, and its `usable` is the order below.
@@ -10,7 +10,7 @@
 use tripos_traits::{Lanes, Lengths, Rates, Scalar, Series};
 
 use super::method::{Attempt, Method, chosen, mask, note};
-use crate::taylor::{ALLOWED_JUMP, powi, proposed_size};
+use crate::methods::taylor::{ALLOWED_JUMP, powi, proposed_size};
 use crate::tolerance::ErrorTest;
 
 /// Equations with their rates and their coefficients.
@@ -98,7 +98,7 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Jump of the derivative at the end of the step, as [`crate::taylor`] measures it, in the norm of the test.
+    /// Jump of the derivative at the end of the step, as [`crate::methods::taylor`] measures it, in the norm of the test.
     #[inline(always)]
     fn jump(&self, test: &ErrorTest, h: Lanes<N>) -> [f64; N] {
         let n = self.lengths.state();

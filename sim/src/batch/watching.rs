@@ -1,22 +1,22 @@
 //! Watcher of the steps of one trajectory: of its events, and of the divisors of its equations.
 //!
-//! The watcher is handed the accepted step of its lane, in single numbers, and decides as [`crate::integrate`] does.
+//! The watcher is handed the accepted step of its lane, in single numbers, and decides as [`crate::driver::integrate`] does.
 //! Invariant: it changes no step.
 
 use super::method::{LaneStep, Method};
+use crate::driver::run::end_inside;
+use crate::driver::watch::{Events, Watch};
+use crate::events::guard::Guard;
 use crate::events::{Event, EventRecord};
-use crate::guard::Guard;
 use crate::rhs::{Lent, RightHandSide};
-use crate::run::end_inside;
 use crate::solution::Stop;
 use crate::stepper::{DenseStep, Interpolant};
-use crate::watch::{Events, Watch};
 
 /// Equations and events that are watched in one trajectory of a batch.
 pub struct Watched<'w> {
     /// The equations in single numbers: their divisors are watched, and nothing else is asked of them on the way.
     pub equations: Box<dyn RightHandSide<f64> + 'w>,
-    /// Its events; they are recorded, or end it, as in [`crate::integrate`].
+    /// Its events; they are recorded, or end it, as in [`crate::driver::integrate`].
     pub events: Vec<Event<'w>>,
 }
 

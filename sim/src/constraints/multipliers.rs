@@ -1,0 +1,241 @@
+//! Equations in all rates with the multipliers of their constraints, E q̈ − Aᵀλ = f and A q̈ = γ, solved at each state
+//! whatever the rank of A.
+//!
+//! With E = L Lᵀ and z = Lᵀ q̈, the forces alone would give L⁻¹ f. The motion is this without its part along the
+//! columns of L⁻¹ Aᵀ, which the constraints decide (F. E. Udwadia & R. E. Kalaba, *Analytical Dynamics* (1996), §3.3).
+//! No independent speeds are chosen, so that no choice can fail. Rows that depend on others, everywhere or in a
+//! singular pose, are left out. In such a pose the motion goes on by its inertia; no number that vanishes there is a
+//! divisor.
+//!
+//! Accelerations are those at the nearest state on the constraints, in the metric of E. Stages of a step are off the
+//! constraints by errors of low order, which next to a singular pose would be divided by a vanishing number. On the
+//! constraints the accelerations of a regular motion are bounded up to the pose itself, so that whole steps lead across
+//! it.
+
+use tripos_traits::{Lengths, System};
+
+use crate::constraints::correction::Least;
+use crate::constraints::placement::Placement;
+use crate::error::Failure;
+use crate::linear::metric::dot;
+use crate::linear::singular::least_singular_value;
+use crate::rhs::RightHandSide;
+
+/// The part of the largest [`Standing::constraints`] below which no step ends.
+const AVOIDED: f64 = 0.003;
+/// Coordinates below this count as zero where poses beside one are looked at.
+const SMALL: f64 = 1e-3;
+
+/// y' = [q̇; q̈] of equations in all rates with multipliers, as a right-hand side.
+#[derive(Clone)]
+pub struct Multipliers<'a> {
+    system: &'a dyn System<f64>,
+    parameters: Vec<f64>,
+    matrix: Vec<f64>,
+    forcing: Vec<f64>,
+    /// The least and the largest [`Standing::constraints`] at which accelerations were asked for.
+    nearest: f64,
+    farthest: f64,
+    /// The largest length of each row of A so far.
+    sizes: Vec<f64>,
+    placement: Placement,
+    /// E and A of the matrix, row by row, and the least vector in their metric.
+    inertia: Vec<f64>,
+    rows: Vec<f64>,
+    least: Least,
+    /// Rows of J in the metric of E, and the largest length of each so far; the speeds at rest and along an axis;
+    /// rates, of which all are 0.
+    forms: Vec<f64>,
+    longest: Vec<f64>,
+    rest: Vec<f64>,
+    along: Vec<f64>,
+    still: Vec<f64>,
+}
+
+/// Distances of a state from a failure of the independent speeds and from dependent constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Standing {
+    /// Least singular value of the speeds on the motions that the constraints leave: from 0, where the choice of speeds
+    /// fails, to 1. Each row of J counts over its largest length so far.
+    pub speeds: f64,
+    /// Remainder of the constraint that is nearest to depending on others, over the largest length of its row so far.
+    /// It is 0 in a singular pose, where rows depend on one another or vanish.
+    pub constraints: f64,
+}
+
+impl<'a> Multipliers<'a> {
+    /// Creates the right-hand side from a system, with parameters in the order of the model file. `clock` is the
+    /// coordinate that is the time, if there is one. `None` if the equations are not in all rates with multipliers, or
+    /// the number of parameters is wrong.
+    #[must_use]
+    pub fn new(system: &'a dyn System<f64>, parameters: &[f64], clock: Option<usize>) -> Option<Self> {
+        let Lengths { coordinates, variables, reactions, speeds, .. } = system.lengths();
+        let fits = parameters.len() == system.lengths().parameters && variables == coordinates && reactions > 0;
+        let order = coordinates + reactions;
+        fits.then(|| Self {
+            system,
+            parameters: parameters.to_vec(),
+            matrix: vec![0.0; order * order],
+            forcing: vec![0.0; order],
+            nearest: 1.0,
+            farthest: 0.0,
+            sizes: vec![0.0; reactions],
+            placement: Placement::new(system, clock),
+            inertia: Vec::new(),
+            rows: Vec::new(),
+            least: Least::new(),
+            forms: Vec::new(),
+            longest: Vec::new(),
+            rest: vec![0.0; speeds],
+            along: vec![0.0; speeds],
+            still: vec![0.0; coordinates],
+        })
+    }
+
+    /// Copies these equations for a run of their own. The copy keeps the largest lengths of rows and the largest
+    /// distance from singular poses so far; [`Self::nearest`] starts anew.
+    #[must_use]
+    pub fn again(&self) -> Self {
+        Self { nearest: 1.0, ..self.clone() }
+    }
+
+    /// Computes [`Standing::constraints`] from the conditions set last, and notes it.
+    fn near(&mut self) -> f64 {
+        let conditions = &self.least.conditions;
+        for (most, size) in self.sizes.iter_mut().zip(&conditions.sizes) {
+            *most = most.max(*size);
+        }
+        let least = conditions.left.iter().zip(&self.sizes).map(|(left, size)| left / size).fold(1.0, f64::min);
+        (self.nearest, self.farthest) = (self.nearest.min(least), self.farthest.max(least));
+        least
+    }
+
+    /// The least [`Standing::constraints`] of all states so far.
+    #[must_use]
+    pub fn nearest(&self) -> f64 {
+        self.nearest
+    }
+
+    /// Sets the constraints in the metric of E, both of the matrix. False if a motion that they allow has no inertia.
+    fn set_least(&mut self) -> bool {
+        let (n, order) = (self.still.len(), self.forcing.len());
+        for list in [&mut self.inertia, &mut self.rows] {
+            list.clear();
+        }
+        for (i, row) in self.matrix.chunks_exact(order).enumerate() {
+            if i < n { &mut self.inertia } else { &mut self.rows }.extend_from_slice(&row[..n]);
+        }
+        self.least.set_heavier(&self.inertia, n, &self.rows)
+    }
+
+    /// Writes q̈ of the linear system that was evaluated last.
+    fn accelerations(&mut self, out: &mut [f64]) -> Result<(), Failure> {
+        if !self.matrix.iter().chain(&self.forcing).all(|x| x.is_finite()) {
+            let message = "an entry of the equations with multipliers is not finite".to_owned();
+            return Err(Failure { code: "not-finite", message });
+        }
+        if !self.set_least() {
+            let message = "something that the constraints let move has no inertia".to_owned();
+            return Err(Failure { code: "singular", message });
+        }
+        self.near();
+        let (forces, sides) = self.forcing.split_at(out.len());
+        out.copy_from_slice(forces);
+        let Least { metric, conditions } = &mut self.least;
+        metric.raise(out);
+        conditions.free(out);
+        conditions.add_least(sides, out);
+        metric.lower(out);
+        Ok(())
+    }
+
+    /// Computes the distances of a state from a failure of the model's generalized speeds and from dependent
+    /// constraints. `None` where the equations have no value.
+    pub fn standing(&mut self, y: &[f64]) -> Option<Standing> {
+        let n = self.still.len();
+        let (q, v) = y.split_at(n);
+        self.system.mass_matrix(&self.parameters, q, v, &mut self.matrix);
+        if !self.matrix.iter().all(|x| x.is_finite()) || !self.set_least() {
+            return None;
+        }
+        if self.longest.is_empty() {
+            self.look_beside(q);
+        }
+        self.raise_forms(q);
+        for (form, size) in self.forms.chunks_exact_mut(n).zip(&self.longest) {
+            for x in form.iter_mut() {
+                *x /= size;
+            }
+            self.least.conditions.free(form);
+        }
+        let speeds = if self.forms.is_empty() { 1.0 } else { least_singular_value(&mut self.forms, n) };
+        speeds.is_finite().then(|| Standing { speeds, constraints: self.near() })
+    }
+
+    /// Notes the lengths of rows of J at poses beside one, where they may vanish as in a dead point. Each coordinate is
+    /// moved by half of itself, or by one half if it is small.
+    fn look_beside(&mut self, q: &[f64]) {
+        self.longest = vec![0.0; self.rest.len()];
+        let mut beside = q.to_vec();
+        for (at, place) in q.iter().enumerate() {
+            beside[at] = place + 0.5 * if place.abs() > SMALL { place.abs() } else { 1.0 };
+            self.raise_forms(&beside);
+            beside[at] = *place;
+        }
+    }
+
+    /// Sets J at a pose in the metric of E, and notes the lengths of its rows.
+    fn raise_forms(&mut self, q: &[f64]) {
+        self.set_forms(q);
+        for (form, longest) in self.forms.chunks_exact_mut(q.len().max(1)).zip(&mut self.longest) {
+            self.least.metric.raise(form);
+            let length = dot(form, form).sqrt();
+            // A length that is not finite is ignored.
+            *longest = if length.is_finite() { longest.max(length) } else { *longest };
+        }
+    }
+
+    /// J of u = J q̇ + d, row by row, by differences along the axes: u is linear in q̇.
+    fn set_forms(&mut self, q: &[f64]) {
+        let (n, p) = (q.len(), self.rest.len());
+        let (system, parameters) = (self.system, self.parameters.as_slice());
+        self.forms.resize(p * n, 0.0);
+        system.generalized_speeds(parameters, q, &self.still, &mut self.rest);
+        for i in 0..n {
+            self.still[i] = 1.0;
+            system.generalized_speeds(parameters, q, &self.still, &mut self.along);
+            self.still[i] = 0.0;
+            for (row, (u, rest)) in self.along.iter().zip(&self.rest).enumerate() {
+                self.forms[row * n + i] = u - rest;
+            }
+        }
+    }
+}
+
+impl RightHandSide<f64> for Multipliers<'_> {
+    fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
+        let (n, p) = (self.still.len(), self.parameters.as_slice());
+        let (q_dot, v_dot) = dydt.split_at_mut(n);
+        let (q, v) = self.placement.of(self.system, p, y).split_at(n);
+        self.system.coordinate_rates(p, q, v, q_dot);
+        self.system.linear_system(p, q, v, &mut self.matrix, &mut self.forcing);
+        self.accelerations(v_dot)
+    }
+
+    fn constraint_count(&self) -> usize {
+        self.system.constraint_count()
+    }
+
+    fn constraints(&mut self, _t: f64, y: &[f64], values: &mut [f64], slopes: &mut [f64]) {
+        crate::rhs::constraints(self.system, &self.parameters, y, values, slopes);
+    }
+
+    /// True next to a singular pose: rounding is divided there by the square of a vanishing number.
+    fn avoids(&mut self, _t: f64, y: &[f64]) -> bool {
+        self.standing(y).is_some_and(|standing| standing.constraints < AVOIDED * self.farthest)
+    }
+
+    fn inertia(&mut self, _t: f64, y: &[f64], out: &mut Vec<f64>) -> bool {
+        crate::rhs::inertia(self.system, &self.parameters, y, &mut self.matrix, out)
+    }
+}

@@ -1,0 +1,94 @@
+//! State on the constraints that is nearest to another, in the metric of the mass matrix there.
+//!
+//! Newton's method finds it with the slopes at its start; they are computed again where it is slow. A stage of a step
+//! is so near the constraints that a few of their values are enough. The result depends on the given state alone, and
+//! smoothly. The space is made once for many states; nothing is allocated then.
+
+use tripos_traits::System;
+
+use crate::constraints::correction::Correction;
+use crate::rhs;
+
+/// Largest number of iterations; units in the last place that count as on the constraints; ratio of corrections, one
+/// over the one before, above which new slopes are computed.
+const ITERATIONS: usize = 12;
+const ROUNDING: f64 = 4.0;
+const SLOW: f64 = 0.1;
+
+/// Space for finding states on the constraints.
+#[derive(Clone)]
+pub(crate) struct Placement {
+    correction: Correction,
+    /// The coordinate that is the time, which stays.
+    clock: Option<usize>,
+    values: Vec<f64>,
+    slopes: Vec<f64>,
+    matrix: Vec<f64>,
+    inertia: Vec<f64>,
+    placed: Vec<f64>,
+}
+
+impl Placement {
+    /// For equations in all rates with multipliers.
+    pub(crate) fn new(system: &dyn System<f64>, clock: Option<usize>) -> Self {
+        let (count, state) = (system.constraint_count(), system.lengths().state());
+        Self {
+            correction: Correction::new(),
+            clock,
+            values: vec![0.0; count],
+            slopes: vec![0.0; count * state],
+            matrix: Vec::new(),
+            inertia: Vec::new(),
+            placed: vec![0.0; state],
+        }
+    }
+
+    /// State on the constraints next to (q, q̇); the given state itself if the search fails.
+    pub(crate) fn of(&mut self, system: &dyn System<f64>, parameters: &[f64], y: &[f64]) -> &[f64] {
+        self.placed.copy_from_slice(y);
+        if self.search(system, parameters).is_none() {
+            self.placed.copy_from_slice(y);
+        }
+        &self.placed
+    }
+
+    /// Moves the state onto the constraints; `None` if something has no value on the way.
+    fn search(&mut self, system: &dyn System<f64>, parameters: &[f64]) -> Option<()> {
+        let n = system.lengths().coordinates;
+        let (mut last, mut is_slow) = (f64::INFINITY, true);
+        for _ in 0..ITERATIONS {
+            if is_slow {
+                self.look(system, parameters)?;
+            } else {
+                let (q, v) = self.placed.split_at(n);
+                system.constraints(parameters, q, v, &mut self.values);
+            }
+            let step = self.correction.of(&self.values, n);
+            let most = step.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let size = self.placed.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            if !step.iter().all(|x| x.is_finite()) {
+                return None;
+            }
+            for (x, step) in self.placed.iter_mut().zip(step) {
+                *x -= step;
+            }
+            // The correction that remains shrinks by this ratio again.
+            let ratio = if last.is_finite() { most / last } else { 1.0 };
+            if most * ratio <= ROUNDING * f64::EPSILON * size {
+                break;
+            }
+            (is_slow, last) = (last.is_finite() && ratio > SLOW, most);
+        }
+        Some(())
+    }
+
+    /// Computes values, slopes and the mass matrix at the state, and prepares corrections there. `None` if one is not
+    /// finite, or the mass matrix is not definite.
+    fn look(&mut self, system: &dyn System<f64>, parameters: &[f64]) -> Option<()> {
+        let Self { correction, clock, values, slopes, matrix, inertia, placed } = self;
+        rhs::constraints(system, parameters, placed, values, slopes);
+        rhs::inertia(system, parameters, placed, matrix, inertia);
+        let is_known = values.iter().chain(&*slopes).chain(&*inertia).all(|x| x.is_finite());
+        (is_known && correction.set(inertia, slopes, placed.len() / 2, *clock)).then_some(())
+    }
+}

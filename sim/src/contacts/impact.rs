@@ -1,0 +1,299 @@
+//! Impulses and forces of contacts that push and never pull.
+//!
+//! Rows w of contacts are linear forms in the independent speeds u: w u is the velocity at which a contact opens, or
+//! the one at which it slips. The kinetic energy has the matrix M in u. Impulses Λ along the rows change u by M⁻¹ Wᵀ Λ
+//! and the velocities of contacts by G Λ, G = W M⁻¹ Wᵀ. One complementarity gives the impulses of all contacts that are
+//! closed together: each contact pushes, or opens faster than its law asks for, never both. Friedrich Pfeiffer &
+//! Christoph Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), chapter 8; for Newton's law in this form J.
+//! J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics* (1988), §§ 3 and 5.
+//!
+//! Absent on purpose: any knowledge of time, of steps and of models.
+
+use crate::contacts::friction::{Found, Mode, Touch, Trial, Undecided, one_motion};
+use nalgebra::{DMatrix, DVector};
+
+/// Size below which a number counts as zero, over the largest of its kind.
+const NOTHING: f64 = 1e-10;
+
+/// Record of one impact: its impulses, and the energy that it took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImpactRecord {
+    /// Time of the impact, s.
+    pub t: f64,
+    /// The contacts that had an impulse, by their places, each with its normal impulse: in N s where the gap is in m.
+    pub impulses: Vec<(usize, f64)>,
+    /// The state before.
+    pub before: Vec<f64>,
+    /// The energy that the contacts took, J.
+    pub loss: f64,
+    /// The work that moving obstacles did, J.
+    pub work: f64,
+    /// Contacts of which later bounces are too short to be told apart: they are held from here on.
+    pub held: Vec<usize>,
+}
+
+/// Behaviour of one of the contacts that are closed at one instant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Share {
+    /// It pushes.
+    Pushes,
+    /// It opens, or opens faster than its law asks for.
+    Parts,
+    /// Neither: it could do either as well.
+    Neither,
+}
+
+/// Contacts that are closed at one instant.
+#[derive(Clone, Debug)]
+pub struct Closed {
+    /// G = W M⁻¹ Wᵀ, a row for each row of W.
+    pub compliance: DMatrix<f64>,
+    /// The rows of each contact: that of its gap, then those of its slips.
+    pub rows: Vec<Vec<usize>>,
+    /// The coefficient of friction of each contact that has one: along its one slip.
+    pub friction: Vec<Option<f64>>,
+}
+
+impl Closed {
+    /// Computes the impulses of all rows by Newton's law, from the velocities before and a coefficient of restitution
+    /// for each contact. A contact that opens before gives nothing back.
+    ///
+    /// # Errors
+    /// [`Undecided`] if no impulses part the bodies, or different ones would by Coulomb's law.
+    pub fn newton(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
+        let mut wanted = velocities.clone();
+        for (rows, e) in self.rows.iter().zip(restitution) {
+            if wanted[rows[0]] < 0.0 {
+                wanted[rows[0]] *= 1.0 + e;
+            }
+        }
+        self.push(&wanted)
+    }
+
+    /// Computes the impulses of all rows by Poisson's law. A compression stops the contacts that close. An expansion
+    /// follows with e times its impulses, or more where a contact would still close. Friction is Coulomb's with the
+    /// impulses of each of the two, and the slip at its end.
+    ///
+    /// # Errors
+    /// As [`Closed::newton`].
+    pub fn poisson(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
+        let compression = self.push(velocities)?;
+        let given: Vec<f64> = self.rows.iter().zip(restitution).map(|(rows, e)| e * compression[rows[0]]).collect();
+        let mut both = compression;
+        for (rows, e) in self.rows.iter().zip(restitution) {
+            both[rows[0]] *= 1.0 + e;
+        }
+        let more = self.tried(&(velocities + &self.compliance * &both), &vec![None; given.len()], &given)?;
+        Ok(both + first(more))
+    }
+
+    /// Finds Λ with Λ ≥ 0 and G Λ + c ≥ 0 along gaps, one of them 0 at each contact. Along the slips of contacts that
+    /// push, G Λ + c = 0; with friction Coulomb's law holds for the slip G Λ + c. If c are accelerations in place of
+    /// velocities, Λ are forces of contacts that do not slip yet.
+    ///
+    /// # Errors
+    /// [`Undecided`] if there are none, or several that move differently.
+    pub fn push(&self, c: &DVector<f64>) -> Result<DVector<f64>, Undecided> {
+        let count = self.rows.len();
+        Ok(first(self.tried(c, &vec![None; count], &vec![0.0; count])?))
+    }
+
+    /// Finds all modes that contacts can have together under accelerations c, and their forces, the firmest first; all
+    /// give one motion. `slips` has the signs of the velocities of those that slip.
+    ///
+    /// # Errors
+    /// As [`Closed::push`].
+    pub fn ways(&self, c: &DVector<f64>, slips: &[Option<f64>]) -> Result<Vec<Found>, Undecided> {
+        self.tried(c, slips, &vec![0.0; slips.len()])
+    }
+
+    /// True if contacts can have these modes together under accelerations c.
+    #[must_use]
+    pub fn allows(&self, c: &DVector<f64>, slips: &[Option<f64>], modes: &[Mode]) -> bool {
+        let (scaled, unit) = self.scaled();
+        let c = c.component_mul(&unit);
+        self.trial((&scaled, &unit), slips, &vec![0.0; slips.len()]).holds(&c, modes, NOTHING * c.amax())
+    }
+
+    /// Determinant of the linear system for the forces of these modes, in units in which all rows are alike. Without
+    /// slip it is at least 0. Where it is negative, contacts that slip have no forces, or several.
+    #[must_use]
+    pub fn determinant(&self, modes: &[Mode]) -> f64 {
+        let (scaled, unit) = self.scaled();
+        let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
+        self.trial((&scaled, &unit), &none.0, &none.1).determinant(modes)
+    }
+
+    /// Finds modes and forces like [`Closed::ways`], with given impulses along gaps in addition to the wanted ones.
+    /// Friction acts on the sum.
+    ///
+    /// # Errors
+    /// As [`Closed::push`].
+    pub fn tried(&self, c: &DVector<f64>, slips: &[Option<f64>], given: &[f64]) -> Result<Vec<Found>, Undecided> {
+        let (scaled, unit) = self.scaled();
+        let c = c.component_mul(&unit);
+        let found = self.trial((&scaled, &unit), slips, given).found(&c, NOTHING * c.amax());
+        let mut list = one_motion(found, c.amax())?;
+        for found in &mut list {
+            found.forces.component_mul_assign(&unit);
+        }
+        Ok(list)
+    }
+
+    /// These contacts in units in which all rows are alike.
+    fn trial<'t>(
+        &'t self,
+        (scaled, unit): (&'t DMatrix<f64>, &DVector<f64>),
+        slips: &[Option<f64>],
+        given: &[f64],
+    ) -> Trial<'t> {
+        let touch = |at: usize| {
+            let rows = &self.rows[at];
+            let u = |row: usize| unit[row];
+            // A force along a row is its unit times what it is there.
+            let friction =
+                self.friction[at].map(|mu| if u(rows[1]) > 0.0 { mu * u(rows[0]) / u(rows[1]) } else { 0.0 });
+            let given = if u(rows[0]) > 0.0 { given[at] / u(rows[0]) } else { 0.0 };
+            Touch { rows, friction, slips: slips[at], given }
+        };
+        Trial { g: scaled, touches: (0..self.rows.len()).map(touch).collect() }
+    }
+
+    /// Behaviour of each contact under impulses that [`Closed::push`] found for these velocities.
+    #[must_use]
+    pub fn shares(&self, c: &DVector<f64>, impulses: &DVector<f64>) -> Vec<Share> {
+        let (scaled, unit) = self.scaled();
+        let c = c.component_mul(&unit);
+        let impulses = impulses.zip_map(&unit, |impulse, unit| if unit > 0.0 { impulse / unit } else { 0.0 });
+        let after = &scaled * &impulses + &c;
+        let nothing = NOTHING * c.amax();
+        let share = |rows: &Vec<usize>| match rows[0] {
+            row if impulses[row] > nothing => Share::Pushes,
+            row if after[row] > nothing => Share::Parts,
+            _ => Share::Neither,
+        };
+        self.rows.iter().map(share).collect()
+    }
+
+    /// Finds Λ with G Λ + c = 0 along the rows that contacts in these modes hold, and the friction of those that slip.
+    /// If rows depend on one another, Λ is the one of least size, or the one that friction can bear. `None` if it is
+    /// not finite.
+    #[must_use]
+    pub fn hold(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
+        let (scaled, unit) = self.scaled();
+        let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
+        let trial = self.trial((&scaled, &unit), &none.0, &none.1);
+        Some(trial.held(&c.component_mul(&unit), modes)?.component_mul(&unit))
+    }
+
+    /// G in units in which all rows are alike, and these units.
+    fn scaled(&self) -> (DMatrix<f64>, DVector<f64>) {
+        let unit = self.compliance.diagonal().map(|g| if g > 0.0 { 1.0 / g.sqrt() } else { 0.0 });
+        let n = unit.len();
+        (DMatrix::from_fn(n, n, |i, j| unit[i] * self.compliance[(i, j)] * unit[j]), unit)
+    }
+}
+
+/// The forces of the firmest modes.
+fn first(found: Vec<Found>) -> DVector<f64> {
+    found.into_iter().next().map_or_else(|| DVector::zeros(0), |found| found.forces)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn closed(g: &[f64], rows: &[&[usize]]) -> Closed {
+        let n: usize = rows.iter().map(|rows| rows.len()).sum();
+        let compliance = DMatrix::from_row_slice(n, n, g);
+        Closed { compliance, rows: rows.iter().map(|rows| rows.to_vec()).collect(), friction: vec![None; rows.len()] }
+    }
+
+    /// Truth: a mass m at −v leaves with e v; the impulse is (1 + e) m v, by either law.
+    #[test]
+    fn one_contact_gives_back_e_times_what_closed_it_by_either_law() {
+        let one = closed(&[1.0 / 3.0], &[&[0]]);
+        let before = DVector::from_vec(vec![-2.0]);
+        for e in [0.0, 0.3, 1.0] {
+            let (newton, poisson) = (one.newton(&before, &[e]).unwrap(), one.poisson(&before, &[e]).unwrap());
+            assert!((newton[0] - (1.0 + e) * 6.0).abs() < 1e-14 && (poisson[0] - newton[0]).abs() < 1e-14, "{e}");
+        }
+        assert_eq!(one.newton(&-before, &[0.5]).unwrap()[0], 0.0, "what opens is left alone");
+    }
+
+    /// Truth: of three equal masses in a row the first comes at 1, and the third leaves the second at 0.4. The second
+    /// meets the third all the same, and all three share one velocity. Newton's law asks nothing back of a contact that
+    /// opens before; a bound of −e γ⁻ below 0 would drive it in.
+    #[test]
+    fn what_opens_before_an_impact_is_not_driven_in() {
+        let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
+        let before = DVector::from_vec(vec![-1.0, 0.4]);
+        let after = &before + &row.compliance * row.newton(&before, &[0.0, 1.0]).unwrap();
+        assert!(after[0].abs() < 1e-14 && after[1].abs() < 1e-14, "{after}");
+    }
+
+    /// Truth: three equal masses in a row, the first at 1, with e = 1. Contacts 12 and 23 are closed: g₁' = u₂ − u₁ =
+    /// −1, g₂' = 0, G = [[2, −1], [−1, 2]]. Newton's law: ξ₁ = 0 and ξ₂ = 0 give G Λ = (2, 0), Λ = (4/3, 2/3), so u =
+    /// (−1/3, 2/3, 2/3): energy is kept. Poisson's law: compression Λ = (2/3, 1/3), which doubled is the same.
+    #[test]
+    fn three_masses_in_a_row_share_an_impact_as_moreau_has_it() {
+        let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
+        let before = DVector::from_vec(vec![-1.0, 0.0]);
+        for impulses in [row.newton(&before, &[1.0, 1.0]).unwrap(), row.poisson(&before, &[1.0, 1.0]).unwrap()] {
+            assert!((impulses[0] - 4.0 / 3.0).abs() < 1e-14 && (impulses[1] - 2.0 / 3.0).abs() < 1e-14, "{impulses}");
+        }
+    }
+
+    /// Truth: e = 1 at the contact that is hit, e = 0 at the other. Newton's law asks g₂' = 0 only. Poisson's lets the
+    /// second contact go on with half of it: compression (2/3, 1/3), expansion (2/3, 0), G (4/3, 1/3) + (−1, 0) = (4/3,
+    /// −2/3). The second still closes, and pushes 1/3 more.
+    #[test]
+    fn poisson_pushes_again_where_expansion_leaves_something_closing() {
+        let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
+        let before = DVector::from_vec(vec![-1.0, 0.0]);
+        let impulses = row.poisson(&before, &[1.0, 0.0]).unwrap();
+        assert!((impulses[0] - 4.0 / 3.0).abs() < 1e-14 && (impulses[1] - 2.0 / 3.0).abs() < 1e-14, "{impulses}");
+    }
+
+    /// Truth: with the masses of the tests before, a second contact that opens at 0.5 neither pushes nor opens after.
+    /// If it opens faster before, it opens after, too.
+    #[test]
+    fn contacts_share_in_an_impact_by_pushing_or_parting_or_neither() {
+        let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
+        let shares = |c: &[f64]| {
+            let c = DVector::from_column_slice(c);
+            row.shares(&c, &row.push(&c).unwrap())
+        };
+        assert_eq!(shares(&[-1.0, 0.0]), [Share::Pushes, Share::Pushes]);
+        assert_eq!(shares(&[-1.0, 0.25]), [Share::Pushes, Share::Pushes]);
+        assert_eq!(shares(&[-1.0, 0.75]), [Share::Pushes, Share::Parts]);
+        assert_eq!(shares(&[-1.0, 0.5]), [Share::Pushes, Share::Neither]);
+    }
+
+    /// Four legs of a table that falls flat: their rows are of rank 3, and the velocities after are told all the same.
+    #[test]
+    fn rows_that_depend_on_one_another_have_impulses_of_least_size() {
+        let ones = vec![1.0; 16];
+        let table = closed(&ones, &[&[0], &[1], &[2], &[3]]);
+        let before = DVector::from_vec(vec![-1.0; 4]);
+        let impulses = table.newton(&before, &[0.5; 4]).unwrap();
+        assert!((impulses.sum() - 1.5).abs() < 1e-14 && impulses.iter().all(|x| *x >= 0.0), "{impulses}");
+    }
+
+    /// A wedge between walls that both close: nothing parts them.
+    #[test]
+    fn what_no_impulse_parts_is_said() {
+        let wedged = closed(&[1.0, -1.0, -1.0, 1.0], &[&[0], &[1]]);
+        assert!(wedged.newton(&DVector::from_vec(vec![-1.0, -1.0]), &[0.0, 0.0]) == Err(Undecided::Nothing));
+    }
+
+    /// A contact that does not slip: a point mass that comes in at an angle leaves along the normal alone.
+    #[test]
+    fn a_contact_without_slip_takes_the_velocity_along_it() {
+        let rough = closed(&[0.5, 0.0, 0.0, 0.5], &[&[0, 1]]);
+        let before = DVector::from_vec(vec![-1.0, 3.0]);
+        let impulses = rough.newton(&before, &[0.5]).unwrap();
+        let after = before + &rough.compliance * impulses;
+        assert!((after[0] - 0.5).abs() < 1e-14 && after[1].abs() < 1e-14, "{after}");
+    }
+}

@@ -1,0 +1,126 @@
+//! From a question to a [`Solution`]: checks the question, and picks the method.
+
+use tripos_traits::Real;
+
+use crate::driver::pace::Pace;
+use crate::driver::run::solve;
+use crate::error::SimError;
+use crate::events::Event;
+use crate::methods::dop853::Dop853;
+use crate::methods::dormand_prince::DORMAND_PRINCE_54;
+use crate::methods::explicit::{ExplicitRungeKutta, Length};
+use crate::methods::gauss::Gauss6;
+use crate::methods::options::{self, Options};
+use crate::methods::radau::Radau5;
+use crate::methods::rk4::Rk4;
+use crate::methods::taylor::{Taylor, order_for};
+use crate::projection::{Invariants, Onto, Projector};
+use crate::rhs::RightHandSide;
+use crate::solution::Solution;
+use tripos_traits::Method;
+
+/// Integrates y' = f(t, y) from (t0, y0) to t1, which may lie before t0.
+///
+/// `rhs` is a closure `|t: f64, y: &[S], dydt: &mut [S]|` that writes f(t, y) to `dydt`, or another
+/// [`RightHandSide`]; both slices have the length of `y0`, and `dydt` comes with old contents. It may fail, or write
+/// numbers that are not finite: the step is then tried again with half its size, and the run ends with that reason
+/// when the size is down to 16 ulp of t.
+///
+/// The state is computed in the scalar `S`. Times, output times and errors are `f64`, and events look at the state
+/// rounded to `f64`; steps begin and end at times that are `f64` exactly, so that a wider scalar loses nothing.
+///
+/// Where the right-hand side has constraints, the state is moved onto them after each step; what that did is in
+/// [`Solution::projection`].
+///
+/// However the run ends, the solution up to there is returned.
+///
+/// # Errors
+/// [`SimError`] if the question makes no sense: a span that is empty or not finite, a start that is
+/// not finite, tolerances or options out of range, output times outside the span, a method that lacks a step, a
+/// Jacobian or Taylor coefficients.
+pub fn integrate<S, R>(
+    rhs: R,
+    span: (f64, f64),
+    y0: &[S],
+    options: &Options,
+    events: &mut [Event<'_>],
+) -> Result<Solution<S>, SimError>
+where
+    S: Real,
+    R: RightHandSide<S>,
+{
+    run(rhs, span, y0, options, events, None)
+}
+
+/// Integrates y' = f(t, y) from `y0` over `span` like [`integrate`], and moves the state onto its invariants after each
+/// step; what that did is in [`Solution::projection`]. See [`crate::projection`] for what it means for events and
+/// output.
+///
+/// # Errors
+/// [`SimError`] if the question makes no sense: an empty span, a tolerance or option out of range, a length that does
+/// not fit.
+pub fn integrate_projected<S, R>(
+    rhs: R,
+    span: (f64, f64),
+    y0: &[S],
+    options: &Options,
+    events: &mut [Event<'_>],
+    invariants: &mut Invariants<'_, S>,
+) -> Result<Solution<S>, SimError>
+where
+    S: Real,
+    R: RightHandSide<S>,
+{
+    run(rhs, span, y0, options, events, Some(invariants))
+}
+
+fn run<S, R>(
+    mut rhs: R,
+    span: (f64, f64),
+    y0: &[S],
+    options: &Options,
+    events: &mut [Event<'_>],
+    invariants: Option<&mut Invariants<'_, S>>,
+) -> Result<Solution<S>, SimError>
+where
+    S: Real,
+    R: RightHandSide<S>,
+{
+    options::check(span, y0, options)?;
+    let n = y0.len();
+    let (pace, warning) = Pace::new::<S>(span, n, options)?;
+    let rhs = &mut rhs;
+    if options.method.needs_jacobian() && rhs.jacobian(span.0, y0, &mut vec![S::from_f64(0.0); n * n]).is_none() {
+        return Err(SimError::NoJacobian { method: options.method.name() });
+    }
+    let onto = match (invariants, rhs.constraint_count()) {
+        (Some(invariants), _) => Some(Onto::Invariants(invariants)),
+        (None, 0) => None,
+        (None, count) => Some(Onto::Constraints(count)),
+    };
+    let projector = onto.map(|onto| Projector::new(onto, rhs, options, (span.0, y0)));
+    let mut solution = match options.method {
+        Method::Rk4 => solve(Rk4::new(n), pace, rhs, y0, options, events, projector),
+        Method::Ode45 => {
+            let stepper = ExplicitRungeKutta::new(&DORMAND_PRINCE_54, Length::Chosen, n);
+            solve(stepper, pace, rhs, y0, options, events, projector)
+        }
+        Method::Dopri5 => {
+            let stepper = ExplicitRungeKutta::new(&DORMAND_PRINCE_54, Length::Exact, n);
+            solve(stepper, pace, rhs, y0, options, events, projector)
+        }
+        Method::Dop853 => solve(Dop853::new(n), pace, rhs, y0, options, events, projector),
+        Method::Gauss6 => solve(Gauss6::new(n), pace, rhs, y0, options, events, projector),
+        Method::Radau5 => solve(Radau5::new(n, options), pace, rhs, y0, options, events, projector),
+        Method::Taylor => {
+            let order = order_for(options);
+            let mut x = y0.repeat(order + 1);
+            if rhs.taylor(span.0, order, &mut x).is_none() {
+                return Err(SimError::NoSeries { method: options.method.name() });
+            }
+            solve(Taylor::new(n, order), pace, rhs, y0, options, events, projector)
+        }
+    };
+    solution.warnings.splice(..0, warning);
+    Ok(solution)
+}

@@ -1,0 +1,242 @@
+//! The sizes of the steps of a run: equal ones, or as large as their errors allow.
+
+use tripos_traits::Real;
+
+use crate::error::SimError;
+use crate::events::corners::{Corners, DIRECTIONS, Sides};
+use crate::methods::control::{self, Control, Rules};
+use crate::methods::options::Options;
+use crate::rhs::RightHandSide;
+use crate::stepper::{Trial, evaluate, same};
+use crate::tolerance::ErrorTest;
+use crate::warning::Warning;
+
+/// Outcome of an attempted step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Verdict {
+    /// It is part of the solution.
+    Accepted {
+        /// True if the step reached the end of the span.
+        last: bool,
+    },
+    /// A smaller one is to be tried.
+    Again,
+    /// No smaller one may be tried.
+    GiveUp,
+}
+
+/// The step that is being tried, and the data on which the next ones depend.
+#[derive(Clone)]
+pub(crate) struct Pace {
+    pub(crate) t0: f64,
+    t1: f64,
+    corners: Corners,
+    /// The test a step must pass; none where all steps are equal.
+    pub(crate) test: Option<ErrorTest>,
+    kind: Kind,
+    pub(crate) trial: Trial,
+    last: bool,
+    /// Evaluations of the right-hand side that the choice of the first step took.
+    pub(crate) evaluations: u64,
+}
+
+#[derive(Clone)]
+enum Kind {
+    /// The span is divided into this many equal steps.
+    Equal(f64),
+    Adaptive(Adaptive),
+}
+
+#[derive(Clone)]
+struct Adaptive {
+    rules: Rules,
+    control: Control,
+    longest: f64,
+    /// The smallest size that is tried from the current point.
+    smallest: f64,
+    /// Size to try next.
+    size: f64,
+    /// The size that would have been tried, had the step not to end at a corner.
+    cut: Option<f64>,
+}
+
+impl Pace {
+    /// Creates the step sizes of a run of `n` equations over a span.
+    ///
+    /// # Errors
+    /// [`SimError`] for tolerances that make no sense, and for a method that cannot choose its steps.
+    pub(crate) fn new<S: Real>(
+        (t0, t1): (f64, f64),
+        n: usize,
+        options: &Options,
+    ) -> Result<(Self, Option<Warning>), SimError> {
+        let trial = Trial { h: 0.0, t_new: t0 };
+        // Equal steps go across corners.
+        let corners = if options.step.is_some() { &[][..] } else { &options.corners };
+        let corners = Corners::new(corners, (t0, t1));
+        let pace =
+            |kind, test| Self { t0, t1, corners: corners.clone(), test, kind, trial, last: false, evaluations: 0 };
+        if let Some(step) = options.step {
+            return Ok((pace(Kind::Equal(equal_steps((t1 - t0).abs() / step)), None), None));
+        }
+        let Some(rules) = crate::methods::method::rules(options.method) else {
+            return Err(SimError::NoStep { method: options.method.name() });
+        };
+        let (test, warning) =
+            ErrorTest::new::<S>(crate::methods::method::norm(options.method), options.rtol, &options.atol, n)?;
+        let length = (t1 - t0).abs();
+        let longest = options.max_step.unwrap_or(rules.longest_part() * length).min(length);
+        let control = Control::new(rules, &test);
+        let adaptive = Adaptive { rules, control, longest, smallest: 0.0, size: 0.0, cut: None };
+        Ok((pace(Kind::Adaptive(adaptive), Some(test)), warning))
+    }
+
+    /// Chooses the size of the first step, where that is open, from y' at the start.
+    pub(crate) fn start<S, R>(&mut self, rhs: &mut R, y: &[S], slope: &[S], initial: Option<f64>)
+    where
+        S: Real,
+        R: RightHandSide<S>,
+    {
+        if let Some(h) = self.first_size(y, slope, initial) {
+            let step = S::from_f64(h);
+            let probe: Vec<S> = y.iter().zip(slope).map(|(y, f)| *y + step * *f).collect();
+            let mut beyond = vec![S::from_f64(0.0); y.len()];
+            let known = evaluate(rhs, self.t0 + h, &probe, &mut beyond).is_ok();
+            self.correct_first_size(y, slope, h, known.then_some(&beyond));
+        }
+    }
+
+    /// Chooses the first size up to where the rules ask for y' after a step of Euler's method: its signed size, in s,
+    /// is returned then, and [`Pace::correct_first_size`] must follow.
+    pub(crate) fn first_size<S: Real>(&mut self, y: &[S], slope: &[S], initial: Option<f64>) -> Option<f64> {
+        let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return None };
+        let longest = adaptive.longest;
+        match (initial, adaptive.rules) {
+            (Some(size), _) => adaptive.size = size,
+            (None, Rules::Proposed) => adaptive.size = longest,
+            (None, Rules::Ode45 { order }) => {
+                adaptive.size = control::initial(test, order, longest, self.t0, test.slope_norm(slope, y));
+            }
+            (None, Rules::Hairer { .. }) => {
+                adaptive.size = control::first_guess(test.root_sum(y, y), test.root_sum(slope, y), longest);
+                return Some(adaptive.size * (self.t1 - self.t0).signum());
+            }
+        }
+        None
+    }
+
+    /// Chooses the size of the first step by y' `beyond` a step `h` of Euler's method; `None` if it has no value there.
+    pub(crate) fn correct_first_size<S: Real>(&mut self, y: &[S], slope: &[S], h: f64, beyond: Option<&Vec<S>>) {
+        self.evaluations += 1;
+        let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return };
+        let Rules::Hairer { order, .. } = adaptive.rules else { return };
+        if let Some(c) = beyond.and_then(|beyond| curvature(beyond, h, y, slope, test)) {
+            let norm = test.root_sum(slope, y);
+            adaptive.size = control::second_guess(adaptive.size, norm, c, order, adaptive.longest);
+        }
+    }
+
+    /// Passes the corners at `t`. `None` if there are none. Else the right-hand side is another function from there on;
+    /// returns the derivatives of the instant of a jump among them, zeros if no jump moves.
+    pub(crate) fn pass_corners(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
+        self.corners.pass(t)
+    }
+
+    /// Intervals of time in which the right-hand side is one function.
+    pub(crate) fn sides(&self) -> Sides {
+        self.corners.sides()
+    }
+
+    /// Takes the size of the next step from the method.
+    pub(crate) fn propose(&mut self, size: f64) {
+        if let Kind::Adaptive(adaptive) = &mut self.kind {
+            adaptive.size = size;
+        }
+    }
+
+    /// Chooses the first trial of the step that begins at `t`, after `done` accepted ones.
+    pub(crate) fn begin(&mut self, t: f64, done: u64) {
+        match &mut self.kind {
+            Kind::Equal(count) => {
+                let next = done as f64 + 1.0;
+                self.last = next >= *count;
+                let t_new = if self.last { self.t1 } else { self.t0 + (self.t1 - self.t0) * (next / *count) };
+                self.trial = Trial { h: t_new - t, t_new };
+            }
+            Kind::Adaptive(adaptive) => {
+                adaptive.smallest = crate::rounding::smallest_step(t);
+                let size = adaptive.size.min(adaptive.longest).max(adaptive.smallest);
+                let corner = self.corners.next();
+                let end = corner.unwrap_or(self.t1);
+                // Stretch or shorten the step if the end is within the stretch of it.
+                let ends = adaptive.rules.stretch() * size >= (end - t).abs();
+                adaptive.cut = (ends && corner.is_some()).then_some(size);
+                self.last = ends && corner.is_none();
+                self.trial = if ends { Trial { h: end - t, t_new: end } } else { self.aim(t, size) };
+            }
+        }
+    }
+
+    fn aim(&self, t: f64, size: f64) -> Trial {
+        let h = (self.t1 - self.t0).signum() * size;
+        Trial { h, t_new: t + h }
+    }
+
+    /// Limits the next size to this part of the one that errors allow.
+    pub(crate) fn heed(&mut self, margin: f64) {
+        if let Kind::Adaptive(adaptive) = &mut self.kind {
+            adaptive.control.margin = margin;
+        }
+    }
+
+    /// Judges the trial by its error (`None`: it has no result). If it is to be tried again, the trial is a smaller one
+    /// afterwards.
+    pub(crate) fn judge(&mut self, t: f64, error: Option<f64>) -> Verdict {
+        let Kind::Adaptive(adaptive) = &mut self.kind else {
+            return if error.is_some() { Verdict::Accepted { last: self.last } } else { Verdict::GiveUp };
+        };
+        let size = self.trial.h.abs();
+        let tolerance = self.test.as_ref().map_or(f64::INFINITY, |test| test.tolerance);
+        if let Some(error) = error
+            && error <= tolerance
+        {
+            adaptive.size = adaptive.control.after_success(size, error).max(adaptive.cut.take().unwrap_or(0.0));
+            return Verdict::Accepted { last: self.last };
+        }
+        if size <= adaptive.smallest {
+            return Verdict::GiveUp;
+        }
+        let smaller = adaptive.control.after_failure(size, error).max(adaptive.smallest);
+        (self.last, adaptive.cut) = (false, None);
+        self.trial = self.aim(t, smaller);
+        Verdict::Again
+    }
+}
+
+/// Least number of equal steps that are no longer than the one asked for, from the span over that step. A quotient that
+/// is whole but for rounding is not divided further.
+fn equal_steps(quotient: f64) -> f64 {
+    let nearest = quotient.round();
+    let whole = (quotient - nearest).abs() <= 4.0 * f64::EPSILON * quotient;
+    if whole { nearest.max(1.0) } else { quotient.ceil() }
+}
+
+/// Norm of y'' from y' at the start and `beyond` a step of Euler's method; `None` if it is not finite.
+fn curvature<S: Real>(beyond: &[S], h: f64, y: &[S], slope: &[S], test: &ErrorTest) -> Option<f64> {
+    let change: Vec<S> = beyond.iter().zip(slope).map(|(after, before)| *after - *before).collect();
+    let curvature = test.root_sum(&change, y) / h.abs();
+    (!same(h, 0.0) && curvature.is_finite()).then_some(curvature)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_step_that_fits_but_for_rounding_is_not_divided() {
+        assert_eq!(equal_steps(1.0 / 0.1), 10.0);
+        assert_eq!(equal_steps(0.3 / 0.1), 3.0); // 2.9999999999999996
+        assert_eq!(equal_steps(0.7 / 0.1), 7.0); // 6.999999999999999
+        assert_eq!((equal_steps(2.5), equal_steps(0.1), equal_steps(1e-300)), (3.0, 1.0, 1.0));
+    }
+}

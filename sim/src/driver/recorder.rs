@@ -1,0 +1,163 @@
+//! Keeps the samples of a solution that were asked for.
+//!
+//! Invariant: memory does not grow with the number of steps. Of points that nobody asked for one by one at most
+//! [`MOST`] are kept: whenever there would be more, every second of them is forgotten, and of those to come as many.
+
+use tripos_traits::Real;
+
+use crate::events::corners::turn;
+use crate::methods::options::Output;
+use crate::rounding::smallest_step;
+use crate::stepper::{DenseStep, Interpolant, same};
+
+/// Points of steps that are kept at most.
+pub(crate) const MOST: usize = 200_000;
+
+/// Samples so far.
+pub(crate) struct Recorder<'a, S> {
+    output: &'a Output,
+    next: usize,
+    /// One point of steps in so many is kept; so many have come after the last that was.
+    every: u64,
+    passed: u64,
+    pub(crate) t: Vec<f64>,
+    pub(crate) y: Vec<Vec<S>>,
+    /// The work done up to each sample, if it is asked for.
+    pub(crate) work: Vec<f64>,
+}
+
+/// The state at a fraction of the step and its time, and the work done up to there; no work if it is not asked for.
+type Sampled<'a, S> = dyn FnMut(f64, f64) -> (Vec<S>, Option<f64>) + 'a;
+
+impl<'a, S: Real> Recorder<'a, S> {
+    /// Starts at (t0, y0). `Output::At` must have been checked to be in order.
+    pub(crate) fn new(output: &'a Output, t0: f64, y0: &[S], work: Option<f64>) -> Self {
+        let mut recorder =
+            Self { output, next: 0, every: 1, passed: 0, t: Vec::new(), y: Vec::new(), work: Vec::new() };
+        match output {
+            Output::Steps { .. } | Output::Ends => recorder.push(t0, y0.to_vec(), work),
+            Output::At(times) => {
+                while times.get(recorder.next).is_some_and(|t| same(*t, t0)) {
+                    recorder.push(t0, y0.to_vec(), work);
+                    recorder.next += 1;
+                }
+            }
+        }
+        recorder
+    }
+
+    fn push(&mut self, t: f64, y: Vec<S>, work: Option<f64>) {
+        self.t.push(t);
+        self.y.push(y);
+        self.work.extend(work);
+    }
+
+    fn sample(&mut self, t: f64, theta: f64, sampled: &mut Sampled<'_, S>) {
+        let (y, work) = sampled(theta, t);
+        self.push(t, y, work);
+    }
+
+    /// Takes a point of a step, unless so many have come that it is left out.
+    fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, sampled: &mut Sampled<'_, S>) {
+        self.passed += 1;
+        if self.passed < self.every {
+            return;
+        }
+        self.passed = 0;
+        self.sample(step.time_at(theta), theta, sampled);
+        if self.t.len() > MOST {
+            halve(&mut self.t);
+            halve(&mut self.y);
+            halve(&mut self.work);
+            self.every *= 2;
+        }
+    }
+
+    /// True if samples inside a step from `t_old` to `t_new` are to be kept.
+    pub(crate) fn looks_inside(&self, (t_old, t_new): (f64, f64)) -> bool {
+        match self.output {
+            Output::Ends => false,
+            Output::Steps { refine } => *refine > 1,
+            // Times up to t_old are kept already, so that the next one need only come before the end.
+            Output::At(times) => times.get(self.next).is_some_and(|t| (t_new - t) * (t_new - t_old).signum() > 0.0),
+        }
+    }
+
+    /// Records an accepted step up to its fraction `end` (1 unless an event ends the run inside the step).
+    pub(crate) fn step(&mut self, step: &impl Interpolant<Real = S>, end: f64, sampled: &mut Sampled<'_, S>) {
+        if end == 0.0 {
+            return; // the run ends where the step began
+        }
+        match self.output {
+            Output::Ends => {}
+            Output::Steps { refine } => {
+                for i in 1..*refine {
+                    self.point(step, end * (i as f64 / *refine as f64), sampled);
+                }
+                self.point(step, end, sampled);
+            }
+            Output::At(times) => {
+                let (t_old, t_new) = step.times();
+                let (h, t_stop) = (t_new - t_old, step.time_at(end));
+                let beyond = |t: f64| (t - t_stop) * h.signum() > 0.0;
+                while let Some(&t) = times.get(self.next).filter(|t| !beyond(**t)) {
+                    let theta = if same(t, t_stop) { end } else { ((t - t_old) / h).clamp(0.0, end) };
+                    self.sample(t, theta, sampled);
+                    self.next += 1;
+                }
+            }
+        }
+    }
+
+    /// Shows samples at `t` with the slopes that they have from there on.
+    pub(crate) fn turned(&mut self, t: f64, y: &[S]) {
+        if S::SLOPES == 0 {
+            return;
+        }
+        let is_there = |at: f64| (t - at).abs() < smallest_step(t);
+        let kept = self.t.iter().zip(&mut self.y).rev().take_while(|(at, _)| is_there(**at));
+        kept.for_each(|(_, own)| turn(own, y));
+    }
+
+    /// Adds the end of the run where it was asked for and is not kept yet.
+    pub(crate) fn finish(&mut self, (t_end, y_end, work): (f64, &[S], Option<f64>), steps: u64) {
+        let is_kept = self.t.last().is_some_and(|t| same(*t, t_end));
+        let is_asked = match self.output {
+            Output::Ends => true,
+            Output::Steps { .. } => !is_kept,
+            Output::At(_) => false,
+        };
+        if is_asked && steps > 0 {
+            self.push(t_end, y_end.to_vec(), work);
+        }
+    }
+}
+
+/// Forgets every second entry of a list; the first stays.
+fn halve<T>(list: &mut Vec<T>) {
+    let mut stays = false;
+    list.retain(|_| {
+        stays = !stays;
+        stays
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Method, Options, integrate};
+
+    #[test]
+    fn a_run_of_a_million_steps_keeps_no_more_points_than_are_bounded() {
+        let rhs = |_t: f64, _y: &[f64], out: &mut [f64]| {
+            out[0] = 1.0;
+            Ok(())
+        };
+        let options = Options { method: Method::Rk4, step: Some(1e-3), step_limit: 2_000_000, ..Options::default() };
+        let run = integrate(rhs, (0.0, 1000.0003), &[0.0], &options, &mut []).unwrap();
+        assert!(run.steps == 1_000_001 && run.t.len() <= MOST + 1 && run.t.len() > MOST / 2, "{}", run.t.len());
+        assert!(run.t[0] == 0.0 && run.t.last() == Some(&run.t_end) && run.y.len() == run.t.len());
+        let longest = run.t.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
+        assert!(longest < 0.01, "points are evenly spread: {longest}");
+    }
+}

@@ -1,0 +1,302 @@
+//! The driver: one loop serves every method.
+//!
+//! A method is a [`Stepper`]; which sizes its steps have is decided by [`crate::driver::pace`]. The loop takes a step, lets
+//! the events look at it, records it, and stops at the first reason to.
+
+use crate::driver::doubt::Doubts;
+use crate::driver::pace::{Pace, Verdict};
+use crate::driver::recorder::Recorder;
+use crate::driver::watch::{Events, Watch};
+use crate::driver::work::Work;
+use crate::events::Event;
+use crate::events::corners::Between;
+use crate::events::guard::{Guard, Zero};
+use crate::methods::options::{Options, Poll};
+use crate::projection::Projector;
+use crate::rhs::RightHandSide;
+use crate::solution::{Solution, Stop};
+use crate::stepper::{DenseStep, Interpolant, Stepper, Trouble};
+use crate::warning::Warning;
+use tripos_traits::Real;
+
+/// Largest number of times that a step is shortened to end elsewhere, and its assumed error then, over the tolerance.
+const MOST_AVOIDED: u32 = 4;
+const SHORTER: f64 = 2.0;
+
+/// Fractions of a step that are one place.
+const ONE_PLACE: f64 = 1e-9;
+
+/// Companions of the steps of a run: the recorder, the projector that moves their ends, and the work done.
+type Beside<'a, 'o, 'i, 'j, S> =
+    (&'a mut Recorder<'o, S>, Option<&'a mut Projector<'i, 'j, S>>, Option<&'a mut Work<S>>);
+
+/// A run under way: the method, the sizes of its steps, and counts.
+struct Run<'o, M> {
+    stepper: M,
+    pace: Pace,
+    options: &'o Options,
+    steps: u64,
+    rejected: u64,
+    doubts: Doubts,
+}
+
+/// Runs a method from (t0, y0) to the end of the span or to the first reason to stop.
+pub(crate) fn solve<M, R>(
+    stepper: M,
+    mut pace: Pace,
+    rhs: &mut R,
+    y0: &[M::Real],
+    options: &Options,
+    events: &mut [Event<'_>],
+    mut projector: Option<Projector<'_, '_, M::Real>>,
+) -> Solution<M::Real>
+where
+    M: Stepper,
+    R: RightHandSide<M::Real>,
+{
+    let t0 = pace.t0;
+    pace.pass_corners(t0);
+    let rhs = &mut Between::new(rhs, options.clock, pace.sides());
+    let mut run = Run { stepper, pace, options, steps: 0, rejected: 0, doubts: Doubts::default() };
+    if projector.is_some() {
+        run.stepper.expect_moves();
+    }
+    let mut work = Work::new(rhs, t0, y0);
+    let mut recorder = Recorder::new(&options.output, t0, y0, work.as_ref().map(|work| work.done));
+    let mut watch = Watch::new(Events::Lent(events), y0.len());
+    let mut y_end = y0.to_vec();
+    let (stop, t_end) = match run.start(rhs, y0, &mut watch) {
+        Some(stop) => (stop, t0),
+        None => run.walk(rhs, &mut watch, (&mut recorder, projector.as_mut(), work.as_mut()), &mut y_end),
+    };
+    let work = work.map(|work| work.done);
+    recorder.finish((t_end, &y_end, work), run.steps);
+    let undecided: Vec<Warning> = watch.warnings().collect();
+    Solution {
+        t: recorder.t,
+        y: recorder.y,
+        work: recorder.work,
+        t_end,
+        y_end,
+        work_end: work.unwrap_or(0.0),
+        steps: run.steps,
+        rejected: run.rejected,
+        evaluations: run.stepper.evaluations() + run.pace.evaluations,
+        jacobians: run.stepper.jacobians(),
+        stop,
+        events: watch.records,
+        impacts: Vec::new(),
+        warnings: run.doubts.warnings::<M::Real>().chain(undecided).collect(),
+        projection: projector.map(|projector| projector.report),
+    }
+}
+
+impl<M: Stepper> Run<'_, M> {
+    /// Prepares the first step; returns a reason not to take it.
+    fn start<R>(&mut self, rhs: &mut R, y0: &[M::Real], watch: &mut Watch<'_, '_>) -> Option<Stop>
+    where
+        R: RightHandSide<M::Real>,
+    {
+        let t0 = self.pace.t0;
+        if let Some(stop) = watch.start(t0, y0) {
+            return Some(stop);
+        }
+        if let Err(trouble) = self.stepper.start(rhs, t0, y0) {
+            return Some(stop_for(trouble));
+        }
+        self.pace.start(rhs, y0, self.stepper.slope(), self.options.initial_step);
+        None
+    }
+
+    /// Steps until there is a reason to stop, which is returned with the last time of the solution.
+    fn walk<R>(
+        &mut self,
+        rhs: &mut Between<'_, R, M::Real>,
+        watch: &mut Watch<'_, '_>,
+        (recorder, mut projector, mut work): Beside<'_, '_, '_, '_, M::Real>,
+        y_end: &mut [M::Real],
+    ) -> (Stop, f64)
+    where
+        R: RightHandSide<M::Real>,
+    {
+        let mut guard = Guard::new(rhs, self.stepper.span().0, self.stepper.ends().0);
+        let stop = loop {
+            let last = match self.advance(rhs) {
+                Ok(last) => last,
+                Err(stop) => break stop,
+            };
+            if rhs.yields(self.stepper.span().1, self.stepper.ends().1) {
+                break Stop::HandedOver;
+            }
+            let looks_inside = work.is_some() || recorder.looks_inside(self.stepper.span());
+            let end = match self.end_inside(rhs, watch, &mut guard, looks_inside) {
+                Ok(end) => end,
+                Err(stop) => break stop,
+            };
+            let at_zero = matches!(&end, Some((_, Stop::Singular { .. })));
+            if at_zero && rhs.hands_over(self.stepper.span().1, None) {
+                y_end.copy_from_slice(self.stepper.ends().0);
+                return (Stop::HandedOver, self.stepper.span().0);
+            }
+            let theta = end.as_ref().map_or(1.0, |(theta, _)| *theta);
+            recorder.step(&self.stepper, theta, &mut |theta, t| {
+                let done = work.as_deref_mut().map(|work| work.at(rhs, &self.stepper, theta));
+                let y = self.stepper.sample(theta, t);
+                match projector.as_deref_mut() {
+                    Some(projector) => (projector.sample(rhs, t, y), done),
+                    None => (y, done),
+                }
+            });
+            if let Some(work) = work.as_deref_mut() {
+                work.at(rhs, &self.stepper, theta);
+            }
+            if let Some((theta, stop)) = end {
+                let t_end = self.stepper.time_at(theta);
+                watch.forget_beyond(t_end, self.stepper.span());
+                y_end.copy_from_slice(&self.stepper.sample(theta, t_end));
+                return (stop, t_end);
+            }
+            let (t, t_new) = self.stepper.span();
+            guard.accept(t_new - t);
+            if let Some(work) = &mut work {
+                work.accept();
+            }
+            self.stepper.accept();
+            if let Some(projector) = &mut projector {
+                let outcome = match projector.project(rhs, self.stepper.span().0, self.stepper.ends().0) {
+                    Some(y) => self.stepper.restart(rhs, y),
+                    None => self.stepper.stay(rhs),
+                };
+                if let Err(trouble) = outcome {
+                    break stop_for(trouble);
+                }
+            }
+            if last {
+                break Stop::End;
+            }
+            let (here, now) = (self.stepper.ends().0, self.stepper.span().0);
+            if rhs.hands_over(now, Some(here)) {
+                break Stop::HandedOver;
+            }
+            if let Some(moves) = self.pace.pass_corners(now) {
+                let mut here = self.stepper.ends().0.to_vec();
+                rhs.enter(self.pace.sides(), (now, &mut here), &moves);
+                recorder.turned(now, &here);
+                if let Err(trouble) = self.stepper.restart(rhs, &here) {
+                    break stop_for(trouble);
+                }
+            }
+            if Poll::ends(self.options.poll.as_ref(), self.stepper.span().0) {
+                break Stop::Interrupted;
+            }
+        };
+        // Until a step is accepted, both ends are the start; afterwards `ends` begins with the current state.
+        y_end.copy_from_slice(self.stepper.ends().0);
+        (stop, self.stepper.span().0)
+    }
+
+    /// [`end_inside`] of the step last taken, which is made ready for it.
+    fn end_inside<R>(
+        &mut self,
+        rhs: &mut R,
+        watch: &mut Watch<'_, '_>,
+        guard: &mut Guard<M::Real>,
+        is_sampled: bool,
+    ) -> Result<Option<(f64, Stop)>, Stop>
+    where
+        R: RightHandSide<M::Real>,
+    {
+        let suspects = !guard.is_empty() && guard.suspects(rhs, &self.stepper);
+        if suspects || is_sampled || !watch.is_empty() {
+            let known = self.stepper.prepare_inside(rhs);
+            self.doubts.note_inside(&self.stepper, known);
+        }
+        end_inside(&self.stepper, suspects, rhs, watch, guard)
+    }
+
+    /// Takes one step, with as many attempts as it needs; says whether it reached the end of the
+    /// span.
+    fn advance<R>(&mut self, rhs: &mut R) -> Result<bool, Stop>
+    where
+        R: RightHandSide<M::Real>,
+    {
+        if let Some(test) = &self.pace.test
+            && let Some(size) = self.stepper.proposal(test)
+        {
+            let first = self.options.initial_step.filter(|_| self.steps == 0);
+            self.pace.propose(first.map_or(size, |first| first.min(size)));
+        }
+        self.pace.begin(self.stepper.span().0, self.steps);
+        let mut avoided = 0;
+        loop {
+            if self.steps + self.rejected >= self.options.step_limit {
+                return Err(Stop::StepLimit { limit: self.options.step_limit });
+            }
+            let tried = self.pace.trial.h.abs();
+            let attempt = self.stepper.attempt(rhs, self.pace.trial, self.pace.test.as_ref());
+            let error = match (&attempt, &self.pace.test) {
+                (Ok(error), Some(test)) if *error <= test.tolerance && avoided < MOST_AVOIDED => {
+                    let is_avoided = rhs.avoids(self.stepper.span().1, self.stepper.ends().1);
+                    avoided += u32::from(is_avoided);
+                    Some(if is_avoided { SHORTER * test.tolerance } else { *error })
+                }
+                _ => attempt.as_ref().ok().copied(),
+            };
+            match (&attempt, &self.pace.test) {
+                // Made shorter for where it ends, not for its error.
+                (Ok(own), _) if error > Some(*own) => self.doubts.note_trouble(),
+                (Ok(error), Some(test)) => self.doubts.note(&self.stepper, test, tried, *error),
+                _ => self.doubts.note_trouble(),
+            }
+            self.pace.heed(self.stepper.margin());
+            match self.pace.judge(self.stepper.span().0, error) {
+                Verdict::Accepted { last } => {
+                    self.steps += 1;
+                    return Ok(last);
+                }
+                Verdict::Again => self.rejected += 1,
+                Verdict::GiveUp => {
+                    self.rejected += 1;
+                    return Err(match attempt {
+                        Ok(_) => Stop::StepTooSmall { step: tried },
+                        Err(trouble) => stop_for(trouble),
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// Finds the end of a run inside a step that is prepared for it: an event, or a divisor that is zero, where one is
+/// suspected. Returns its fraction of the step and the reason; `None` if the run goes on. If both are at one place, the
+/// event counts, since it names the condition that ends there.
+pub(crate) fn end_inside<S, I, R>(
+    step: &I,
+    suspects: bool,
+    rhs: &mut R,
+    watch: &mut Watch<'_, '_>,
+    guard: &mut Guard<S>,
+) -> Result<Option<(f64, Stop)>, Stop>
+where
+    S: Real,
+    I: Interpolant<Real = S>,
+    R: RightHandSide<S>,
+{
+    let zero = if suspects { guard.zero(rhs, step) } else { None };
+    match (watch.look(step), zero) {
+        (Ok(Some((theta, stop))), zero) if zero.is_none_or(|zero| theta <= zero.theta + ONE_PLACE) => {
+            Ok(Some((theta, stop)))
+        }
+        (_, Some(Zero { divisor, theta })) => Ok(Some((theta, Stop::Singular { divisor: rhs.divisor_name(divisor) }))),
+        (Ok(_), None) => Ok(None),
+        (Err(failure), None) => Err(Stop::Failed(failure)),
+    }
+}
+
+fn stop_for(trouble: Trouble) -> Stop {
+    match trouble {
+        Trouble::NotFinite { component } => Stop::NotFinite { component },
+        Trouble::Failed(failure) => Stop::Failed(failure),
+        Trouble::NotConverged { iterations } => Stop::NotConverged { iterations },
+    }
+}

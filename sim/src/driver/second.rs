@@ -1,0 +1,217 @@
+//! Choice of a second run that tells the error of a first one.
+//!
+//! The same motion is integrated with other steps: what the two differ by is the error of the worse one. A run that is
+//! ten times finer shows the whole error of the first; one that is ten times coarser shows its own, which is larger.
+//! The finer is taken where it is known to cost no more than the first run did: another method at a tenth of the
+//! tolerances. The coarser always costs less.
+//!
+//! Invariant: a second run never has the steps of the first, not even where a longest step decides them, since equal
+//! steps make equal errors. Work is counted in evaluations of the right-hand side, not timed.
+
+use crate::methods::control::Rules;
+use crate::methods::method::rules;
+use crate::methods::options::Options;
+use crate::methods::taylor::order_for;
+use crate::solution::Solution;
+use crate::tolerance::SMALLEST_RTOL;
+use tripos_traits::{AbsoluteTolerance, Method};
+
+/// Factor by which a second run is finer or coarser.
+const TIMES: f64 = 10.0;
+/// Part of the difference from a coarser run that counts as the first run's error. A tenth is expected, but a motion
+/// may carry the two errors on in its own ways: with a half of it 4 of 208 runs of gauss6 had ten times as much.
+const PART: f64 = 1.0;
+/// Tolerances from which down DOP853 takes no more evaluations than a method of order 5 at ten times as much, and the
+/// Taylor method no longer than DOP853.
+const FINE: f64 = 1e-6;
+/// Cost of a finer run in units of the first where tolerances are coarser than that.
+const COARSE_COST: f64 = 1.6;
+/// Evaluations that a second run may take however few the first took.
+const LEAST: f64 = 20_000.0;
+/// Largest cost of a second run in units of the first: one of it, and a margin for the error of the forecast.
+const MOST: f64 = 1.25;
+/// The tolerances by which a run with equal steps is looked at.
+const EQUAL: f64 = 1e-12;
+
+/// A run to compare another one with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Second {
+    /// Options of the second run; the caller chooses which points it keeps.
+    pub options: Options,
+    /// Part of the difference of the two runs that is the error of the first.
+    pub part: f64,
+    /// True if the errors of the second run are smaller than the first run's: it then shows the behaviour of the
+    /// motion.
+    pub is_finer: bool,
+    /// Description of the run in words, such as "dop853 at a tenth of the tolerances".
+    pub words: String,
+}
+
+/// Lists the runs that tell the errors of one that was made with these options, the first choice first. The next is to
+/// be made if one ends early. `has_series` is true if the equations have Taylor coefficients that cost no more than a
+/// step of DOP853.
+#[must_use]
+pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), has_series: bool) -> Vec<Second> {
+    let method = options.method;
+    let spent = solution.evaluations as f64 * weight(options);
+    let first = First { options, spent, length: (span.1 - span.0).abs() };
+    let is_cheap = tolerance(options) <= FINE || COARSE_COST * spent <= LEAST;
+    let finer_by = |other: Method, cost: f64| first.finer(other, TIMES, cost);
+    if options.step.is_some() {
+        return vec![finer_by(Method::Dop853, 0.5), first.coarser()];
+    }
+    match method {
+        Method::Taylor => vec![finer_by(Method::Taylor, MOST)],
+        // Most motions are not stiff, and the implicit method takes several times as long for them. Its errors are far
+        // below the tolerances: DOP853 has as small ones only at much finer tolerances.
+        Method::Gauss6 => vec![first.finer(Method::Dop853, TIMES * TIMES, 0.5), first.coarser()],
+        Method::Dop853 if is_cheap && has_series => vec![finer_by(Method::Taylor, MOST)],
+        Method::Ode45 | Method::Dopri5 if is_cheap => vec![finer_by(Method::Dop853, MOST)],
+        Method::Dop853 | Method::Radau5 if COARSE_COST * spent <= LEAST => vec![finer_by(method, MOST)],
+        _ => vec![first.coarser()],
+    }
+}
+
+/// First run, from which second runs are made.
+struct First<'a> {
+    options: &'a Options,
+    /// Evaluations of the right-hand side, or as much as they take.
+    spent: f64,
+    /// The length of the span, s.
+    length: f64,
+}
+
+impl First<'_> {
+    /// Second run by this method at tolerances this many times finer; it may cost this part of the first run.
+    fn finer(&self, method: Method, times: f64, cost: f64) -> Second {
+        let first = self.options;
+        let same = method == first.method;
+        let mut options = match first.step {
+            Some(_) => Options { method, step: None, order: None, ..Options::tolerances(EQUAL, EQUAL) },
+            None => Options { method, order: None, ..self.at(1.0 / times) },
+        };
+        options.max_step = if same { Some(self.longest(1.0 / times)) } else { first.max_step };
+        if same && method == Method::Taylor {
+            options.order = Some((order_for(first) + 3).min(crate::methods::options::ORDERS.1));
+        }
+        let how = if first.step.is_some() {
+            format!("at tolerances of {EQUAL:e}")
+        } else if times > TIMES {
+            "at a hundredth of the tolerances".to_owned()
+        } else {
+            "at a tenth of the tolerances".to_owned()
+        };
+        let words = format!("{} {how}", method.name());
+        Second { options: self.limited(options, cost), part: 1.0, is_finer: true, words }
+    }
+
+    /// Second run by the same method at ten times the tolerances, or with steps that make ten times the error.
+    fn coarser(&self) -> Second {
+        let first = self.options;
+        let stretch = TIMES.powf(1.0 / f64::from(first.method.order().unwrap_or(8)));
+        let mut options = self.at(TIMES);
+        options.step = first.step.map(|step| step * stretch);
+        options.initial_step = first.initial_step.map(|step| step * stretch);
+        options.max_step = Some(self.longest(TIMES));
+        let how = if first.step.is_some() {
+            format!("with steps {stretch:.2} times as long")
+        } else {
+            "at ten times the tolerances".to_owned()
+        };
+        let words = format!("{} {how}", first.method.name());
+        Second { options: self.limited(options, MOST), part: PART, is_finer: false, words }
+    }
+
+    /// The options with tolerances this many times as large, those that were really used.
+    fn at(&self, times: f64) -> Options {
+        let first = self.options;
+        let rtol = if first.rtol > 0.0 { (first.rtol * times).clamp(SMALLEST_RTOL, 0.5) } else { 0.0 };
+        let atol = match &first.atol {
+            AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(atol * times),
+            AbsoluteTolerance::Each(list) => AbsoluteTolerance::Each(list.iter().map(|atol| atol * times).collect()),
+        };
+        Options { rtol, atol, initial_step: None, ..first.clone() }
+    }
+
+    /// The longest step that makes this many times the error of the longest one of the first run, s.
+    fn longest(&self, times: f64) -> f64 {
+        let order = f64::from(self.options.method.order().unwrap_or(8));
+        let own = rules(self.options.method).map_or(1.0, Rules::longest_part) * self.length;
+        self.options.max_step.unwrap_or(own) * times.powf(1.0 / order)
+    }
+
+    /// Sets the step limit to as many steps as may cost this part of the first run.
+    fn limited(&self, options: Options, cost: f64) -> Options {
+        let evaluations = (cost * self.spent).max(LEAST);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive, and far below 2^64")]
+        let step_limit = (evaluations / (stages(options.method) * weight(&options))).ceil() as u64;
+        Options { step_limit, ..options }
+    }
+}
+
+/// The tolerance that steps are mostly decided by.
+fn tolerance(options: &Options) -> f64 {
+    if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() }
+}
+
+/// Evaluations that an attempted step takes.
+fn stages(method: Method) -> f64 {
+    match method {
+        Method::Taylor => 1.0,
+        Method::Rk4 => 4.0,
+        Method::Ode45 | Method::Dopri5 => 6.0,
+        // Three stages of an implicit method are iterated some four times.
+        Method::Dop853 | Method::Gauss6 | Method::Radau5 => 12.0,
+    }
+}
+
+/// Cost of an evaluation in calls of the right-hand side: for Taylor coefficients, their order.
+fn weight(options: &Options) -> f64 {
+    if options.method == Method::Taylor { order_for(options) as f64 } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Output, integrate};
+
+    fn run(options: &Options) -> Solution {
+        let mut rhs = |_t: f64, y: &[f64], out: &mut [f64]| {
+            (out[0], out[1]) = (y[1], -y[0].sin());
+            Ok(())
+        };
+        integrate(&mut rhs, (0.0, 40.0), &[2.5, 0.0], options, &mut []).unwrap()
+    }
+
+    /// Methods that need no more than the right-hand side; 1e-13 is the reference.
+    #[test]
+    fn a_second_run_tells_the_error_within_a_digit_and_costs_no_more() {
+        let exact = run(&Options { method: Method::Dop853, ..Options::tolerances(1e-13, 1e-13) }).y_end;
+        let apart = |a: &[f64], b: &[f64]| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+        for method in [Method::Ode45, Method::Dopri5, Method::Dop853] {
+            for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
+                let options = Options { method, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) };
+                let first = run(&options);
+                let second = &seconds(&options, &first, (0.0, 40.0), false)[0];
+                let other = run(&Options { output: Output::Ends, ..second.options.clone() });
+                assert_eq!(other.stop, crate::Stop::End, "{}", second.words);
+                let (told, right) = (second.part * apart(&other.y_end, &first.y_end), apart(&exact, &first.y_end));
+                assert!(told > 0.1 * right && told < 30.0 * right, "{method:?} {tolerance}: {told:e} for {right:e}");
+                assert!(other.evaluations as f64 <= (MOST * first.evaluations as f64).max(LEAST));
+            }
+        }
+    }
+
+    #[test]
+    fn steps_that_only_a_bound_decides_are_others_in_the_second_run() {
+        for step in [None, Some(0.01)] {
+            let max_step = if step.is_none() { Some(0.01) } else { None };
+            let options = Options { method: Method::Dopri5, step, max_step, ..Options::tolerances(1e-2, 1e-2) };
+            let first = run(&options);
+            for second in seconds(&options, &first, (0.0, 40.0), false) {
+                let other = run(&Options { step_limit: 1_000_000, ..second.options });
+                assert_ne!(other.steps, first.steps, "{}", second.words);
+            }
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Samples of an event function in one step, and their evidence of the places between.
+
+use std::iter::once;
+
+use crate::events::root::NotANumber;
+use crate::stepper::DenseStep;
+
+/// −1, 0 or 1: below, within rounding of, or above zero.
+pub(crate) type Sign = i8;
+
+/// The sign of `g`, where up to `tolerance` is zero.
+pub(crate) fn sign(g: f64, tolerance: f64) -> Sign {
+    if g.abs() <= tolerance {
+        0
+    } else if g > 0.0 {
+        1
+    } else {
+        -1
+    }
+}
+
+/// An event function along the dense output of a step.
+pub(crate) struct Probe<'p> {
+    pub(crate) step: &'p dyn DenseStep,
+    pub(crate) function: &'p mut (dyn FnMut(f64, &[f64]) -> f64 + 'p),
+    /// Room for a state.
+    pub(crate) y: &'p mut [f64],
+    /// The largest size of each component so far: its rounding errors were made at that size.
+    pub(crate) magnitudes: &'p [f64],
+}
+
+impl Probe<'_> {
+    /// The value at a fraction of the step.
+    pub(crate) fn at(&mut self, theta: f64) -> f64 {
+        self.step.interpolate(theta, self.y);
+        (self.function)(self.step.time_at(theta), self.y)
+    }
+
+    /// Rounding error of an instant of the step, in s: 4 ε of its times.
+    pub(crate) fn instant(&self) -> f64 {
+        let (start, end) = self.step.times();
+        4.0 * f64::EPSILON * start.abs().max(end.abs())
+    }
+
+    /// The value, which must be one.
+    pub(crate) fn value_at(&mut self, theta: f64) -> Result<f64, NotANumber> {
+        let g = self.at(theta);
+        if g.is_nan() { Err(NotANumber { at: theta }) } else { Ok(g) }
+    }
+
+    /// The size of g that rounding alone can produce at `theta`: 4 times the change when each
+    /// component of the state, and the time, move by ε of their size; plus 2 ε of `scale`.
+    pub(crate) fn rounding(&mut self, theta: f64, scale: f64) -> f64 {
+        const ULPS: f64 = 8.0; // moved together, so that the change is not lost in g's own rounding
+        let base = self.at(theta);
+        let t = self.step.time_at(theta);
+        let (t_old, t_new) = self.step.times();
+        let t_unit = f64::EPSILON * t_old.abs().max(t_new.abs());
+        let by_time = ((self.function)(t + ULPS * t_unit, self.y) - base).abs();
+        let mut changes = if by_time.is_finite() { by_time } else { 0.0 };
+        for (i, magnitude) in self.magnitudes.iter().enumerate() {
+            let y_i = self.y[i];
+            self.y[i] = y_i + ULPS * f64::EPSILON * magnitude;
+            let change = ((self.function)(t, self.y) - base).abs();
+            self.y[i] = y_i;
+            if change.is_finite() {
+                changes += change;
+            }
+        }
+        4.0 * changes / ULPS + 2.0 * f64::EPSILON * scale
+    }
+}
+
+/// A sample: g at a fraction of the step, and on which side of zero it counts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Node {
+    pub(crate) theta: f64,
+    pub(crate) g: f64,
+    pub(crate) sign: Sign,
+}
+
+/// True if |g| has a minimum between samples k − 1 and k, both on one side, and might reach zero there.
+pub(crate) fn may_dip(nodes: &[Node], k: usize) -> bool {
+    let (a, b) = (nodes[k - 1], nodes[k]);
+    if a.sign == 0 || a.sign != b.sign {
+        return false;
+    }
+    let side = f64::from(a.sign);
+    let (slope_a, slope_b) = (side * slope(nodes, k - 1), side * slope(nodes, k));
+    // A convex function stays above its tangents; 4 times their fall allows for others.
+    let fall = slope_b.max(-slope_a) * (b.theta - a.theta);
+    slope_a <= 0.0 && slope_b >= 0.0 && a.g.abs().min(b.g.abs()) <= 4.0 * fall
+}
+
+/// Fractions between samples k − 1 and k at which the polynomial through the samples has extrema, and the midpoints
+/// between those. Empty if there are fewer than two extrema: slopes at the two samples tell of one.
+pub(crate) fn hidden_extrema(nodes: &[Node], k: usize) -> Vec<f64> {
+    const PARTS: u32 = 8;
+    let (a, b) = (nodes[k - 1].theta, nodes[k].theta);
+    let width = (b - a) / f64::from(PARTS);
+    let points = (0..=PARTS).map(|i| a + width * f64::from(i));
+    let values: Vec<f64> = points.map(|theta| interpolated(near(nodes, k), theta)).collect();
+    let rises = values.windows(2).map(|v| v[1] - v[0]);
+    let slopes: Vec<f64> = once(slope(nodes, k - 1)).chain(rises).chain(once(slope(nodes, k))).collect();
+    // Slope 0 belongs to a, slope i to the middle of part i, the last one to b.
+    let turns = slopes.windows(2).enumerate().filter(|(_, s)| s[0] * s[1] < 0.0);
+    let extrema: Vec<f64> = turns.map(|(i, _)| a + width * (i as f64).clamp(0.25, f64::from(PARTS) - 0.25)).collect();
+    // Halfway between two extrema the function is on its way from one to the other.
+    extrema.windows(2).flat_map(|e| [e[0], f64::midpoint(e[0], e[1]), e[1]]).collect()
+}
+
+/// The five samples around sample i. The polynomial through them is g itself where g is linear in the
+/// state and does not depend on t, since a dense output has degree 4.
+fn near(nodes: &[Node], i: usize) -> &[Node] {
+    let low = i.saturating_sub(2).min(nodes.len().saturating_sub(5));
+    &nodes[low..(low + 5).min(nodes.len())]
+}
+
+/// The value at `theta` of the polynomial through the samples, by Lagrange's formula.
+fn interpolated(nodes: &[Node], theta: f64) -> f64 {
+    let others = |j: usize| nodes.iter().enumerate().filter(move |(m, _)| *m != j).map(|(_, n)| n.theta);
+    let term = |(j, n): (usize, &Node)| n.g * others(j).map(|x| (theta - x) / (n.theta - x)).product::<f64>();
+    nodes.iter().enumerate().map(term).sum()
+}
+
+/// dg/dθ at sample i of the polynomial through the samples near it.
+fn slope(nodes: &[Node], i: usize) -> f64 {
+    let at = nodes[i];
+    // Σ over the others of (g_j − g_i) / (x_j − x_i) · Π over the rest of (x_i − x_m) / (x_j − x_m)
+    let others = || near(nodes, i).iter().filter(|n| n.theta.total_cmp(&at.theta).is_ne());
+    let term = |j: &Node| {
+        let rest = others().filter(|m| m.theta.total_cmp(&j.theta).is_ne());
+        let weight: f64 = rest.map(|m| (at.theta - m.theta) / (j.theta - m.theta)).product();
+        weight * (j.g - at.g) / (j.theta - at.theta)
+    };
+    others().map(term).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slope_of_a_quartic_is_exact_at_every_sample() {
+        let p = |x: f64| x.powi(4) - 3.0 * x.powi(3) + x;
+        let thetas = [0.0, 1e-8, 0.125, 0.25, 0.5, 0.75, 0.875];
+        let nodes = thetas.map(|theta| Node { theta, g: p(theta), sign: 1 });
+        for i in 0..nodes.len() {
+            let x = nodes[i].theta;
+            let exact = 4.0 * x.powi(3) - 9.0 * x * x + 1.0;
+            // Neighbours 1e-8 apart lose half of the digits.
+            assert!((slope(&nodes, i) - exact).abs() < 1e-6, "{i}");
+        }
+    }
+}

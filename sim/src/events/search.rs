@@ -1,0 +1,186 @@
+//! Search for the zeros of one event function during one step: by ranges where there are any, else by samples.
+
+use crate::events::Kind;
+use crate::events::isolate::{Isolation, Known, Ranges, isolate};
+use crate::events::root::NotANumber;
+use crate::events::samples::{Node, Probe, hidden_extrema, may_dip, sign};
+use crate::events::walk::{Doubt, Findings, Found, LADDER, Memory, walk};
+
+/// The slope at the ends of a step is taken over this fraction of it: the root of ε, below which a
+/// smooth function cannot turn by more than rounding.
+const DELTA: f64 = 1.0 / 67_108_864.0;
+/// Samples a step, evenly spaced.
+const INTERVALS: u32 = 8;
+
+/// Looks at one step; `memory` moves on to its end.
+pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut Memory, ranges: Option<Ranges<'_, '_>>) -> Findings {
+    match ranges {
+        Some(mut ranges) => by_ranges(probe, memory, &mut ranges),
+        None => by_samples(probe, memory),
+    }
+}
+
+/// Searches by parts of the step on which ranges tell the behaviour of the function.
+fn by_ranges(probe: &mut Probe<'_>, memory: &mut Memory, ranges: &mut Ranges<'_, '_>) -> Findings {
+    let isolation = isolate(probe, ranges);
+    let mut findings = Findings { not_a_number: isolation.cut, ..Findings::default() };
+    if let Some(side) = isolation.side()
+        && side == memory.side
+        && memory.begun
+    {
+        memory.stay(side);
+        return findings;
+    }
+    let mut nodes = Vec::new();
+    sample(probe, isolation.ends(), &mut nodes, &mut findings);
+    let Some(near) = nearest(&nodes) else { return findings };
+    let tolerance = probe.rounding(near, 0.0) + 0.5 * ranges.spread(near);
+    let slope = if memory.begun { 0.0 } else { ranges.over(0.0, 0.0).slope.size() };
+    set_signs(probe, &mut nodes, memory, (tolerance, slope), &mut findings);
+    stay_at_start(probe, &mut nodes, memory);
+    let doubt = |k: usize| doubt_of(isolation.parts[k - 1].known);
+    let outcome = walk(probe, (&nodes, &doubt), memory, tolerance, &mut findings);
+    findings.note(outcome);
+    findings.found.extend(left_open(&isolation, &nodes, memory));
+    memory.move_on(&nodes);
+    findings
+}
+
+fn doubt_of(known: Known) -> Doubt {
+    match known {
+        Known::Clear(_) | Known::Monotone => Doubt::None,
+        Known::Unknown => Doubt::Unknown,
+        Known::Open => Doubt::Dip,
+    }
+}
+
+/// Reports the parts that were left open, except those that begin and end at zero, as one undecided place.
+fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Found> {
+    let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
+    let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
+    let near = ends.min_by(|a, b| a.g.abs().total_cmp(&b.g.abs()))?;
+    Some(Found { theta: near.theta, kind: Kind::Undecided, side: memory.side })
+}
+
+fn by_samples(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {
+    let mut findings = Findings::default();
+    let nodes = &mut gather(probe, memory, &mut findings);
+    let scale = nodes.iter().map(|n| n.g.abs()).filter(|g| g.is_finite()).fold(0.0, f64::max);
+    if !(memory.begun && is_quiet(nodes, memory, scale)) {
+        let outcome = examine(probe, nodes, memory, scale, &mut findings);
+        findings.note(outcome);
+    }
+    memory.move_on(nodes);
+    findings
+}
+
+/// The samples, in order, up to the first that is not a number.
+fn gather(probe: &mut Probe<'_>, memory: &Memory, findings: &mut Findings) -> Vec<Node> {
+    let mut nodes = vec![Node { theta: 0.0, g: memory.value, sign: memory.sign }];
+    let thetas = (1..INTERVALS).map(|i| f64::from(i) / f64::from(INTERVALS));
+    let thetas = std::iter::once(DELTA).chain(thetas).chain([1.0 - DELTA, 1.0]);
+    sample(probe, thetas, &mut nodes, findings);
+    if is_far(&nodes) {
+        return nodes;
+    }
+    let hidden: Vec<f64> = (1..nodes.len()).flat_map(|k| hidden_extrema(&nodes, k)).collect();
+    sample(probe, hidden.into_iter(), &mut nodes, findings);
+    if let Some(end) = findings.not_a_number {
+        nodes.retain(|n| n.theta < end);
+    }
+    nodes.sort_by(|a, b| a.theta.total_cmp(&b.theta));
+    nodes.dedup_by(|a, b| a.theta.total_cmp(&b.theta).is_eq());
+    nodes
+}
+
+/// True if the function stays 4 times as far from zero as it varies: a shortcut for the common case.
+fn is_far(nodes: &[Node]) -> bool {
+    let low = nodes.iter().map(|n| n.g).fold(f64::INFINITY, f64::min);
+    let high = nodes.iter().map(|n| n.g).fold(f64::NEG_INFINITY, f64::max);
+    low.max(-high) > 4.0 * (high - low)
+}
+
+/// Appends samples until one is not a number.
+fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut Vec<Node>, findings: &mut Findings) {
+    for theta in thetas {
+        let g = probe.at(theta);
+        if g.is_nan() {
+            findings.not_a_number = Some(theta);
+            return;
+        }
+        nodes.push(Node { theta, g, sign: sign(g, 0.0) });
+    }
+}
+
+/// True if the samples leave no doubt that nothing happened.
+fn is_quiet(nodes: &[Node], memory: &Memory, scale: f64) -> bool {
+    if is_far(nodes) && nodes[0].sign == memory.side {
+        return true;
+    }
+    let same_side = nodes.iter().all(|n| n.sign == memory.side);
+    let end_is_clear = nodes.last().is_some_and(|n| n.g.abs() > 1e-6 * scale);
+    same_side && end_is_clear && !(1..nodes.len()).any(|k| may_dip(nodes, k))
+}
+
+/// Tells zeros from rounding, then walks over the samples.
+fn examine(
+    probe: &mut Probe<'_>,
+    nodes: &mut Vec<Node>,
+    memory: &mut Memory,
+    scale: f64,
+    findings: &mut Findings,
+) -> Result<(), NotANumber> {
+    let tolerance = probe.rounding(nearest(nodes).unwrap_or(0.0), scale);
+    let slope = nodes.get(1).map_or(0.0, |next| (next.g - nodes[0].g).abs() / next.theta);
+    set_signs(probe, nodes, memory, (tolerance, slope), findings);
+    if nodes[0].sign == 0 && nodes.len() > 2 {
+        let mut ladder = Vec::new();
+        for theta in LADDER {
+            let g = probe.value_at(theta)?;
+            ladder.push(Node { theta, g, sign: sign(g, tolerance) });
+        }
+        nodes.splice(2..2, ladder);
+    }
+    stay_at_start(probe, nodes, memory);
+    let nodes = &nodes[..];
+    let doubt = |k: usize| if may_dip(nodes, k) { Doubt::Dip } else { Doubt::None };
+    walk(probe, (nodes, &doubt), memory, tolerance, findings)
+}
+
+/// The place of the smallest sample.
+fn nearest(nodes: &[Node]) -> Option<f64> {
+    nodes.iter().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs())).map(|n| n.theta)
+}
+
+/// The signs of samples, up to a tolerance.
+///
+/// The instant at which a run starts is as uncertain as its rounding, through which the function goes with `slope`, by
+/// the fraction of the step: a run that begins where an event ended another one begins at zero.
+fn set_signs(
+    probe: &Probe<'_>,
+    nodes: &mut [Node],
+    memory: &mut Memory,
+    (tolerance, slope): (f64, f64),
+    findings: &mut Findings,
+) {
+    for node in nodes.iter_mut().skip(1) {
+        node.sign = sign(node.g, tolerance);
+    }
+    let ((start, end), instant) = (probe.step.times(), probe.instant());
+    nodes[0].sign = memory.sign;
+    if !memory.begun {
+        let passed = slope * (instant / (end - start).abs());
+        nodes[0].sign = sign(nodes[0].g, tolerance + if passed.is_finite() { passed } else { 0.0 });
+        memory.begin(nodes[0].sign, findings);
+        memory.zero_at = Some(start).filter(|_| nodes[0].sign == 0);
+    }
+}
+
+/// A run that begins at zero is there for as long as its start is uncertain.
+fn stay_at_start(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut Memory) {
+    let Some(zero_at) = memory.zero_at else { return };
+    let (end, instant) = (probe.step.times().1, probe.instant());
+    let within = |n: &&mut Node| (probe.step.time_at(n.theta) - zero_at).abs() <= instant;
+    nodes.iter_mut().filter(within).for_each(|n| n.sign = 0);
+    memory.zero_at = Some(zero_at).filter(|t| (end - t).abs() <= instant);
+}

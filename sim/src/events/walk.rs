@@ -1,0 +1,195 @@
+//! Finds the zeros of an event function in one step from samples, and remembers the function from step to step.
+//!
+//! Invariant: `Memory::side` is the side of zero the function was last known to be on, and every
+//! sign change against it is reported exactly once. See [`crate::events`] for the conventions.
+
+use crate::events::Kind;
+use crate::events::root::{self, NotANumber};
+use crate::events::samples::{Node, Probe, Sign, sign};
+
+/// Distances at which to look for the side on which a function leaves zero: 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸ of a step.
+pub(crate) const LADDER: [f64; 3] = [1.0 / 1_048_576.0, 1.0 / 16_384.0, 1.0 / 256.0];
+/// Least size of a function at a change of sign through infinity, over its size at the ends of the bracket.
+const BEYOND: f64 = 4.0;
+
+/// State of the search for an event at the start of a step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Memory {
+    /// Its value there.
+    pub(crate) value: f64,
+    /// The sign of that value.
+    pub(crate) sign: Sign,
+    /// The side it was last on; 0 if it has been zero since the start of the run.
+    pub(crate) side: Sign,
+    /// True if a step has been searched.
+    pub(crate) begun: bool,
+    /// The side assumed for a run that starts at zero.
+    pub(crate) side_at_zero: Sign,
+    /// Time at which the run began, in s, if the function was zero then.
+    pub(crate) zero_at: Option<f64>,
+}
+
+impl Memory {
+    /// Moves to the last of a step's samples.
+    pub(crate) fn move_on(&mut self, nodes: &[Node]) {
+        self.begun = true;
+        if let Some(end) = nodes.last() {
+            (self.value, self.sign) = (end.g, end.sign);
+        }
+    }
+
+    /// Moves to the end of a step in which the function was on one side, its value unknown.
+    pub(crate) fn stay(&mut self, side: Sign) {
+        (self.begun, self.side, self.sign, self.value) = (true, side, side, f64::from(side));
+    }
+
+    /// Begins at the first sample of a run: on its side, or at zero, which is reported.
+    pub(crate) fn begin(&mut self, first: Sign, findings: &mut Findings) {
+        self.side = first;
+        if first == 0 {
+            self.side = self.side_at_zero;
+            findings.found.push(Found { theta: 0.0, kind: Kind::AtStart, side: self.side });
+        }
+    }
+}
+
+/// Event of a function, at a fraction of the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Found {
+    pub(crate) theta: f64,
+    pub(crate) kind: Kind,
+    /// The side that it is on afterwards.
+    pub(crate) side: Sign,
+}
+
+/// Events of a function in a step, in no particular order, up to where it has no value.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Findings {
+    pub(crate) found: Vec<Found>,
+    pub(crate) not_a_number: Option<f64>,
+}
+
+impl Findings {
+    /// Keeps the first place without a value.
+    pub(crate) fn note(&mut self, outcome: Result<(), NotANumber>) {
+        if let Err(NotANumber { at }) = outcome {
+            self.not_a_number = Some(self.not_a_number.map_or(at, |theta| theta.min(at)));
+        }
+    }
+}
+
+/// Doubt if a function reached zero, and returned, between a sample and the one before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Doubt {
+    /// It has not.
+    None,
+    /// It has if its minimum there says so.
+    Dip,
+    /// It has if its minimum there says so; if not, nobody knows.
+    Unknown,
+}
+
+fn crossing_to(side: Sign, theta: f64) -> Found {
+    Found { theta, kind: if side > 0 { Kind::Rising } else { Kind::Falling }, side }
+}
+
+/// Walks over samples whose signs are known, up to `tolerance`; `doubt` tells the doubt before each sample except the
+/// first.
+pub(crate) fn walk(
+    probe: &mut Probe<'_>,
+    (nodes, doubt): (&[Node], &dyn Fn(usize) -> Doubt),
+    memory: &mut Memory,
+    tolerance: f64,
+    findings: &mut Findings,
+) -> Result<(), NotANumber> {
+    // Last sample clearly on a side, and the first of the zeros after it. Zeros that begin with the
+    // step were dealt with at the end of the step before.
+    let mut clear: Option<usize> = None;
+    let mut zeros: Option<usize> = None;
+    for (k, node) in nodes.iter().enumerate() {
+        if node.sign == 0 {
+            zeros.get_or_insert(k);
+            continue;
+        }
+        if memory.side == 0 {
+            memory.side = node.sign;
+        } else if node.sign != memory.side {
+            findings.found.push(change(probe, nodes, (clear.unwrap_or(k.saturating_sub(1)), k), tolerance)?);
+            memory.side = node.sign;
+        } else if let (Some(low), Some(_)) = (clear, zeros) {
+            dip(probe, [nodes[low], *node], Doubt::Dip, tolerance, findings)?;
+        } else if k > 0 && clear.is_some() && doubt(k) != Doubt::None {
+            dip(probe, [nodes[k - 1], *node], doubt(k), tolerance, findings)?;
+        }
+        (clear, zeros) = (Some(k), None);
+    }
+    if let Some(z) = zeros.filter(|z| *z > 0) {
+        findings.found.push(arrive(probe, &nodes[z..], memory, tolerance));
+    }
+    Ok(())
+}
+
+/// The change of sign between samples `low` and `high`: at the last sample before `high` if they do not bracket one;
+/// a pole if the function grows towards it.
+fn change(
+    probe: &mut Probe<'_>,
+    nodes: &[Node],
+    (low, high): (usize, usize),
+    tolerance: f64,
+) -> Result<Found, NotANumber> {
+    let (a, b) = (nodes[low], nodes[high]);
+    if (a.g < 0.0) == (b.g < 0.0) || a.g == 0.0 {
+        return Ok(crossing_to(b.sign, nodes[high.saturating_sub(1)].theta));
+    }
+    let theta = root::zero(&mut |theta| probe.at(theta), (a.theta, a.g), (b.theta, b.g), 0.0)?;
+    let grown = probe.value_at(theta)?.abs() > BEYOND * a.g.abs().max(b.g.abs()).max(tolerance);
+    let crossing = crossing_to(b.sign, theta);
+    Ok(if grown { Found { kind: Kind::Pole, ..crossing } } else { crossing })
+}
+
+/// Follows |g| down between two samples of one side: two crossings, a touch, or nothing that is known.
+fn dip(
+    probe: &mut Probe<'_>,
+    [a, b]: [Node; 2],
+    doubt: Doubt,
+    tolerance: f64,
+    findings: &mut Findings,
+) -> Result<(), NotANumber> {
+    let side = f64::from(a.sign);
+    let mut height = |theta| side * probe.at(theta);
+    let (theta, least) = root::minimum(&mut height, (a.theta, b.theta), -tolerance)?;
+    if least < -tolerance {
+        let mut g = |theta| probe.at(theta);
+        let bottom = (theta, side * least);
+        let first = root::zero(&mut g, (a.theta, a.g), bottom, 0.0)?;
+        let second = root::zero(&mut g, bottom, (b.theta, b.g), 0.0)?;
+        findings.found.push(crossing_to(-a.sign, first));
+        findings.found.push(crossing_to(a.sign, second));
+    } else if least <= tolerance {
+        findings.found.push(Found { theta, kind: Kind::Touch, side: a.sign });
+    } else if doubt == Doubt::Unknown {
+        findings.found.push(Found { theta, kind: Kind::Undecided, side: a.sign });
+    }
+    Ok(())
+}
+
+/// A function that is zero at the last sample, since the first of `zeros`: a touch if it goes back
+/// a little beyond, else a crossing.
+fn arrive(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut Memory, tolerance: f64) -> Found {
+    let end = zeros.last().map_or(1.0, |n| n.theta);
+    let mut sides = LADDER.iter().map(|d| sign_or_zero(probe.at(end + d), tolerance));
+    let beyond = sides.find(|s| *s != 0);
+    let nearest = zeros.iter().rev().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs()));
+    let nearest = nearest.map_or(end, |n| n.theta);
+    if beyond == Some(memory.side) {
+        return Found { theta: nearest, kind: Kind::Touch, side: memory.side };
+    }
+    memory.side = -memory.side;
+    // A function that stays at zero arrived at the first of them.
+    let theta = if beyond.is_some() { nearest } else { zeros[0].theta };
+    crossing_to(memory.side, theta)
+}
+
+fn sign_or_zero(g: f64, tolerance: f64) -> Sign {
+    if g.is_nan() { 0 } else { sign(g, tolerance) }
+}

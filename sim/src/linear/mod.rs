@@ -1,0 +1,230 @@
+//! Linear systems of the small orders that mechanics has.
+//!
+//! Invariant: an order up to 12 is solved on the stack, without touching the heap. Absent on
+//! purpose: structure (bands, blocks) and iteration; both belong to the equations, not here.
+
+pub(crate) mod lu;
+pub(crate) mod metric;
+pub(crate) mod singular;
+
+use nalgebra::{Const, DMatrix, DVector, DimMin, SMatrix, SVector};
+use tripos_traits::largest;
+
+/// Shape of a matrix, as known before it is factored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Shape {
+    /// Symmetric, and positive definite unless nearly singular: Cholesky's factorization is tried
+    /// first, then LU (far from singular, only an indefinite matrix needs it).
+    Symmetric,
+    /// Any matrix: LU with partial pivoting.
+    General,
+}
+
+/// Reason why a system has no solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unsolvable {
+    /// The matrix or the right-hand side holds an infinity or a "not a number".
+    NotFinite,
+    /// A pivot is exactly zero, or the solution overflows.
+    Singular,
+}
+
+/// Solves A x = b, A row by row with b.len()² entries; the solution replaces `b`.
+///
+/// The residual is small whenever this succeeds; the error can be as large as ε / rcond(A), see
+/// [`reciprocal_condition`].
+///
+/// # Errors
+/// [`Unsolvable`] if there is no finite solution, or if `a` has the wrong length; `b` is then of no
+/// use.
+pub fn solve(a: &[f64], b: &mut [f64], shape: Shape) -> Result<(), Unsolvable> {
+    if a.len() != b.len() * b.len() {
+        return Err(Unsolvable::Singular);
+    }
+    if !a.iter().chain(b.iter()).all(|x| x.is_finite()) {
+        return Err(Unsolvable::NotFinite);
+    }
+    let solved = match b.len() {
+        0 => true,
+        1 => solve_static::<1>(a, b, shape),
+        2 => solve_static::<2>(a, b, shape),
+        3 => solve_static::<3>(a, b, shape),
+        4 => solve_static::<4>(a, b, shape),
+        5 => solve_static::<5>(a, b, shape),
+        6 => solve_static::<6>(a, b, shape),
+        7 => solve_static::<7>(a, b, shape),
+        8 => solve_static::<8>(a, b, shape),
+        9 => solve_static::<9>(a, b, shape),
+        10 => solve_static::<10>(a, b, shape),
+        11 => solve_static::<11>(a, b, shape),
+        12 => solve_static::<12>(a, b, shape),
+        _ => solve_dynamic(a, b, shape),
+    };
+    if solved && b.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Unsolvable::Singular) }
+}
+
+fn solve_static<const N: usize>(a: &[f64], b: &mut [f64], shape: Shape) -> bool
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let matrix = SMatrix::<f64, N, N>::from_row_slice(a);
+    let mut x = SVector::<f64, N>::from_column_slice(b);
+    let cholesky = match shape {
+        Shape::Symmetric => matrix.cholesky(),
+        Shape::General => None,
+    };
+    let solved = match cholesky {
+        Some(factors) => {
+            factors.solve_mut(&mut x);
+            true
+        }
+        None => matrix.lu().solve_mut(&mut x),
+    };
+    b.copy_from_slice(x.as_slice());
+    solved
+}
+
+fn solve_dynamic(a: &[f64], b: &mut [f64], shape: Shape) -> bool {
+    let matrix = DMatrix::from_row_slice(b.len(), b.len(), a);
+    let mut x = DVector::from_column_slice(b);
+    let cholesky = match shape {
+        Shape::Symmetric => matrix.clone().cholesky(),
+        Shape::General => None,
+    };
+    let solved = match cholesky {
+        Some(factors) => {
+            factors.solve_mut(&mut x);
+            true
+        }
+        None => matrix.lu().solve_mut(&mut x),
+    };
+    b.copy_from_slice(x.as_slice());
+    solved
+}
+
+/// 1 / (‖A‖₁ ‖A⁻¹‖₁) after every row, then every column, is divided by its largest entry; 0 for a
+/// singular matrix or one that is not finite. `a` holds n² entries, row by row.
+///
+/// The scaling takes out the choice of units, so that what is left is nearness to a singular
+/// matrix. By explicit inversion: for messages and charts, not for every step.
+#[must_use]
+pub fn reciprocal_condition(a: &[f64], n: usize) -> f64 {
+    if a.len() != n * n || n == 0 || !a.iter().all(|x| x.is_finite()) {
+        return 0.0;
+    }
+    let mut matrix = DMatrix::from_row_slice(n, n, a);
+    for mut row in matrix.row_iter_mut() {
+        let largest = row.amax();
+        row /= largest;
+    }
+    for mut column in matrix.column_iter_mut() {
+        let largest = column.amax();
+        column /= largest;
+    }
+    let norm = one_norm(&matrix);
+    let Some(inverse) = matrix.try_inverse() else {
+        return 0.0;
+    };
+    let reciprocal = 1.0 / (norm * one_norm(&inverse));
+    if reciprocal.is_finite() { reciprocal } else { 0.0 }
+}
+
+/// 1 / (‖A‖₁ ‖A⁻¹‖₁) of the matrix as it is, which depends on the choice of units; 0 for a singular matrix or one that
+/// is not finite. `a` holds n² entries, row by row.
+#[must_use]
+pub fn plain_reciprocal_condition(a: &[f64], n: usize) -> f64 {
+    if a.len() != n * n || n == 0 || !a.iter().all(|x| x.is_finite()) {
+        return 0.0;
+    }
+    let matrix = DMatrix::from_row_slice(n, n, a);
+    let norm = one_norm(&matrix);
+    let reciprocal = matrix.try_inverse().map_or(0.0, |inverse| 1.0 / (norm * one_norm(&inverse)));
+    if reciprocal.is_finite() { reciprocal } else { 0.0 }
+}
+
+/// The determinant, by LU; not a number if `a` does not hold n² numbers that are finite.
+#[must_use]
+pub fn determinant(a: &[f64], n: usize) -> f64 {
+    if a.len() != n * n || !a.iter().all(|x| x.is_finite()) {
+        return f64::NAN;
+    }
+    DMatrix::from_row_slice(n, n, a).determinant()
+}
+
+/// Largest sum of absolute values of a column.
+fn one_norm(matrix: &DMatrix<f64>) -> f64 {
+    largest(matrix.column_iter().map(|column| column.iter().map(|x| x.abs()).sum()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Row by row, a positive definite matrix: 1 / (i + j + 1) + [i = j].
+    fn shifted_hilbert(n: usize) -> Vec<f64> {
+        (0..n * n)
+            .map(|k| {
+                let (i, j) = (k / n, k % n);
+                1.0 / (i + j + 1) as f64 + if i == j { 1.0 } else { 0.0 }
+            })
+            .collect()
+    }
+
+    /// Every static order and two dynamic ones; 1e-13 since the condition number is below 4.
+    #[test]
+    fn systems_of_every_order_are_solved() {
+        for n in 1..=15 {
+            for shape in [Shape::Symmetric, Shape::General] {
+                let a = shifted_hilbert(n);
+                let x: Vec<f64> = (0..n).map(|i| 1.0 - i as f64).collect();
+                let mut b: Vec<f64> = a.chunks(n).map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum()).collect();
+                solve(&a, &mut b, shape).unwrap();
+                for (found, expected) in b.iter().zip(&x) {
+                    assert!((found - expected).abs() < 1e-13, "order {n}: {found} {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_symmetric_indefinite_matrix_is_solved_by_pivoting() {
+        let mut b = [2.0, 3.0];
+        solve(&[0.0, 1.0, 1.0, 0.0], &mut b, Shape::Symmetric).unwrap();
+        assert_eq!(b, [3.0, 2.0]);
+    }
+
+    #[test]
+    fn an_unsymmetric_matrix_is_not_transposed() {
+        let mut b = [5.0, 6.0];
+        solve(&[1.0, 2.0, 0.0, 3.0], &mut b, Shape::General).unwrap();
+        assert_eq!(b, [1.0, 2.0]);
+    }
+
+    #[test]
+    fn singular_and_meaningless_systems_are_refused() {
+        let singular = solve(&[1.0, 1.0, 1.0, 1.0], &mut [1.0, 2.0], Shape::Symmetric);
+        assert_eq!(singular, Err(Unsolvable::Singular));
+        let infinite = solve(&[f64::INFINITY], &mut [1.0], Shape::General);
+        assert_eq!(infinite, Err(Unsolvable::NotFinite));
+        let overflow = solve(&[1e-300], &mut [1e300], Shape::Symmetric);
+        assert_eq!(overflow, Err(Unsolvable::Singular));
+    }
+
+    #[test]
+    fn determinants_have_signs_and_no_value_where_an_entry_has_none() {
+        assert!((determinant(&[0.0, 2.0, 3.0, 4.0], 2) + 6.0).abs() < 1e-15);
+        assert_eq!(determinant(&[1.0, 1.0, 1.0, 1.0], 2), 0.0);
+        assert_eq!(determinant(&[], 0), 1.0);
+        assert!(determinant(&[f64::INFINITY], 1).is_nan() && determinant(&[1.0], 2).is_nan());
+    }
+
+    #[test]
+    fn condition_does_not_depend_on_units() {
+        // diag(1, 1e-12) is only badly scaled; [[1, 1], [1, 1 + 1e-8]] is nearly singular.
+        assert!((reciprocal_condition(&[1.0, 0.0, 0.0, 1e-12], 2) - 1.0).abs() < 1e-15);
+        let near = reciprocal_condition(&[1.0, 1.0, 1.0, 1.0 + 1e-8], 2);
+        assert!((near / 2.5e-9 - 1.0).abs() < 1e-6, "{near}");
+        assert_eq!(reciprocal_condition(&[1.0, 1.0, 1.0, 1.0], 2), 0.0);
+        assert_eq!(reciprocal_condition(&[0.0], 1), 0.0);
+    }
+}

@@ -1,0 +1,244 @@
+//! Step sizes: the rules of `ode45`, and those of Hairer's codes, as data.
+//!
+//! Sizes are positive whichever way the run goes. A step that fails is never tried again below 16 ulp of t,
+//! whatever the rules.
+
+use crate::rounding::smallest_step;
+use crate::tolerance::ErrorTest;
+
+/// Rules by which step sizes follow from errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Rules {
+    /// Rules of `ode45`: L. F. Shampine & M. W. Reichelt, "The MATLAB ODE Suite", SIAM J. Sci. Comput. 18 (1997) 1–22.
+    Ode45 {
+        /// Sizes follow the root of this degree.
+        order: u32,
+    },
+    /// The method proposes each size; a step that fails is halved.
+    Proposed,
+    /// Rules of `dopri5` and `dop853`, with the stabilization of Lund and Gustafsson: E. Hairer, S. P. Nørsett & G.
+    /// Wanner, *Solving Ordinary Differential Equations I* (1993), §II.4 and §IV.2 of volume II.
+    Hairer {
+        /// Degree of the root in the choice of the first step.
+        order: u32,
+        /// The size is divided by this power of the error.
+        exponent: f64,
+        /// Effect of the step before on that size.
+        earlier: Earlier,
+        /// A step shrinks at most by this factor.
+        shrink: f64,
+        /// A step grows at most by this factor.
+        grow: f64,
+    },
+}
+
+/// Effect of the step before on the size of the next one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Earlier {
+    /// The step before has no effect.
+    Forgotten,
+    /// The size is multiplied by this power of its error: errors that rise and fall in turn are damped.
+    Damps(f64),
+    /// The error is predicted to grow once more as it did last, where that asks for a smaller size: K. Gustafsson,
+    /// "Control-theoretic techniques for stepsize selection in implicit Runge–Kutta methods", ACM Trans. Math. Software
+    /// 20 (1994) 496–517; Hairer & Wanner, *Solving Ordinary Differential Equations II*, §IV.8. A size that would grow
+    /// by a fifth or less stays, since matrices are factored anew for another one.
+    Predicts,
+}
+
+/// A step that would grow by no more than this keeps its size, where that saves factors.
+const WORTH_A_CHANGE: f64 = 1.2;
+
+/// In Hairer's rules, how much smaller than the error would allow a step is made: 1 / 0.9, since the next step waits
+/// for these operations, and a product is ready sooner than a quotient.
+const MARGIN: f64 = 1.0 / 0.9;
+
+impl Earlier {
+    /// Lower bound on the error that is remembered of a step.
+    fn least(self) -> f64 {
+        if self == Self::Predicts { 1e-2 } else { 1e-4 }
+    }
+}
+
+impl Rules {
+    /// Longest step as a part of the span, unless the caller says otherwise.
+    pub(crate) fn longest_part(self) -> f64 {
+        match self {
+            // A polynomial is its own Taylor series, and events are looked for at some places of each step.
+            Self::Ode45 { .. } | Self::Proposed => 0.1,
+            Self::Hairer { .. } => 1.0,
+        }
+    }
+
+    /// A step is stretched by up to this factor to reach the end of the run.
+    pub(crate) fn stretch(self) -> f64 {
+        match self {
+            Self::Ode45 { .. } => 1.1,
+            Self::Hairer { .. } | Self::Proposed => 1.01,
+        }
+    }
+}
+
+/// Rules of step sizes, with their memory of earlier steps.
+#[derive(Clone, Debug)]
+pub(crate) struct Control {
+    rules: Rules,
+    tolerance: f64,
+    /// True if the step being tried failed before.
+    failed: bool,
+    /// Hairer: the error of the step before, at least 1e-4, or 1e-2 where it predicts; and the size of that step.
+    previous: f64,
+    previous_size: Option<f64>,
+    /// Hairer: part taken of the size that the error allows, at most 1.
+    pub(crate) margin: f64,
+}
+
+impl Control {
+    pub(crate) fn new(rules: Rules, test: &ErrorTest) -> Self {
+        Self { rules, tolerance: test.tolerance, failed: false, previous: 1e-4, previous_size: None, margin: 1.0 }
+    }
+
+    /// The size of the next step after one of this size with this error, which is small enough.
+    pub(crate) fn after_success(&mut self, size: f64, error: f64) -> f64 {
+        let failed = std::mem::replace(&mut self.failed, false);
+        match self.rules {
+            Rules::Proposed => size,
+            Rules::Ode45 { .. } if failed => size,
+            Rules::Ode45 { order } => {
+                let shrink = 1.25 * root(error / self.tolerance, order);
+                if shrink > 0.2 { size / shrink } else { 5.0 * size }
+            }
+            Rules::Hairer { exponent, earlier, shrink, grow, .. } => {
+                let own = power(error, exponent) * MARGIN;
+                let divisor = match earlier {
+                    Earlier::Forgotten => own,
+                    Earlier::Damps(beta) => own / self.previous.powf(beta),
+                    Earlier::Predicts => self.predicted(size, error, exponent).max(own / self.margin),
+                };
+                (self.previous, self.previous_size) = (error.max(earlier.least()), Some(size));
+                let next = size / divisor.min(1.0 / shrink).max(1.0 / grow);
+                let stays = earlier == Earlier::Predicts && (size..=WORTH_A_CHANGE * size).contains(&next);
+                if stays || failed { next.min(size) } else { next }
+            }
+        }
+    }
+
+    /// Divisor of the size if the error grows again as it did from the step before to this one; 0 after a first step.
+    fn predicted(&self, size: f64, error: f64, exponent: f64) -> f64 {
+        let Some(before) = self.previous_size else { return 0.0 };
+        (before / size) * power(error * error / self.previous, exponent) * MARGIN
+    }
+
+    /// The size to try after a failure with this error; without one, f had no value somewhere.
+    pub(crate) fn after_failure(&mut self, size: f64, error: Option<f64>) -> f64 {
+        let failed = std::mem::replace(&mut self.failed, true);
+        match (self.rules, error) {
+            (Rules::Ode45 { order }, Some(error)) if !failed => {
+                size * (0.8 * root(self.tolerance / error, order)).max(0.1)
+            }
+            (Rules::Hairer { exponent, shrink, .. }, Some(error)) => {
+                size / (power(error, exponent) * MARGIN / self.margin).min(1.0 / shrink)
+            }
+            _ => 0.5 * size,
+        }
+    }
+}
+
+fn root(x: f64, order: u32) -> f64 {
+    x.powf(1.0 / f64::from(order))
+}
+
+/// xᵃ; for the eighth root, by square roots, which cost less.
+fn power(x: f64, exponent: f64) -> f64 {
+    if crate::stepper::same(exponent, 0.125) { x.sqrt().sqrt().sqrt() } else { x.powf(exponent) }
+}
+
+/// `ode45`: the first step is small enough that y' alone would change y by about rtol^(1/order).
+pub(crate) fn initial(test: &ErrorTest, order: u32, longest: f64, t: f64, slope_norm: f64) -> f64 {
+    let rate = slope_norm / (0.8 * root(test.tolerance, order));
+    let size = if longest * rate > 1.0 { 1.0 / rate } else { longest };
+    size.max(smallest_step(t))
+}
+
+/// Hairer's first guess: a step of Euler's method that changes y by a hundredth of its size. `y` and `slope` are
+/// norms over the allowed errors.
+pub(crate) fn first_guess(y: f64, slope: f64, longest: f64) -> f64 {
+    let tiny = 1e-5; // their squares are compared with 1e-10
+    let guess = if y <= tiny || slope <= tiny { 1e-6 } else { 0.01 * (y / slope) };
+    guess.min(longest)
+}
+
+/// Hairer's first step, by the larger of the norms of y' and y'': sizeᵒʳᵈᵉʳ times that is 0.01.
+pub(crate) fn second_guess(guess: f64, slope: f64, curvature: f64, order: u32, longest: f64) -> f64 {
+    let larger = slope.max(curvature);
+    let size = if larger <= 1e-15 { (1e-3 * guess).max(1e-6) } else { root(0.01 / larger, order) };
+    size.min(100.0 * guess).min(longest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tolerance::Norm;
+    use tripos_traits::AbsoluteTolerance;
+
+    fn control(rules: Rules) -> Control {
+        let (test, _) = ErrorTest::new::<f64>(Norm::Largest, 0.0, &AbsoluteTolerance::Uniform(1.0), 1).unwrap();
+        Control::new(rules, &test)
+    }
+
+    fn near(a: f64, b: f64) -> bool {
+        (a / b - 1.0).abs() < 4.0 * f64::EPSILON
+    }
+
+    /// Order 5 and errors of 32, 1/32 … times the tolerance give round numbers; 4 ε for the powers.
+    #[test]
+    fn sizes_follow_the_fifth_root_of_the_error_within_bounds() {
+        let fresh = || control(Rules::Ode45 { order: 5 });
+        for (error, size) in [(1.0, 0.8), (1.0 / 32.0, 1.6), (0.0, 5.0)] {
+            assert!(near(fresh().after_success(1.0, error), size));
+        }
+        for (error, size) in [(Some(32.0), 0.4), (Some(f64::INFINITY), 0.1), (None, 0.5)] {
+            assert!(near(fresh().after_failure(1.0, error), size));
+        }
+    }
+
+    #[test]
+    fn after_a_failure_ode45_halves_and_does_not_grow() {
+        let mut control = control(Rules::Ode45 { order: 5 });
+        control.after_failure(1.0, Some(32.0));
+        assert_eq!((control.after_failure(1.0, Some(32.0)), control.after_success(1.0, 1e-9)), (0.5, 1.0));
+        assert!(control.after_success(1.0, 1e-9) > 4.0);
+    }
+
+    /// Errors of 1, 2⁻⁸ and 2⁸ with the eighth root, and bounds of 1/3 and 6.
+    #[test]
+    fn hairer_divides_by_the_root_over_the_safety_within_bounds() {
+        let rules =
+            Rules::Hairer { order: 8, exponent: 0.125, earlier: Earlier::Forgotten, shrink: 1.0 / 3.0, grow: 6.0 };
+        for (error, size) in [(1.0, 0.9), (1.0 / 256.0, 1.8), (0.0, 6.0)] {
+            assert!(near(control(rules).after_success(1.0, error), size));
+        }
+        for (error, size) in [(256.0, 0.45), (f64::INFINITY, 1.0 / 3.0)] {
+            assert!(near(control(rules).after_failure(1.0, Some(error)), size));
+        }
+        let mut control = control(rules);
+        control.after_failure(1.0, None);
+        assert_eq!(control.after_success(1.0, 1e-9), 1.0);
+    }
+
+    /// An error of 1 at size 1, then again at 0.9: the size shrinks to 0.9 for safety, and by 0.9 again because the
+    /// error did not shrink with the size. A size that would grow by 15 % stays. The margin of 0.75 of a step that was
+    /// hard to solve multiplies the size.
+    #[test]
+    fn a_size_that_was_too_large_is_foreseen_to_be_so_again() {
+        let rules = Rules::Hairer { order: 5, exponent: 0.25, earlier: Earlier::Predicts, shrink: 0.2, grow: 8.0 };
+        let mut predicts = control(rules);
+        assert!(near(predicts.after_success(1.0, 1.0), 0.9));
+        assert!(near(predicts.after_success(0.9, 1.0), 0.9 * 0.9 * 0.9));
+        assert!(near(control(rules).after_success(1.0, 1.0 / 16.0), 1.8));
+        assert_eq!(control(rules).after_success(1.0, (0.9_f64 / 1.15).powi(4)), 1.0);
+        let mut hard = control(rules);
+        hard.margin = 0.75;
+        assert!(near(hard.after_success(1.0, 1.0 / 16.0), 1.35));
+    }
+}

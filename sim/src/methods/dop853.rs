@@ -1,0 +1,395 @@
+//! One step of DOP853: Dormand–Prince 8(5,3) with a dense output of order 7.
+//!
+//! Invariant: `k[b][0]` is the derivative at (t, y), block b of it. After a trial step that passed the test `k[b][12]`
+//! is the one at its end; if the state is moved there before the next step, only once something looks inside. A step
+//! allocates nothing. The formulae are those of E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
+//! Equations I* (1993), §II.5 (error) and §II.6 (dense output).
+
+use std::array::from_fn;
+
+use tripos_traits::Real;
+
+use crate::blocks::{Block, Blocks, Finite, LANES};
+use crate::methods::dense::{powers_of, value_of};
+use crate::methods::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
+use crate::rhs::RightHandSide;
+use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
+use crate::tolerance::ErrorTest;
+
+/// Stages of the step, its end, and three inside it.
+pub(crate) const STAGES: usize = 16;
+/// The row of the new point, and the stage that is evaluated there.
+pub(crate) const END: usize = 12;
+
+/// Stages that each row uses, known at compile time, so that the others cost nothing.
+pub(crate) const USED: [[bool; STAGES]; STAGES] = {
+    let mut used = [[false; STAGES]; STAGES];
+    let mut i = 0;
+    while i < STAGES {
+        used[i] = used_by(PUBLISHED.a[i]);
+        i += 1;
+    }
+    used
+};
+pub(crate) const USED_BY_ERROR: [bool; STAGES] = used_by(PUBLISHED.error5);
+
+const fn used_by(row: Row) -> [bool; STAGES] {
+    let mut used = [false; STAGES];
+    let mut entry = 0;
+    while entry < row.len() {
+        used[row[entry].0] = true;
+        entry += 1;
+    }
+    used
+}
+
+/// A number twice, as a register of two wants it: nothing need be spread then.
+type Twice<S> = [S; 2];
+
+/// The published numbers in the scalar of the run.
+struct Coefficients<S> {
+    a: [[Twice<S>; STAGES]; STAGES],
+    error5: [Twice<S>; STAGES],
+    error3: [Twice<S>; STAGES],
+    dense: [[Twice<S>; STAGES]; 4],
+}
+
+impl<S: Real> Coefficients<S> {
+    fn new() -> Self {
+        Self {
+            a: PUBLISHED.a.map(row),
+            error5: row(PUBLISHED.error5),
+            error3: row(PUBLISHED.error3),
+            dense: PUBLISHED.dense.map(row),
+        }
+    }
+}
+
+fn row<S: Real>(entries: Row) -> [Twice<S>; STAGES] {
+    let mut values = [[S::from_f64(0.0); 2]; STAGES];
+    for (stage, decimal) in entries {
+        values[*stage] = [decimal.to(); 2];
+    }
+    values
+}
+
+/// State of the method between and inside steps.
+pub(crate) struct Dop853<S> {
+    coefficients: Coefficients<S>,
+    t: f64,
+    t_new: f64,
+    y: Blocks<S>,
+    /// The point at which a stage is evaluated; in the end, the new point.
+    y_new: Blocks<S>,
+    /// Last output of the right-hand side.
+    f: Blocks<S>,
+    k: Vec<[Block<S>; STAGES]>,
+    /// The last five coefficients of the dense output, and the point it needs for its stages.
+    dense: Vec<[Block<S>; 8]>,
+    inner: Blocks<S>,
+    /// Differences from the solutions of order 5 and 3 over their weights. They pass through memory, since the
+    /// compiler makes vector instructions of what ends in stores.
+    quotients: Vec<[Block<f64>; 2]>,
+    /// True if the state may be moved after each step: only the moved state then needs a derivative.
+    moves: bool,
+    /// True if the derivative at the end of the step last tried is known.
+    has_end: bool,
+    evaluations: u64,
+}
+
+impl<S: Real> Dop853<S> {
+    /// The method for `n` equations.
+    pub(crate) fn new(n: usize) -> Self {
+        let zero = S::from_f64(0.0);
+        let count = n.div_ceil(LANES);
+        Self {
+            coefficients: Coefficients::new(),
+            t: 0.0,
+            t_new: 0.0,
+            y: Blocks::zeros(n),
+            y_new: Blocks::zeros(n),
+            f: Blocks::zeros(n),
+            k: vec![[[zero; LANES]; STAGES]; count],
+            dense: vec![[[zero; LANES]; 8]; count],
+            inner: Blocks::zeros(n),
+            quotients: vec![[[0.0; LANES]; 2]; count],
+            moves: false,
+            has_end: false,
+            evaluations: 0,
+        }
+    }
+
+    /// k_i = f(t + c_i h, y + h Σ_j a_ij k_j), left in `f` until the next stage takes it.
+    #[inline]
+    fn stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, t: f64) -> Result<(), Trouble> {
+        let row = &self.coefficients.a[I];
+        let finite = advance::<S, I>(row, h, &self.y, (&mut self.k, &self.f), &mut self.y_new);
+        if !finite.all() {
+            return Err(self.not_finite(&self.y_new));
+        }
+        self.evaluations += 1;
+        rhs.rhs(t, self.y_new.components(), self.f.components_mut()).map_err(Trouble::Failed)
+    }
+
+    /// A stage that only the dense output needs.
+    fn inner_stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), Trouble> {
+        let row = &self.coefficients.a[I];
+        let finite = advance::<S, I>(row, h, &self.y, (&mut self.k, &self.f), &mut self.inner);
+        if !finite.all() {
+            return Err(self.not_finite(&self.inner));
+        }
+        self.evaluations += 1;
+        let t = self.t + (self.t_new - self.t) * PUBLISHED.c[I];
+        rhs.rhs(t, self.inner.components(), self.f.components_mut()).map_err(Trouble::Failed)
+    }
+
+    /// Evaluates f at `y_new` as a stage that must be finite by itself.
+    fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), Trouble> {
+        self.evaluations += 1;
+        rhs.rhs(t, self.y_new.components(), self.f.components_mut()).map_err(Trouble::Failed)?;
+        self.keep(stage)
+    }
+
+    /// Stores the last output of the right-hand side as a stage.
+    fn keep(&mut self, stage: usize) -> Result<(), Trouble> {
+        let mut finite = Finite::new();
+        for (k, f) in self.k.iter_mut().zip(&self.f.blocks) {
+            finite.note(f);
+            k[stage] = *f;
+        }
+        if finite.all() { Ok(()) } else { Err(self.not_finite(&self.y_new)) }
+    }
+
+    /// Error for a number that is not finite: of the derivative evaluated last, or else of the point computed from it.
+    #[cold]
+    fn not_finite(&self, point: &Blocks<S>) -> Trouble {
+        let checks = check_finite(self.f.components()).and_then(|()| check_finite(point.components()));
+        checks.err().unwrap_or(Trouble::NotFinite { component: 0 })
+    }
+
+    /// The new point and its error, |h| e₅² / √(e₅² + 0.01 e₃²), with e₅ and e₃ the norms of the differences from
+    /// solutions of order 5 and 3. It shrinks like h⁸, as that of the method does.
+    fn finish(&mut self, h: S, test: &ErrorTest) -> (Finite, f64) {
+        let (b, e5, e3) = (&self.coefficients.a[END], &self.coefficients.error5, &self.coefficients.error3);
+        let (mut finite, mut sum5, mut sum3) = (Finite::new(), [0.0; LANES], [0.0; LANES]);
+        let points = self.y_new.blocks.iter_mut().zip(&self.y.blocks).zip(test.absolute_blocks());
+        for ((((y_new, y), absolute), (k, f)), quotients) in
+            points.zip(self.k.iter_mut().zip(&self.f.blocks)).zip(&mut self.quotients)
+        {
+            k[END - 1] = *f;
+            let eighth = combination(b, &USED[END], k, END);
+            let fifth = combination(e5, &USED_BY_ERROR, k, END);
+            let next: Block<S> = from_fn(|l| y[l].plus_multiple(h, eighth[l]));
+            let third: Block<S> =
+                from_fn(|l| eighth[l] - e3[0][l % 2] * k[0][l] - e3[8][l % 2] * k[8][l] - e3[11][l % 2] * k[11][l]);
+            finite.note(&next);
+            *y_new = next;
+            let inverse = test.inverse_weights(absolute, &y.map(Real::to_f64), &next.map(Real::to_f64));
+            *quotients = [from_fn(|l| fifth[l].to_f64() * inverse[l]), from_fn(|l| third[l].to_f64() * inverse[l])];
+        }
+        for [q5, q3] in &self.quotients {
+            sum5 = from_fn(|l| sum5[l] + q5[l] * q5[l]);
+            sum3 = from_fn(|l| sum3[l] + q3[l] * q3[l]);
+        }
+        let n = self.y.components().len();
+        (finite, error_of(h.to_f64(), sum5.iter().sum(), sum3.iter().sum(), n))
+    }
+}
+
+/// The error of a step `h` of `n` components from the sums of the squares of their weighted differences:
+/// |h| e₅² / √(n (e₅² + 0.01 e₃²)).
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "also inside code for wider registers, lane by lane")]
+pub(crate) fn error_of(h: f64, sum5: f64, sum3: f64, n: usize) -> f64 {
+    let both = sum5 + 0.01 * sum3;
+    let both = if both > 0.0 { both } else { 1.0 };
+    let error = h.abs() * sum5 / (both * n.max(1) as f64).sqrt();
+    // Sums that overflow belong to errors beyond any tolerance.
+    if error.is_nan() { f64::INFINITY } else { error }
+}
+
+/// Σⱼ aⱼ kⱼ over the stages before `end` that are used, stage 0 always among them.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "with the stages known, the loops below become straight vector code")]
+fn combination<S: Real>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; STAGES], end: usize) -> Block<S> {
+    let mut sum: Block<S> = from_fn(|l| a[0][l % 2] * k[0][l]);
+    for j in 1..end {
+        if used[j] {
+            sum = from_fn(|l| sum[l].plus_multiple(a[j][l % 2], k[j][l]));
+        }
+    }
+    sum
+}
+
+/// y + h Σⱼ aᵢⱼ kⱼ for row I. Stage I − 1 is still in `f`, and moves to its place on the way; stage 0 is there already.
+/// Every row uses the stage before it, so that a stage that is not finite shows in the point.
+///
+/// That stage comes last and by itself: it is known late, and two operations after it the point is complete.
+#[inline]
+fn advance<S: Real, const I: usize>(
+    a: &[Twice<S>; STAGES],
+    h: S,
+    y: &Blocks<S>,
+    (k, f): (&mut [[Block<S>; STAGES]], &Blocks<S>),
+    out: &mut Blocks<S>,
+) -> Finite {
+    let mut finite = Finite::new();
+    let last = h * a[I - 1][0];
+    for ((out, y), (k, f)) in out.blocks.iter_mut().zip(&y.blocks).zip(k.iter_mut().zip(&f.blocks)) {
+        let newest = if I > 1 { *f } else { k[0] };
+        let before: Block<S> = if I > 1 {
+            let sum = combination(a, &USED[I], k, I - 1);
+            from_fn(|l| y[l].plus_multiple(h, sum[l]))
+        } else {
+            *y
+        };
+        let next: Block<S> = from_fn(|l| before[l].plus_multiple(last, newest[l]));
+        finite.note(&next);
+        *out = next;
+        if I > 1 {
+            k[I - 1] = newest;
+        }
+    }
+    finite
+}
+
+impl<S: Real> Interpolant for Dop853<S> {
+    type Real = S;
+
+    fn span(&self) -> (f64, f64) {
+        (self.t, self.t_new)
+    }
+
+    fn ends(&self) -> (&[S], &[S]) {
+        (self.y.components(), self.y_new.components())
+    }
+
+    fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
+        for i in 0..self.y.components().len() {
+            put(i, value_of(self.dense[i / LANES].map(|r| r[i % LANES]), theta));
+        }
+    }
+
+    fn order_inside(&self) -> Option<usize> {
+        Some(7)
+    }
+
+    fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
+        for i in 0..self.y.components().len() {
+            let powers = powers_of(self.dense[i / LANES].map(|r| r[i % LANES]));
+            for (power, value) in powers.into_iter().enumerate() {
+                put(i, power, value);
+            }
+        }
+    }
+}
+
+impl<S: Real> Stepper for Dop853<S> {
+    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+        (self.t, self.t_new) = (t, t);
+        self.y.components_mut().copy_from_slice(y);
+        self.y_new.components_mut().copy_from_slice(y);
+        self.evaluate(rhs, 0, t)
+    }
+
+    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    where
+        R: RightHandSide<S>,
+    {
+        let h: S = trial.exact(self.t);
+        let t = self.t;
+        let at = |stage: usize| t + PUBLISHED.c[stage] * trial.h;
+        self.stage::<1, R>(rhs, h, at(1))?;
+        self.stage::<2, R>(rhs, h, at(2))?;
+        self.stage::<3, R>(rhs, h, at(3))?;
+        self.stage::<4, R>(rhs, h, at(4))?;
+        self.stage::<5, R>(rhs, h, at(5))?;
+        self.stage::<6, R>(rhs, h, at(6))?;
+        self.stage::<7, R>(rhs, h, at(7))?;
+        self.stage::<8, R>(rhs, h, at(8))?;
+        self.stage::<9, R>(rhs, h, at(9))?;
+        self.stage::<10, R>(rhs, h, at(10))?;
+        self.stage::<11, R>(rhs, h, trial.t_new)?;
+        self.t_new = trial.t_new;
+        let (finite, error) = match test {
+            Some(test) => self.finish(h, test),
+            None => {
+                let row = &self.coefficients.a[END];
+                (advance::<S, END>(row, h, &self.y, (&mut self.k, &self.f), &mut self.y_new), 0.0)
+            }
+        };
+        if !finite.all() {
+            return Err(self.not_finite(&self.y_new));
+        }
+        self.has_end = !self.moves && test.is_none_or(|test| error <= test.tolerance);
+        if self.has_end {
+            self.evaluate(rhs, END, trial.t_new)?;
+        }
+        Ok(error)
+    }
+
+    fn prepare_inside<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> bool {
+        let h = S::from_f64(self.t_new) - S::from_f64(self.t);
+        self.has_end = self.has_end || self.evaluate(rhs, END, self.t_new).is_ok();
+        // The last stage of the step is evaluated next to its end.
+        let end = if self.has_end { END } else { END - 1 };
+        let mut stages = || {
+            self.inner_stage::<13, R>(rhs, h)?;
+            self.inner_stage::<14, R>(rhs, h)?;
+            self.inner_stage::<15, R>(rhs, h)?;
+            self.keep(15)
+        };
+        let known = stages().is_ok() && self.has_end;
+        let zero = S::from_f64(0.0);
+        for (((r, k), y), y_new) in self.dense.iter_mut().zip(&self.k).zip(&self.y.blocks).zip(&self.y_new.blocks) {
+            for l in 0..LANES {
+                let rise = y_new[l] - y[l];
+                let bend = h * k[0][l] - rise;
+                r[0][l] = y[l];
+                r[1][l] = rise;
+                r[2][l] = bend;
+                r[3][l] = rise - h * k[end][l] - bend;
+            }
+            for (r, d) in r[4..].iter_mut().zip(&self.coefficients.dense) {
+                let sum = combination(d, &[true; STAGES], k, STAGES);
+                *r = if known { sum.map(|x| h * x) } else { [zero; LANES] };
+            }
+        }
+        known
+    }
+
+    fn worst(&self, test: &ErrorTest) -> Option<usize> {
+        let e5 = &self.coefficients.error5;
+        let errors = self.k.iter().flat_map(|k| combination(e5, &USED_BY_ERROR, k, END));
+        let (y, y_new) = self.ends();
+        test.worst(errors.take(y.len()), y, y_new)
+    }
+
+    fn accept(&mut self) {
+        self.t = self.t_new;
+        std::mem::swap(&mut self.y, &mut self.y_new);
+        for k in &mut self.k {
+            k[0] = k[END];
+        }
+    }
+
+    fn expect_moves(&mut self) {
+        self.moves = true;
+    }
+
+    fn stay<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> Result<(), Trouble> {
+        if self.has_end {
+            return Ok(());
+        }
+        self.y_new.components_mut().copy_from_slice(self.y.components());
+        self.evaluate(rhs, 0, self.t)
+    }
+
+    fn slope(&self) -> &[S] {
+        self.f.components()
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+}

@@ -1,0 +1,390 @@
+//! Gauss–Legendre collocation with three stages: order 6, implicit, symplectic.
+//!
+//! The polynomial u of degree 3 with u(t) = y satisfies the equations at three points inside the step, the zeros of
+//! Legendre's polynomial; the new point is u(t + h), and u is also the dense output, of order 3 only. Quadratic
+//! invariants are conserved to rounding, and the energy of a mechanical system stays within a band with equal steps. E.
+//! Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §II.1, §IV.2, §VIII.6.
+//!
+//! The unknowns are the derivatives k₁, k₂, k₃ at the three points. They are found by Newton's method with the Jacobian
+//! at the start of the step, not to a tolerance but until rounding lets them shrink no further: an error left over
+//! would act like a force and let the invariants drift. What rounding cuts off a sum y + h Σ b k is carried to the next
+//! step, for the same reason.
+
+use tripos_traits::{Real, largest};
+
+use crate::error::Failure;
+use crate::linear::lu::Lu;
+use crate::rhs::RightHandSide;
+use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
+use crate::tolerance::ErrorTest;
+
+/// Iterations after which a step is given up. Newton's method gains several digits in each, or the step is too long.
+const ITERATIONS: u32 = 30;
+
+/// The nodes cᵢ = ½ − s, ½, ½ + s with s = √15 / 10, and the matrix of the method.
+struct Nodes<S> {
+    s: S,
+    c: [S; 3],
+    a: [[S; 3]; 3],
+}
+
+impl<S: Real> Nodes<S> {
+    fn new() -> Self {
+        let root = S::int(15).sqrt();
+        let (half, s) = (S::ratio(1, 2), root / S::int(10));
+        let (side, middle) = (S::ratio(5, 36), S::ratio(2, 9));
+        let over = |n: i64| root / S::int(n);
+        Self {
+            s,
+            c: [half - s, half, half + s],
+            a: [
+                [side, middle - over(15), side - over(30)],
+                [side + over(24), middle, side - over(24)],
+                [side + over(30), middle + over(15), side],
+            ],
+        }
+    }
+}
+
+/// u' of a step at one component, from its values at the nodes: k₂ + 2 first τ + 3 second τ², with τ the fraction of
+/// the step beyond its middle.
+struct Slope<S> {
+    middle: S,
+    first: S,
+    second: S,
+}
+
+impl<S: Real> Slope<S> {
+    /// Through the derivatives at the nodes.
+    fn through(s: S, [k1, k2, k3]: [S; 3]) -> Self {
+        let first = (k3 - k1) / (S::int(4) * s);
+        let second = ((k1 - k2) + (k3 - k2)) / (S::int(6) * s * s);
+        Self { middle: k2, first, second }
+    }
+
+    /// u' at the fraction `theta` of the step.
+    fn at(&self, theta: S) -> S {
+        let tau = theta - S::ratio(1, 2);
+        self.middle + tau * (S::int(2) * self.first + S::int(3) * self.second * tau)
+    }
+
+    /// (u − y) / h at the fraction `theta`: the integral of u' from the start.
+    fn integral(&self, theta: S) -> S {
+        let tau = theta - S::ratio(1, 2);
+        let square = tau * tau;
+        theta * self.middle + (square - S::ratio(1, 4)) * self.first + (square * tau + S::ratio(1, 8)) * self.second
+    }
+
+    /// The coefficients of θ, θ² and θ³ in the integral.
+    fn powers(&self) -> [S; 3] {
+        let half = S::ratio(3, 2) * self.second;
+        [self.middle - self.first + S::ratio(3, 4) * self.second, self.first - half, self.second]
+    }
+}
+
+/// State of the method between and inside steps.
+pub(crate) struct Gauss6<S> {
+    nodes: Nodes<S>,
+    t: f64,
+    t_new: f64,
+    y: Vec<S>,
+    y_new: Vec<S>,
+    /// Parts that rounding cut off `y` and, in `carry_new`, off `y_new`.
+    carry: Vec<S>,
+    carry_new: Vec<S>,
+    /// Derivatives at the nodes, all components of the first node first.
+    k: Vec<S>,
+    /// Derivatives at the nodes of the step before, and its length.
+    k_before: Vec<S>,
+    h_before: Option<S>,
+    /// f at the ends of the step; the second one only with a test.
+    slope: Vec<S>,
+    slope_new: Vec<S>,
+    /// ∂f/∂y at (t, y), if `has_jacobian`.
+    jacobian: Vec<S>,
+    has_jacobian: bool,
+    newton: Lu<S>,
+    residual: Vec<S>,
+    point: Vec<S>,
+    /// The largest size of each component so far, by which rounding is measured.
+    magnitudes: Vec<f64>,
+    scales: Vec<f64>,
+    evaluations: u64,
+    jacobians: u64,
+}
+
+impl<S: Real> Gauss6<S> {
+    /// The method for `n` equations.
+    pub(crate) fn new(n: usize) -> Self {
+        let zeros = |n: usize| vec![S::from_f64(0.0); n];
+        Self {
+            nodes: Nodes::new(),
+            t: 0.0,
+            t_new: 0.0,
+            y: zeros(n),
+            y_new: zeros(n),
+            carry: zeros(n),
+            carry_new: zeros(n),
+            k: zeros(3 * n),
+            k_before: zeros(3 * n),
+            h_before: None,
+            slope: zeros(n),
+            slope_new: zeros(n),
+            jacobian: zeros(n * n),
+            has_jacobian: false,
+            newton: Lu::new(3 * n),
+            residual: zeros(3 * n),
+            point: zeros(n),
+            magnitudes: vec![0.0; n],
+            scales: vec![0.0; n],
+            evaluations: 0,
+            jacobians: 0,
+        }
+    }
+
+    fn slope_of(&self, k: &[S], i: usize) -> Slope<S> {
+        let n = self.y.len();
+        Slope::through(self.nodes.s, [k[i], k[n + i], k[2 * n + i]])
+    }
+
+    /// First values of k: the polynomial of the step before, continued; or f at the start where there is none, or the
+    /// step is much longer than the one before.
+    fn predict(&mut self, h: S) {
+        let n = self.y.len();
+        let ratio = self.h_before.map(|before| h / before).filter(|r| r.to_f64() <= 2.0);
+        for i in 0..n {
+            let before = self.slope_of(&self.k_before, i);
+            for (node, c) in self.nodes.c.into_iter().enumerate() {
+                self.k[node * n + i] = ratio.map_or(self.slope[i], |r| before.at(S::int(1) + c * r));
+            }
+        }
+    }
+
+    /// I − h A ⊗ ∂f/∂y, factored.
+    fn prepare_newton<R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), Trouble> {
+        let n = self.y.len();
+        if !self.has_jacobian {
+            self.jacobians += 1;
+            match rhs.jacobian(self.t, &self.y, &mut self.jacobian) {
+                Some(outcome) => outcome.map_err(Trouble::Failed)?,
+                None => return Err(no_jacobian()),
+            }
+            let odd = self.jacobian.iter().position(|x| !x.to_f64().is_finite());
+            if let Some(entry) = odd {
+                return Err(Trouble::NotFinite { component: entry / n });
+            }
+            self.has_jacobian = true;
+        }
+        let (zero, one) = (S::int(0), S::int(1));
+        for (row, entries) in self.newton.entries.chunks_exact_mut((3 * n).max(1)).enumerate() {
+            let (stage, i) = (row / n, row % n);
+            for (column, entry) in entries.iter_mut().enumerate() {
+                let unit = if row == column { one } else { zero };
+                *entry = unit - h * self.nodes.a[stage][column / n] * self.jacobian[i * n + column % n];
+            }
+        }
+        if self.newton.factor() { Ok(()) } else { Err(Trouble::NotConverged { iterations: 0 }) }
+    }
+
+    /// Solves k_i = f(t + c_i h, y + h Σ_j a_ij k_j).
+    fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, trial: Trial, h: S) -> Result<(), Trouble> {
+        self.set_scales(h);
+        let mut last = f64::INFINITY;
+        for iteration in 1..=ITERATIONS {
+            for stage in 0..3 {
+                self.stage(rhs, stage, trial, h)?;
+            }
+            self.newton.solve(&mut self.residual);
+            for (k, change) in self.k.iter_mut().zip(&self.residual) {
+                *k = *k + *change;
+            }
+            let scales = self.scales.iter().cycle();
+            let sizes = self.residual.iter().zip(scales).map(|(d, scale)| (h * *d).to_f64().abs() / scale);
+            let change = largest(sizes);
+            // No longer shrinking is the mark of rounding if the change is small, and of divergence if it is not.
+            let at_rounding = change == 0.0 || (change >= last && last <= S::EPSILON.sqrt());
+            if at_rounding {
+                return Ok(());
+            }
+            if change.is_nan() || change > 2.0 * last {
+                return Err(Trouble::NotConverged { iterations: iteration });
+            }
+            last = last.min(change);
+        }
+        if last <= S::EPSILON.sqrt() { Ok(()) } else { Err(Trouble::NotConverged { iterations: ITERATIONS }) }
+    }
+
+    /// The residual f − k of a stage.
+    fn stage<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, trial: Trial, h: S) -> Result<(), Trouble> {
+        let n = self.y.len();
+        let [a1, a2, a3] = self.nodes.a[stage];
+        for i in 0..n {
+            let sum = a1 * self.k[i] + a2 * self.k[n + i] + a3 * self.k[2 * n + i];
+            self.point[i] = self.y[i] + (self.carry[i] + h * sum);
+        }
+        check_finite(&self.point)?;
+        let t = self.t + self.nodes.c[stage].to_f64() * trial.h;
+        let f = &mut self.residual[stage * n..(stage + 1) * n];
+        self.evaluations += 1;
+        evaluate(rhs, t, &self.point, f)?;
+        for (f, k) in f.iter_mut().zip(&self.k[stage * n..]) {
+            *f = *f - *k;
+        }
+        Ok(())
+    }
+
+    /// Sets the scale of each component, with which its changes are compared. The scale is the largest size so far, or
+    /// the change in the step if larger; for a component that never moved, the largest scale of all.
+    fn set_scales(&mut self, h: S) {
+        let middle = &self.k[self.y.len()..];
+        for ((scale, magnitude), k) in self.scales.iter_mut().zip(&self.magnitudes).zip(middle) {
+            *scale = magnitude.max((h * *k).to_f64().abs());
+        }
+        let most = largest(self.scales.iter().copied());
+        let rest = if most > 0.0 { most } else { 1.0 };
+        for scale in self.scales.iter_mut().filter(|scale| **scale == 0.0) {
+            *scale = rest;
+        }
+    }
+
+    /// Computes y + h (5 k₁ + 8 k₂ + 5 k₃) / 18, and the rounding error of this sum.
+    fn finish(&mut self, h: S) {
+        let n = self.y.len();
+        for i in 0..n {
+            let sum = S::int(5) * (self.k[i] + self.k[2 * n + i]) + S::int(8) * self.k[n + i];
+            let add = self.carry[i] + h * sum / S::int(18);
+            let new = self.y[i] + add;
+            let added = new - self.y[i];
+            self.carry_new[i] = (self.y[i] - (new - added)) + (add - added);
+            self.y_new[i] = new;
+        }
+    }
+
+    /// An estimate of the error from the defects f − u' at the ends of the step, where collocation did not ask for f.
+    ///
+    /// A defect d is of order h³, so that e₄ = h d₀ / 20 is of order h⁴ (¹⁄₂₀ is c₁ c₂ c₃, the weight of the third
+    /// divided difference in it). Two vectors are of order h⁵: h (d₀ + d₁) / 20, whose leading terms cancel, and h² J
+    /// d₀ / 20. The first misses what is linear, since the defect is then a multiple of Legendre's polynomial and the
+    /// sum is 0; the second misses what depends on time alone. Their absolute values are added, e₅, and combined with
+    /// e₄ as in DOP853: e₅² / √(e₅² + 0.01 e₄²), of order h⁶, where the method's own error is of order h⁷.
+    fn error(&mut self, h: S, test: &ErrorTest) -> f64 {
+        let n = self.y.len();
+        let (zero, one, factor) = (S::int(0), S::int(1), h * S::ratio(1, 20));
+        let mut defects = std::mem::take(&mut self.residual);
+        for i in 0..n {
+            let inside = self.slope_of(&self.k, i);
+            defects[i] = factor * (self.slope[i] - inside.at(zero));
+            defects[n + i] = factor * (self.slope_new[i] - inside.at(one));
+        }
+        let (start, end) = defects.split_at(n);
+        let fourth = test.norm(start, &self.y, &self.y_new);
+        for (i, row) in self.jacobian.chunks_exact(n.max(1)).enumerate() {
+            let linear = row.iter().zip(start).fold(zero, |sum, (j, d)| sum + *j * *d);
+            self.point[i] = (start[i] + end[i]).abs() + (h * linear).abs();
+        }
+        self.residual = defects;
+        let fifth = test.norm(&self.point, &self.y, &self.y_new);
+        let both = (fifth * fifth + 0.01 * fourth * fourth).sqrt();
+        let error = if both > 0.0 { fifth * (fifth / both) } else { 0.0 };
+        if error.is_nan() { f64::INFINITY } else { error }
+    }
+}
+
+fn no_jacobian() -> Trouble {
+    let message = "the right-hand side has no Jacobian here".to_owned();
+    Trouble::Failed(Failure { code: "no-jacobian", message })
+}
+
+impl<S: Real> Interpolant for Gauss6<S> {
+    type Real = S;
+
+    fn span(&self) -> (f64, f64) {
+        (self.t, self.t_new)
+    }
+
+    fn ends(&self) -> (&[S], &[S]) {
+        (&self.y, &self.y_new)
+    }
+
+    fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
+        let h = S::from_f64(self.t_new) - S::from_f64(self.t);
+        for (i, y) in self.y.iter().enumerate() {
+            put(i, *y + h * self.slope_of(&self.k, i).integral(theta));
+        }
+    }
+
+    fn order_inside(&self) -> Option<usize> {
+        Some(3)
+    }
+
+    fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
+        let h = S::from_f64(self.t_new) - S::from_f64(self.t);
+        for (i, y) in self.y.iter().enumerate() {
+            put(i, 0, *y);
+            for (power, value) in self.slope_of(&self.k, i).powers().into_iter().enumerate() {
+                put(i, power + 1, h * value);
+            }
+        }
+    }
+}
+
+impl<S: Real> Stepper for Gauss6<S> {
+    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+        (self.t, self.t_new) = (t, t);
+        self.y.copy_from_slice(y);
+        self.y_new.copy_from_slice(y);
+        self.carry.fill(S::from_f64(0.0));
+        for (magnitude, y) in self.magnitudes.iter_mut().zip(y) {
+            *magnitude = y.to_f64().abs();
+        }
+        self.evaluations += 1;
+        evaluate(rhs, t, y, &mut self.slope)
+    }
+
+    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    where
+        R: RightHandSide<S>,
+    {
+        let h: S = trial.exact(self.t);
+        self.prepare_newton(rhs, h)?;
+        self.predict(h);
+        self.iterate(rhs, trial, h)?;
+        self.finish(h);
+        self.t_new = trial.t_new;
+        check_finite(&self.y_new)?;
+        let Some(test) = test else { return Ok(0.0) };
+        self.evaluations += 1;
+        evaluate(rhs, trial.t_new, &self.y_new, &mut self.slope_new)?;
+        Ok(self.error(h, test))
+    }
+
+    fn worst(&self, test: &ErrorTest) -> Option<usize> {
+        // `point` is left as the error by the test.
+        test.worst(self.point.iter().copied(), &self.y, &self.y_new)
+    }
+
+    fn accept(&mut self) {
+        self.h_before = Some(S::from_f64(self.t_new) - S::from_f64(self.t));
+        self.t = self.t_new;
+        std::mem::swap(&mut self.y, &mut self.y_new);
+        std::mem::swap(&mut self.carry, &mut self.carry_new);
+        std::mem::swap(&mut self.k, &mut self.k_before);
+        std::mem::swap(&mut self.slope, &mut self.slope_new);
+        self.has_jacobian = false;
+        for (magnitude, y) in self.magnitudes.iter_mut().zip(&self.y) {
+            *magnitude = magnitude.max(y.to_f64().abs());
+        }
+    }
+
+    fn slope(&self) -> &[S] {
+        &self.slope
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    fn jacobians(&self) -> u64 {
+        self.jacobians
+    }
+}

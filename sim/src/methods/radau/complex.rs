@@ -1,0 +1,104 @@
+//! Complex numbers over a scalar: the pair of complex stages of an implicit step is one system of them.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use tripos_traits::Real;
+
+use crate::linear::lu::Entry;
+
+/// re + i im.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Complex<S> {
+    pub(super) re: S,
+    pub(super) im: S,
+}
+
+impl<S: Real> Add for Complex<S> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
+
+impl<S: Real> Sub for Complex<S> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self { re: self.re - other.re, im: self.im - other.im }
+    }
+}
+
+impl<S: Real> Neg for Complex<S> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { re: -self.re, im: -self.im }
+    }
+}
+
+impl<S: Real> Mul for Complex<S> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (re, im) = (self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re);
+        Self { re, im }
+    }
+}
+
+/// Divides by R. L. Smith's formula, Comm. ACM 5 (1962) 435. It takes no square of the divisor, which may overflow
+/// where the quotient does not.
+impl<S: Real> Div for Complex<S> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        if other.re.size() >= other.im.size() {
+            let ratio = other.im / other.re;
+            let divisor = other.re + other.im * ratio;
+            Self { re: (self.re + self.im * ratio) / divisor, im: (self.im - self.re * ratio) / divisor }
+        } else {
+            let ratio = other.re / other.im;
+            let divisor = other.re * ratio + other.im;
+            Self { re: (self.re * ratio + self.im) / divisor, im: (self.im * ratio - self.re) / divisor }
+        }
+    }
+}
+
+impl<S: Real> Entry for Complex<S> {
+    fn zero() -> Self {
+        Self { re: S::zero(), im: S::zero() }
+    }
+    fn size(self) -> f64 {
+        self.re.size() + self.im.size()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::lu::Lu;
+
+    fn number(re: f64, im: f64) -> Complex<f64> {
+        Complex { re, im }
+    }
+
+    #[test]
+    fn quotients_are_exact_where_they_can_be_and_do_not_overflow() {
+        assert_eq!(number(5.0, 5.0) / number(2.0, 1.0), number(3.0, 1.0));
+        assert_eq!(number(5.0, 5.0) / number(1.0, 2.0), number(3.0, -1.0));
+        let large = number(1e300, 1e300);
+        assert_eq!(large / large, number(1.0, 0.0));
+    }
+
+    /// Pivots off the diagonal, and complex ones; 1e-14 since the entries are small whole numbers.
+    #[test]
+    fn a_complex_system_is_solved() {
+        let a = [number(0.0, 0.0), number(2.0, 1.0), number(1.0, -3.0), number(0.0, 1.0)];
+        let x = [number(1.0, 2.0), number(-1.0, 0.5)];
+        let mut lu = Lu::new(2);
+        lu.entries.copy_from_slice(&a);
+        let mut b: Vec<_> = a.chunks(2).map(|row| row[0] * x[0] + row[1] * x[1]).collect();
+        assert!(lu.factor());
+        lu.solve(&mut b);
+        for (found, expected) in b.into_iter().zip(x) {
+            assert!((found - expected).size() < 1e-14, "{found:?} {expected:?}");
+        }
+        lu.entries.fill(Complex::zero());
+        assert!(!lu.factor());
+    }
+}

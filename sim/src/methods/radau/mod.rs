@@ -1,0 +1,333 @@
+//! Radau IIA with three stages: order 5, implicit, A- and L-stable, for stiff equations.
+//!
+//! The polynomial u of degree 3 with u(t) = y satisfies the equations at the three zeros of Radau's polynomial, of
+//! which the last is the end of the step; u is also the dense output, of order 3. Fast decaying parts of the solution
+//! vanish in a step of any length, so that the motion alone limits the steps. The method, its error and its step
+//! control are those of E. Hairer's code RADAU5: E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II.
+//! Stiff and Differential-Algebraic Problems*, 2nd edition (1996), §IV.8.
+//!
+//! Invariant: `z` has the differences of the stages of the step last tried from its start, all components of the first
+//! stage first; `inside` their polynomial. Newton's method and what it keeps from step to step is in [`newton`].
+
+mod complex;
+mod newton;
+mod scheme;
+
+use tripos_traits::{Real, larger};
+
+use crate::methods::options::Options;
+use crate::rhs::RightHandSide;
+use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
+use crate::tolerance::ErrorTest;
+use newton::{Aim, Newton};
+use scheme::{Scheme, dot};
+
+/// Iterations of Newton's method after which an adaptive step is given up, as in RADAU5.
+const ITERATIONS: u32 = 7;
+/// Iterations for a step of a fixed length, which cannot be shortened and is solved to rounding.
+const FIXED_ITERATIONS: u32 = 30;
+
+/// State of the method between and inside steps.
+pub(crate) struct Radau5<S> {
+    scheme: Scheme<S>,
+    newton: Newton<S>,
+    /// Largest error estimate over the tolerance: [`leeway`].
+    leeway: f64,
+    /// The tolerance that steps are mostly decided by.
+    tolerance: f64,
+    t: f64,
+    t_new: f64,
+    y: Vec<S>,
+    y_new: Vec<S>,
+    z: Vec<S>,
+    /// The transformed differences, and f at the stages.
+    w: Vec<S>,
+    f: Vec<S>,
+    /// Coefficients of θ, θ² and θ³ in u − y, and those of the step before with its length.
+    inside: Vec<S>,
+    before: Vec<S>,
+    h_before: Option<S>,
+    /// f at the ends of the step; the second one only of a step that passed the test.
+    slope: Vec<S>,
+    slope_new: Vec<S>,
+    /// The error of the step last tried.
+    error: Vec<S>,
+    point: Vec<S>,
+    /// The largest size of each component so far.
+    magnitudes: Vec<f64>,
+    /// True if a step was accepted since the start, and none failed after it.
+    goes_well: bool,
+    evaluations: u64,
+}
+
+impl<S: Real> Radau5<S> {
+    /// The method for `n` equations with these tolerances.
+    pub(crate) fn new(n: usize, options: &Options) -> Self {
+        let zeros = |n: usize| vec![S::int(0); n];
+        let tolerance = if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() };
+        let tolerance = tolerance.clamp(S::EPSILON, 1.0);
+        Self {
+            scheme: Scheme::new(),
+            newton: Newton::new(n),
+            leeway: leeway(tolerance),
+            tolerance,
+            t: 0.0,
+            t_new: 0.0,
+            y: zeros(n),
+            y_new: zeros(n),
+            z: zeros(3 * n),
+            w: zeros(3 * n),
+            f: zeros(3 * n),
+            inside: zeros(3 * n),
+            before: zeros(3 * n),
+            h_before: None,
+            slope: zeros(n),
+            slope_new: zeros(n),
+            error: zeros(n),
+            point: zeros(n),
+            magnitudes: vec![0.0; n],
+            goes_well: false,
+            evaluations: 0,
+        }
+    }
+
+    /// First values of Z: the polynomial of the step before, continued; 0 where there is none.
+    fn predict(&mut self, h: S) {
+        let n = self.y.len();
+        let Some(before) = self.h_before else { return self.z.fill(S::int(0)) };
+        for (stage, c) in self.scheme.c.into_iter().enumerate() {
+            let theta = S::int(1) + c * (h / before);
+            for i in 0..n {
+                let [a, b, c] = [self.before[i], self.before[n + i], self.before[2 * n + i]];
+                self.z[stage * n + i] = theta * (a + theta * (b + theta * c)) - (a + b + c);
+            }
+        }
+    }
+
+    /// Solves the equations of the step from the predicted values.
+    fn solve<R: RightHandSide<S>>(&mut self, rhs: &mut R, trial: Trial, h: S, aim: &Aim) -> Result<(), Trouble> {
+        let n = self.y.len();
+        self.newton.prepare(rhs, (self.t, &self.y), &self.scheme, h)?;
+        self.predict(h);
+        let Self { newton, scheme, y, z, w, f, point, evaluations, t, .. } = self;
+        let t = *t;
+        let c = scheme.c;
+        newton.solve((scheme, h), (z, w, f), aim, |z, f| {
+            for (stage, c) in c.iter().enumerate() {
+                for ((point, y), z) in point.iter_mut().zip(&*y).zip(&z[stage * n..]) {
+                    *point = *y + *z;
+                }
+                check_finite(point)?;
+                let at = if stage == 2 { trial.t_new } else { t + c.to_f64() * trial.h };
+                *evaluations += 1;
+                evaluate(rhs, at, point, &mut f[stage * n..(stage + 1) * n])?;
+            }
+            Ok(())
+        })
+    }
+
+    /// Sets the divisors of changes of the components, and returns the size that the quotients must reach.
+    ///
+    /// With a test: a part of the allowed error, at least some roundings. Without one, the sizes of the components,
+    /// and rounding.
+    fn aim(&mut self, h: S, test: Option<&ErrorTest>) -> Aim {
+        let n = self.y.len();
+        for i in 0..n {
+            let size = self.y[i].to_f64().abs();
+            let moved = (h * self.slope[i]).to_f64().abs();
+            self.newton.weights[i] = match test {
+                Some(test) => {
+                    let weight = self.leeway * test.weight(i, size);
+                    // A component at 0 without an absolute tolerance is measured by where it goes.
+                    if weight > self.leeway * f64::MIN_POSITIVE { weight } else { self.leeway * test.weight(i, moved) }
+                }
+                None => self.magnitudes[i].max(moved),
+            };
+        }
+        if test.is_none() {
+            let most = self.newton.weights.iter().copied().fold(0.0, larger);
+            let rest = if most > 0.0 { most } else { 1.0 };
+            for weight in self.newton.weights.iter_mut().filter(|weight| **weight <= 0.0) {
+                *weight = rest;
+            }
+            return Aim { enough: S::EPSILON, rounding: S::EPSILON.sqrt(), iterations: FIXED_ITERATIONS };
+        }
+        let parts = self.y.iter().zip(&self.newton.weights).map(|(y, weight)| y.to_f64() / weight);
+        let size = (parts.map(|part| part * part).sum::<f64>() / n.max(1) as f64).sqrt();
+        let rounding = 10.0 * S::EPSILON * size;
+        let part = (self.leeway * self.tolerance).sqrt().min(0.03);
+        Aim { enough: part.max(rounding), rounding: rounding.min(1.0), iterations: ITERATIONS }
+    }
+
+    /// The error of the step by the norm of the test: (γ/h − J)⁻¹ (f₀ + Σ eᵢ Zᵢ / h), which is of order h⁴ and bounded
+    /// however stiff the equations are. Where that is too large at a start or after a failure, f₀ is taken at the point
+    /// moved by it, so that the error of what decays at once counts for nothing.
+    fn error<R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, test: &ErrorTest) -> f64 {
+        let n = self.y.len();
+        let defects = |z: &[S], i: usize, weights: &[S; 3]| dot(weights, &[z[i], z[n + i], z[2 * n + i]]) / h;
+        for i in 0..n {
+            self.error[i] = self.slope[i] + defects(&self.z, i, &self.scheme.error);
+        }
+        self.newton.real.solve(&mut self.error);
+        let mut norm = test.norm(&self.error, &self.y, &self.y_new) / self.leeway;
+        if norm > test.tolerance && !self.goes_well {
+            for ((point, y), error) in self.point.iter_mut().zip(&self.y).zip(&self.error) {
+                *point = *y + *error;
+            }
+            self.evaluations += 1;
+            let moved = &mut self.f[..n];
+            if check_finite(&self.point).is_ok() && evaluate(rhs, self.t, &self.point, moved).is_ok() {
+                for i in 0..n {
+                    self.error[i] = self.f[i] + defects(&self.z, i, &self.scheme.error);
+                }
+                self.newton.real.solve(&mut self.error);
+                norm = test.norm(&self.error, &self.y, &self.y_new) / self.leeway;
+            }
+        }
+        if norm.is_nan() { f64::INFINITY } else { norm }
+    }
+}
+
+/// Largest error estimate over the tolerance. The estimate is of order h⁴, and the error at the end of a run, of order
+/// h⁵, is to be about the tolerance: ½ rtol^(4/5) stands for rtol. RADAU5 puts 0.1 rtol^(2/3) there, by which errors
+/// outgrow the tolerance tenfold every six digits.
+fn leeway(tolerance: f64) -> f64 {
+    0.5 * tolerance.powf(-0.2)
+}
+
+impl<S: Real> Interpolant for Radau5<S> {
+    type Real = S;
+
+    fn span(&self) -> (f64, f64) {
+        (self.t, self.t_new)
+    }
+
+    fn ends(&self) -> (&[S], &[S]) {
+        (&self.y, &self.y_new)
+    }
+
+    fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
+        let n = self.y.len();
+        for (i, y) in self.y.iter().enumerate() {
+            let [a, b, c] = [self.inside[i], self.inside[n + i], self.inside[2 * n + i]];
+            put(i, *y + theta * (a + theta * (b + theta * c)));
+        }
+    }
+
+    fn order_inside(&self) -> Option<usize> {
+        Some(3)
+    }
+
+    fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
+        let n = self.y.len();
+        for (i, y) in self.y.iter().enumerate() {
+            put(i, 0, *y);
+            for power in 0..3 {
+                put(i, power + 1, self.inside[power * n + i]);
+            }
+        }
+    }
+}
+
+impl<S: Real> Stepper for Radau5<S> {
+    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+        self.t_new = t;
+        self.h_before = None;
+        self.goes_well = false;
+        self.newton.forget();
+        self.magnitudes.fill(0.0);
+        self.restart_at(rhs, t, y)
+    }
+
+    /// Keeps the Jacobian, whose age tells when it must go, and the polynomial, which is only continued.
+    fn restart<R: RightHandSide<S>>(&mut self, rhs: &mut R, y: &[S]) -> Result<(), Trouble> {
+        self.restart_at(rhs, self.t, y)
+    }
+
+    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    where
+        R: RightHandSide<S>,
+    {
+        let n = self.y.len();
+        let h: S = trial.exact(self.t);
+        let aim = self.aim(h, test);
+        let mut solved = self.solve(rhs, trial, h, &aim);
+        if solved.is_err() && self.newton.is_old() {
+            self.newton.forget();
+            solved = self.solve(rhs, trial, h, &aim);
+        }
+        if solved.is_err() {
+            self.goes_well = false;
+        }
+        solved?;
+        self.t_new = trial.t_new;
+        for i in 0..n {
+            self.y_new[i] = self.y[i] + self.z[2 * n + i];
+            let at = [self.z[i], self.z[n + i], self.z[2 * n + i]];
+            for (power, row) in self.scheme.powers.iter().enumerate() {
+                self.inside[power * n + i] = dot(row, &at);
+            }
+        }
+        check_finite(&self.y_new)?;
+        let Some(test) = test else {
+            // Nothing but sizes depends on it.
+            self.slope_new.copy_from_slice(&self.f[2 * n..]);
+            return Ok(0.0);
+        };
+        let error = self.error(rhs, h, test);
+        self.goes_well = error <= test.tolerance;
+        if self.goes_well {
+            self.evaluations += 1;
+            evaluate(rhs, trial.t_new, &self.y_new, &mut self.slope_new)?;
+        }
+        Ok(error)
+    }
+
+    /// Margin of RADAU5: the more iterations a step took, the smaller the part of the allowed size that the next one
+    /// takes.
+    fn margin(&self) -> f64 {
+        let (most, taken) = (f64::from(2 * ITERATIONS), f64::from(self.newton.taken));
+        ((1.0 + most) / (taken + most)).min(1.0)
+    }
+
+    fn worst(&self, test: &ErrorTest) -> Option<usize> {
+        test.worst(self.error.iter().copied(), &self.y, &self.y_new)
+    }
+
+    fn accept(&mut self) {
+        self.h_before = Some(S::from_f64(self.t_new) - S::from_f64(self.t));
+        self.t = self.t_new;
+        std::mem::swap(&mut self.y, &mut self.y_new);
+        std::mem::swap(&mut self.inside, &mut self.before);
+        std::mem::swap(&mut self.slope, &mut self.slope_new);
+        self.newton.leave();
+        for (magnitude, y) in self.magnitudes.iter_mut().zip(&self.y) {
+            *magnitude = magnitude.max(y.to_f64().abs());
+        }
+    }
+
+    fn slope(&self) -> &[S] {
+        &self.slope
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    fn jacobians(&self) -> u64 {
+        self.newton.jacobians
+    }
+}
+
+impl<S: Real> Radau5<S> {
+    fn restart_at<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+        self.t = t;
+        self.y.copy_from_slice(y);
+        self.y_new.copy_from_slice(y);
+        for (magnitude, y) in self.magnitudes.iter_mut().zip(y) {
+            *magnitude = magnitude.max(y.to_f64().abs());
+        }
+        self.evaluations += 1;
+        evaluate(rhs, t, y, &mut self.slope)
+    }
+}

@@ -1,0 +1,265 @@
+//! Newton's method for the stages of a step, with one Jacobian for all three and for as many steps as it serves.
+//!
+//! Invariant: `factored` says for which step size the matrices hold their factors; a Jacobian that is evaluated anew
+//! takes them away. What is iterated are the transformed differences W = (T⁻¹ ⊗ I) Z, for which the 3n equations come
+//! apart: (γ/h − J) ΔW₁ and ((α + iβ)/h − J) (ΔW₂ + i ΔW₃). Hairer & Wanner II, §IV.8.
+
+use tripos_traits::Real;
+
+use super::complex::Complex;
+use super::scheme::{Scheme, dot};
+use crate::error::Failure;
+use crate::linear::lu::Lu;
+use crate::rhs::RightHandSide;
+use crate::stepper::{Trouble, check_finite};
+
+/// Factors are used for a step whose size is this near to theirs, relatively: equal steps differ by the rounding of t.
+const SAME_SIZE: f64 = 1e-9;
+/// A Jacobian is kept for the next step if Newton's method gains more than three digits in an iteration with it.
+const FAST: f64 = 1e-3;
+/// Iterations that gain less are given up.
+const SLOW: f64 = 0.99;
+
+/// Age of the Jacobian, by the point at which it was evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Age {
+    /// There is none.
+    None,
+    /// At an earlier point.
+    Old,
+    /// At the point itself.
+    Here,
+}
+
+/// Accuracy to which the equations of a step are to be solved.
+pub(super) struct Aim {
+    /// The part of the weights that counts as solved.
+    pub(super) enough: f64,
+    /// A change that no longer shrinks is rounding if it is smaller than this.
+    pub(super) rounding: f64,
+    /// Iterations after which a step is given up.
+    pub(super) iterations: u32,
+}
+
+/// The matrices of an iteration, and how fast it was.
+pub(super) struct Newton<S> {
+    n: usize,
+    jacobian: Vec<S>,
+    age: Age,
+    factored: Option<S>,
+    pub(super) real: Lu<S>,
+    complex: Lu<Complex<S>>,
+    /// The right-hand sides of both systems.
+    first: Vec<S>,
+    pair: Vec<Complex<S>>,
+    /// Divisor of the error of each component.
+    pub(super) weights: Vec<f64>,
+    /// θ/(1 − θ), θ the factor by which changes shrink: the remaining error, as a part of the last change.
+    left: f64,
+    /// The last θ; 0 where one iteration was enough.
+    rate: f64,
+    /// Iterations that the step took.
+    pub(super) taken: u32,
+    pub(super) jacobians: u64,
+}
+
+/// Writes f at the stages y + Z.
+type Stages<'a, S> = &'a mut dyn FnMut(&[S], &mut [S]) -> Result<(), Trouble>;
+
+impl<S: Real> Newton<S> {
+    pub(super) fn new(n: usize) -> Self {
+        let zero = S::int(0);
+        Self {
+            n,
+            jacobian: vec![zero; n * n],
+            age: Age::None,
+            factored: None,
+            real: Lu::new(n),
+            complex: Lu::new(n),
+            first: vec![zero; n],
+            pair: vec![Complex { re: zero, im: zero }; n],
+            weights: vec![1.0; n],
+            left: 1.0,
+            rate: 0.0,
+            taken: 0,
+            jacobians: 0,
+        }
+    }
+
+    /// True if another Jacobian might help.
+    pub(super) fn is_old(&self) -> bool {
+        self.age == Age::Old
+    }
+
+    /// Asks for another Jacobian.
+    pub(super) fn forget(&mut self) {
+        self.age = Age::None;
+        self.left = 1.0;
+    }
+
+    /// Leaves the point behind; the Jacobian goes along if it served well.
+    pub(super) fn leave(&mut self) {
+        self.age = if self.rate <= FAST { Age::Old } else { Age::None };
+    }
+
+    /// The Jacobian and the factors for a step `h` from (t, y).
+    pub(super) fn prepare<R>(
+        &mut self,
+        rhs: &mut R,
+        (t, y): (f64, &[S]),
+        scheme: &Scheme<S>,
+        h: S,
+    ) -> Result<(), Trouble>
+    where
+        R: RightHandSide<S>,
+    {
+        if self.age == Age::None {
+            self.evaluate(rhs, t, y)?;
+        }
+        if self.factored.is_some_and(|size| (h / size - S::int(1)).to_f64().abs() <= SAME_SIZE) {
+            return Ok(());
+        }
+        self.factored = None;
+        let (real, pair) = (scheme.real / h, Complex { re: scheme.pair.re / h, im: scheme.pair.im / h });
+        let zero = S::int(0);
+        let entries = self.real.entries.iter_mut().zip(&mut self.complex.entries).zip(&self.jacobian);
+        for (at, ((one, both), slope)) in entries.enumerate() {
+            let diagonal = at % (self.n + 1) == 0;
+            *one = if diagonal { real - *slope } else { -*slope };
+            *both = Complex { re: -*slope, im: zero };
+            if diagonal {
+                *both = *both + pair;
+            }
+        }
+        if !(self.real.factor() && self.complex.factor()) {
+            return Err(Trouble::NotConverged { iterations: 0 });
+        }
+        self.factored = Some(h);
+        Ok(())
+    }
+
+    fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+        self.jacobians += 1;
+        self.factored = None;
+        match rhs.jacobian(t, y, &mut self.jacobian) {
+            Some(outcome) => outcome.map_err(Trouble::Failed)?,
+            None => {
+                let message = "the right-hand side has no Jacobian here".to_owned();
+                return Err(Trouble::Failed(Failure { code: "no-jacobian", message }));
+            }
+        }
+        check_finite(&self.jacobian).map_err(|trouble| match trouble {
+            Trouble::NotFinite { component: entry } => Trouble::NotFinite { component: entry / self.n },
+            other => other,
+        })?;
+        self.age = Age::Here;
+        Ok(())
+    }
+
+    /// Solves Z = h (A ⊗ I) f(y + Z) from the Z that it is given; `stages` writes f at the stages.
+    pub(super) fn solve(
+        &mut self,
+        (scheme, h): (&Scheme<S>, S),
+        (z, w, f): (&mut [S], &mut [S], &mut [S]),
+        aim: &Aim,
+        mut stages: impl FnMut(&[S], &mut [S]) -> Result<(), Trouble>,
+    ) -> Result<(), Trouble> {
+        self.converge((scheme, h), (z, w, f), aim, &mut stages)?;
+        if S::SLOPES == 0 {
+            return Ok(());
+        }
+        // Slopes are right where values were right before the last iteration: one more, for them alone.
+        let known = w.to_vec();
+        stages(z, f)?;
+        self.correct((scheme, h), w, f);
+        for (now, known) in w.iter_mut().zip(known) {
+            *now = (0..S::SLOPES).fold(known, |w, along| w.turned(along, now.slope(along) - known.slope(along)));
+        }
+        transform(&scheme.t, self.n, w, z);
+        Ok(())
+    }
+
+    fn converge(
+        &mut self,
+        (scheme, h): (&Scheme<S>, S),
+        (z, w, f): (&mut [S], &mut [S], &mut [S]),
+        aim: &Aim,
+        stages: Stages<'_, S>,
+    ) -> Result<(), Trouble> {
+        transform(&scheme.t_inverse, self.n, z, w);
+        // What the steps before told of the rate lets a first change be enough.
+        self.left = self.left.max(f64::EPSILON).powf(0.8);
+        self.rate = 0.0;
+        let (mut last, mut ratio) = (f64::INFINITY, 0.0_f64);
+        for iteration in 1..=aim.iterations {
+            self.taken = iteration;
+            let failed = Err(Trouble::NotConverged { iterations: iteration });
+            stages(z, f)?;
+            let change = self.correct((scheme, h), w, f);
+            if change.is_nan() {
+                return failed;
+            }
+            transform(&scheme.t, self.n, w, z);
+            if iteration > 1 && change > 0.0 {
+                let now = change / last;
+                self.rate = if iteration == 2 { now } else { (now * ratio).sqrt() };
+                ratio = now;
+                let is_rounding = now > 0.5 && last <= aim.rounding;
+                if is_rounding {
+                    return Ok(());
+                }
+                if self.rate >= SLOW {
+                    return failed;
+                }
+                self.left = self.rate / (1.0 - self.rate);
+                let more = i32::try_from(aim.iterations - iteration).unwrap_or(i32::MAX);
+                if self.left * change * self.rate.powi(more) > aim.enough.max(aim.rounding) {
+                    return failed;
+                }
+            }
+            if self.left * change <= aim.enough {
+                return Ok(());
+            }
+            last = change;
+        }
+        if last <= aim.rounding { Ok(()) } else { Err(Trouble::NotConverged { iterations: aim.iterations }) }
+    }
+
+    /// Moves W by one iteration, and returns by how much, in the root of the mean square over the weights.
+    ///
+    /// (h⁻¹ Λ ⊗ I − I ⊗ J) ΔW = (T⁻¹ ⊗ I) F − (h⁻¹ Λ ⊗ I) W
+    fn correct(&mut self, (scheme, h): (&Scheme<S>, S), w: &mut [S], f: &[S]) -> f64 {
+        let n = self.n;
+        let real = scheme.real / h;
+        let pair = Complex { re: scheme.pair.re / h, im: scheme.pair.im / h };
+        for i in 0..n {
+            let at = [f[i], f[n + i], f[2 * n + i]];
+            let [one, re, im] = scheme.t_inverse.each_ref().map(|row| dot(row, &at));
+            self.first[i] = one - real * w[i];
+            self.pair[i] = Complex { re, im } - pair * Complex { re: w[n + i], im: w[2 * n + i] };
+        }
+        self.real.solve(&mut self.first);
+        self.complex.solve(&mut self.pair);
+        let mut sum = 0.0;
+        for (i, weight) in self.weights.iter().enumerate() {
+            for (stage, change) in [self.first[i], self.pair[i].re, self.pair[i].im].into_iter().enumerate() {
+                w[stage * n + i] = w[stage * n + i] + change;
+                // What stays where it is needs no weight.
+                let size = change.to_f64();
+                let part = if crate::stepper::same(size, 0.0) { 0.0 } else { size / weight };
+                sum += part * part;
+            }
+        }
+        (sum / (3 * n).max(1) as f64).sqrt()
+    }
+}
+
+/// to = (M ⊗ I) from.
+fn transform<S: Real>(matrix: &super::scheme::Matrix<S>, n: usize, from: &[S], to: &mut [S]) {
+    for i in 0..n {
+        let at = [from[i], from[n + i], from[2 * n + i]];
+        for (row, weights) in matrix.iter().enumerate() {
+            to[row * n + i] = dot(weights, &at);
+        }
+    }
+}

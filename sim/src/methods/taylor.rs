@@ -1,0 +1,304 @@
+//! Taylor's method: the solution inside a step is its Taylor polynomial at the start.
+//!
+//! Invariant: `x` has the coefficients at (t, y) row by row, row k of order k; after a trial step that passed the test
+//! `next` has those at its end. The coefficients come from the right-hand side, by recurrence; the order is fixed for a
+//! run and follows from its tolerance, and the length of a step follows from the last two coefficients before it is
+//! taken, so that steps are hardly ever rejected. The same polynomial is the dense output. A. Jorba & M. Zou, "A
+//! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
+//! Mathematics 14 (2005) 99–117, §3.
+//!
+//! The rounding error of a sum y + (the rest of the polynomial) is carried to the next step.
+
+use tripos_traits::Real;
+
+use crate::methods::options::{ORDERS, Options};
+use crate::rhs::RightHandSide;
+use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
+use crate::tolerance::ErrorTest;
+
+/// Digits of the tolerance, as natural logarithm, that an order is worth. Jorba and Zou have ½, from a cost of order
+/// p²; here the part of the cost that grows so is small.
+const ORDERS_PER_DIGIT: f64 = 0.7;
+
+/// Largest jump of the derivative from step to step, as an error over the allowed one. The jump holds the first term
+/// that was cut off, which a good step leaves below the allowed error, and all after it.
+pub(crate) const ALLOWED_JUMP: f64 = 10.0;
+
+/// The order that a tolerance is reached with at least cost.
+///
+/// The relative tolerance counts; where there is none, the smallest absolute one.
+pub(crate) fn order_for(options: &Options) -> usize {
+    let tolerance = if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() };
+    let wanted = 2.0 - ORDERS_PER_DIGIT * tolerance.clamp(f64::MIN_POSITIVE, 0.1).ln();
+    // A cast of what is neither negative nor large.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 3 and 500")]
+    let order = wanted.ceil() as usize;
+    options.order.unwrap_or(order).clamp(ORDERS.0, ORDERS.1)
+}
+
+/// State of the method between and inside steps.
+pub(crate) struct Taylor<S> {
+    n: usize,
+    order: usize,
+    t: f64,
+    t_new: f64,
+    /// Coefficients at the start, and the highest order up to which all are finite.
+    x: Vec<S>,
+    usable: usize,
+    /// Coefficients at the end of the step last tried.
+    next: Vec<S>,
+    next_usable: usize,
+    /// Parts that rounding cut off the state at the start and, in `carry_new`, at the end.
+    carry: Vec<S>,
+    carry_new: Vec<S>,
+    /// Norms of the coefficients of the last two orders, over the allowed errors.
+    norms: [f64; 2],
+    /// Jump of the derivative at the end of the step last tried, as an error of the state.
+    jump: Vec<S>,
+    evaluations: u64,
+    /// True if the state at the end of a step may be moved before the next: a step then computes its derivative alone.
+    moved: bool,
+}
+
+impl<S: Real> Taylor<S> {
+    /// The method for `n` equations.
+    pub(crate) fn new(n: usize, order: usize) -> Self {
+        let zeros = |n: usize| vec![S::from_f64(0.0); n];
+        Self {
+            n,
+            order,
+            t: 0.0,
+            t_new: 0.0,
+            x: zeros((order + 1) * n),
+            usable: 1,
+            next: zeros((order + 1) * n),
+            next_usable: 1,
+            carry: zeros(n),
+            carry_new: zeros(n),
+            norms: [0.0; 2],
+            jump: zeros(n),
+            evaluations: 0,
+            moved: false,
+        }
+    }
+
+    /// The coefficients up to this order at the end of the step, whose state is there.
+    fn expand<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, order: usize) -> Result<(), Trouble> {
+        // The derivative alone costs little, as no sums are taken for it.
+        self.evaluations += u64::from(order > 1);
+        match rhs.taylor(t, order, &mut self.next[..(order + 1) * self.n]) {
+            Some(outcome) => outcome.map_err(Trouble::Failed)?,
+            None => return Err(Trouble::NotFinite { component: 0 }),
+        }
+        let n = self.n;
+        let row = |k: usize| &self.next[k * n..(k + 1) * n];
+        // Coefficients grow by a power of 1/(radius of convergence); where the highest overflow, fewer are used.
+        let mut usable = order;
+        while usable > 1 && check_finite(row(usable)).is_err() {
+            usable -= 1;
+        }
+        self.next_usable = usable;
+        check_finite(row(1))
+    }
+
+    /// Computes y + Σ x_k hᵏ, and the rounding error of this sum.
+    fn advance(&mut self, h: S) {
+        let (n, x) = (self.n, &self.x);
+        polynomial(x, n, self.usable, h, &mut self.next[..n]);
+        let rows = x.iter().zip(&mut self.next).zip(self.carry.iter().zip(&mut self.carry_new));
+        for ((start, end), (carry, carry_new)) in rows.take(n) {
+            let add = *carry + h * *end;
+            let new = *start + add;
+            let added = new - *start;
+            *carry_new = (*start - (new - added)) + (add - added);
+            *end = new;
+        }
+    }
+
+    /// The larger of the last two terms of the polynomial after `h` seconds, over the allowed error.
+    fn last_terms(&self, h: f64) -> f64 {
+        let [before, last] = self.norms;
+        let power = powi(h, self.usable - 1);
+        (before * power).max(last * (power * h))
+    }
+
+    /// Norm of the jump of the derivative, from that of the polynomial to that of the solution through its end. It is
+    /// taken as the error of the state that a term of the next order would make. It counts where the last terms happen
+    /// to vanish: of x'' = -x^3 through x = 0 only every fourth term stays.
+    fn jump(&mut self, test: &ErrorTest, h: S) -> f64 {
+        let n = self.n;
+        self.jump.fill(S::from_f64(0.0));
+        for k in (1..=self.usable).rev() {
+            let times = S::from_f64(k as f64);
+            for (sum, x) in self.jump.iter_mut().zip(&self.x[k * n..]) {
+                *sum = sum.mul_add(h, times * *x);
+            }
+        }
+        let share = h / S::from_f64((self.usable + 1) as f64);
+        for (sum, slope) in self.jump.iter_mut().zip(&self.next[n..]) {
+            *sum = (*sum - *slope) * share;
+        }
+        test.norm(&self.jump, &self.x[..n], &self.next[..n])
+    }
+}
+
+pub(crate) fn powi(h: f64, n: usize) -> f64 {
+    h.powi(i32::try_from(n).unwrap_or(i32::MAX))
+}
+
+/// Size of the step, in s, after which the terms of the last two orders, of which `order` is the higher, are as large
+/// as the allowed errors. It follows from the norms of their coefficients.
+pub(crate) fn proposed_size(norms: [f64; 2], order: usize, tolerance: f64) -> f64 {
+    let [before, last] = norms.map(|norm| norm / tolerance);
+    // The term of order k is as large as the allowed error after norm^(−1/k) seconds.
+    let size = last.powf(-1.0 / order as f64);
+    let enough = order < 2 || before * powi(size, order - 1) <= 1.0;
+    let size = if enough { size } else { before.powf(-1.0 / (order - 1) as f64) };
+    size * (1.0 - 1e-9)
+}
+
+/// Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for `n` polynomials.
+fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
+    let mut at = 0;
+    while at < n {
+        at += match n - at {
+            8.. => block::<S, 8>(x, (n, at), order, h, out),
+            4.. => block::<S, 4>(x, (n, at), order, h, out),
+            2.. => block::<S, 2>(x, (n, at), order, h, out),
+            _ => block::<S, 1>(x, (n, at), order, h, out),
+        };
+    }
+}
+
+/// `N` of the polynomials, from `at` on; even and odd orders apart, so that they need not wait for each other.
+#[inline]
+fn block<S: Real, const N: usize>(x: &[S], (n, at): (usize, usize), order: usize, h: S, out: &mut [S]) -> usize {
+    let zero = [S::from_f64(0.0); N];
+    let square = h * h;
+    let row = |k: usize| x[k * n + at..].first_chunk::<N>().unwrap_or(&zero);
+    let (mut odd, mut even) = (zero, zero);
+    let mut k = order;
+    if k % 2 == 1 {
+        odd = *row(k);
+        k -= 1;
+    }
+    while k > 0 {
+        let (of_even, of_odd) = (row(k), row(k - 1));
+        for i in 0..N {
+            even[i] = of_even[i].plus_multiple(square, even[i]);
+            odd[i] = of_odd[i].plus_multiple(square, odd[i]);
+        }
+        k -= 2;
+    }
+    for i in 0..N {
+        out[at + i] = even[i].mul_add(h, odd[i]);
+    }
+    N
+}
+
+impl<S: Real> Interpolant for Taylor<S> {
+    type Real = S;
+
+    fn span(&self) -> (f64, f64) {
+        (self.t, self.t_new)
+    }
+
+    fn ends(&self) -> (&[S], &[S]) {
+        (&self.x[..self.n], &self.next[..self.n])
+    }
+
+    fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
+        let h = theta * (S::from_f64(self.t_new) - S::from_f64(self.t));
+        let mut sums = vec![S::from_f64(0.0); self.n];
+        polynomial(&self.x, self.n, self.usable, h, &mut sums);
+        for (i, sum) in sums.into_iter().enumerate() {
+            put(i, self.x[i] + (self.carry[i] + h * sum));
+        }
+    }
+
+    fn order_inside(&self) -> Option<usize> {
+        Some(self.usable)
+    }
+
+    fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
+        let h = S::from_f64(self.t_new) - S::from_f64(self.t);
+        let mut power = S::int(1);
+        for (k, row) in self.x.chunks_exact(self.n.max(1)).take(self.usable + 1).enumerate() {
+            for (i, x) in row.iter().enumerate() {
+                put(i, k, power * *x);
+            }
+            power = power * h;
+        }
+    }
+}
+
+impl<S: Real> Stepper for Taylor<S> {
+    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+        (self.t, self.t_new) = (t, t);
+        self.next[..self.n].copy_from_slice(y);
+        let outcome = self.expand(rhs, t, self.order);
+        self.accept();
+        self.carry.fill(S::from_f64(0.0));
+        self.next[..self.n].copy_from_slice(y);
+        outcome
+    }
+
+    fn proposal(&mut self, test: &ErrorTest) -> Option<f64> {
+        let n = self.n;
+        let row = |k: usize| &self.x[k * n..(k + 1) * n];
+        let p = self.usable;
+        self.norms = test.largest_of_two(row(p - 1), row(p), row(0));
+        Some(proposed_size(self.norms, p, test.tolerance))
+    }
+
+    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    where
+        R: RightHandSide<S>,
+    {
+        self.advance(trial.exact(self.t));
+        self.t_new = trial.t_new;
+        check_finite(&self.next[..self.n])?;
+        let error = test.map_or(0.0, |_| self.last_terms(trial.h.abs()));
+        if test.is_some_and(|test| error > test.tolerance) {
+            return Ok(error);
+        }
+        self.expand(rhs, trial.t_new, if self.moved { 1 } else { self.order })?;
+        let jump = test.map_or(0.0, |test| self.jump(test, trial.exact(self.t)));
+        Ok(error.max(jump / ALLOWED_JUMP))
+    }
+
+    fn worst(&self, test: &ErrorTest) -> Option<usize> {
+        let (y, y_new) = self.ends();
+        let h = S::from_f64(powi(self.t_new - self.t, self.usable));
+        let last = &self.x[self.usable * self.n..(self.usable + 1) * self.n];
+        test.worst(last.iter().map(|x| *x * h), y, y_new)
+    }
+
+    fn accept(&mut self) {
+        self.t = self.t_new;
+        self.usable = self.next_usable;
+        std::mem::swap(&mut self.x, &mut self.next);
+        std::mem::swap(&mut self.carry, &mut self.carry_new);
+    }
+
+    fn expect_moves(&mut self) {
+        self.moved = true;
+    }
+
+    fn stay<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> Result<(), Trouble> {
+        let n = self.n;
+        self.next[..n].copy_from_slice(&self.x[..n]);
+        self.expand(rhs, self.t, self.order)?;
+        self.usable = self.next_usable;
+        std::mem::swap(&mut self.x, &mut self.next);
+        Ok(())
+    }
+
+    fn slope(&self) -> &[S] {
+        &self.x[self.n..2 * self.n]
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+}

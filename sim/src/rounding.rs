@@ -1,0 +1,23 @@
+//! Spacing of floating-point numbers on the time axis, which bounds step sizes from below.
+
+/// The distance from |t| to the next larger number: MATLAB's `eps(t)`.
+pub(crate) fn ulp(t: f64) -> f64 {
+    t.abs().next_up() - t.abs()
+}
+
+/// The smallest step that is tried at `t`: 16 ulp.
+pub(crate) fn smallest_step(t: f64) -> f64 {
+    16.0 * ulp(t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ulp_is_the_spacing_of_numbers() {
+        assert_eq!(ulp(1.0), f64::EPSILON);
+        assert_eq!(ulp(-3.0), 2.0 * f64::EPSILON);
+        assert_eq!(ulp(0.0), f64::from_bits(1));
+    }
+}
