@@ -15,7 +15,7 @@ use std::time::Instant;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use tripos::code::{Code, Ready, code};
-use tripos::passage::Chosen;
+use tripos::preparation::passage::Chosen;
 use tripos::{Problem, Scene};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;

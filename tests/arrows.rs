@@ -138,8 +138,8 @@ fn the_library_needs_no_target_and_can_do_without_threads_and_files() {
         }
     }
     let gated = [
-        ("run/src/chart.rs", "clock"),
-        ("run/src/sweep/in_order.rs", "threads"),
+        ("run/src/studies/chart.rs", "clock"),
+        ("run/src/studies/sweep/in_order.rs", "threads"),
         ("derive/src/diagnostic.rs", "files"),
         ("derive/src/report/beside.rs", "files"),
     ];
@@ -202,7 +202,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/scene/outputs.rs",
             "derive/src/scene/state.rs",
             "derive/src/scene/values.rs",
-            "run/src/sweep/shard.rs",
+            "run/src/studies/sweep/shard.rs",
             "cli/src/commands/diff.rs",
             "cli/src/commands/equilibria/figure.rs",
             "cli/src/commands/equilibria/range.rs",

@@ -7,7 +7,7 @@ use crate::mechanism;
 use crate::spoilt::Random;
 use std::path::Path;
 use tripos::code::{Code, Ready, code};
-use tripos::steady::{About, Wanted, Wide, linearise};
+use tripos::studies::steady::{About, Wanted, Wide, linearise};
 use tripos::{Mechanism, Scene};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::By;

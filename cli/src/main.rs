@@ -24,7 +24,7 @@ use clap::Parser;
 use commands::inverse::Shape;
 use failure::{Failure, print_json, say};
 use std::process::ExitCode;
-use tripos::steady::Wanted;
+use tripos::studies::steady::Wanted;
 use tripos_derive::mechanics::Varied;
 
 fn main() -> ExitCode {

@@ -15,7 +15,7 @@ mod thin;
 pub use error::PlotError;
 pub use heat::draw_heat;
 pub use slim::slim;
-pub use tripos::figure::{Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
+pub use tripos::studies::figure::{Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
 
 use axis::Axis;
 use look::{Canvas, EDGE, GRID, band, curve, dashed, extent, line, look, marker, write};

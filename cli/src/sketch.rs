@@ -1,7 +1,7 @@
 //! A sketch as a picture: SVG, and LaTeX for a thesis.
 //!
 //! Invariant: both are the same paths and labels, with the looks of one table; text that came from a file is escaped
-//! where it is written. Absent on purpose: geometry, which is [`tripos::sketch`]'s.
+//! where it is written. Absent on purpose: geometry, which is [`tripos::pictures::sketch`]'s.
 
 mod latex;
 mod look;

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::output::{table, text};
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::stability::{Findings, Topic};
+use tripos::studies::stability::{Findings, Topic};
 
 /// `stability.csv`, `passages.csv` and the figures.
 ///

@@ -2,7 +2,7 @@
 //!
 //! Invariant: a view needs no other file and no network; every text that came from a file reaches the browser
 //! as text: in HTML through [`escape`], in data through [`as_script`], and from there by `textContent` alone. Absent on
-//! purpose: mechanics, which is [`tripos::view`]'s, and libraries.
+//! purpose: mechanics, which is [`tripos::pictures::view`]'s, and libraries.
 
 mod data;
 mod live;
@@ -13,7 +13,7 @@ pub use live::Live;
 use data::{as_script, figure_data};
 use std::fmt::Write;
 use tripos::Mechanism;
-use tripos::view::{ArrowKind, Forces, Form, Motion, View};
+use tripos::pictures::view::{ArrowKind, Forces, Form, Motion, View};
 use tripos_codegen::js::{RUNNERS, in_page};
 use tripos_derive::scene::Scene;
 

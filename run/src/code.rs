@@ -1,9 +1,9 @@
 //! Code that runs a model: compiled in, or interpreted.
 
 use crate::error::Error;
-use crate::how::method;
 use crate::interpreted::{Interpreted, NotInterpreted};
 use crate::mechanism::Mechanism;
+use crate::options::method;
 use std::sync::{Arc, OnceLock};
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::steps::Definition;

@@ -1,7 +1,7 @@
 //! Settings for a run that replace those of the scene, without another file.
 
 use crate::error::Error;
-use crate::how::method;
+use crate::options::method;
 use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
 
 /// Settings that override the scene's integration settings. `None` keeps the scene's value.

@@ -6,7 +6,7 @@
 
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::steady::{ClosedForm, Conditions, Found, conditions, equilibria};
+use tripos::studies::steady::{ClosedForm, Conditions, Found, conditions, equilibria};
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::evaluate::Tape;
 use tripos_derive::algebra::parse::parse_free;
@@ -258,7 +258,9 @@ fn formulas_meet_the_equations_of_the_textbook() {
         [("rolling_disc", ["m", "r"], [6.0, 5.0]), ("disk", ["M", "R"], [2.0, 1.0])]
     {
         let form = closed(model, &[]);
-        let spin = |branch: &tripos::steady::Solved| branch.solved.iter().find(|told| told.name.text == "q3'").cloned();
+        let spin = |branch: &tripos::studies::steady::Solved| {
+            branch.solved.iter().find(|told| told.name.text == "q3'").cloned()
+        };
         let formulas: Vec<_> = form.list[1].branches.iter().filter_map(spin).collect();
         assert_eq!(formulas.len(), 1, "{}", told(&form.list[1]));
         for turn in 0..20 {

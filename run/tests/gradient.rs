@@ -1,7 +1,7 @@
 //! Gradients by sweeps backwards, against closed forms, 32-digit differences, and derivatives carried forwards.
 
 use crate::sensitivity::{FALL, GROUND, SPRING, elliptic, how, near, scene_of, spring};
-use tripos::sensitivity::gradient::Slope;
+use tripos::studies::sensitivity::gradient::Slope;
 use tripos::{At, Gradient, Overrides, Scene};
 use tripos_sim::Method;
 

@@ -3,8 +3,8 @@
 //! Truth: closed forms; P. I. Corke, *Robotics, Vision and Control* (2011), section 9.1.
 
 use std::path::Path;
-use tripos::identify::{identify, rows, values};
-use tripos::inverse::{Forces, Inverse, moments};
+use tripos::studies::identify::{identify, rows, values};
+use tripos::studies::inverse::{Forces, Inverse, moments};
 use tripos::{Error, Mechanism};
 use tripos_derive::algebra::evaluate::Numeric;
 use tripos_derive::diagnostic::Source;

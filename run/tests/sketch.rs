@@ -1,7 +1,7 @@
 //! Sketches, against closed forms and against properties of every sketch.
 
 use std::path::{Path, PathBuf};
-use tripos::sketch::{Label, Mark, Paint, Part, Role, Sketch, Spot, Word};
+use tripos::pictures::sketch::{Label, Mark, Paint, Part, Role, Sketch, Spot, Word};
 use tripos::{Mechanism, Scene};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::{TIME, load};

@@ -7,7 +7,7 @@ use crate::random_trees::times;
 use nalgebra::DMatrix;
 use std::fmt::Write;
 use tripos::Mechanism;
-use tripos::steady::{About, Mode, Stability, Wanted, Wide, linearise, modes};
+use tripos::studies::steady::{About, Mode, Stability, Wanted, Wide, linearise, modes};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 use tripos_traits::{DoubleDouble, Scalar};

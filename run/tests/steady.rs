@@ -5,7 +5,7 @@
 
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::steady::{
+use tripos::studies::steady::{
     About, Course, CrossingKind, Entry, Stability, Wanted, equilibria, follow, in_letters, linearise,
 };
 use tripos_derive::diagnostic::Source;
@@ -283,7 +283,7 @@ fn what_closes_loops_follows_inputs() {
     let state = asked(&mut model, "outputs = [\"y\"]\n[state]\nx = 0\ny = \"-l\"\nv = 0\n", &[]);
     let wanted = Wanted { inputs: vec!["l".to_owned()], ..Wanted::default() };
     let found = linearise(&model, &state, &wanted).unwrap_or_else(|e| panic!("{e}"));
-    let [b, d] = [&found.system.b, &found.system.d].map(tripos::steady::Wide::doubles);
+    let [b, d] = [&found.system.b, &found.system.d].map(tripos::studies::steady::Wide::doubles);
     assert_eq!((b, d), (vec![vec![0.0], vec![0.0]], vec![vec![-1.0]]));
     are_among(&found, &[[0.0, 9.81_f64.sqrt()]], 1e-14);
     let letters = in_letters(&model, &state, &found, &["g".to_owned()]).unwrap_or_else(|e| panic!("{e}"));

@@ -4,7 +4,7 @@
 //! Truth: closed forms, and equations of motion written down here.
 
 use tripos::Mechanism;
-use tripos::steady::{
+use tripos::studies::steady::{
     About, ClosedForm, Entry, Found, Stability, Wanted, conditions, equilibria, in_letters, linearise,
 };
 use tripos_derive::diagnostic::Source;

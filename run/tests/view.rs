@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
-use tripos::view::{ArrowKind, Form, Motion, Pose, Triple, View};
+use tripos::pictures::view::{ArrowKind, Form, Motion, Pose, Triple, View};
 use tripos::{Mechanism, Overrides, Scene};
 use tripos_derive::model::load;
 

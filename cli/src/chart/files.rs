@@ -6,7 +6,7 @@ use crate::output::table;
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Conserved;
-use tripos::chart::Measurement;
+use tripos::studies::chart::Measurement;
 
 /// `work_precision.csv`, `times.csv` (the bars of the chart) and `drifts.csv`.
 ///

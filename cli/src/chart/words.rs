@@ -1,6 +1,6 @@
 //! Sentences about a chart. Every number in a sentence is one of its measurements.
 
-use tripos::chart::Measurement;
+use tripos::studies::chart::Measurement;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::Solve;
 use tripos_sim::Method;
@@ -203,7 +203,7 @@ pub fn seconds(s: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tripos::case::Way;
+    use tripos::studies::case::Way;
     use tripos_derive::Formulation;
     use tripos_sim::Stop;
     use tripos_sim::work_precision::Spread;

@@ -7,7 +7,7 @@ use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs, text};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
-use tripos::chart::{Plan, session};
+use tripos::studies::chart::{Plan, session};
 
 /// Measures, and writes the tables and the chart to `out`.
 pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, Failure> {

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Error;
-use tripos::steady::{About, ClosedForm, Found, conditions, equilibria as of_model};
+use tripos::studies::steady::{About, ClosedForm, Found, conditions, equilibria as of_model};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 

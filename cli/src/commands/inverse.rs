@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::inverse::{Forces, Inverse, moments};
+use tripos::studies::inverse::{Forces, Inverse, moments};
 use tripos_derive::algebra::evaluate::Numeric;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::scene::{Given, Motion, Moving, load_motion, load_samples};

@@ -8,7 +8,9 @@ use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos::steady::{About, Entry, Letters, Mode, Transfer, Wanted, Wide, in_letters, linearise as linearise_model};
+use tripos::studies::steady::{
+    About, Entry, Letters, Mode, Transfer, Wanted, Wide, in_letters, linearise as linearise_model,
+};
 use tripos::{Error, Mechanism};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{load_asked, load_output};

@@ -7,7 +7,7 @@ use crate::sketch::{document, picture};
 use crate::workspace::{model_file, read_model};
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::sketch::Sketch;
+use tripos::pictures::sketch::Sketch;
 use tripos_codegen::scene_files::scene_files;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::is_model;

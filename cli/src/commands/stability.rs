@@ -8,7 +8,7 @@ use crate::output::{folder, keep_inputs};
 use crate::stability::{statements, write};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use tripos::stability::{Study, all};
+use tripos::studies::stability::{Study, all};
 
 /// Runs every study that applies to the scene, and writes its numbers and figures to `out`.
 pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {

@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 use tripos::Error;
 use tripos::code::by_or_first;
 use tripos::method_words;
-use tripos::sweep::{Row, Shard, Sweep, in_order};
+use tripos::studies::sweep::{Row, Shard, Sweep, in_order};
 use tripos_codegen::files::Existing;
 use tripos_derive::scene::Grid;
 

@@ -7,7 +7,7 @@ use crate::follow;
 use crate::output::{keep_inputs, text};
 use crate::view::{Home, Live, Seen, document, turns_truly};
 use tripos::Mechanism;
-use tripos::view::{Motion, View};
+use tripos::pictures::view::{Motion, View};
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
 

@@ -1,7 +1,7 @@
 //! Content of the page, as data.
 
 use tripos::Reduced;
-use tripos::study::Study;
+use tripos::studies::study::Study;
 use tripos_codegen::plan::Costs;
 use tripos_derive::mechanics::DerivationInSteps;
 use tripos_derive::{Formulation, Model};

@@ -10,7 +10,7 @@ use super::proof::witness;
 use super::typeset::typeset;
 use crate::words::entries;
 use std::fmt::Write;
-use tripos::study::Published;
+use tripos::studies::study::Published;
 use tripos_derive::algebra::Arena;
 use tripos_derive::diff::{Difference, Finding, Follower, Judgement, Link, Root};
 

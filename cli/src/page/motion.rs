@@ -5,7 +5,7 @@ use super::html::{breakable, escape, folded, part, table};
 use super::math::{inline, value};
 use super::proof::{integral_name, integral_symbol, zeros};
 use std::fmt::Write;
-use tripos::study::Published;
+use tripos::studies::study::Published;
 use tripos_derive::algebra::compare::Verdict;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::{Consequences, Difference};

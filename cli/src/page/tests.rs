@@ -4,7 +4,7 @@ use super::*;
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
 use tripos::Reduced;
-use tripos::study::Study;
+use tripos::studies::study::Study;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Energy, LineName, QuantityKind, VectorName, derive_in_steps};
 use tripos_derive::{Formulation, Model};

@@ -4,7 +4,7 @@ use super::look::of;
 use super::rounded;
 use crate::latex::{basis, escape};
 use std::fmt::Write;
-use tripos::sketch::{Label, Mark, Paint, Part, Path, Role, Sketch, Spot, Word};
+use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, Sketch, Spot, Word};
 use tripos_derive::algebra::print::latex_name;
 
 /// Points of a px: letters of 10 points then have the size that their places were found for.

@@ -1,6 +1,6 @@
 //! Looks of the marks in a sketch: the class that a page styles, and the stroke.
 
-use tripos::sketch::Role;
+use tripos::pictures::sketch::Role;
 
 /// The look of what a mark or label means.
 pub struct Look {

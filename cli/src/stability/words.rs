@@ -1,7 +1,7 @@
 //! Sentences on the studies of a singular surface. Every number in a sentence is one of their findings.
 
 use crate::plot::pretty;
-use tripos::stability::{Findings, Looked, Passed, Variable};
+use tripos::studies::stability::{Findings, Looked, Passed, Variable};
 use tripos_derive::algebra::elimination::divisors;
 use tripos_derive::algebra::print::text;
 use tripos_derive::mechanics::By;

@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use tripos::method_words;
-use tripos::sweep::Sweep;
+use tripos::studies::sweep::Sweep;
 use tripos_derive::model::text_hash;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::report::hash_beside;

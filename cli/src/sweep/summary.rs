@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use tripos::sweep::Row;
+use tripos::studies::sweep::Row;
 
 /// Counts of rows by how they ended.
 #[derive(Default)]

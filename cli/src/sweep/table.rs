@@ -2,7 +2,7 @@
 //!
 //! Invariant: a number is written as the shortest text that reads back to the same double.
 
-use tripos::sweep::{NO_START, Row, Sweep};
+use tripos::studies::sweep::{NO_START, Row, Sweep};
 
 /// The columns of the table.
 pub struct Columns {

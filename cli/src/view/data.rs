@@ -5,7 +5,7 @@
 
 use super::{Home, Live, Seen};
 use serde_json::{Map, Value, json};
-use tripos::view::{ArrowKind, Forces, Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
+use tripos::pictures::view::{ArrowKind, Forces, Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
 
 /// Steps of places, of the size of the mechanism, and of Euler parameters.
 const STEPS: (f64, f64) = (5e-5, 1e-4);

@@ -7,7 +7,7 @@ use super::{Home, Seen};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use tripos::code::{by_or_first, derivation};
-use tripos::view::{Links, lengths};
+use tripos::pictures::view::{Links, lengths};
 use tripos_codegen::js::{Module, Written};
 use tripos_codegen::plan::{Arguments, Function, MotionPlan, Planner, Returns, Watched};
 use tripos_derive::Formulation;

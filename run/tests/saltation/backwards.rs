@@ -4,7 +4,7 @@ use super::{FINE, Planted, difference, how, truth};
 use crate::impacts::{PLANE, block, scene as scene_of};
 use crate::saltation::balls::{BALL, PLATE, ROW, ball, bounced, plate};
 use crate::sensitivity::near;
-use tripos::sensitivity::gradient::Slope;
+use tripos::studies::sensitivity::gradient::Slope;
 use tripos::{At, Overrides, Scene};
 
 /// Checks that gradients of the quantities of these names agree with forward derivatives, by all numbers of the scene,

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tripos::steady::{ClosedForm, Conditions, Formula, Solved, Told};
+use tripos::studies::steady::{ClosedForm, Conditions, Formula, Solved, Told};
 
 /// Branches that are shown of each kind of motion, and letters of a formula; JSON has all of them.
 const MOST_BRANCHES: usize = 6;

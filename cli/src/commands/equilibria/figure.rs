@@ -5,7 +5,7 @@ use crate::output::{keep_inputs, table};
 use crate::picture::{self, Kind};
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
-use tripos::steady::{Course, CrossingKind, Map};
+use tripos::studies::steady::{Course, CrossingKind, Map};
 use tripos::{Error, Mechanism};
 use tripos_codegen::files::would_change;
 use tripos_derive::plain::path_in_line;
@@ -69,7 +69,7 @@ pub fn map(out: &Path, [first, second]: [&str; 2], found: &Map) -> Result<(), Fa
     }
     let unstable: Vec<(f64, f64)> = courses()
         .flat_map(|(row, course)| course.points.iter().map(move |point| (point, row)))
-        .filter(|(point, _)| point.about.stability == tripos::steady::Stability::Unstable)
+        .filter(|(point, _)| point.about.stability == tripos::studies::steady::Stability::Unstable)
         .map(|(point, row)| (point.value, row))
         .collect();
     if !unstable.is_empty() {

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::steady::{Course, Crossing, CrossingKind, Map, Point, follow, map};
+use tripos::studies::steady::{Course, Crossing, CrossingKind, Map, Point, follow, map};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 

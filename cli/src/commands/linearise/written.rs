@@ -6,7 +6,7 @@ use super::{kind_of, names, taking_part, value_text};
 use crate::arguments::Notation;
 use std::fmt::Write;
 use tripos::Mechanism;
-use tripos::steady::{About, Entry, Letters, Wide};
+use tripos::studies::steady::{About, Entry, Letters, Wide};
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::parse::parse_free;
 use tripos_derive::algebra::print::{latex, latex_of, python_of};

@@ -11,8 +11,8 @@ use crate::page::{Advice, Choice, Figure};
 use crate::stability::{tables, words};
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
-use tripos::chart::{Plan, session};
-use tripos::stability::{Findings, Run, Study, conditioning, ladder};
+use tripos::studies::chart::{Plan, session};
+use tripos::studies::stability::{Findings, Run, Study, conditioning, ladder};
 use tripos_derive::scene::{FigureKind, Scene};
 
 /// Measurements of a scene, as far as its figures ask for them.

@@ -5,7 +5,7 @@ use crate::follow;
 use crate::page::{Moving, SceneSection, Standing, Viewer};
 use crate::view::{Home, Live, STYLE, Seen, Shown, figure, script, turns_truly};
 use tripos::Mechanism;
-use tripos::view::{Motion, View};
+use tripos::pictures::view::{Motion, View};
 use tripos_derive::scene::Scene;
 
 /// The motion of one of the scenes; nothing where none was finished, or somebody interrupts.

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::page::Needs;
-use tripos::compared::Compared;
+use tripos::trust::comparison::Compared;
 use tripos::{Course, Mechanism, Problem, Reduced, Run, Watch, run_problem, whole_energies};
 use tripos_codegen::plan::costs;
 use tripos_derive::scene::{Scene, Solve};

@@ -3,7 +3,7 @@
 use crate::page::Drawing;
 use crate::sketch::figure;
 use tripos::Mechanism;
-use tripos::sketch::Sketch;
+use tripos::pictures::sketch::Sketch;
 use tripos_derive::scene::Scene;
 
 /// The sketch of a mechanism, at the start of a scene if one is given, as `tripos sketch` draws it; or why there is

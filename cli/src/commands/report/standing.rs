@@ -1,7 +1,7 @@
 //! Standing of each run of a scene: by the verdict on its equations, and by its digits.
 
 use crate::page::Standing;
-use tripos::study::Study;
+use tripos::studies::study::Study;
 use tripos::{Digits, Run, method_words};
 use tripos_derive::algebra::compare::Verdict;
 use tripos_derive::scene::Scene;

@@ -7,7 +7,7 @@ use crate::failure::{Failure, print, print_json};
 use crate::follow;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tripos::sensitivity::gradient::Slope;
+use tripos::studies::sensitivity::gradient::Slope;
 use tripos::{Gradient, Mechanism, gradient};
 use tripos_derive::scene::Scene;
 

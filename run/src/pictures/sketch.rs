@@ -1,0 +1,321 @@
+//! Sketch of a mechanism as in textbooks: bodies, frames, coordinates, gravity and supports, on one sheet.
+//!
+//! ```
+//! use tripos::{Scene, sketch::Sketch};
+//!
+//! let scene = Scene::read("../models/pendulum/scenes/swing.toml")?;
+//! let sketch = Sketch::of_scene(scene.mechanism(), scene.description())?;
+//! assert!(sketch.about.contains("theta (rod from hanging) turns B about n3"));
+//! # Ok::<(), tripos::Error>(())
+//! ```
+//!
+//! Invariant: the same numbers give the same sheet. Values that could depend on a machine's last digits are rounded
+//! before they decide. Colours, fonts and file formats are left to the renderer on purpose.
+
+mod angles;
+mod axes;
+mod bodies;
+mod camera;
+mod drawing;
+mod lengths;
+mod place;
+mod sheet;
+mod shown;
+mod supports;
+mod terms;
+mod words;
+
+pub use drawing::{Label, Mark, Paint, Part, Path, Role, Spot, Word};
+pub use shown::Changed;
+
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::pictures::view::space::dot;
+use crate::pictures::view::{Configuration, Form, Pose, Poses, View};
+use angles::{Angle, Arcs};
+use camera::Camera;
+use lengths::Length;
+use sheet::{Sheet, Subject};
+use shown::{is_somewhere, without_scene};
+use terms::Terms;
+use tripos_derive::model::TIME;
+use tripos_derive::plain::path_in_line;
+use tripos_derive::scene::{Scene, State};
+use words::Shown;
+
+/// Greatest width and height of the solids on the sheet, px.
+const ROOM: (f64, f64) = (340.0, 280.0);
+/// The margin of a sheet, px.
+const MARGIN: f64 = 8.0;
+/// Number of poses that decide which points are fixed.
+const FAR: usize = 5;
+
+/// A sketch of a mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sketch {
+    /// Title of the mechanism.
+    pub title: String,
+    /// Description of the drawing, in sentences.
+    pub about: String,
+    /// Drawn values of the coordinates, in a sentence.
+    pub drawn: String,
+    /// Width and height of the sheet, px. All marks and labels lie within it.
+    pub size: Spot,
+    /// Lines and areas, from back to front.
+    pub marks: Vec<Mark>,
+    /// Labels in front of the marks, none on another.
+    pub labels: Vec<Label>,
+    /// Coordinates that are drawn at other values than at the start, since they could not be seen there.
+    pub changed: Vec<Changed>,
+}
+
+/// Parameters and coordinates that are drawn.
+struct Given<'a> {
+    parameters: &'a [f64],
+    q: Vec<f64>,
+    changed: Vec<Changed>,
+    /// Name of the pose, such as `the start of swing.toml`.
+    of: String,
+}
+
+impl Sketch {
+    /// Sketch of a mechanism at the start of a scene. Angles and lengths that could not be seen there are drawn at
+    /// other values, unless the mechanism has loops.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a shape has a length that is not positive, or a frame or point has no place at this start.
+    pub fn of_scene(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
+        let name = path_in_line(&scene.source.path);
+        let of =
+            if name.is_empty() { "the start of the scene".to_owned() } else { format!("the start of {}", file(&name)) };
+        Self::seen(mechanism, (&scene.parameters, &scene.q), of)
+    }
+
+    /// Sketch of a mechanism without a scene, at the values of its file and in a pose that shows everything.
+    ///
+    /// # Errors
+    /// As [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no pose closes the loops.
+    pub fn of_model(mechanism: &Mechanism) -> Result<Self, Error> {
+        let (parameters, q) = without_scene(mechanism)?;
+        Self::seen(mechanism, (&parameters, &q), "the model by itself".to_owned())
+    }
+
+    /// Sketch of a mechanism in exactly this state.
+    ///
+    /// # Errors
+    /// As [`Self::of_scene`].
+    pub fn at_state(mechanism: &Mechanism, state: &State) -> Result<Self, Error> {
+        let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
+        let of = "the state that was asked for".to_owned();
+        let given = Given { parameters: &state.parameters, q: state.q.clone(), changed: Vec::new(), of };
+        Self::new(mechanism, &terms, &poses, given)
+    }
+
+    fn seen(mechanism: &Mechanism, (parameters, q): (&[f64], &[f64]), of: String) -> Result<Self, Error> {
+        let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
+        let (q, changed) = shown::shown(mechanism, &terms, &poses, Configuration { parameters, q })?;
+        Self::new(mechanism, &terms, &poses, Given { parameters, q, changed, of })
+    }
+
+    fn new(mechanism: &Mechanism, terms: &Terms, poses: &Poses, given: Given<'_>) -> Result<Self, Error> {
+        let at = Configuration { parameters: given.parameters, q: &given.q };
+        let pose = poses.of(given.parameters, &given.q);
+        if !is_somewhere(&pose) {
+            let help = "give another state by --at, or another scene";
+            return Err(Error::request("a frame or point has no place at this start", help));
+        }
+        let view = View::of_poses(mechanism, at, &[std::slice::from_ref(&pose)])?;
+        let far = far(poses, at);
+        let camera = Camera::along([0.0, 0.0, 1.0], view.up);
+        let mut subject = Subject {
+            mechanism,
+            terms,
+            poses,
+            p: given.parameters,
+            q: &given.q,
+            pose: &pose,
+            far: &far,
+            view: &view,
+            camera,
+            is_planar: false,
+        };
+        look(&mut subject, at)?;
+        let mut sheet = Sheet::default();
+        bodies::draw(&subject, &mut sheet);
+        supports::draw(&subject, &mut sheet);
+        points(&subject, &mut sheet);
+        let shown = coordinates(&subject, &mut sheet);
+        axes::draw(&subject, &mut sheet);
+        let has_gravity = axes::gravity(&subject, &mut sheet);
+        body_names(&subject, &mut sheet);
+        let about = words::about(&subject, &shown, has_gravity);
+        let drawn = words::drawn(&subject, &given.changed, &given.of);
+        let (size, marks, labels) = finish(sheet);
+        Ok(Self { title: mechanism.title.clone(), about, drawn, size, marks, labels, changed: given.changed })
+    }
+}
+
+/// Name of a file without its folders.
+fn file(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+/// Poses far from a configuration. A point that has the same place in all of them does not move.
+fn far(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
+    let moved = |step: usize| {
+        // Multiples of irrational numbers, the same on every machine.
+        let share = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (step + 1) as f64 * 0.569_840_291).fract();
+        at.q.iter().enumerate().map(|(k, q)| q + 0.15 + 0.9 * share(k)).collect::<Vec<f64>>()
+    };
+    let all = (0..FAR).map(|step| poses.of(at.parameters, &moved(step)));
+    all.filter(is_somewhere).collect()
+}
+
+/// Chooses the camera and its scale.
+fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
+    let moving: Vec<Pose> = std::iter::once(subject.pose.clone()).chain(subject.far.iter().cloned()).collect();
+    let plane = View::of_poses(subject.mechanism, at, &[&moving])?.plane;
+    let angles: Vec<Angle> = (0..subject.q.len()).filter_map(|c| Angle::of(subject, c)).collect();
+    let turns = words::turns(subject, &angles);
+    let is_across =
+        |normal: &crate::pictures::view::Triple| turns.iter().all(|axis| dot(*axis, *normal).abs() > 1.0 - 1e-9);
+    let plane = plane.filter(is_across);
+    subject.is_planar = plane.is_some();
+    subject.camera = match plane {
+        Some(normal) => Camera::along(normal, subject.view.up),
+        None => Camera::oblique(subject.view.up, &turns, &words::ways(subject)),
+    };
+    let (low, high) = bodies::extent(subject);
+    let fits = |room: f64, i: usize| if high[i] - low[i] > 1e-9 { room / (high[i] - low[i]) } else { f64::MAX };
+    let scale = fits(ROOM.0, 0).min(fits(ROOM.1, 1));
+    // A mechanism that is a single point has the size that its view gives.
+    subject.camera.scale = if scale < f64::MAX { scale } else { 0.5 * ROOM.1 / subject.view.size };
+    Ok(())
+}
+
+/// Puts points on the sheet, with their names if the file gives them. Coinciding points share one dot.
+fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for point in 0..subject.pose.points.len() {
+        match groups.iter_mut().find(|group| subject.is_same(group[0], point)) {
+            Some(group) => group.push(point),
+            None => groups.push(vec![point]),
+        }
+    }
+    for group in groups {
+        let spot = subject.spot(group[0]);
+        let is_pinned = subject.view.solids.iter().any(|solid| {
+            bodies::is_pin(solid)
+                && solid.form.points().iter().any(|point| group.iter().any(|p| subject.is_same(*p, *point)))
+        });
+        if !is_pinned {
+            sheet.add([Mark::dot(Role::Point, spot, 2.2)]);
+        }
+        let mut name: Vec<Word> = Vec::new();
+        for point in group.into_iter().filter(|point| !subject.is_of_joint(*point)) {
+            if !name.is_empty() {
+                name.push(Word::Plain(", ".to_owned()));
+            }
+            name.push(Word::Name(subject.mechanism.points[point].name.clone()));
+        }
+        if !name.is_empty() {
+            sheet.name(Role::Point, name, spot, None, 5.0);
+        }
+    }
+}
+
+/// Puts every coordinate on the sheet. Returns the mark that shows each.
+fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> {
+    let mut arcs = Arcs::default();
+    let (mut shown, mut alone) = (Vec::new(), Vec::new());
+    let mut together: Vec<(usize, Vec<usize>)> = Vec::new();
+    let named = |c: usize| Word::Name(subject.mechanism.coordinates[c].name.clone());
+    for c in (0..subject.q.len()).filter(|c| subject.mechanism.coordinates[*c].name != TIME) {
+        let oriented = (0..subject.pose.rotations.len())
+            .find(|f| subject.terms.turn(*f).is_none() && subject.terms.turns_by(subject.mechanism, *f, c));
+        let how = if let Some(angle) = Angle::of(subject, c) {
+            let is_open = angles::draw(subject, sheet, &mut arcs, &angle);
+            Shown::Arc(angle, is_open)
+        } else if let Some(frame) = oriented {
+            match together.iter_mut().find(|(f, _)| *f == frame) {
+                Some((_, list)) => list.push(c),
+                None => together.push((frame, vec![c])),
+            }
+            Shown::Together(frame)
+        } else if let Some(length) = Length::of(subject, c) {
+            let is_open = lengths::draw(subject, sheet, &length);
+            Shown::Line(length, is_open)
+        } else if lengths::draw_motion(subject, sheet, c) {
+            Shown::Arrow
+        } else {
+            alone.push(c);
+            Shown::Name
+        };
+        shown.push((c, how));
+    }
+    for (frame, list) in together {
+        let mut names = Vec::new();
+        for c in list {
+            if !names.is_empty() {
+                names.push(Word::Plain(", ".to_owned()));
+            }
+            names.push(named(c));
+        }
+        angles::draw_together(subject, sheet, &mut arcs, (frame, names));
+    }
+    if let (false, Some((low, high))) = (alone.is_empty(), drawing::extent(&sheet.marks, &[])) {
+        // Below all else.
+        for c in &alone {
+            sheet.name(Role::Coordinate, vec![named(*c)], [low[0], high[1]], Some([0.0, 1.0]), 12.0);
+        }
+    }
+    shown
+}
+
+/// Names of bodies beside them, where there is room.
+fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
+    for (at, body) in subject.mechanism.bodies.iter().enumerate() {
+        let own = subject.view.solids.iter().filter(|solid| solid.body == Some(at));
+        // A particle is named at its place, not along a rod.
+        let is_rigid = body.rigid.is_some();
+        let rods = own.clone().filter_map(|solid| match solid.form {
+            Form::Rod { ends, .. } if is_rigid => Some(ends.map(|end| subject.spot(end))),
+            _ => None,
+        });
+        // Takes the longest of the rods, compared in steps of 4 px; the first of equal ones.
+        let long = |[a, b]: &[Spot; 2]| ((b[0] - a[0]).hypot(b[1] - a[1]) / 4.0).round();
+        let longest = rods.fold(None, |best: Option<[Spot; 2]>, rod| match best {
+            Some(best) if long(&best) >= long(&rod) => Some(best),
+            _ => Some(rod),
+        });
+        if own.count() == 0 {
+            continue;
+        }
+        let middle = longest.map_or(subject.spot(body.centre), |[a, b]| [0, 1].map(|i| 0.5 * (a[i] + b[i])));
+        let words = vec![Word::Plain(body.name.replace('_', " "))];
+        sheet.may_name(Role::Body, words, middle, None, if is_rigid { 10.0 } else { 14.0 });
+    }
+}
+
+/// The sheet with its labels placed, moved so that all marks and labels lie on it.
+fn finish(sheet: Sheet) -> (Spot, Vec<Mark>, Vec<Label>) {
+    let (mut labels, leaders) = place::placed(&sheet.wishes, &sheet.marks);
+    let mut marks = sheet.marks;
+    marks.extend(leaders);
+    let (low, high) = drawing::extent(&marks, &labels).unwrap_or_default();
+    let moved = |spot: Spot| [0, 1].map(|i| spot[i] - low[i] + MARGIN);
+    for mark in &mut marks {
+        mark.path.from = moved(mark.path.from);
+        for part in &mut mark.path.parts {
+            *part = match *part {
+                Part::Line(to) => Part::Line(moved(to)),
+                Part::Curve(spots) => Part::Curve(spots.map(moved)),
+            };
+        }
+    }
+    for label in &mut labels {
+        label.at = moved(label.at);
+    }
+    let size = [0, 1].map(|i| (high[i] - low[i] + 2.0 * MARGIN).ceil());
+    (size, marks, labels)
+}

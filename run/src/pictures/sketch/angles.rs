@@ -1,0 +1,201 @@
+//! Arcs of coordinates that turn frames: from the axis at zero to the axis in the drawn pose.
+
+use crate::pictures::sketch::axes::{along_axis, is_drawn};
+use crate::pictures::sketch::drawing::{Mark, Path, Role, Spot, Word, unit};
+use crate::pictures::sketch::sheet::{Sheet, Subject};
+use crate::pictures::sketch::terms::Told;
+use crate::pictures::view::Triple;
+use crate::pictures::view::space::{cross, dot, length, minus, plus, rotated, rotated_back, transposed};
+use std::f64::consts::{PI, TAU};
+
+/// The radius of the first arc about a place, and how much more each further one has, px.
+const RADIUS: (f64, f64) = (36.0, 14.0);
+/// Angles below this, rad, are drawn as the sense in which they grow, through so much.
+const TINY: f64 = 0.12;
+const SENSE: f64 = 0.9;
+/// The tip of an arc, px.
+const TIP: f64 = 8.0;
+/// Least share of an arm's length across the turn axis, and the share along one basis vector above which it counts as
+/// along that vector.
+const ACROSS: f64 = 0.7;
+const ALONG: f64 = 0.95;
+
+/// A coordinate that turns a frame about an axis.
+pub struct Angle {
+    /// The coordinate, and its place in the formula of the turn's angle.
+    pub told: Told,
+    /// The frame that is turned.
+    pub frame: usize,
+    /// The frame it is turned from.
+    pub parent: usize,
+    /// The axis of both.
+    pub axis: usize,
+}
+
+/// Arm whose turn the arc shows: its apex in the inertial frame, and its direction in the turned frame.
+struct Arm {
+    apex: Triple,
+    direction: Triple,
+}
+
+impl Angle {
+    /// The angle that a coordinate is, if it is one.
+    pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
+        let frames = 0..subject.pose.rotations.len();
+        frames.into_iter().find_map(|frame| {
+            let (parent, axis, term) = subject.terms.turn(frame)?;
+            let told = subject.terms.told(subject.mechanism, (subject.p, subject.q), term, coordinate)?;
+            Some(Self { told, frame, parent, axis })
+        })
+    }
+
+    /// Axis of the turn in the inertial frame, of length 1.
+    pub fn about(&self, subject: &Subject<'_>) -> Triple {
+        transposed(&subject.pose.rotations[self.parent])[self.axis]
+    }
+
+    /// Angle of the turn without whole turns, rad, at least -π and below π.
+    pub fn extent(&self) -> f64 {
+        let whole = self.told.now - self.told.zero;
+        whole - TAU * ((whole + PI) / TAU).floor()
+    }
+
+    /// Chooses the arm that shows the turn: the vector to a point that is placed in the turned frame, preferably along
+    /// a basis vector. Else it takes the first vector in a frame that turns with it, if that is across the axis. Else
+    /// it takes the next basis vector, at the mass centre.
+    fn arm(&self, subject: &Subject<'_>) -> Arm {
+        let ways = |is_own: bool| {
+            let list = subject.terms.links.points.iter().enumerate().filter_map(move |(point, link)| {
+                let (from, frame) = (*link)?;
+                let is_in = if is_own { frame == self.frame } else { subject.chain(frame).any(|f| f == self.frame) };
+                let way = minus(subject.pose.points[point], subject.pose.points[from]);
+                (is_in && length(way) > 1e-6 * subject.view.size).then_some((from, way))
+            });
+            list.collect::<Vec<_>>()
+        };
+        let (own, all) = (ways(true), ways(false));
+        let best = own.iter().filter_map(|(from, way)| Some((*from, self.across(subject, *way)?)));
+        let best = best.min_by(|(_, a), (_, b)| {
+            let rank = |x: &(Triple, f64, f64)| (x.2 < ALONG, -(1e6 * x.1 / subject.view.size).round());
+            let (a, b) = (rank(a), rank(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
+        if let Some((from, (direction, ..))) = best {
+            return Arm { apex: subject.pose.points[from], direction };
+        }
+        let mut next = [0.0; 3];
+        next[(self.axis + 1) % 3] = 1.0;
+        if let Some((from, way)) = all.first() {
+            let of_first =
+                self.across(subject, *way).filter(|(.., share)| *share > 0.8).map(|(direction, ..)| direction);
+            return Arm { apex: subject.pose.points[*from], direction: of_first.unwrap_or(next) };
+        }
+        let turned = |frame: usize| subject.chain(frame).any(|f| f == self.frame);
+        let bodies = &subject.mechanism.bodies;
+        let body = bodies.iter().find(|body| body.rigid.as_ref().is_some_and(|(frame, _)| turned(*frame)));
+        Arm { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
+    }
+
+    /// Finds the basis vector of the frame across the axis that is nearest to a vector, with its sign. Also returns the
+    /// length of the vector across the axis, and the share of its length along the basis vector. `None` for a vector
+    /// that is too close to the axis.
+    fn across(&self, subject: &Subject<'_>, way: Triple) -> Option<(Triple, f64, f64)> {
+        let inside = rotated_back(&subject.pose.rotations[self.frame], way);
+        let (j, k) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
+        let across = inside[j].hypot(inside[k]);
+        if across < ACROSS * length(inside) {
+            return None;
+        }
+        // Of two components that are equal up to rounding, the first is taken.
+        let axis = if inside[k].abs() > inside[j].abs() * (1.0 + 1e-9) { k } else { j };
+        let mut direction = [0.0; 3];
+        direction[axis] = inside[axis].signum();
+        Some((direction, across, inside[axis].abs() / length(inside)))
+    }
+}
+
+/// Places of the arcs drawn so far.
+#[derive(Default)]
+pub struct Arcs(Vec<Spot>);
+
+impl Arcs {
+    /// The radius of the next arc about a spot, px.
+    fn radius(&mut self, at: Spot) -> f64 {
+        let there = self.0.iter().filter(|spot| (spot[0] - at[0]).hypot(spot[1] - at[1]) < 8.0).count();
+        self.0.push(at);
+        RADIUS.0 + RADIUS.1 * there as f64
+    }
+}
+
+/// Puts the arc of an angle on the sheet. Returns true if the arc shows the angle, false if it shows only the sense.
+pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &Angle) -> bool {
+    let (arm, axis, extent) = (angle.arm(subject), angle.about(subject), angle.extent());
+    let apex = subject.camera.spot(arm.apex);
+    let radius = arcs.radius(apex);
+    let zero = subject.turned((angle.parent, angle.axis), angle.told.zero, arm.direction);
+    let now = rotated(&subject.pose.rotations[angle.frame], arm.direction);
+    let is_open = extent.abs() >= TINY;
+    let (from, sweep) = if is_open { (zero, extent) } else { (now, angle.told.sign * SENSE) };
+    // From a direction across the axis towards that a quarter further.
+    let [a, b] = [from, cross(axis, from)].map(|e| subject.camera.seen(e).map(|x| radius * x));
+    let path = Path::arc(apex, a, b, (0.0, sweep));
+    for (direction, frame) in [(zero, angle.parent), (now, angle.frame)] {
+        let seen = subject.camera.seen(direction).map(|x| (radius + 12.0) * x);
+        let to = [0, 1].map(|i| apex[i] + seen[i]);
+        sheet.add([Mark::line(Role::Reference, Path::line(&[apex, to]))]);
+        name_axis(subject, sheet, (frame, direction), (arm.apex, to));
+    }
+    sheet.add(Mark::arrow(Role::Coordinate, path, TIP));
+    let middle = Path::arc(apex, a, b, (0.0, 0.5 * sweep)).end();
+    let outwards = unit([middle[0] - apex[0], middle[1] - apex[1]]);
+    let name = subject.mechanism.coordinates[angle.told.coordinate].name.clone();
+    sheet.name(Role::Coordinate, vec![Word::Name(name)], middle, Some(outwards), 4.0);
+    is_open
+}
+
+/// Names the axis that a line of reference is along, where the axes of its frame are not drawn.
+fn name_axis(
+    subject: &Subject<'_>,
+    sheet: &mut Sheet,
+    (frame, direction): (usize, Triple),
+    (apex, to): (Triple, Spot),
+) {
+    let is_at_origin = length(minus(apex, subject.pose.points[0])) < 1e-9;
+    // In a planar mechanism the inertial axes are easily followed.
+    if frame == 0 && (is_at_origin || subject.is_planar) || is_drawn(subject, frame) || subject.is_generated(frame) {
+        return;
+    }
+    let Some((axis, is_along)) = along_axis(subject, frame, direction) else { return };
+    let basis = subject.basis(frame, axis);
+    let words = if is_along { vec![basis] } else { vec![Word::Minus, basis] };
+    let from = subject.camera.spot(apex);
+    sheet.may_name(Role::Axis, words, to, Some(unit([to[0] - from[0], to[1] - from[1]])), 3.0);
+}
+
+/// Puts one arc with the names of all coordinates that turn a frame together on the sheet. It leads from an axis of the
+/// parent frame to the same axis of this frame.
+pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, (frame, names): (usize, Vec<Word>)) {
+    let Some((parent, _)) = subject.terms.links.frames[frame] else { return };
+    let [before, after] = [parent, frame].map(|f| transposed(&subject.pose.rotations[f]));
+    let bodies = &subject.mechanism.bodies;
+    let turned = |f: usize| subject.chain(f).any(|above| above == frame);
+    let body = bodies.iter().find(|body| body.rigid.as_ref().is_some_and(|rigid| turned(rigid.0)));
+    let place = subject.pose.points[body.map_or(0, |body| body.centre)];
+    let apex = subject.camera.spot(place);
+    let radius = arcs.radius(apex) + 14.0;
+    // Takes the axis that is turned the most, without a turn close to 180°.
+    let turn = |axis: usize| dot(before[axis], after[axis]).clamp(-1.0, 1.0).acos();
+    let axis =
+        (0..3).fold(0, |best, axis| if turn(axis) > turn(best) + 1e-6 && turn(axis) < 2.6 { axis } else { best });
+    let across = plus(after[axis], -dot(after[axis], before[axis]), before[axis]);
+    let other = crate::pictures::view::space::unit(across).unwrap_or(before[(axis + 1) % 3]);
+    let [a, b] = [before[axis], other].map(|e| subject.camera.seen(e).map(|x| radius * x));
+    let sweep = turn(axis).max(SENSE);
+    let path = Path::arc(apex, a, b, (0.0, sweep));
+    let to = [0, 1].map(|i| apex[i] + 1.25 * a[i]);
+    sheet.add([Mark::line(Role::Reference, Path::line(&[apex, to]))]);
+    sheet.add(Mark::arrow(Role::Coordinate, path, TIP));
+    let middle = Path::arc(apex, a, b, (0.0, 0.5 * sweep)).end();
+    let outwards = unit([middle[0] - apex[0], middle[1] - apex[1]]);
+    sheet.name(Role::Coordinate, names, middle, Some(outwards), 4.0);
+}

@@ -1,0 +1,225 @@
+//! Outlines of solids, drawn from back to front.
+
+use crate::pictures::sketch::drawing::{Mark, Path, Role, Spot};
+use crate::pictures::sketch::sheet::{Sheet, Subject};
+use crate::pictures::view::space::{along, cross, dot, length, minus, plus, product, rotated, transposed, unit};
+use crate::pictures::view::{Form, Place, Quaternion, Rotation, Solid, Triple};
+
+/// Least half-width of a drawn rod, px.
+const THIN: f64 = 2.2;
+/// Least radius of a drawn particle, px.
+const SMALL: f64 = 6.0;
+/// The radius of a pin, px.
+const PIN: f64 = 3.6;
+/// The length of a turn of a spring, and half its width, px.
+const SPRING: (f64, f64) = (11.0, 7.0);
+/// Width of the margin of a ground plane around the solids over it, px.
+const MARGIN: f64 = 26.0;
+
+/// A solid on the sheet.
+struct Drawn {
+    /// Distance towards the viewer, m. In a planar mechanism all solids count as equally near.
+    depth: f64,
+    /// Drawing order among solids of equal depth: a lower rank is drawn first. The ground has rank 0.
+    rank: u8,
+    marks: Vec<Mark>,
+}
+
+/// Puts all solids on the sheet.
+pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
+    let mut list: Vec<Drawn> = subject.view.solids.iter().filter_map(|solid| drawn(subject, solid)).collect();
+    // Depths are rounded, since their last digits may differ between machines.
+    let step = 1e-6 * subject.view.size;
+    let key = |drawn: &Drawn| if subject.is_planar { 0.0 } else { (drawn.depth / step).round() };
+    let is_ground = |drawn: &Drawn| drawn.rank != 0;
+    list.sort_by(|a, b| is_ground(a).cmp(&is_ground(b)).then(key(a).total_cmp(&key(b))).then(a.rank.cmp(&b.rank)));
+    for drawn in list {
+        sheet.add(drawn.marks);
+    }
+}
+
+/// True if a solid is a pin that joins others.
+pub fn is_pin(solid: &Solid) -> bool {
+    solid.body.is_none() && matches!(solid.form, Form::Sphere { .. })
+}
+
+fn drawn(subject: &Subject<'_>, solid: &Solid) -> Option<Drawn> {
+    let camera = &subject.camera;
+    let is_particle = solid.body.is_some_and(|body| subject.mechanism.bodies[body].rigid.is_none());
+    let (middle, rank, marks) = match &solid.form {
+        Form::Sphere { at, radius } => {
+            let middle = middle(subject, at);
+            let spot = camera.spot(middle);
+            let (rank, mark) = if is_pin(solid) {
+                (4, Mark::solid(Role::Joint, Path::circle(spot, PIN)))
+            } else if is_particle {
+                (3, Mark::solid(Role::Mass, Path::circle(spot, (camera.scale * radius).max(SMALL))))
+            } else {
+                (1, Mark::solid(Role::Body, Path::circle(spot, (camera.scale * radius).max(PIN))))
+            };
+            // A pin is drawn in front of the solids that it joins.
+            (
+                if is_pin(solid) { plus(middle, 0.05 * subject.view.size, camera.towards) } else { middle },
+                rank,
+                vec![mark],
+            )
+        }
+        Form::Cylinder { at, radius, length } => {
+            let axis = rotated(&axes(subject, at), [0.0, 0.0, 1.0]);
+            (middle(subject, at), 1, cylinder(subject, middle(subject, at), axis, (*radius, *length)))
+        }
+        Form::Box { at, size } => (middle(subject, at), 1, faces(subject, at, *size)),
+        Form::Rod { ends, radius } => {
+            let [a, b] = ends.map(|point| subject.pose.points[point]);
+            let wide = (camera.scale * radius).clamp(THIN, 9.0);
+            let path = Path::capsule(camera.spot(a), camera.spot(b), wide);
+            (plus(a, 0.5, minus(b, a)), 2, vec![Mark::solid(Role::Body, path)])
+        }
+        Form::Spring { ends } => {
+            let [a, b] = ends.map(|point| subject.pose.points[point]);
+            let coil = Mark::line(Role::Spring, coil(camera.spot(a), camera.spot(b)));
+            (plus(a, 0.5, minus(b, a)), 2, vec![coil])
+        }
+        Form::Ground { at } => (middle(subject, at), 0, ground(subject, at)?),
+    };
+    Some(Drawn { depth: camera.depth(middle), rank, marks })
+}
+
+/// Centre of a solid in the inertial frame, m.
+pub fn middle(subject: &Subject<'_>, at: &Place) -> Triple {
+    plus(subject.pose.points[at.point], 1.0, rotated(&subject.pose.rotations[at.frame], at.position))
+}
+
+/// The axes of a solid as columns.
+fn axes(subject: &Subject<'_>, at: &Place) -> Rotation {
+    product(&subject.pose.rotations[at.frame], &rotation(at.turned))
+}
+
+/// Rotation matrix of Euler parameters of length 1.
+fn rotation([w, x, y, z]: Quaternion) -> Rotation {
+    let column = |v: Triple| {
+        // v + 2 w (e × v) + 2 e × (e × v).
+        let t = cross([x, y, z], v).map(|c| 2.0 * c);
+        plus(plus(v, w, t), 1.0, cross([x, y, z], t))
+    };
+    transposed(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
+}
+
+/// Far end, side and near end of a cylinder about an axis of length 1.
+fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, (radius, long): (f64, f64)) -> Vec<Mark> {
+    let camera = &subject.camera;
+    let towards = dot(axis, camera.towards);
+    let axis = if towards < 0.0 { axis.map(|x| -x) } else { axis };
+    let [near, far] = [0.5, -0.5].map(|side| plus(middle, side * long, axis));
+    let across = transposed(&along(axis));
+    let [a, b] = [across[0], across[1]].map(|e| camera.spot(e.map(|x| radius * x)));
+    let end = |at: Triple| Mark::solid(Role::Body, Path::ellipse(camera.spot(at), a, b));
+    let is_flat = camera.scale * long * (1.0 - towards * towards).max(0.0).sqrt() < 1.5;
+    // The visible side is bounded by the lines that touch the line of sight.
+    let edge = unit(cross(axis, camera.towards)).filter(|_| !is_flat);
+    let Some(edge) = edge.map(|edge| edge.map(|x| radius * x)) else { return vec![end(near)] };
+    let corners =
+        [(far, 1.0), (near, 1.0), (near, -1.0), (far, -1.0)].map(|(at, side)| camera.spot(plus(at, side, edge)));
+    vec![end(far), Mark::solid(Role::Body, Path::polygon(&corners)), end(near)]
+        .into_iter()
+        // Seen from the side, the ends are lines and are left out.
+        .filter(|mark| towards.abs() > 0.02 || mark.path.parts.len() == 3)
+        .collect()
+}
+
+/// Visible faces of a box.
+fn faces(subject: &Subject<'_>, at: &Place, size: Triple) -> Vec<Mark> {
+    let camera = &subject.camera;
+    let (middle, columns) = (middle(subject, at), transposed(&axes(subject, at)));
+    let mut list = Vec::new();
+    for axis in 0..3 {
+        let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+        for side in [-0.5, 0.5] {
+            if side * dot(columns[axis], camera.towards) <= 1e-6 {
+                continue;
+            }
+            let face = plus(middle, side * size[axis], columns[axis]);
+            let corner =
+                |(y, z): (f64, f64)| camera.spot(plus(plus(face, y * size[j], columns[j]), z * size[k], columns[k]));
+            let corners = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(corner);
+            list.push(Mark::solid(Role::Body, Path::polygon(&corners)));
+        }
+    }
+    list
+}
+
+/// A coil from one spot to another.
+fn coil(a: Spot, b: Spot) -> Path {
+    let way = [b[0] - a[0], b[1] - a[1]];
+    let across = crate::pictures::sketch::drawing::unit([-way[1], way[0]]);
+    let at = |t: f64, side: f64| [0, 1].map(|i| a[i] + t * way[i] + side * SPRING.1 * across[i]);
+    let (from, to) = (0.14, 0.86);
+    let mut spots = vec![a, at(from, 0.0)];
+    let count = 2.0 * ((to - from) * way[0].hypot(way[1]) / SPRING.0).round().clamp(4.0, 40.0);
+    let (mut turn, mut side) = (0.5, 1.0);
+    while turn < count {
+        spots.push(at(from + turn / count * (to - from), side));
+        (turn, side) = (turn + 1.0, -side);
+    }
+    spots.extend([at(to, 0.0), b]);
+    Path::line(&spots)
+}
+
+/// Marks of a ground plane under the solids. Seen edge-on it is a line with hatching, else a piece of the plane.
+fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
+    let camera = &subject.camera;
+    let is_touched = subject.view.is_stated || subject.view.solids.iter().any(|solid| solid.touches.is_some());
+    if !is_touched {
+        return None;
+    }
+    let columns = transposed(&axes(subject, at));
+    let (place, normal) = (middle(subject, at), columns[2]);
+    // The extent of the solids over the plane, along its first two axes.
+    let seen = subject.view.solids.iter().filter(|solid| !matches!(solid.form, Form::Ground { .. }));
+    let over = seen.flat_map(|solid| {
+        let reach = solid.form.reach();
+        solid.form.points().into_iter().flat_map(move |point| [-reach, reach].map(|r| (point, r)))
+    });
+    let along = |axis: usize| {
+        let of = |(point, r): (usize, f64)| dot(columns[axis], minus(subject.pose.points[point], place)) + r;
+        let all = over.clone().map(of).chain([dot(columns[axis], minus(subject.pose.points[0], place))]);
+        let (low, high) = all.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        (low - camera.metres(MARGIN), high + camera.metres(MARGIN))
+    };
+    let (x, y) = (along(0), along(1));
+    let at = |a: f64, b: f64| plus(plus(place, a, columns[0]), b, columns[1]);
+    let facing = dot(normal, camera.towards);
+    if facing.abs() > 0.995 {
+        return None;
+    }
+    if facing.abs() < 0.05 {
+        let ends = [at(x.0, y.0), at(x.1, y.1)].map(|end| camera.spot(end));
+        let below = camera.seen(normal).map(|c| -c);
+        return Some(crate::pictures::sketch::supports::wall(ends, below));
+    }
+    let corners = [at(x.0, y.0), at(x.1, y.0), at(x.1, y.1), at(x.0, y.1)].map(|corner| camera.spot(corner));
+    Some(vec![Mark::solid(Role::Ground, Path::polygon(&corners))])
+}
+
+/// Least and greatest corner of the solids and points on a sheet on which a metre is one px.
+pub fn extent(subject: &Subject<'_>) -> (Spot, Spot) {
+    let camera = &subject.camera;
+    let mut all: Vec<(Spot, f64)> = Vec::new();
+    for solid in &subject.view.solids {
+        match &solid.form {
+            Form::Ground { .. } => {}
+            Form::Sphere { at, .. } | Form::Cylinder { at, .. } | Form::Box { at, .. } => {
+                all.push((camera.spot(middle(subject, at)), if is_pin(solid) { 0.0 } else { solid.form.reach() }));
+            }
+            Form::Rod { ends, .. } | Form::Spring { ends } => {
+                all.extend(ends.map(|point| (subject.spot(point), 0.0)));
+            }
+        }
+    }
+    // Coordinates are measured from the origin, so points near it count.
+    let is_told = |point: &Triple| length(*point) < 6.0 * subject.view.size;
+    all.extend(subject.pose.points.iter().filter(|point| is_told(point)).map(|point| (camera.spot(*point), 0.0)));
+    all.iter().fold(([f64::MAX; 2], [f64::MIN; 2]), |(low, high), (spot, reach)| {
+        ([0, 1].map(|i| low[i].min(spot[i] - reach)), [0, 1].map(|i| high[i].max(spot[i] + reach)))
+    })
+}

@@ -1,0 +1,94 @@
+//! Orthographic projection of a mechanism onto the sheet, and the choice of its direction.
+
+use crate::pictures::sketch::drawing::Spot;
+use crate::pictures::view::Triple;
+use crate::pictures::view::space::{cross, dot, minus, plus, unit};
+
+/// Directions of an oblique view, degrees: the turn from the first horizontal axis towards the second, and the height
+/// above both. All show the first axis to the lower left and the second to the right.
+const OBLIQUE: [(f64, f64); 6] = [(32.0, 20.0), (50.0, 20.0), (22.0, 20.0), (60.0, 25.0), (40.0, 32.0), (68.0, 18.0)];
+
+/// An orthographic projection.
+#[derive(Clone, Debug)]
+pub struct Camera {
+    /// Direction that points to the right on the sheet, of length 1 in the inertial frame.
+    pub right: Triple,
+    /// Direction that points up on the sheet, of length 1 in the inertial frame.
+    pub up: Triple,
+    /// Direction from the mechanism to the viewer, of length 1 in the inertial frame.
+    pub towards: Triple,
+    /// Scale of the sheet, px per metre.
+    pub scale: f64,
+}
+
+impl Camera {
+    /// Camera that looks along the normal of a plane. The component of `up` in the plane points upwards. Without such a
+    /// component, it is the second axis after that of the normal.
+    pub fn along(normal: Triple, up: Triple) -> Self {
+        let inside = plus(up, -dot(up, normal), normal);
+        let largest = (0..3).max_by(|a, b| normal[*a].abs().total_cmp(&normal[*b].abs())).unwrap_or(2);
+        let mut other = [0.0; 3];
+        other[(largest + 2) % 3] = 1.0;
+        let up = if dot(inside, inside) > 1e-6 { inside } else { plus(other, -dot(other, normal), normal) };
+        let up = unit(up).unwrap_or([0.0, 1.0, 0.0]);
+        Self { right: cross(up, normal), up, towards: normal, scale: 1.0 }
+    }
+
+    /// Oblique camera from the side and above. It shows turns about these axes as open, and these vectors as long, as
+    /// possible.
+    pub fn oblique(up: Triple, turns: &[Triple], ways: &[Triple]) -> Self {
+        let all = OBLIQUE.map(|(turn, height)| Self::from_aside(up, turn.to_radians(), height.to_radians()));
+        let worth = |camera: &Self| {
+            let open = turns.iter().map(|axis| dot(*axis, camera.towards).abs().min(0.5)).fold(0.5, f64::min);
+            let seen = |way: &Triple| (1.0 - dot(*way, camera.towards).powi(2)).max(0.0).sqrt().min(0.8);
+            let long = ways.iter().filter_map(|way| unit(*way)).map(|way| seen(&way)).fold(0.8, f64::min);
+            // The worth is rounded, since its last digits may differ between machines.
+            (100.0 * (open + 0.6 * long)).round()
+        };
+        let mut best = all[0].clone();
+        for camera in &all[1..] {
+            if worth(camera) > worth(&best) {
+                best = camera.clone();
+            }
+        }
+        best
+    }
+
+    fn from_aside(up: Triple, turn: f64, height: f64) -> Self {
+        let axis = (0..3).max_by(|a, b| up[*a].abs().total_cmp(&up[*b].abs())).unwrap_or(2);
+        let mut first = [0.0; 3];
+        // The other two axes, in the order in which they and `up` are right-handed.
+        first[(axis + if up[axis] < 0.0 { 2 } else { 1 }) % 3] = 1.0;
+        let first = unit(plus(first, -dot(first, up), up)).unwrap_or([1.0, 0.0, 0.0]);
+        let second = cross(up, first);
+        let level = plus(first.map(|x| turn.cos() * x), turn.sin(), second);
+        let towards = plus(level.map(|x| height.cos() * x), height.sin(), up);
+        let right = cross(up, level);
+        Self { right, up: cross(towards, right), towards, scale: 1.0 }
+    }
+
+    /// Spot of a place of the inertial frame on the sheet.
+    pub fn spot(&self, place: Triple) -> Spot {
+        [self.scale * dot(self.right, place), -self.scale * dot(self.up, place)]
+    }
+
+    /// Coordinate of a place towards the viewer, m.
+    pub fn depth(&self, place: Triple) -> f64 {
+        dot(self.towards, place)
+    }
+
+    /// Projection of a direction of length 1, at most of length 1.
+    pub fn seen(&self, direction: Triple) -> Spot {
+        [dot(self.right, direction), -dot(self.up, direction)]
+    }
+
+    /// Projection of the vector from one place to another, px.
+    pub fn way(&self, from: Triple, to: Triple) -> Spot {
+        self.spot(minus(to, from))
+    }
+
+    /// Converts a length on the sheet from px to m.
+    pub fn metres(&self, px: f64) -> f64 {
+        px / self.scale
+    }
+}

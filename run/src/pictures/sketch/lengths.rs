@@ -1,0 +1,126 @@
+//! Marks of coordinates that move points. A length is a dimension line along its axis. An arrow shows a coordinate that
+//! is neither such a length nor an angle.
+
+use crate::pictures::sketch::drawing::{Mark, Path, Role, Spot, Word, tip, unit};
+use crate::pictures::sketch::sheet::{Sheet, Subject};
+use crate::pictures::sketch::terms::Told;
+use crate::pictures::view::Triple;
+use crate::pictures::view::space::{length, minus, plus, transposed};
+
+/// Distance of a dimension line from the measured length, and length of its extension lines beyond it, px.
+const AWAY: (f64, f64) = (30.0, 4.0);
+/// The tip of a dimension line, px.
+const TIP: f64 = 8.0;
+/// Length below which a dimension line is replaced by an arrow, px; the arrow's length follows.
+const TINY: f64 = 9.0;
+const SENSE: f64 = 34.0;
+
+/// Coordinate that is a component of the vector to a point.
+pub struct Length {
+    /// The coordinate, and its place in the formula of the component.
+    pub told: Told,
+    /// Index of the point.
+    pub point: usize,
+    /// Index of the component, 0 to 2.
+    pub component: usize,
+}
+
+impl Length {
+    /// The length that a coordinate is; `None` if it is not a component of a point.
+    pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
+        (0..subject.pose.points.len()).find_map(|point| {
+            let (.., first) = subject.terms.components(point)?;
+            (0..3).find_map(|component| {
+                let at = (subject.p, subject.q);
+                let told = subject.terms.told(subject.mechanism, at, first + component, coordinate)?;
+                Some(Self { told, point, component })
+            })
+        })
+    }
+
+    /// Ends of the length in the inertial frame, m, with the components before it already added.
+    fn ends(&self, subject: &Subject<'_>) -> Option<[Triple; 2]> {
+        let (from, frame, first) = subject.terms.components(self.point)?;
+        let values = subject.terms.values(subject.p, subject.q);
+        let axes = transposed(&subject.pose.rotations[frame]);
+        let corner = (0..self.component)
+            .fold(subject.pose.points[from], |at, before| plus(at, values[first + before], axes[before]));
+        Some([self.told.zero, self.told.now].map(|value| plus(corner, value, axes[self.component])))
+    }
+
+    /// Direction across the length, away from the other components, of length 1. `None` if the line is drawn in place.
+    fn aside(&self, subject: &Subject<'_>) -> Option<Triple> {
+        if !subject.is_planar {
+            return None;
+        }
+        let (_, frame, first) = subject.terms.components(self.point)?;
+        let values = subject.terms.values(subject.p, subject.q);
+        let axes = transposed(&subject.pose.rotations[frame]);
+        let other = (0..3).find(|k| *k != self.component && values[first + k].abs() > 0.02 * subject.view.size);
+        if let Some(other) = other {
+            let sign = values[first + other].signum();
+            // Earlier components end at the beginning of this length; later ones begin at its end.
+            let side = if other < self.component { sign } else { -sign };
+            return Some(axes[other].map(|x| side * x));
+        }
+        let seen = subject.camera.seen(axes[self.component]);
+        Some(if seen[0].abs() > seen[1].abs() { subject.camera.up.map(|x| -x) } else { subject.camera.right })
+    }
+}
+
+/// Puts the dimension line of a length on the sheet. Returns true if the line shows the length, and false if only an
+/// arrow shows its sense.
+pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, lengths: &Length) -> bool {
+    let Some([from, to]) = lengths.ends(subject) else { return false };
+    let name = vec![Word::Name(subject.mechanism.coordinates[lengths.told.coordinate].name.clone())];
+    let [a, b] = [from, to].map(|place| subject.camera.spot(place));
+    let long = (b[0] - a[0]).hypot(b[1] - a[1]);
+    if long < TINY {
+        let (_, frame, _) = subject.terms.components(lengths.point).unwrap_or_default();
+        let axis = transposed(&subject.pose.rotations[frame])[lengths.component];
+        grows(subject, sheet, b, subject.camera.seen(axis.map(|x| lengths.told.sign * x)), name);
+        return false;
+    }
+    let moved = lengths.aside(subject).map(|aside| subject.camera.seen(aside));
+    let away = |spot: Spot, by: f64| moved.map_or(spot, |way| [0, 1].map(|i| spot[i] + by * way[i]));
+    if moved.is_some() {
+        for end in [a, b] {
+            let line = Path::line(&[away(end, 4.0), away(end, AWAY.0 + AWAY.1)]);
+            sheet.add([Mark::line(Role::Reference, line)]);
+        }
+    }
+    let ends = [away(a, AWAY.0), away(b, AWAY.0)];
+    let heading = unit([b[0] - a[0], b[1] - a[1]]);
+    sheet.add([Mark::line(Role::Coordinate, Path::line(&ends))]);
+    sheet.add([tip(Role::Coordinate, ends[1], heading, TIP), tip(Role::Coordinate, ends[0], heading.map(|x| -x), TIP)]);
+    let middle = [0, 1].map(|i| 0.5 * (ends[0][i] + ends[1][i]));
+    sheet.name(Role::Coordinate, name, middle, moved.map(unit), 3.0);
+    true
+}
+
+/// Puts an arrow with a name on the sheet, from a spot in the direction in which a coordinate grows.
+fn grows(subject: &Subject<'_>, sheet: &mut Sheet, from: Spot, seen: Spot, name: Vec<Word>) {
+    let share = seen[0].hypot(seen[1]);
+    let way = if share < 0.05 { subject.camera.seen(subject.camera.right) } else { unit(seen) };
+    let at = |t: f64| [0, 1].map(|i| from[i] + t * way[i]);
+    sheet.add(Mark::arrow(Role::Coordinate, Path::line(&[at(10.0), at(10.0 + SENSE)]), TIP));
+    sheet.name(Role::Coordinate, name, at(10.0 + 0.6 * SENSE), Some([-way[1], way[0]]), 4.0);
+}
+
+/// Puts an arrow at the point that a coordinate moves the most. Returns true if the coordinate moves a point.
+pub fn draw_motion(subject: &Subject<'_>, sheet: &mut Sheet, coordinate: usize) -> bool {
+    let step = 1e-6 * (1.0 + subject.q[coordinate].abs());
+    let mut q = subject.q.to_vec();
+    q[coordinate] += step;
+    let moved = subject.poses.of(subject.p, &q);
+    let ways = moved.points.iter().zip(&subject.pose.points).map(|(to, from)| minus(*to, *from).map(|x| x / step));
+    let ways: Vec<Triple> = ways.collect();
+    let most = ways.iter().map(|way| length(*way)).fold(0.0, f64::max);
+    // Takes the first of the points that move about equally far.
+    let point = ways.iter().position(|way| length(*way) > 0.999 * most);
+    let Some(point) = point.filter(|_| most.is_finite() && most > 1e-6 * subject.view.size) else { return false };
+    let name = vec![Word::Name(subject.mechanism.coordinates[coordinate].name.clone())];
+    let direction = ways[point].map(|x| x / most);
+    grows(subject, sheet, subject.spot(point), subject.camera.seen(direction), name);
+    true
+}

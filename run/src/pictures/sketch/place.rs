@@ -1,0 +1,149 @@
+//! Placement of labels: near the items that they name, clear of other labels, and on as few lines as possible.
+//!
+//! Each label has candidate places in rings about its anchor. The labels choose one after another, the needed ones
+//! first, and take the cheapest place. Each then chooses again, twice. Costs are rounded, so that machines whose last
+//! digits differ give the same places.
+
+use crate::pictures::sketch::drawing::{Label, Mark, Path, Role, Spot, Word, unit};
+use tripos_derive::algebra::print::name_parts;
+
+/// Distances of a label's box from its anchor in each ring, px, beyond the wished gap.
+const RINGS: [f64; 10] = [0.0, 5.0, 11.0, 18.0, 27.0, 38.0, 52.0, 70.0, 92.0, 118.0];
+/// Number of directions in which candidates lie in a ring.
+const DIRECTIONS: usize = 24;
+/// Cost of a label on another one: more than all other costs together.
+const OVERLAP: f64 = 1e5;
+/// Cost above which an optional label is left out.
+const WORTH: f64 = 24.0;
+/// Distance of a label from its item, px, from which on a leader line joins them.
+const LEADER: f64 = 24.0;
+/// Least distances of a label from another label and from a line, px.
+const CLEAR: (f64, f64) = (2.0, 1.0);
+/// Distance of the spots that represent a line, px.
+const STEP: f64 = 2.5;
+/// Height of a line of text, px.
+const HIGH: f64 = 17.0;
+
+/// Label that is to be placed.
+#[derive(Clone, Debug)]
+pub struct Wish {
+    /// Role of the named item.
+    pub role: Role,
+    /// Text of the label, part by part.
+    pub words: Vec<Word>,
+    /// Spot beside which the label stands.
+    pub anchor: Spot,
+    /// Preferred direction from the anchor, of length 1; `None` if any will do.
+    pub towards: Option<Spot>,
+    /// Least distance from the anchor, px.
+    pub gap: f64,
+    /// True if the label must be placed, false if it may be left out for lack of room.
+    pub is_needed: bool,
+}
+
+/// Estimated width of a text, px. It is a little too wide, because no font is available.
+fn width(words: &[Word]) -> f64 {
+    let of = |word: &Word| match word {
+        Word::Name(name) => {
+            let (letters, subscript, _) = name_parts(name);
+            9.0 * letters.chars().count() as f64 + 6.5 * subscript.chars().count() as f64
+        }
+        Word::Basis(frame, _) => 9.5 * frame.chars().count() as f64 + 6.5,
+        Word::Plain(text) => 7.6 * text.chars().count() as f64,
+        Word::Minus => 8.0,
+    };
+    words.iter().map(of).sum::<f64>() + 1.0
+}
+
+/// Labels of all needed wishes and of the optional ones that find room, and leader lines of distant labels.
+pub fn placed(wishes: &[Wish], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
+    let ink: Vec<(Spot, f64)> = marks.iter().flat_map(ink).collect();
+    let sizes: Vec<Spot> = wishes.iter().map(|wish| [width(&wish.words), HIGH]).collect();
+    let mut order: Vec<usize> = (0..wishes.len()).collect();
+    order.sort_by_key(|at| !wishes[*at].is_needed);
+    let candidates: Vec<Vec<(Spot, f64)>> =
+        wishes.iter().zip(&sizes).map(|(wish, size)| candidates(wish, *size, &ink)).collect();
+    let mut chosen: Vec<Option<(Spot, f64)>> = vec![None; wishes.len()];
+    for _ in 0..3 {
+        for at in &order {
+            chosen[*at] = None;
+            let taken: Vec<(Spot, Spot)> =
+                chosen.iter().zip(&sizes).filter_map(|(spot, size)| Some(((*spot)?.0, *size))).collect();
+            let of = |(spot, cost): &(Spot, f64)| {
+                let on = taken.iter().filter(|other| overlaps((*spot, sizes[*at]), **other)).count();
+                (*spot, cost + OVERLAP * on as f64)
+            };
+            let best = candidates[*at].iter().map(of).min_by(|a, b| a.1.total_cmp(&b.1));
+            chosen[*at] = best.filter(|(_, cost)| wishes[*at].is_needed || *cost < WORTH);
+        }
+    }
+    let (mut labels, mut leaders) = (Vec::new(), Vec::new());
+    for ((wish, size), spot) in wishes.iter().zip(&sizes).zip(&chosen) {
+        let Some((spot, _)) = spot else { continue };
+        labels.push(Label { role: wish.role, words: wish.words.clone(), at: *spot, size: *size });
+        leaders.extend(leader(wish, *spot, *size));
+    }
+    (labels, leaders)
+}
+
+/// Spots of a line, each with the cost of a label on it.
+fn ink(mark: &Mark) -> Vec<(Spot, f64)> {
+    let weight = match mark.role {
+        Role::Ground => 0.2,
+        Role::Support => 0.8,
+        Role::Reference | Role::Leader => 1.0,
+        Role::Body | Role::Spring => 1.2,
+        Role::Mass | Role::Joint | Role::Point => 3.0,
+        Role::Axis | Role::Coordinate | Role::Gravity => 2.0,
+    };
+    mark.path.spots(STEP).into_iter().map(|spot| (spot, weight)).collect()
+}
+
+/// Candidate places of a label, each with its cost apart from other labels.
+fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> {
+    let half = size.map(|x| 0.5 * x);
+    let mut list = Vec::with_capacity(RINGS.len() * DIRECTIONS);
+    for (ring, further) in RINGS.iter().enumerate() {
+        for direction in 0..DIRECTIONS {
+            let angle = std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64;
+            let way = [angle.cos(), -angle.sin()];
+            let gap = wish.gap + further;
+            // The box touches the circle of this radius from outside.
+            let reach = gap + half[0] * way[0].abs() + half[1] * way[1].abs() - 0.3 * half[1].min(half[0]);
+            let spot = [0, 1].map(|i| wish.anchor[i] + reach * way[i]);
+            let turned = wish.towards.map_or(0.0, |to| 1.0 - to[0] * way[0] - to[1] * way[1]);
+            // There is more room along the sides of a box than at its corners.
+            let slanted = 0.4 * (way[0] * way[1]).abs();
+            let on: f64 = ink.iter().filter(|(at, _)| holds(spot, half, *at)).map(|(_, weight)| weight).sum();
+            // A body's name far from its body would be taken for that of another.
+            let further_cost = if wish.role == Role::Body { 4.0 } else { 2.2 };
+            let cost = on + further_cost * ring as f64 + 0.12 * further + 5.0 * turned + slanted;
+            list.push((spot, (cost * 1e3).round() / 1e3));
+        }
+    }
+    list
+}
+
+fn holds(middle: Spot, half: Spot, at: Spot) -> bool {
+    (0..2).all(|i| (at[i] - middle[i]).abs() <= half[i] + CLEAR.1)
+}
+
+/// True if two boxes, by middle and size, overlap or are too close.
+fn overlaps(a: (Spot, Spot), b: (Spot, Spot)) -> bool {
+    (0..2).all(|i| (a.0[i] - b.0[i]).abs() < 0.5 * (a.1[i] + b.1[i]) + CLEAR.0)
+}
+
+/// Leader line from a label to its anchor; `None` if the label is near it.
+fn leader(wish: &Wish, spot: Spot, size: Spot) -> Option<Mark> {
+    let way = [wish.anchor[0] - spot[0], wish.anchor[1] - spot[1]];
+    let towards = unit(way);
+    let long = way[0].hypot(way[1]);
+    // The leader runs from the edge of the box to just beside the anchor.
+    let edge = (0..2).map(|i| 0.5 * size[i] / towards[i].abs().max(1e-9)).fold(f64::MAX, f64::min) + 1.0;
+    let gap = long - edge - 3.0_f64.max(wish.gap - 4.0);
+    if gap < LEADER {
+        return None;
+    }
+    let at = |t: f64| [0, 1].map(|i| spot[i] + t * towards[i]);
+    Some(Mark::line(Role::Leader, Path::line(&[at(edge), at(edge + gap)])))
+}

@@ -1,0 +1,161 @@
+//! Drawn pose: that of a start, with other values for angles and lengths that could not be seen there.
+
+use crate::code::tape;
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::pictures::sketch::terms::Terms;
+use crate::pictures::view::space::length;
+use crate::pictures::view::{Configuration, Pose, Poses, View};
+use tripos_derive::diagnostic::Source;
+use tripos_derive::model::TIME;
+use tripos_derive::scene::load;
+
+/// Angles that replace values of about 0 at the start, degrees, one after another.
+const ANGLES: [f64; 6] = [30.0, 40.0, 25.0, 50.0, 35.0, 45.0];
+/// Lengths that replace values of about 0, or values too large for the sheet. They are shares of the size of the
+/// mechanism.
+const LENGTHS: [f64; 3] = [0.8, 0.65, 0.5];
+/// Angle, rad, and share of a length below which it is not seen, and share above which it hides everything else.
+const UNSEEN: (f64, f64, f64) = (0.14, 0.06, 1.8);
+
+/// Coordinate that is drawn at another value than at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Changed {
+    /// Index of the coordinate.
+    pub coordinate: usize,
+    /// Value of the coordinate at the start.
+    pub was: f64,
+    /// The value that is drawn.
+    pub is: f64,
+}
+
+/// Coordinates that turn a frame about an axis, and coordinates that are a component of a vector to a point.
+pub struct Kinds {
+    /// Indices of the coordinates that are angles.
+    pub angles: Vec<usize>,
+    /// Indices of the coordinates that are lengths.
+    pub lengths: Vec<usize>,
+}
+
+impl Kinds {
+    /// Sorts the coordinates of a mechanism.
+    pub fn new(mechanism: &Mechanism, terms: &Terms, at: Configuration<'_>) -> Self {
+        let told = |term: usize, c: usize| terms.told(mechanism, (at.parameters, at.q), term, c).is_some();
+        let frames = 0..mechanism.frames.len();
+        let turns = |c: &usize| frames.clone().any(|f| terms.turn(f).is_some_and(|(.., term)| told(term, *c)));
+        let points = 0..mechanism.points.len();
+        let component = |p: usize, c: usize| terms.components(p).is_some_and(|(.., t)| (t..t + 3).any(|t| told(t, c)));
+        let moves = |c: &usize| points.clone().any(|p| component(p, *c));
+        let all = 0..mechanism.coordinates.len();
+        let (angles, others): (Vec<usize>, Vec<usize>) = all.partition(turns);
+        let lengths = others.into_iter().filter(|c| mechanism.coordinates[*c].unit.is_length()).filter(moves).collect();
+        Self { angles, lengths }
+    }
+}
+
+/// Coordinates that are drawn for a start, and the changes from it. Coordinates of a mechanism with loops stay
+/// unchanged.
+///
+/// # Errors
+/// [`Error::Request`] if a shape has a length that is not positive at these parameters.
+pub fn shown(
+    mechanism: &Mechanism,
+    terms: &Terms,
+    poses: &Poses,
+    at: Configuration<'_>,
+) -> Result<(Vec<f64>, Vec<Changed>), Error> {
+    let start = at.q.to_vec();
+    if !mechanism.loops.is_empty() || !mechanism.closed.is_empty() {
+        return Ok((start, Vec::new()));
+    }
+    let kinds = Kinds::new(mechanism, terms, at);
+    let mut q = start.clone();
+    let tiny = kinds.angles.iter().filter(|c| near_turn(start[**c]).abs() < UNSEEN.0);
+    for (c, angle) in tiny.zip(ANGLES.iter().cycle()) {
+        q[*c] = angle.to_radians().copysign(if start[*c] < 0.0 { -1.0 } else { 1.0 });
+    }
+    // The size of the mechanism, without the lengths that only place it.
+    let mut without = q.clone();
+    kinds.lengths.iter().for_each(|c| without[*c] = 0.0);
+    let pose = poses.of(at.parameters, &without);
+    let view = View::of_poses(mechanism, Configuration { q: &without, ..at }, &[std::slice::from_ref(&pose)])?;
+    let reaches = |pose: &Pose| pose.points.iter().map(|point| length(*point)).fold(0.0, f64::max);
+    let size = if reaches(&pose) > 1e-9 || view.size.to_bits() != 1.0_f64.to_bits() {
+        view.size
+    } else {
+        // A particle that only lengths place counts as large as the lengths.
+        let largest = kinds.lengths.iter().map(|c| start[*c].abs()).fold(0.0, f64::max);
+        if largest > 0.0 { largest } else { 1.0 }
+    };
+    for (at, c) in kinds.lengths.iter().enumerate() {
+        let share = start[*c].abs() / size;
+        if !(UNSEEN.1..=UNSEEN.2).contains(&share) {
+            let far = if share > UNSEEN.2 { 1.5 } else { 1.0 };
+            let sign = if start[*c] < 0.0 { -1.0 } else { 1.0 };
+            q[*c] = rounded(far * LENGTHS[at % LENGTHS.len()] * size) * sign;
+        }
+    }
+    if !is_good(mechanism, poses, at.parameters, &q) {
+        return Ok((start, Vec::new()));
+    }
+    let pairs = start.iter().zip(&q).enumerate().filter(|(_, (was, is))| was.to_bits() != is.to_bits());
+    let changed = pairs.map(|(coordinate, (was, is))| Changed { coordinate, was: *was, is: *is }).collect();
+    Ok((q, changed))
+}
+
+/// An angle without whole turns, between minus and plus half of one.
+fn near_turn(angle: f64) -> f64 {
+    use std::f64::consts::{PI, TAU};
+    angle - TAU * ((angle + PI) / TAU).floor()
+}
+
+/// Rounds a length to two digits.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.1e}").parse().unwrap_or(x)
+}
+
+/// True if every frame and point has finite values inside the domain of the model. Only conditions on the pose count.
+fn is_good(mechanism: &Mechanism, poses: &Poses, p: &[f64], q: &[f64]) -> bool {
+    let pose = poses.of(p, q);
+    let inputs = [mechanism.p(), mechanism.q()].concat();
+    let is_inside = |positive| {
+        // Conditions on speeds or reactions say nothing about a pose.
+        let Ok(tape) = tape(&mechanism.arena, &inputs, &[positive], "a condition") else { return true };
+        tape.evaluate(&[p, q].concat())[0] > 0.0
+    };
+    is_somewhere(&pose) && mechanism.domain.iter().all(|condition| is_inside(condition.positive))
+}
+
+/// True if every frame and point has finite values.
+pub fn is_somewhere(pose: &Pose) -> bool {
+    pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
+}
+
+/// Start of a mechanism without a scene: the parameter values of the model file, and all coordinates 0. A model with
+/// loops is closed from angles and lengths other than 0.
+///
+/// # Errors
+/// [`Error::Request`] if a parameter has no value, or the loops do not close from there.
+pub fn without_scene(mechanism: &Mechanism) -> Result<(Vec<f64>, Vec<f64>), Error> {
+    let help = "give a scene, or --at with a state file, which gives it one";
+    let value = |p: &tripos_derive::model::Parameter| {
+        let none = || Error::request(format!("the parameter `{}` has no value", p.name), help);
+        p.value.as_ref().map(tripos_derive::algebra::Rational::to_f64).or(p.is_input.then_some(0.0)).ok_or_else(none)
+    };
+    let parameters = mechanism.parameters.iter().map(value).collect::<Result<Vec<f64>, Error>>()?;
+    if mechanism.loops.is_empty() {
+        return Ok((parameters, vec![0.0; mechanism.coordinates.len()]));
+    }
+    let inputs: Vec<String> =
+        mechanism.parameters.iter().filter(|p| p.is_input).map(|p| format!("\"{}\" = 0\n", p.name)).collect();
+    let inputs = if inputs.is_empty() { String::new() } else { format!("[inputs]\n{}", inputs.concat()) };
+    let speeds: Vec<String> = mechanism.speeds.iter().map(|speed| format!("\"{}\" = 0\n", speed.name)).collect();
+    let guesses = mechanism.coordinates.iter().filter(|c| c.name != TIME).zip(ANGLES.iter().cycle());
+    let guesses: Vec<String> = guesses.map(|(c, angle)| format!("\"{}\" = {}\n", c.name, angle.to_radians())).collect();
+    let text = format!("span = [0, 1]\n{inputs}[start]\n{}[guess]\n{}", speeds.concat(), guesses.concat());
+    let scene = load(&Source::from_text("start", &text), &mut mechanism.model.clone()).map_err(|_| {
+        let help = "give a scene, or --at with a state file, which closes them";
+        Error::request("no pose was found that closes the loops of this model", help)
+    })?;
+    Ok((scene.parameters, scene.q))
+}

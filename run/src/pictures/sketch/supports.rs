@@ -1,0 +1,144 @@
+//! Ground at joints: pins on their supports, rails, and walls that hold springs.
+
+use crate::pictures::sketch::drawing::{Mark, Path, Role, Spot, unit};
+use crate::pictures::sketch::sheet::{Sheet, Subject};
+use crate::pictures::view::space::{cross, length, minus};
+use crate::pictures::view::{Form, Triple};
+use tripos_derive::model::ReactionKind;
+
+/// Height of a pin over the ground, and half the width of its support, px.
+const STAND: (f64, f64) = (13.0, 15.0);
+/// Distance of the lines of the hatching, and length of each, px.
+const HATCH: (f64, f64) = (5.5, 6.5);
+/// Length of a rail to each side of the point that runs on it, px.
+const RAIL: f64 = 62.0;
+
+/// Puts supports on the sheet.
+pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
+    let mut done: Vec<usize> = Vec::new();
+    for point in held(subject) {
+        if done.iter().any(|other| subject.is_same(*other, point)) {
+            continue;
+        }
+        if subject.is_fixed(point) {
+            sheet.add(stand(subject, point));
+            done.push(point);
+        } else if let Some(way) = rail(subject, point) {
+            sheet.add(guide(subject, point, way));
+            done.push(point);
+        }
+    }
+}
+
+/// Points at which the ground holds something: joints, reactions, and ends of rods and springs.
+fn held(subject: &Subject<'_>) -> Vec<usize> {
+    let mechanism = subject.mechanism;
+    let hung = mechanism.hung.iter().filter(|hung| hung.on.is_none()).map(|hung| hung.point);
+    let pushed = mechanism.reactions.iter().filter_map(|reaction| match reaction.kind {
+        ReactionKind::Force { on, against: None } => Some(on.point),
+        _ => None,
+    });
+    let ends = ways(subject).into_iter().flatten().filter(|point| subject.is_fixed(*point));
+    let centres = mechanism.bodies.iter().filter(|body| body.rigid.is_some()).map(|body| body.centre);
+    let resting = centres.filter(|point| subject.is_fixed(*point));
+    hung.chain(pushed).chain(ends).chain(resting).collect()
+}
+
+/// Ends of each rod and spring, as indices of points.
+fn ways(subject: &Subject<'_>) -> Vec<[usize; 2]> {
+    let solids = subject.view.solids.iter();
+    solids
+        .filter_map(|solid| match solid.form {
+            Form::Rod { ends, .. } | Form::Spring { ends } => Some(ends),
+            _ => None,
+        })
+        .collect()
+}
+
+/// Sum of the unit vectors on the sheet from a point along its rods and springs.
+fn leads(subject: &Subject<'_>, point: usize) -> Spot {
+    let mut sum = [0.0; 2];
+    for [a, b] in ways(subject) {
+        for (from, to) in [(a, b), (b, a)] {
+            if subject.is_same(from, point) {
+                let way = unit(subject.camera.way(subject.pose.points[from], subject.pose.points[to]));
+                sum = [0, 1].map(|i| sum[i] + way[i]);
+            }
+        }
+    }
+    sum
+}
+
+/// Marks of the support of a fixed pin, away from its rods. A wall if only a spring is held there.
+fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
+    let (spot, leads) = (subject.spot(point), leads(subject, point));
+    let is_of_spring = |solid: &crate::pictures::view::Solid| match solid.form {
+        Form::Spring { ends } => ends.iter().any(|end| subject.is_same(*end, point)),
+        _ => false,
+    };
+    let is_of_rod = |solid: &crate::pictures::view::Solid| match solid.form {
+        Form::Rod { ends, .. } => ends.iter().any(|end| subject.is_same(*end, point)),
+        _ => false,
+    };
+    let is_sideways = leads[0].abs() > 1.3 * leads[1].abs();
+    let solids = &subject.view.solids;
+    if solids.iter().any(is_of_spring) && !solids.iter().any(is_of_rod) {
+        let behind =
+            if is_sideways { [-leads[0].signum(), 0.0] } else { [0.0, if leads[1] < 0.0 { 1.0 } else { -1.0 }] };
+        let ends = [-1.0, 1.0].map(|side| [spot[0] + side * 16.0 * behind[1], spot[1] - side * 16.0 * behind[0]]);
+        return wall(ends, behind);
+    }
+    // The support is above a hanging mechanism, else below.
+    let down = if leads[1] > 0.35 { -1.0 } else { 1.0 };
+    let foot = |side: f64| [spot[0] + side * 0.62 * STAND.1, spot[1] + down * STAND.0];
+    let mut marks = vec![Mark::solid(Role::Support, Path::polygon(&[spot, foot(1.0), foot(-1.0)]))];
+    let ends = [-1.0, 1.0].map(|side| [spot[0] + side * STAND.1, spot[1] + down * STAND.0]);
+    marks.extend(wall(ends, [0.0, down]));
+    marks.push(Mark::solid(Role::Joint, Path::circle(spot, 3.6)));
+    marks
+}
+
+/// Direction of length 1 in which a point moves; `None` unless it moves along one line.
+fn rail(subject: &Subject<'_>, point: usize) -> Option<Triple> {
+    let here = subject.pose.points[point];
+    let ways: Vec<Triple> = subject.far.iter().map(|pose| minus(pose.points[point], here)).collect();
+    let longest = ways.iter().copied().max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
+    let way = crate::pictures::view::space::unit(longest)?;
+    let is_along = |other: &Triple| length(cross(*other, way)) <= 1e-9 * (subject.view.size + length(*other));
+    ways.iter().all(is_along).then_some(way)
+}
+
+/// Marks of a rail beside the point that runs on it.
+fn guide(subject: &Subject<'_>, point: usize, way: Triple) -> Vec<Mark> {
+    let camera = &subject.camera;
+    let (spot, seen) = (subject.spot(point), camera.seen(way));
+    if seen[0].hypot(seen[1]) < 0.2 {
+        return Vec::new();
+    }
+    let along = unit(seen);
+    // The rail is below the point, or to the left of it.
+    let below = if along[0].abs() > 0.5 { [-along[1], along[0]] } else { [along[1], -along[0]] };
+    let below = if below[1] < -1e-9 || (below[1].abs() < 1e-9 && below[0] > 0.0) { below.map(|x| -x) } else { below };
+    let reach = subject.view.solids.iter().filter(|solid| solid.form.points().contains(&point) && solid.body.is_some());
+    let reach = reach.map(|solid| camera.scale * solid.form.reach()).fold(6.0, f64::max).min(40.0);
+    let at = |t: f64| [0, 1].map(|i| spot[i] + t * along[i] + (reach + 1.0) * below[i]);
+    wall([at(-RAIL), at(RAIL)], below)
+}
+
+/// A line with hatching behind it.
+pub fn wall(ends: [Spot; 2], behind: Spot) -> Vec<Mark> {
+    let [a, b] = ends;
+    let way = [b[0] - a[0], b[1] - a[1]];
+    let long = way[0].hypot(way[1]);
+    let along = unit(way);
+    let behind = unit(behind);
+    let mut marks = vec![Mark::line(Role::Support, Path::line(&ends))];
+    let count = (long / HATCH.0).floor().clamp(1.0, 400.0);
+    let places = std::iter::successors(Some(0.5), |k| Some(k + 1.0)).take_while(|k| *k < count);
+    for k in places {
+        let from = [0, 1].map(|i| a[i] + k / count * long * along[i]);
+        let to = [0, 1].map(|i| from[i] + 0.7 * HATCH.1 * (behind[i] - 0.8 * along[i]));
+        marks.push(Mark::line(Role::Support, Path::line(&[from, to])));
+    }
+    marks
+}

@@ -1,0 +1,159 @@
+//! Description of a sketch in words, as its caption and for readers who cannot see it.
+
+use crate::pictures::sketch::angles::Angle;
+use crate::pictures::sketch::axes::along_axis;
+use crate::pictures::sketch::lengths::Length;
+use crate::pictures::sketch::sheet::Subject;
+use crate::pictures::sketch::shown::Changed;
+use crate::pictures::view::Triple;
+use crate::pictures::view::space::dot;
+use crate::pictures::view::{Form, Solid};
+use tripos_derive::model::{TIME, Unit};
+
+/// Mark that shows a coordinate.
+pub enum Shown {
+    /// An arc; false if it shows only the sense.
+    Arc(Angle, bool),
+    /// A dimension line; false if it shows only the sense.
+    Line(Length, bool),
+    /// One arc for several coordinates, as the turn of this frame.
+    Together(usize),
+    /// An arrow at the point that it moves.
+    Arrow,
+    /// The name alone: the coordinate moves nothing that is drawn.
+    Name,
+}
+
+/// Sentences on the view, the drawn bodies and the coordinates.
+pub fn about(subject: &Subject<'_>, shown: &[(usize, Shown)], has_gravity: bool) -> String {
+    let mut sentences = vec![seen(subject, has_gravity)];
+    sentences.extend(bodies(subject));
+    sentences.extend(coordinates(subject, shown));
+    let is_closed = shown.iter().any(|(_, how)| matches!(how, Shown::Arc(_, false) | Shown::Line(_, false)));
+    if is_closed {
+        sentences.push("Where one is about 0 its arrow shows the sense in which it grows.".to_owned());
+    }
+    sentences.join(" ")
+}
+
+fn seen(subject: &Subject<'_>, has_gravity: bool) -> String {
+    let towards = subject.camera.towards;
+    let gravity = if !has_gravity {
+        ""
+    } else if dot(subject.view.up, towards).abs() > 0.99 {
+        ", gravity away from who looks"
+    } else {
+        ", gravity downwards"
+    };
+    match axis_of(subject, towards).filter(|_| subject.is_planar) {
+        Some(axis) => format!("Seen against {axis}, across the plane of the motion{gravity}."),
+        None => format!("Seen obliquely from above{gravity}."),
+    }
+}
+
+/// Name of the inertial axis along a direction, with its sign; `None` if the direction is along no axis.
+fn axis_of(subject: &Subject<'_>, direction: Triple) -> Option<String> {
+    let (axis, is_along) = along_axis(subject, 0, direction)?;
+    let name = subject.mechanism.frames[0].name.to_lowercase();
+    Some(format!("{}{name}{}", if is_along { "" } else { "-" }, axis + 1))
+}
+
+fn bodies(subject: &Subject<'_>) -> Option<String> {
+    let list: Vec<String> = subject
+        .mechanism
+        .bodies
+        .iter()
+        .enumerate()
+        .filter_map(|(at, body)| {
+            let is_of = |solid: &&Solid| solid.body == Some(at);
+            let mut nouns: Vec<&str> =
+                subject.view.solids.iter().filter(is_of).map(|solid| noun(&solid.form, body.rigid.is_none())).collect();
+            nouns.sort_unstable();
+            nouns.dedup();
+            (!nouns.is_empty()).then(|| format!("{} ({})", body.name, nouns.join(", ")))
+        })
+        .collect();
+    let springs = subject.view.solids.iter().filter(|solid| matches!(solid.form, Form::Spring { .. }));
+    let springs = springs.map(|solid| format!("{} (spring or damper)", solid.label));
+    let all: Vec<String> = list.into_iter().chain(springs).collect();
+    (!all.is_empty()).then(|| format!("Drawn are {}.", all.join(", ")))
+}
+
+fn noun(form: &Form, is_particle: bool) -> &'static str {
+    if is_particle && matches!(form, Form::Sphere { .. }) { "particle" } else { form.noun() }
+}
+
+fn coordinates(subject: &Subject<'_>, shown: &[(usize, Shown)]) -> Option<String> {
+    let one = |(coordinate, how): &(usize, Shown)| {
+        let coordinate = &subject.mechanism.coordinates[*coordinate];
+        let about = if coordinate.about.is_empty() { String::new() } else { format!(" ({})", coordinate.about) };
+        let frame = |at: usize| subject.mechanism.frames[at].name.clone();
+        let what = match how {
+            Shown::Arc(angle, _) => {
+                let axis = format!("{}{}", frame(angle.parent).to_lowercase(), angle.axis + 1);
+                format!("turns {} about {axis}", frame(angle.frame))
+            }
+            Shown::Line(length, _) => {
+                format!("is a length towards {}", subject.mechanism.points[length.point].name)
+            }
+            Shown::Together(at) => format!("turns {} with others", frame(*at)),
+            Shown::Arrow => "moves what its arrow is at".to_owned(),
+            Shown::Name => "moves nothing that is drawn".to_owned(),
+        };
+        format!("{}{about} {what}", coordinate.name)
+    };
+    let list: Vec<String> = shown.iter().map(one).collect();
+    (!list.is_empty()).then(|| format!("{}.", list.join("; ")))
+}
+
+/// Sentence with the drawn values of the coordinates, and those of the start where they differ.
+pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
+    let all = subject.mechanism.coordinates.iter().zip(subject.q).enumerate().filter(|(_, (c, _))| c.name != TIME);
+    let value = |at: usize, x: f64| {
+        let coordinate = &subject.mechanism.coordinates[at];
+        // Euler parameters are plain numbers; other plain coordinates are angles.
+        let is_angle = coordinate.unit.is_plain() && Angle::of(subject, at).is_some();
+        if is_angle {
+            format!("{}°", digits(x.to_degrees()))
+        } else {
+            format!("{}{}", digits(x), unit(&coordinate.unit))
+        }
+    };
+    let values: Vec<String> = all.map(|(at, (c, x))| format!("{} = {}", c.name, value(at, *x))).collect();
+    let at = if values.is_empty() { String::new() } else { format!(" at {}", values.join(", ")) };
+    if changed.is_empty() {
+        return format!("Drawn{at}: {of}.");
+    }
+    let list: Vec<String> = changed
+        .iter()
+        .map(|c| format!("{} = {}", subject.mechanism.coordinates[c.coordinate].name, value(c.coordinate, c.was)))
+        .collect();
+    format!("Drawn{at}, to be seen; {of} has {}.", list.join(", "))
+}
+
+/// Unit after a number; empty for plain numbers.
+fn unit(unit: &Unit) -> String {
+    if unit.is_plain() { String::new() } else { format!(" {unit}") }
+}
+
+/// Three significant digits. Rounding errors of 0 are shown as 0.
+fn digits(x: f64) -> String {
+    let x = if x.abs() < 1e-9 { 0.0 } else { x };
+    let short: f64 = format!("{x:.2e}").parse().unwrap_or(x);
+    // Adding 0 turns -0 into 0.
+    (short + 0.0).to_string()
+}
+
+/// Directions of rods and springs, which should be seen long.
+pub fn ways(subject: &Subject<'_>) -> Vec<Triple> {
+    let ends = subject.view.solids.iter().filter_map(|solid| match solid.form {
+        Form::Rod { ends, .. } | Form::Spring { ends } => Some(ends),
+        _ => None,
+    });
+    ends.map(|[a, b]| crate::pictures::view::space::minus(subject.pose.points[b], subject.pose.points[a])).collect()
+}
+
+/// Axes of the angles in the inertial frame.
+pub fn turns(subject: &Subject<'_>, angles: &[Angle]) -> Vec<Triple> {
+    angles.iter().map(|angle| angle.about(subject)).collect()
+}

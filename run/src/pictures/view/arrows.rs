@@ -1,0 +1,235 @@
+//! Forces as arrows along a motion: weights, the forces of the model file, among them springs and dampers, and
+//! constraint reactions.
+//!
+//! Left out on purpose: torques, potentials that are not forces at points, and the forces in closed contacts of a scene
+//! with impacts.
+
+use crate::code::{Code, Ready, code, stepwise};
+use crate::error::{Error, refused};
+use crate::mechanism::Mechanism;
+use crate::pictures::view::pose::Pose;
+use crate::pictures::view::space::{Triple, length, rotated};
+use tripos_derive::Formulation;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::steps::{Definition, needed};
+use tripos_derive::mechanics::Kinematics;
+use tripos_derive::model::{Place, Reaction, ReactionKind};
+use tripos_derive::scene::Scene;
+use tripos_sim::Dynamics;
+
+/// Source of a force: gravity, the model file or constraints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArrowKind {
+    /// Gravity, at the mass centre of a body.
+    Weight,
+    /// A force of the model file, or its opposite.
+    Applied,
+    /// A constraint force on the first of the bodies that the constraint holds; on the other it is the opposite.
+    Reaction,
+}
+
+/// Force on a body, without its value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Arrow {
+    /// Source of the force.
+    pub kind: ArrowKind,
+    /// Name of the force. A force of the file has its own name, a weight that of its body. A reaction has the names of
+    /// its components if the file gives them, else its body and point.
+    pub name: String,
+    /// Index of the body that it acts on.
+    pub body: usize,
+    /// Index of the point that it acts at.
+    pub point: usize,
+    /// True if the force is the opposite of the named one.
+    pub is_opposite: bool,
+    /// Index of the frame of its components.
+    frame: usize,
+}
+
+/// The forces along a motion.
+#[derive(Clone, Debug, Default)]
+pub struct Forces {
+    /// Forces that are not always zero: weights in the order of the bodies, each force of the file and its opposite,
+    /// then reactions.
+    pub list: Vec<Arrow>,
+    /// Their values at each instant, N, in the inertial frame, in the order of the list.
+    pub values: Vec<Vec<Triple>>,
+    /// Names of the forces that are left out because they have no value at some instant.
+    pub unknown: Vec<String>,
+    /// Scale of the forces, N, so that a spike does not make the others invisible. The largest force exceeds it at a
+    /// tenth of the instants. It is the overall largest force where that would be 0.
+    pub usual: f64,
+    /// Reason why the reactions of the motion are missing; `None` if they are given or there are none.
+    pub without: Option<String>,
+}
+
+impl Forces {
+    /// Ratio of the longest drawn arrow to the usual force; longer arrows are cut.
+    pub const CUT: f64 = 2.5;
+
+    /// Force as it is drawn, N: at its own length, or cut.
+    #[must_use]
+    pub fn drawn(&self, force: Triple) -> Triple {
+        let cut = Self::CUT * self.usual / length(force);
+        if cut < 1.0 { force.map(|x| cut * x) } else { force }
+    }
+
+    /// Magnitude of the largest force, N.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        self.values.iter().flatten().map(|force| length(*force)).fold(0.0, f64::max)
+    }
+
+    /// Forces at a selection of the instants.
+    #[must_use]
+    pub fn at(&self, kept: &[usize]) -> Self {
+        Self { values: kept.iter().map(|at| self.values[*at].clone()).collect(), ..self.clone() }
+    }
+}
+
+/// Evaluates the forces of a mechanism at the states of a scene.
+pub(super) struct Arrows {
+    list: Vec<Arrow>,
+    /// Computes the force components from parameters, q, u and reactions.
+    tape: Tape,
+    /// The force balance, if there are reactions.
+    balance: Option<Code>,
+    without: Option<String>,
+}
+
+impl Arrows {
+    /// The weights, declared forces and reactions of a mechanism.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if a force divides by a velocity that is zero; [`Error::Request`] if one depends on a symbol
+    /// that has no value during a run.
+    pub(super) fn new(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
+        let model = &mechanism.model;
+        let mut kinematics = Kinematics::new(model).map_err(|error| model.diagnose(&error))?;
+        let (mut list, mut values): (Vec<Arrow>, Vec<Expr>) = (Vec::new(), Vec::new());
+        let mut put = |kind, name: &str, place: Place, frame, is_opposite, force: [Expr; 3]| {
+            let Place { body, point } = place;
+            list.push(Arrow { kind, name: name.to_owned(), body, point, is_opposite, frame });
+            values.extend(force);
+        };
+        if let Some(gravity) = &model.gravity {
+            for (body, each) in model.bodies.iter().enumerate() {
+                let weight = gravity.acceleration.map(|g| kinematics.arena.mul(each.mass, g));
+                let place = Place { body, point: each.centre };
+                put(ArrowKind::Weight, &each.name, place, gravity.frame, false, weight);
+            }
+        }
+        for (at, force) in model.forces.iter().enumerate() {
+            let vector = kinematics.forces[at].clone();
+            let own = kinematics.frames.express(&mut kinematics.arena, &vector, force.frame);
+            put(ArrowKind::Applied, &force.name, force.on, force.frame, false, own);
+            if let Some(against) = force.against {
+                let opposite = own.map(|e| kinematics.arena.neg(e));
+                put(ArrowKind::Applied, &force.name, against, force.frame, true, opposite);
+            }
+        }
+        let reactions = joined(&model.reactions);
+        let (balance, without) = match balance(mechanism, scene, !reactions.is_empty()) {
+            Ok(balance) => (balance, None),
+            Err(why) => (None, Some(why)),
+        };
+        if balance.is_some() {
+            for (place, frame, parts) in reactions {
+                let mut sum = [Expr::ZERO; 3];
+                for part in &parts {
+                    for (sum, direction) in sum.iter_mut().zip(part.direction) {
+                        let along = kinematics.arena.mul(part.symbol, direction);
+                        *sum = kinematics.arena.add(*sum, along);
+                    }
+                }
+                let names = parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>();
+                let name = if parts.iter().all(|part| part.is_stated) {
+                    names.join(", ")
+                } else {
+                    format!("force on {} at {}", model.bodies[place.body].name, model.points[place.point].name)
+                };
+                put(ArrowKind::Reaction, &name, place, frame, false, sum);
+            }
+        }
+        let rates = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
+        let steps: Vec<Definition> = rates.map(|(symbol, value)| Definition { symbol, value }).collect();
+        let steps = needed(&kinematics.arena, &steps, &values);
+        let symbols = model.reactions.iter().map(|reaction| reaction.symbol).collect();
+        let inputs = [model.p(), model.q(), model.u(), symbols].concat();
+        Ok(Self { tape: stepwise(&kinematics.arena, &inputs, &steps, &values, "a force")?, list, balance, without })
+    }
+
+    /// The forces at states with these poses. Each state consists of coordinates and generalized speeds.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the parameters are not those of the equations.
+    pub(super) fn along(self, mechanism: &Mechanism, scene: &Scene, seen: &[(&[f64], &Pose)]) -> Result<Forces, Error> {
+        let (p, n) = (scene.parameters.as_slice(), mechanism.coordinates.len());
+        let mut balance = match &self.balance {
+            Some(code) => Some(Dynamics::new(code.system(), p).map_err(|error| refused(scene, &error))?),
+            None => None,
+        };
+        let count = mechanism.reactions.len();
+        let mut at = |state: &[f64], pose: &Pose| {
+            let (q, u) = state.split_at(n);
+            let unknowns = balance.as_mut().and_then(|balance| balance.unknowns(q, u).ok());
+            // A singular force balance gives no reactions.
+            let reactions = unknowns.map_or_else(|| vec![f64::NAN; count], |x| x[u.len()..].to_vec());
+            let values = self.tape.evaluate(&[p, state, &reactions].concat());
+            let own = values.chunks_exact(3).map(|each| [each[0], each[1], each[2]]);
+            let turned = self.list.iter().zip(own).map(|(arrow, own)| rotated(&pose.rotations[arrow.frame], own));
+            turned.collect::<Vec<_>>()
+        };
+        let all: Vec<Vec<Triple>> = seen.iter().map(|(state, pose)| at(state, pose)).collect();
+        let has_values = |at: usize| all.iter().all(|now| now[at].iter().all(|x| x.is_finite()));
+        let acts = |at: usize| all.iter().any(|now| now[at].iter().any(|x| *x != 0.0));
+        let (known, unknown): (Vec<usize>, Vec<usize>) = (0..self.list.len()).partition(|at| has_values(*at));
+        let kept: Vec<usize> = known.into_iter().filter(|at| acts(*at)).collect();
+        let values: Vec<Vec<Triple>> = all.iter().map(|now| kept.iter().map(|at| now[*at]).collect()).collect();
+        Ok(Forces {
+            list: kept.iter().map(|at| self.list[*at].clone()).collect(),
+            unknown: unknown.into_iter().map(|at| self.list[at].name.clone()).collect(),
+            usual: usual(&values),
+            values,
+            without: self.without,
+        })
+    }
+}
+
+/// Magnitude that the largest force exceeds at a tenth of the instants, N; the overall largest where that is 0.
+fn usual(values: &[Vec<Triple>]) -> f64 {
+    let largest = |now: &Vec<Triple>| now.iter().map(|force| length(*force)).fold(0.0, f64::max);
+    let mut each: Vec<f64> = values.iter().map(largest).collect();
+    each.sort_by(f64::total_cmp);
+    let tenth = each.get(each.len() * 9 / 10).copied().unwrap_or_default();
+    if tenth > 0.0 { tenth } else { each.last().copied().unwrap_or_default() }
+}
+
+/// Force balance of a motion with reactions; `None` without reactions. The error says why they cannot be found.
+fn balance(mechanism: &Mechanism, scene: &Scene, has_reactions: bool) -> Result<Option<Code>, String> {
+    if !has_reactions {
+        return Ok(None);
+    }
+    if !scene.impacts.is_empty() {
+        return Err("what holds a closed contact is not among them".to_owned());
+    }
+    let balance = code(mechanism, &Formulation::NewtonEuler.into(), None, Ready::AsDerived);
+    balance.map(Some).map_err(|error| format!("Newton and Euler's equations do not determine them: {error}"))
+}
+
+/// Groups the components of reaction forces that act at the same two places in the same frame.
+fn joined(reactions: &[Reaction]) -> Vec<(Place, usize, Vec<&Reaction>)> {
+    let mut list: Vec<(ReactionKind, usize, Vec<&Reaction>)> = Vec::new();
+    for reaction in reactions {
+        match list.iter_mut().find(|(kind, frame, _)| (*kind, *frame) == (reaction.kind, reaction.frame)) {
+            Some((_, _, parts)) => parts.push(reaction),
+            None => list.push((reaction.kind, reaction.frame, vec![reaction])),
+        }
+    }
+    let forces = list.into_iter().filter_map(|(kind, frame, parts)| match kind {
+        ReactionKind::Force { on, .. } => Some((on, frame, parts)),
+        ReactionKind::Torque { .. } => None,
+    });
+    forces.collect()
+}

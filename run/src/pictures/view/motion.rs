@@ -1,0 +1,227 @@
+//! Motion for a view: poses at as many instants as are needed to see no difference from the run.
+
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::pictures::view::arrows::{Arrows, Forces};
+use crate::pictures::view::pose::{Pose, Poses};
+use crate::pictures::view::space::{Quaternion, Triple, length, minus, plus, quaternion};
+use crate::simulation::run::Run;
+use crate::simulation::simulate::simulate;
+use std::f64::consts::FRAC_PI_2;
+use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_sim::Method;
+
+/// Number of evenly spaced instants of a run for a view, before unneeded ones are left out.
+const SAMPLES: usize = 6000;
+/// Greatest number of samples from one kept instant to the next.
+const LONGEST: usize = 60;
+/// Greatest invisible errors between two instants: of places, relative to the mechanism's size; of angles, rad; and of
+/// forces, relative to the usual one.
+const NOT_SEEN: (f64, f64, f64) = (5e-4, 4e-3, 2e-2);
+/// Angle between drawn and true attitude above which the turning looks wrong, rad.
+const UNTRUE: f64 = 0.2;
+/// Greatest angle for which the shortest turn between two attitudes is unique, also with rounding errors, rad.
+const ONE_WAY: f64 = 3.0;
+
+/// Motion of a mechanism for a view: poses and forces at instants.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// Title of the equations that ran, as in a heading.
+    pub title: String,
+    /// Instants in the order of the run, s.
+    pub t: Vec<f64>,
+    /// Poses at each instant.
+    pub poses: Vec<Pose>,
+    /// Forces at each instant.
+    pub forces: Forces,
+    /// Least and largest value of each coordinate and each generalized speed.
+    pub ranges: Vec<(f64, f64)>,
+    /// Sentence that says when, after how many steps and why the run ended.
+    pub ending: String,
+    /// Reasons not to trust the run to its end, one a line; empty if it can be trusted.
+    pub objections: Vec<String>,
+    /// True if the run stopped before its end because it could not go on.
+    pub failed: bool,
+}
+
+impl Motion {
+    /// Runs a scene by whole equations. `None` takes the first formulation of the model.
+    ///
+    /// # Errors
+    /// As [`crate::simulate()`].
+    pub fn of_scene(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Self, Error> {
+        let mut scene = scene.clone();
+        let how = &mut scene.integration;
+        how.samples = Some(SAMPLES);
+        how.project = None;
+        if how.method == QUADRATURE {
+            Method::Dop853.name().clone_into(&mut how.method);
+        }
+        let by = crate::code::by_or_first(mechanism, by)?;
+        let run = simulate(mechanism, &scene, Some(&by.name()))?;
+        Self::of_run(mechanism, &scene, &run)
+    }
+
+    /// Motion of a run that shows every state.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the run does not show every state.
+    pub fn of_run(mechanism: &Mechanism, scene: &Scene, run: &Run) -> Result<Self, Error> {
+        let poses = Poses::new(mechanism)?;
+        let (n, names) = (mechanism.coordinates.len(), mechanism.coordinates.iter().map(|c| &c.name));
+        if run.names.len() < n + mechanism.speeds.len() || names.zip(&run.names).any(|(own, shown)| own != shown) {
+            let what = format!("a run by {} shows no poses", run.by.title());
+            return Err(Error::request(what, "give whole equations, such as --by kane".to_owned()));
+        }
+        let (mut t, mut states) = (run.solution.t.clone(), run.states.clone());
+        // A run that ends early has no sample at its end.
+        if t.last().is_none_or(|last| last.to_bits() != run.solution.t_end.to_bits()) {
+            t.push(run.solution.t_end);
+            states.push(run.end.clone());
+        }
+        let ranges = ranges(&states);
+        let posed = states.iter().map(|state| poses.of(&scene.parameters, &state[..n]));
+        let somewhere = t.into_iter().zip(&states).zip(posed).filter(|(_, pose)| is_somewhere(pose));
+        let (at, poses): (Vec<(f64, &Vec<f64>)>, Vec<Pose>) = somewhere.unzip();
+        let full = n + mechanism.speeds.len();
+        let seen: Vec<(&[f64], &Pose)> =
+            at.iter().zip(&poses).map(|((_, state), pose)| (&state[..full], pose)).collect();
+        let forces = Arrows::new(mechanism, scene)?.along(mechanism, scene, &seen)?;
+        let t = at.into_iter().map(|(t, _)| t).collect();
+        let objections = run.objections();
+        let failed = run.solution.stop.is_failure();
+        Ok(Self { title: run.by.title(), t, poses, forces, ranges, ending: run.ending.clone(), objections, failed })
+    }
+
+    /// Keeps only the instants between which straight paths and even turns look right, for a mechanism of this size.
+    /// Keeps at most `most` instants. Also returns the factor by which the tolerances were widened for that.
+    #[must_use]
+    pub fn thinned(&self, size: f64, most: usize) -> (Self, f64) {
+        let turns = self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
+        let scale = Scale { turns, size };
+        let mut looser = 1.0;
+        let mut kept = self.kept(&scale, looser);
+        while kept.len() > most.max(2) && looser < 1e6 {
+            looser *= 2.0;
+            kept = self.kept(&scale, looser);
+        }
+        // A motion that has too many instants even then is thinned evenly.
+        let step = kept.len().div_ceil(most.max(2)).max(1);
+        let last = kept.last().copied();
+        let kept: Vec<usize> = kept.into_iter().step_by(step).filter(|at| Some(*at) != last).chain(last).collect();
+        let t = kept.iter().map(|at| self.t[*at]).collect();
+        let poses = kept.iter().map(|at| self.poses[*at].clone()).collect();
+        let forces = self.forces.at(&kept);
+        (Self { t, poses, forces, ..self.clone() }, looser)
+    }
+
+    /// Indices of the kept instants. From each, the next is the last one up to which all instants between stay near.
+    fn kept(&self, scale: &Scale, looser: f64) -> Vec<usize> {
+        let last = self.t.len().saturating_sub(1);
+        let mut kept: Vec<usize> = (!self.t.is_empty()).then_some(0).into_iter().collect();
+        let mut from = 0;
+        while from < last {
+            let mut to = from + 1;
+            while to < last && to - from < LONGEST && self.is_near(scale, (from, to + 1), looser) {
+                to += 1;
+            }
+            kept.push(to);
+            from = to;
+        }
+        kept
+    }
+
+    /// True if straight paths, even turns and evenly growing forces between two instants come near all instants
+    /// between.
+    fn is_near(&self, Scale { turns, size }: &Scale, (from, to): (usize, usize), looser: f64) -> bool {
+        let (a, b) = (&self.poses[from], &self.poses[to]);
+        let span = self.t[to] - self.t[from];
+        let has_one_way = turns[from].iter().zip(&turns[to]).all(|(a, b)| angle(*a, *b) <= ONE_WAY);
+        has_one_way
+            && (from + 1..to).all(|at| {
+                let share = (self.t[at] - self.t[from]) / span;
+                let pose = &self.poses[at];
+                let points = a.points.iter().zip(&b.points).zip(&pose.points);
+                let mut ways = points.map(|((a, b), x)| length(minus(between(*a, *b, share), *x)));
+                let mut angles =
+                    turns[from].iter().zip(&turns[to]).zip(&turns[at]).map(|((a, b), x)| apart(*a, *b, share, *x));
+                let forces = &self.forces.values;
+                let grown = forces[from].iter().zip(&forces[to]).zip(&forces[at]);
+                let drawn = |force: &Triple| self.forces.drawn(*force);
+                let mut off = grown.map(|((a, b), x)| length(minus(between(drawn(a), drawn(b), share), drawn(x))));
+                ways.all(|off| off <= looser * NOT_SEEN.0 * size)
+                    && angles.all(|off| off <= looser * NOT_SEEN.1)
+                    && !off.any(|off| off > looser * NOT_SEEN.2 * self.forces.usual)
+            })
+    }
+
+    /// True if the turning of every frame looks right in a motion with only some of these instants. This motion itself
+    /// must turn no frame by more than a quarter turn between instants. The left-out attitudes must be near the even
+    /// turns between the kept ones.
+    #[must_use]
+    pub fn turns_truly(&self, thin: &Self) -> bool {
+        let turns: Vec<Vec<Quaternion>> =
+            self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
+        let is_slow = |pair: &[Vec<Quaternion>]| pair[0].iter().zip(&pair[1]).all(|(a, b)| angle(*a, *b) <= FRAC_PI_2);
+        let mut from = 0;
+        turns.windows(2).all(is_slow)
+            && thin.t.iter().skip(1).all(|t| {
+                let to = (from + 1..self.t.len()).find(|at| self.t[*at].total_cmp(t).is_eq()).unwrap_or(from);
+                let span = self.t[to] - self.t[from];
+                let is_near = (from + 1..to).all(|at| {
+                    let share = (self.t[at] - self.t[from]) / span;
+                    let frames = turns[from].iter().zip(&turns[to]).zip(&turns[at]);
+                    frames.into_iter().all(|((a, b), x)| apart(*a, *b, share, *x) <= UNTRUE)
+                });
+                from = to;
+                is_near
+            })
+    }
+}
+
+/// Attitudes at each instant and size of the mechanism, against which differences are measured.
+struct Scale {
+    turns: Vec<Vec<Quaternion>>,
+    size: f64,
+}
+
+/// Least and largest value of each component.
+fn ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
+    let count = states.first().map_or(0, Vec::len);
+    let of = |at: usize| {
+        let values = states.iter().filter_map(|state| state.get(at).copied()).filter(|x| x.is_finite());
+        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)))
+    };
+    (0..count).map(of).collect()
+}
+
+/// True if every frame and point has finite values. A run may end where some formulas have no value.
+fn is_somewhere(pose: &Pose) -> bool {
+    pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
+}
+
+fn between(a: Triple, b: Triple, share: f64) -> Triple {
+    plus(a, share, minus(b, a))
+}
+
+/// Angle between two attitudes, rad.
+fn angle(a: Quaternion, b: Quaternion) -> f64 {
+    let cos: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
+    2.0 * cos.abs().min(1.0).acos()
+}
+
+/// Angle between an attitude and the one at a share of the even turn between two others, rad.
+///
+/// K. Shoemake, Animating rotation with quaternion curves, *Computer Graphics* 19 (1985) 245-254, § 3.3.
+fn apart(a: Quaternion, b: Quaternion, share: f64, x: Quaternion) -> f64 {
+    let cos: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
+    let b = if cos < 0.0 { b.map(|x| -x) } else { b };
+    let whole = cos.abs().min(1.0).acos();
+    let (from, to) = if whole < 1e-6 {
+        (1.0 - share, share)
+    } else {
+        ((whole * (1.0 - share)).sin() / whole.sin(), (whole * share).sin() / whole.sin())
+    };
+    let way: Vec<f64> = a.iter().zip(b).map(|(a, b)| from * a + to * b).collect();
+    angle([way[0], way[1], way[2], way[3]], x)
+}

@@ -1,0 +1,119 @@
+//! Poses of a mechanism: the attitude of every frame and the position of every point in a configuration.
+
+use crate::code::tape;
+use crate::error::Error;
+use crate::pictures::view::space::{IDENTITY, Rotation, Triple, about, plus, product, rotated, transposed};
+use tripos_derive::Model;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::model::Turn;
+
+/// Parameters and coordinates that determine a pose.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a> {
+    /// Values of the parameters, in the order of the model.
+    pub parameters: &'a [f64],
+    /// Coordinates, in the order of the model.
+    pub q: &'a [f64],
+}
+
+/// Attitudes and positions at one instant, relative to the inertial frame and its origin.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// Rotation matrix of each frame of the model: (components in the inertial frame) = rotation · (components in the
+    /// frame).
+    pub rotations: Vec<Rotation>,
+    /// Position of each point of the model in the inertial frame, m.
+    pub points: Vec<Triple>,
+}
+
+/// Tree of frames and points, with its terms as they stand in the model. Each frame is turned from its parent, and each
+/// point is placed from its parent. Nothing is multiplied out, so a long chain costs no more than its links.
+#[derive(Clone, Debug)]
+pub struct Links {
+    /// Terms in parameters and coordinates, first of the frames, then of the points, in order.
+    pub values: Vec<Expr>,
+    /// Parent of each frame, and the axis of its turn, whose angle is one term. Without an axis, the terms are nine
+    /// cosines by rows.
+    pub frames: Vec<Option<(usize, Option<usize>)>>,
+    /// Parent of each point, and the frame of its three components.
+    pub points: Vec<Option<(usize, usize)>>,
+}
+
+impl Links {
+    /// Links of a model.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        let mut values: Vec<Expr> = Vec::new();
+        let mut frames = Vec::with_capacity(model.frames.len());
+        for frame in &model.frames {
+            frames.push(frame.rotation.as_ref().map(|(parent, turn)| match turn {
+                Turn::About(axis, angle) => {
+                    values.push(*angle);
+                    (*parent, Some(*axis))
+                }
+                Turn::Oriented(turn) => {
+                    values.extend(turn.cosines.iter().flatten());
+                    (*parent, None)
+                }
+            }));
+        }
+        let mut points = Vec::with_capacity(model.points.len());
+        for point in &model.points {
+            points.push(point.position.as_ref().map(|(parent, frame, components)| {
+                values.extend(components);
+                (*parent, *frame)
+            }));
+        }
+        Self { values, frames, points }
+    }
+}
+
+/// Computes the poses of a model.
+#[derive(Clone)]
+pub struct Poses {
+    tape: Tape,
+    links: Links,
+}
+
+impl Poses {
+    /// Poses of this model.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No loaded model has
+    /// one.
+    pub fn new(model: &Model) -> Result<Self, Error> {
+        let links = Links::of(model);
+        let inputs = [model.p(), model.q()].concat();
+        Ok(Self { tape: tape(&model.arena, &inputs, &links.values, "the place of a frame or point")?, links })
+    }
+
+    /// The pose at these parameters and coordinates.
+    #[must_use]
+    pub fn of(&self, p: &[f64], q: &[f64]) -> Pose {
+        let mut values = self.tape.evaluate(&[p, q].concat()).into_iter();
+        let mut next = || values.next().unwrap_or(f64::NAN);
+        let mut rotations: Vec<Rotation> = Vec::with_capacity(self.links.frames.len());
+        for frame in &self.links.frames {
+            rotations.push(match frame {
+                None => IDENTITY,
+                Some((parent, Some(axis))) => product(&rotations[*parent], &about(*axis, next())),
+                Some((parent, None)) => {
+                    let cosines = [(); 3].map(|()| [(); 3].map(|()| next()));
+                    product(&rotations[*parent], &transposed(&cosines))
+                }
+            });
+        }
+        let mut points: Vec<Triple> = Vec::with_capacity(self.links.points.len());
+        for point in &self.links.points {
+            points.push(match point {
+                None => [0.0; 3],
+                Some((parent, frame)) => {
+                    let components = [(); 3].map(|()| next());
+                    plus(points[*parent], 1.0, rotated(&rotations[*frame], components))
+                }
+            });
+        }
+        Pose { rotations, points }
+    }
+}

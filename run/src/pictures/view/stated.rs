@@ -1,0 +1,92 @@
+//! Solids as the model file states them.
+
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::pictures::view::solid::{Form, Place, Solid};
+use crate::pictures::view::space::{Rotation, quaternion};
+use crate::pictures::view::values;
+use tripos_derive::algebra::Expr;
+use tripos_derive::model::{Shape, ShapeForm};
+
+/// Thickness of a disk without a stated one, relative to its radius.
+const THIN: f64 = 0.04;
+
+/// The solids of `[shapes]` at these parameters.
+///
+/// # Errors
+/// [`Error::Request`] if a length is not positive there.
+pub fn solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, Error> {
+    let mut list = Vec::new();
+    for shape in &mechanism.shapes {
+        check(mechanism, parameters, shape)?;
+        let position = values(mechanism, parameters, &shape.position, "a shape")?;
+        let place = Place { position: [position[0], position[1], position[2]], ..Place::at(shape.frame, shape.point) };
+        for form in forms(mechanism, parameters, shape, place)? {
+            list.push(Solid { label: shape.name.clone(), body: shape.body, touches: None, form });
+        }
+    }
+    Ok(list)
+}
+
+/// Terms that place and size each solid of `[shapes]`, each with its key. The keys `position` and `size` occur three
+/// times each, `radius` and `length` once. Values that the file does not give are left out.
+#[must_use]
+pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
+    let of = |shape: &Shape| {
+        let position = shape.position.iter().map(|component| ("position", *component));
+        // A disk's thickness is the length of a cylinder.
+        let of_cylinder = |key| match key {
+            "thickness" => "length",
+            other => other,
+        };
+        let said = shape.form.lengths().into_iter().map(|(key, e)| (of_cylinder(key), e));
+        let one: Vec<(&'static str, Expr)> = position.chain(said).collect();
+        let count = if let ShapeForm::Line { through, .. } = &shape.form { through.len().saturating_sub(1) } else { 1 };
+        vec![one; count]
+    };
+    mechanism.shapes.iter().flat_map(of).collect()
+}
+
+/// Refuses lengths that are not positive and finite.
+fn check(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(), Error> {
+    for (key, length) in shape.form.lengths() {
+        let value = values(mechanism, parameters, &[length], "a shape")?[0];
+        if value.is_nan() || value <= 0.0 || value.is_infinite() {
+            let what = format!("the {key} of shape `{}` is {value} at the parameters of this scene", shape.name);
+            return Err(Error::request(what, "what can be seen is longer than 0".to_owned()));
+        }
+    }
+    Ok(())
+}
+
+fn forms(mechanism: &Mechanism, parameters: &[f64], shape: &Shape, at: Place) -> Result<Vec<Form>, Error> {
+    let number = |e: Expr| Ok::<f64, Error>(values(mechanism, parameters, &[e], "a shape")?[0]);
+    Ok(match &shape.form {
+        ShapeForm::Sphere { radius } => vec![Form::Sphere { at, radius: number(*radius)? }],
+        ShapeForm::Disk { axis, radius, thickness } => {
+            let radius = number(*radius)?;
+            let length = thickness.map(number).transpose()?.unwrap_or(THIN * radius);
+            vec![Form::Cylinder { at: turned(at, *axis), radius, length }]
+        }
+        ShapeForm::Cylinder { axis, radius, length } => {
+            vec![Form::Cylinder { at: turned(at, *axis), radius: number(*radius)?, length: number(*length)? }]
+        }
+        ShapeForm::Box { size } => {
+            vec![Form::Box { at, size: [number(size[0])?, number(size[1])?, number(size[2])?] }]
+        }
+        ShapeForm::Line { through, radius } => {
+            let radius = radius.map(number).transpose()?.unwrap_or_default();
+            through.windows(2).map(|ends| Form::Rod { ends: [ends[0], ends[1]], radius }).collect()
+        }
+        ShapeForm::Ground { axis } => vec![Form::Ground { at: turned(at, *axis) }],
+    })
+}
+
+/// Place with axis 3 along this axis of the frame. The axes keep their cyclic order.
+fn turned(at: Place, axis: usize) -> Place {
+    let mut columns: Rotation = [[0.0; 3]; 3];
+    for (column, row) in [(0, (axis + 1) % 3), (1, (axis + 2) % 3), (2, axis)] {
+        columns[row][column] = 1.0;
+    }
+    Place { turned: quaternion(&columns), ..at }
+}

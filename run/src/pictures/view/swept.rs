@@ -1,0 +1,54 @@
+//! Measures of many poses: the greatest distance of points, and the plane in which they stay.
+
+use crate::pictures::view::pose::Pose;
+use crate::pictures::view::space::{IDENTITY, Triple, length, minus};
+
+/// Greatest distance of two of these points at one instant, m, over a selection of the poses.
+pub(super) fn diameter(poses: &[Pose], points: &[usize]) -> f64 {
+    let mut most: f64 = 0.0;
+    for pose in spread(poses, 16) {
+        for (at, a) in points.iter().enumerate() {
+            for b in &points[at + 1..] {
+                let apart = length(minus(pose.points[*a], pose.points[*b]));
+                most = if apart.is_finite() { most.max(apart) } else { most };
+            }
+        }
+    }
+    most
+}
+
+/// Selects at most `count` poses, evenly spaced, the first among them.
+pub(super) fn spread(poses: &[Pose], count: usize) -> impl Iterator<Item = &Pose> {
+    poses.iter().step_by(poses.len().div_ceil(count).max(1))
+}
+
+/// Normal of a plane across an inertial axis in which each of these points stays; `None` if there is none.
+pub(super) fn plane(poses: &[Pose], points: &[usize], size: f64) -> Option<Triple> {
+    let stays = |axis: usize| {
+        let moves = |point: &usize| {
+            let of = |pose: &Pose| pose.points[*point][axis];
+            let (low, high) =
+                poses.iter().map(of).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+            high - low > 1e-6 * size
+        };
+        // A frame must turn only about the normal, or keep its attitude.
+        let turns = |frame: &usize| poses.iter().any(|pose| pose.rotations[*frame][axis][axis].abs() < 1.0 - 1e-6);
+        let frames: Vec<usize> = (0..poses.first().map_or(0, |pose| pose.rotations.len())).collect();
+        let still = frames.iter().filter(|frame| turns(frame)).all(|frame| is_still(poses, *frame));
+        !points.iter().any(moves) && still
+    };
+    let axes: Vec<usize> = [2, 1, 0].into_iter().filter(|axis| stays(*axis)).collect();
+    match axes.as_slice() {
+        [] => None,
+        [axis, ..] => Some(IDENTITY[*axis]),
+    }
+}
+
+fn is_still(poses: &[Pose], frame: usize) -> bool {
+    let Some(first) = poses.first() else { return true };
+    let apart = |pose: &Pose| {
+        let pairs = pose.rotations[frame].iter().flatten().zip(first.rotations[frame].iter().flatten());
+        pairs.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()))
+    };
+    poses.iter().all(|pose| apart(pose) < 1e-9)
+}

@@ -1,0 +1,78 @@
+//! Kinds of numbers in which a run with contacts is computed: plain doubles, or numbers with slopes.
+//!
+//! Values alone decide which contacts close, push and open. Slopes accompany the values and decide nothing.
+
+use crate::preparation::impacts::contacts::Contacts;
+use crate::preparation::impacts::happening::Happening;
+use crate::preparation::impacts::held::Held;
+use crate::preparation::impacts::kept::Kept;
+use crate::preparation::impacts::meeting::After;
+use tripos_sim::{RightHandSide, SimError};
+
+/// Function that makes the equations of a run, anew for each use.
+pub type Equations<'a> = dyn Fn() -> Result<Box<dyn RightHandSide<f64> + 'a>, SimError> + 'a;
+
+/// A state at which velocities jump, or from which contacts are held or released.
+pub struct Crossing<'c> {
+    /// Instant of the crossing, s.
+    pub t: f64,
+    /// Change of a contact that caused the crossing; `None` at the start of the run.
+    pub happening: Option<Happening>,
+    /// State before the crossing.
+    pub before: &'c [f64],
+    /// Contacts that were held before.
+    pub kept: &'c Kept,
+    /// State after the crossing, with the impact and the contacts that are held from there on.
+    pub after: &'c After,
+}
+
+/// A minimum of a gap that stays open but comes close to zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Approach {
+    /// Index of the contact.
+    pub contact: usize,
+    /// Instant of the minimum, s.
+    pub t: f64,
+    /// State at the minimum.
+    pub y: Vec<f64>,
+}
+
+/// Operations that a run with contacts needs of the numbers in which it is computed.
+pub trait Carrier<S> {
+    /// Makes the equations with the forces of these held contacts.
+    ///
+    /// # Errors
+    /// [`SimError`] if the question makes no sense.
+    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
+
+    /// Receives the end of each step inside a part of the run, s, except that of the last step.
+    fn stepped(&self, _t: f64) {}
+
+    /// Relative gap below which a minimum of the gap is reported, over the size of the gap's terms. `None` if no report
+    /// is wanted.
+    fn near(&self) -> Option<f64> {
+        None
+    }
+
+    /// Receives a minimum of an open gap that is below [`Self::near`]. Derivatives may end there.
+    fn nears(&self, _approach: &Approach) {}
+
+    /// State after a crossing: its values, and the slopes that accompany them, if any.
+    fn across(&self, crossing: &Crossing<'_>, before: &[S]) -> Vec<S>;
+}
+
+/// Carrier of plain doubles, which have no slopes.
+pub struct Doubles<'a> {
+    pub contacts: &'a Contacts<'a>,
+    pub equations: &'a Equations<'a>,
+}
+
+impl Carrier<f64> for Doubles<'_> {
+    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<f64> + 'e>, SimError> {
+        Ok(Box::new(Held { rhs: (self.equations)()?, contacts: self.contacts, kept }))
+    }
+
+    fn across(&self, crossing: &Crossing<'_>, _: &[f64]) -> Vec<f64> {
+        crossing.after.y.clone()
+    }
+}

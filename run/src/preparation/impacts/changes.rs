@@ -1,0 +1,55 @@
+//! Records of what contacts with friction begin to do.
+
+use crate::preparation::impacts::happening::Happening;
+use crate::preparation::impacts::kept::Kept;
+use crate::preparation::impacts::{Bouncing, values};
+use tripos_sim::{EventRecord, Kind, Mode, Solution};
+use tripos_traits::Real;
+
+impl Bouncing<'_> {
+    /// Events at the start: the contacts that are held, and those of them that slip or stick.
+    pub(super) fn at_start(&self, base: usize, kept: &Kept, from: (f64, &[f64])) -> Vec<EventRecord> {
+        let closed = kept.which.iter().map(|at| Happening::Closes(*at));
+        let rough = kept.iter().filter_map(|(at, mode)| begun(at, None, Some(mode)));
+        closed.chain(rough).map(|happening| self.record(base, happening, from, Kind::AtStart)).collect()
+    }
+
+    /// Replaces the events by which contacts with friction ended a part of the run by events for the modes that begin
+    /// there.
+    pub(super) fn tell<S: Real>(&self, whole: &mut Solution<S>, base: usize, (before, after): (&Kept, &Kept)) {
+        let count = self.contacts.impacts.len();
+        let is_rough = |event: &EventRecord| {
+            let happening = event.event.checked_sub(base).and_then(|event| Happening::of_event(event, count));
+            let changes = happening.filter(|happening| !matches!(happening, Happening::Closes(_)));
+            event.terminal && changes.is_some_and(|happening| self.contacts.friction(happening.contact()).is_some())
+        };
+        whole.events.retain(|event| !is_rough(event));
+        let y = values(&whole.y_end);
+        for contact in (0..count).filter(|at| self.contacts.friction(*at).is_some()) {
+            if let Some(happening) = begun(contact, before.mode(contact), after.mode(contact)) {
+                whole.events.push(self.record(base, happening, (whole.t_end, &y), Kind::Falling));
+            }
+        }
+    }
+
+    /// Makes the event record of a contact.
+    fn record(&self, base: usize, happening: Happening, (t, y): (f64, &[f64]), kind: Kind) -> EventRecord {
+        let event = base + happening.event(self.contacts.impacts.len());
+        let name = happening.name(self.contacts.impacts);
+        EventRecord { event, name, t, y: y.to_vec(), kind, terminal: false }
+    }
+}
+
+/// Change of a contact with friction between two modes; `None` if nothing new begins.
+fn begun(contact: usize, before: Option<Mode>, after: Option<Mode>) -> Option<Happening> {
+    match (before, after) {
+        (Some(_), None) => Some(Happening::Opens(contact)),
+        (Some(Mode::Slips(one)), Some(Mode::Slips(other))) => {
+            (one * other < 0.0).then_some(Happening::Reverses(contact))
+        }
+        (_, Some(Mode::Slips(_))) => Some(Happening::Slips(contact)),
+        (Some(Mode::Sticks), Some(Mode::Sticks)) => None,
+        (_, Some(Mode::Sticks)) => Some(Happening::Sticks(contact)),
+        _ => None,
+    }
+}

@@ -1,0 +1,96 @@
+//! Checks of a finished part of a run for changes of contacts that it missed.
+
+use crate::preparation::impacts::held::Held;
+use crate::preparation::impacts::kept::Kept;
+use crate::preparation::impacts::{Bouncing, OVERLAP, values};
+use tripos_sim::{Failure, Mode, Solution, Stop};
+use tripos_traits::Real;
+
+/// Determinant, relative to its value without slip, below which forces grow without bound.
+pub const NEARLY: f64 = 1e-3;
+
+impl Bouncing<'_> {
+    /// Failure if a gap is negative at the end of a part that did not see it close; otherwise `None`.
+    pub(super) fn overlapping<S: Real>(&self, part: &Solution<S>, kept: &Kept) -> Option<Failure> {
+        let y_end = values(&part.y_end);
+        let rates = self.contacts.rates(&y_end);
+        let gap = |contact: usize| self.contacts.gap(contact, &y_end);
+        let least = |contact: usize| {
+            let sizes = part.y.iter().chain([&part.y_end]).map(|y| self.contacts.made_of(contact, &values(y)));
+            let velocity = rates.values[self.contacts.rows[contact][0]].abs();
+            OVERLAP * sizes.fold(0.0, f64::max) + velocity * self.least
+        };
+        let free = (0..self.contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
+        let below = free.into_iter().find(|contact| gap(*contact) < 0.0 && gap(*contact) < -least(*contact))?;
+        let message = format!(
+            "the gap of the contact `{}` is {:e}, and that it closed was not seen: give a shorter `max_step`",
+            self.contacts.impacts[below].name,
+            gap(below)
+        );
+        Some(Failure { code: "contact", message })
+    }
+
+    /// Failure if a contact with friction left its mode within a part that did not see the change; otherwise `None`.
+    pub(super) fn unseen<S: Real>(&self, part: &Solution<S>, forces: &mut Held<'_>) -> Option<Failure> {
+        let kept = forces.kept;
+        if kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
+            return None;
+        }
+        let (t, y) = (part.t_end, values(&part.y_end));
+        // Modes cannot be checked where the forces cannot be computed.
+        let (free, along) = match forces.free(t, &y).and_then(|free| Ok((forces.forces(&free)?, free))) {
+            Ok((along, free)) => (free, along),
+            Err(failure) => return Some(failure),
+        };
+        let accelerations = &free.accelerations + &free.response.compliance * &along;
+        let rows = |contact: usize| (self.contacts.rows[contact][0], self.contacts.rows[contact][1]);
+        // A slip no faster than this counts as rest. The limit is a small fraction of its largest speed in this part,
+        // or of the speed that all the energy would give it.
+        let energy = self.contacts.kinetic_energy(&y);
+        let largest = |row: usize| {
+            let most = (2.0 * energy * free.response.compliance[(row, row)]).max(0.0).sqrt();
+            part.y.iter().map(|y| self.contacts.rates(&values(y)).values[row].abs()).fold(most, f64::max)
+        };
+        let rough = kept.iter().filter(|(at, _)| self.contacts.friction(*at).is_some());
+        let what = rough.filter_map(|(contact, mode)| {
+            let ((normal, slip), mu) = (rows(contact), self.contacts.friction(contact)?);
+            let (pushes, bears) = (along[normal], mu * along[normal]);
+            let nothing = OVERLAP * along.amax().max(free.force_of_size(normal));
+            let what = match mode {
+                _ if pushes < -nothing => "opens",
+                Mode::Sticks if along[slip].abs() > bears + nothing => "slips",
+                Mode::Slips(way) if self.contacts.is_rough(contact) => {
+                    let least = OVERLAP * largest(slip) + accelerations[slip].abs() * self.least;
+                    if way * free.response.velocities[slip] >= -least {
+                        return None;
+                    }
+                    "slips the other way"
+                }
+                _ => return None,
+            };
+            Some((contact, what))
+        });
+        let (contact, what) = what.into_iter().next()?;
+        let name = &self.contacts.impacts[contact].name;
+        let message = format!("that the contact `{name}` {what} was not seen: give a shorter `max_step`");
+        Some(Failure { code: "contact", message })
+    }
+
+    /// Failure if steps became too short because the forces of slipping contacts grow without bound; otherwise `None`.
+    pub(super) fn jammed<S: Real>(&self, part: &Solution<S>, forces: &Held<'_>) -> Option<Failure> {
+        let ends = matches!(part.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::NotConverged { .. });
+        let (first, _) = forces.kept.slipping().next().filter(|_| ends)?;
+        let determinant = forces.determinant(&values(&part.y_end));
+        (determinant.abs() < NEARLY).then(|| self.jams(first, part.t_end))
+    }
+
+    /// Failure that reports a slipping contact whose forces are no longer determined.
+    pub(super) fn jams(&self, contact: usize, t: f64) -> Failure {
+        let name = &self.contacts.impacts[contact].name;
+        let message = format!(
+            "from t = {t} s on the force of the contact `{name}`, which slips, is not determined any more: the friction that comes of it presses as much as it does. \
+             That is Painlevé's paradox of rigid bodies; a smaller coefficient of friction has none"
+        );
+        Failure { code: "friction", message }
+    }
+}

@@ -1,0 +1,55 @@
+//! Contacts that are held, and the mode of each of them.
+
+use crate::preparation::impacts::contacts::Contacts;
+use tripos_sim::Mode;
+
+/// Contacts that are held, each with its mode: it pushes, sticks or slips.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Kept {
+    pub which: Vec<usize>,
+    /// Modes of the contacts, in the same order.
+    pub modes: Vec<Mode>,
+}
+
+/// Empty list of held contacts.
+pub static NONE: Kept = Kept { which: Vec::new(), modes: Vec::new() };
+
+impl Kept {
+    /// True if no contact is held.
+    pub fn is_empty(&self) -> bool {
+        self.which.is_empty()
+    }
+
+    /// Iterates over the held contacts with their modes.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, Mode)> + '_ {
+        self.which.iter().copied().zip(self.modes.iter().copied())
+    }
+
+    /// Mode of a contact; `None` if it is not held.
+    pub fn mode(&self, contact: usize) -> Option<Mode> {
+        self.iter().find(|(at, _)| *at == contact).map(|(_, mode)| mode)
+    }
+
+    /// Adds a contact with its mode.
+    pub fn push(&mut self, contact: usize, mode: Mode) {
+        self.which.push(contact);
+        self.modes.push(mode);
+    }
+
+    /// The contacts that slip, each with the sign of its velocity.
+    pub fn slipping(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.iter().filter_map(|(at, mode)| match mode {
+            Mode::Slips(way) => Some((at, way)),
+            _ => None,
+        })
+    }
+
+    /// Indices of the rows that are held; for a slipping contact only the row of its gap.
+    pub fn rows(&self, contacts: &Contacts<'_>) -> Vec<usize> {
+        let held = |(at, mode): (usize, Mode)| {
+            let rows = &contacts.rows[at];
+            if matches!(mode, Mode::Slips(_)) { rows[..1].to_vec() } else { rows.clone() }
+        };
+        self.iter().flat_map(held).collect()
+    }
+}

@@ -1,0 +1,318 @@
+//! Impacts of contacts that are closed together, and the contacts that are held afterwards.
+
+use crate::preparation::impacts::checked::NEARLY;
+use crate::preparation::impacts::contacts::Response;
+use crate::preparation::impacts::happening::Happening;
+use crate::preparation::impacts::held::Held;
+use crate::preparation::impacts::kept::{Kept, NONE};
+use crate::preparation::impacts::{Bouncing, NOTHING};
+use nalgebra::DVector;
+use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
+
+/// Contacts that are closed at one instant, those of them that were held before, and the change there.
+pub struct Meeting<'m> {
+    pub closed: &'m [usize],
+    pub kept: &'m Kept,
+    pub happening: Option<Happening>,
+}
+
+impl Meeting<'_> {
+    /// Contact that opens there; `None` if none does.
+    fn opens(&self) -> Option<usize> {
+        match self.happening {
+            Some(Happening::Opens(contact)) => Some(contact),
+            _ => None,
+        }
+    }
+}
+
+/// A meeting of contacts after its impact, if there was one.
+pub struct Met<'m> {
+    pub meeting: &'m Meeting<'m>,
+    pub is_hit: bool,
+    /// Reference speed of each row: a velocity far below it counts as zero.
+    pub scale: &'m DVector<f64>,
+    /// Accelerations of the rows before the meeting.
+    pub before: &'m DVector<f64>,
+    /// True if the forces before were about to grow without bound.
+    pub is_jamming: bool,
+}
+
+/// Contacts that are held after a meeting, and contacts whose next bounce would be too short.
+struct Settled {
+    kept: Kept,
+    short: Vec<usize>,
+    /// Contacts that would bounce too short and are not held, with the modes that they would have.
+    more: Kept,
+}
+
+/// Largest number of impacts that may follow one another at one instant.
+const MOST: usize = 1_000;
+
+/// State after a meeting, at which velocities may have jumped, and the contacts that are held from there on.
+#[derive(Clone, Debug)]
+pub struct After {
+    pub y: Vec<f64>,
+    pub record: Option<ImpactRecord>,
+    pub kept: Kept,
+    /// Contacts that were closed at the instant.
+    pub closed: Vec<usize>,
+    /// Contacts that had impulses together by the law of impact, one list for each impact of the instant. A further
+    /// impact follows where one closes a contact that had opened. Empty if nothing was hit.
+    pub hits: Vec<Vec<usize>>,
+    /// Contacts of these that were then brought to rest, each with its mode meanwhile.
+    pub rested: Kept,
+}
+
+impl After {
+    /// State at which no contact is closed.
+    pub fn unchanged(y: &[f64]) -> Self {
+        let none = Kept::default;
+        Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), hits: Vec::new(), rested: none() }
+    }
+}
+
+/// An impact, and the contacts that it hit.
+struct Hit {
+    blow: Blow,
+    /// The contacts that hit, one list for each impact of the instant: [`After::hits`].
+    hits: Vec<Vec<usize>>,
+    /// Reference speed of each row: its parts before, and the changes by each impulse.
+    scale: DVector<f64>,
+}
+
+/// Impulses along all rows together, and their effects.
+struct Blow {
+    y: Vec<f64>,
+    impulses: DVector<f64>,
+    loss: f64,
+    work: f64,
+}
+
+impl Bouncing<'_> {
+    /// Handles contacts that are closed at an instant: an impact if one of them closes further, then the holding.
+    pub(super) fn meet(
+        &self,
+        (t, y): (f64, &[f64]),
+        meeting: &Meeting<'_>,
+    ) -> Result<Result<After, Failure>, SimError> {
+        let mut free = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: &NONE };
+        let mut held = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: meeting.kept };
+        Ok(self.met((&mut free, &mut held), (t, y), meeting))
+    }
+
+    fn met(
+        &self,
+        (free, held): (&mut Held<'_>, &mut Held<'_>),
+        (t, y): (f64, &[f64]),
+        meeting: &Meeting<'_>,
+    ) -> Result<After, Failure> {
+        let Hit { mut blow, hits, scale } = self.hit((t, y), meeting)?;
+        let is_hit = !hits.is_empty();
+        let (mut is_impact, mut rested) = (is_hit, Kept::default());
+        let scale = scale.zip_map(&self.speeds(&blow.y)?, f64::max);
+        let before = self.approach(held, (t, y))?;
+        let slips = meeting.opens().is_some() && meeting.kept.slipping().next().is_some();
+        let is_jamming = slips && held.determinant(y).abs() < NEARLY;
+        let met = Met { meeting, is_hit, scale: &scale, before: &before, is_jamming };
+        let Settled { mut kept, short, more } = self.settle(free, (t, &blow.y), &met)?;
+        let mut all = kept.clone();
+        more.iter().for_each(|(at, mode)| all.push(at, mode));
+        if let Some((last, slips)) = self.bring_to_rest(&blow.y, &all, &met)? {
+            is_impact |= slips || !short.is_empty();
+            blow = Blow {
+                y: last.y,
+                impulses: blow.impulses + last.impulses,
+                loss: blow.loss + last.loss,
+                work: blow.work + last.work,
+            };
+            kept = self.settle(free, (t, &blow.y), &met)?.kept;
+            rested = all;
+        }
+        let normal = |contact: &usize| (*contact, blow.impulses[self.contacts.rows[*contact][0]]);
+        let impulses = meeting.closed.iter().map(normal).filter(|(_, impulse)| *impulse != 0.0).collect();
+        let record = ImpactRecord { t, impulses, before: y.to_vec(), loss: blow.loss, work: blow.work, held: short };
+        let (record, closed) = (is_impact.then_some(record), meeting.closed.to_vec());
+        Ok(After { y: blow.y, record, kept, closed, hits, rested })
+    }
+
+    /// Failure that reports an impact that would create energy.
+    fn gains(&self, t: f64, meeting: &Meeting<'_>, gained: f64) -> Failure {
+        let has_friction = meeting.closed.iter().any(|at| self.contacts.friction(*at).is_some());
+        let why = if has_friction {
+            "contacts with friction that give back what closes them can do that, by Newton's law; take law = \"poisson\", or give them a restitution of 0"
+        } else {
+            "contacts that do not slip and give back what closes them can do that, by Newton's law; \
+             give them a restitution of 0, or leave `no_slip` out"
+        };
+        Failure { code: "impact", message: format!("the impact at t = {t} s would create energy, {gained} J: {why}") }
+    }
+
+    /// Computes the impact of contacts that are closed together, with a list of the contacts hit in each impact. There
+    /// are no impulses if no contact closes.
+    ///
+    /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact closes it, another
+    /// impact follows at the same instant.
+    fn hit(&self, (t, y): (f64, &[f64]), meeting: &Meeting<'_>) -> Result<Hit, Failure> {
+        let rates = self.contacts.rates(y);
+        let response = self.contacts.response(y, &rates)?;
+        let mut scale = self.speeds(y)?;
+        let normal = |contact: &usize| self.contacts.rows[*contact][0];
+        let name = |contact: &usize| format!("`{}`", self.contacts.impacts[*contact].name);
+        let closed = meeting.closed;
+        if let Some(fixed) = closed.iter().find(|at| response.compliance[(normal(at), normal(at))] <= 0.0) {
+            let message = format!(
+                "the contact {} is closed at t = {t} s, and no motion that the mechanism has changes its gap there",
+                name(fixed)
+            );
+            return Err(Failure { code: "impact", message });
+        }
+        // The velocity of a contact that was held is rounding and starts no impact: where everything comes to rest, the
+        // reference speed is as small.
+        let (mut all, mut hits) = (DVector::zeros(self.contacts.count), Vec::<Vec<usize>>::new());
+        while meeting.opens().is_none() {
+            let now = &response.velocities + &response.compliance * &all;
+            let is_new = |at: &usize| !hits.is_empty() || meeting.kept.mode(*at).is_none();
+            let closes = |at: &usize| now[normal(at)] < -NOTHING * scale[normal(at)];
+            if !closed.iter().any(|at| is_new(at) && closes(at)) {
+                break;
+            }
+            if hits.len() == MOST {
+                return Err(self.unending(t, closed));
+            }
+            let opens = |at: &usize| now[normal(at)] > NOTHING * scale[normal(at)];
+            let takes_part = |at: &usize| self.contacts.is_poisson() || !opens(at);
+            let hit: Vec<usize> = closed.iter().copied().filter(takes_part).collect();
+            let impulses = self.contacts.impulses(&response, &now, &hit);
+            let impulses = impulses.map_err(|why| self.undecided(t, &hit, "no impulses part what closes", &why))?;
+            // Impulses that cancel one another leave rounding as well.
+            scale += response.compliance.abs() * impulses.abs();
+            all += impulses;
+            hits.push(hit);
+        }
+        let told = told(&response, &all, &scale);
+        let blow = struck(y, &response, all);
+        if blow.loss < -told { Err(self.gains(t, meeting, -blow.loss)) } else { Ok(Hit { blow, hits, scale }) }
+    }
+
+    /// Failure that reports impacts of closed contacts that follow one another without end.
+    fn unending(&self, t: f64, closed: &[usize]) -> Failure {
+        let names: Vec<String> = closed.iter().map(|at| format!("`{}`", self.contacts.impacts[*at].name)).collect();
+        let message = format!(
+            "more than {MOST} impacts follow one another at t = {t} s, of contacts that are closed there: {}; give one of them a restitution of 0, or take law = \"poisson\"",
+            names.join(", ")
+        );
+        Failure { code: "impact", message }
+    }
+
+    /// Finds the closed contacts at rest that are pushed together and stay so, and those others whose next flight would
+    /// be too short.
+    fn settle(&self, free: &mut Held<'_>, (t, y): (f64, &[f64]), met: &Met<'_>) -> Result<Settled, Failure> {
+        let (meeting, scale) = (met.meeting, met.scale);
+        let now = free.free(t, y)?;
+        let normal = |contact: &usize| self.contacts.rows[*contact][0];
+        let velocity = |contact: &usize| now.response.velocities[normal(contact)];
+        let is_still = |at: &usize| {
+            let rests = !met.is_hit && meeting.kept.mode(*at).is_some();
+            rests || velocity(at).abs() <= NOTHING * scale[normal(at)]
+        };
+        // Largest velocity whose flight is too short.
+        let slow = |at: &usize, accelerations: &DVector<f64>| {
+            self.contacts.slow(*at, y, accelerations[normal(at)], self.least)
+        };
+        let is_slow = |at: &usize| velocity(at).abs() <= slow(at, &now.accelerations);
+        let stays = |at: &usize| meeting.opens() != Some(*at);
+        let (rest, moving): (Vec<usize>, Vec<usize>) =
+            meeting.closed.iter().copied().filter(stays).partition(|at| is_still(at) || is_slow(at));
+        let (modes, forces) = self.modes(free, (t, y), &now, &rest, met)?;
+        let accelerations = &now.accelerations + &now.response.compliance * &forces;
+        // Where friction adds as much pressure as causes it, a force passes infinity and the contact does not open.
+        let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();
+        if let Some(contact) = meeting.opens().filter(|at| met.is_jamming && closes(at)) {
+            return Err(self.jams(contact, t));
+        }
+        let nothing = |at: &usize| NOTHING * now.accelerations.amax().max(now.sizes[normal(at)]);
+        // A contact that neither pushes nor opens stays held as well, if that takes no friction.
+        let lies = |at: &usize| self.contacts.rows[*at].len() == 1 && accelerations[normal(at)] <= nothing(at);
+        let mut kept = Kept::default();
+        for (at, mode) in rest.iter().zip(modes) {
+            let stays = if self.contacts.friction(*at).is_some() {
+                mode.is_held()
+            } else {
+                forces[normal(at)] > 0.0 || lies(at)
+            };
+            if stays {
+                kept.push(*at, if mode.is_held() { mode } else { Mode::Pushes });
+            }
+        }
+        let bounces = |at: &&usize| !is_still(at) && velocity(at) > 0.0 && meeting.opens().is_none();
+        let falls = |at: &usize| velocity(at) > 0.0 && accelerations[normal(at)] < 0.0;
+        let is_short = |at: &usize| falls(at) && velocity(at) <= slow(at, &accelerations);
+        let short: Vec<usize> =
+            kept.which.iter().filter(bounces).copied().chain(moving.into_iter().filter(is_short)).collect();
+        let mut more = Kept::default();
+        for at in short.iter().filter(|at| kept.mode(**at).is_none()) {
+            let slips = self.slips(*at, &now.response.velocities, met);
+            more.push(*at, slips.map_or_else(|| self.contacts.firm(*at), Mode::Slips));
+        }
+        Ok(Settled { kept, short, more })
+    }
+
+    /// Computes the impulses that remove the last velocities of contacts that are to be held. The flag is true if a
+    /// contact slips that must not. `None` if there are no velocities.
+    fn bring_to_rest(&self, y: &[f64], kept: &Kept, met: &Met<'_>) -> Result<Option<(Blow, bool)>, Failure> {
+        let response = self.contacts.response(y, &self.contacts.rates(y))?;
+        if kept.rows(self.contacts).iter().all(|row| response.velocities[*row] == 0.0) {
+            return Ok(None);
+        }
+        let (closed, rows) = self.contacts.closed(&response, &kept.which);
+        let left = response.velocities.select_rows(&rows);
+        let held_before = |at: usize| !met.is_hit && met.meeting.kept.mode(at).is_some();
+        let mut slips = kept
+            .iter()
+            .filter(|(at, mode)| *mode == Mode::Pushes && !held_before(*at))
+            .flat_map(|(at, _)| self.contacts.rows[at][1..].iter());
+        let slipping = slips.any(|row| response.velocities[*row].abs() > NOTHING * met.scale[*row]);
+        let some = closed.hold(&left, &kept.modes).ok_or_else(|| Failure {
+            code: "not-finite",
+            message: "the impulses that bring contacts to rest are not finite".to_owned(),
+        })?;
+        Ok(Some((struck(y, &response, self.contacts.spread(&some, &rows)), slipping)))
+    }
+
+    /// Reference speeds of the rows: the sum of their parts by each motion variable, and the part of moving obstacles.
+    fn speeds(&self, y: &[f64]) -> Result<DVector<f64>, Failure> {
+        let rates = self.contacts.rates(y);
+        let driven = self.contacts.response(y, &rates)?.driven;
+        let n = self.contacts.system.lengths().coordinates;
+        let of_row = |row: usize, _| {
+            let parts = (n..y.len()).map(|at| (rates.slopes[(row, at)] * y[at]).abs()).sum::<f64>();
+            parts + driven[row].abs()
+        };
+        Ok(DVector::from_fn(self.contacts.count, of_row))
+    }
+}
+
+/// Applies impulses along all rows to a state.
+fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
+    let mut after = y.to_vec();
+    let changes = &response.changes * &impulses;
+    let first = after.len() - changes.len();
+    for (v, change) in after[first..].iter_mut().zip(changes.iter()) {
+        *v += change;
+    }
+    // Thomson and Tait: impulses work on the mean of the velocities before and after.
+    let velocities = &response.velocities * 2.0 + &response.compliance * &impulses;
+    let loss = -0.5 * impulses.dot(&velocities);
+    let work = -impulses.dot(&response.driven);
+    Blow { y: after, impulses, loss, work }
+}
+
+/// Least energy that impulses must add to be told from rounding, J. It is the sum over impulses times a small fraction
+/// of the velocities before and after. Each impulse times a velocity that is rounding is added. Both may cancel: an
+/// elastic impact reverses each velocity and adds nothing.
+fn told(response: &Response, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
+    let (before, after) = (&response.velocities, &response.velocities + &response.compliance * impulses);
+    let of = |row: usize| NOTHING.sqrt() * (before[row].abs() + after[row].abs()) + NOTHING * scale[row];
+    (0..impulses.len()).map(|row| impulses[row].abs() * of(row)).sum()
+}

@@ -1,0 +1,118 @@
+//! Modes of contacts with friction: which contacts stick and which slip.
+
+use crate::preparation::impacts::Bouncing;
+use crate::preparation::impacts::NOTHING;
+use crate::preparation::impacts::happening::Happening;
+use crate::preparation::impacts::held::{Free, Held};
+use crate::preparation::impacts::meeting::Met;
+use nalgebra::DVector;
+use tripos_sim::{Failure, Found, Mode, Undecided};
+
+/// Time ahead, in shortest flights, at which modes are compared that agree at an instant and part after it.
+const AHEAD: f64 = 16384.0;
+
+impl Bouncing<'_> {
+    /// Accelerations of the rows with the forces of held contacts, from which slips came about; zeros without friction.
+    pub(super) fn approach(&self, held: &mut Held<'_>, (t, y): (f64, &[f64])) -> Result<DVector<f64>, Failure> {
+        if held.kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
+            return Ok(DVector::zeros(self.contacts.count));
+        }
+        let free = held.free(t, y)?;
+        let forces = held.forces(&free)?;
+        Ok(free.accelerations + free.response.compliance * forces)
+    }
+
+    /// Sign of the velocity at which a contact with friction slips; `None` if it does not slip.
+    pub(super) fn slips(&self, contact: usize, velocities: &DVector<f64>, met: &Met<'_>) -> Option<f64> {
+        self.contacts.friction(contact)?;
+        let row = self.contacts.rows[contact][1];
+        let velocity = velocities[row];
+        let rests = !met.is_hit
+            && (met.meeting.happening == Some(Happening::Sticks(contact))
+                || met.meeting.kept.mode(contact) == Some(Mode::Sticks)
+                // Contacts that came to rest at this instant as well.
+                || velocity.abs() <= met.before[row].abs() * self.least);
+        let is_still = rests || velocity.abs() <= NOTHING * met.scale[row];
+        (!is_still).then(|| velocity.signum())
+    }
+
+    /// Finds the modes of contacts that are closed and at rest along their gaps, and their forces along all rows.
+    ///
+    /// # Errors
+    /// [`Failure`] where Coulomb's law allows no mode, or more than one.
+    pub(super) fn modes(
+        &self,
+        free: &mut Held<'_>,
+        (t, y): (f64, &[f64]),
+        now: &Free,
+        rest: &[usize],
+        met: &Met<'_>,
+    ) -> Result<(Vec<Mode>, DVector<f64>), Failure> {
+        let slips: Vec<Option<f64>> = rest.iter().map(|at| self.slips(*at, &now.response.velocities, met)).collect();
+        let (system, rows) = self.contacts.closed(&now.response, rest);
+        let found = system.ways(&now.accelerations.select_rows(&rows), &slips);
+        let what = "no forces keep apart what is closed";
+        let mut found = found.map_err(|why| self.undecided(t, rest, what, &why))?;
+        // A contact whose force has reached what friction can bear sticks no more.
+        let begins = |found: &Found| {
+            let mut modes = rest.iter().zip(&found.modes);
+            !modes.any(|(at, mode)| met.meeting.happening == Some(Happening::Slips(*at)) && *mode == Mode::Sticks)
+        };
+        if found.iter().any(begins) {
+            found.retain(begins);
+        }
+        let at = if found.len() > 1 { self.lasting(free, (t, y), now, (rest, &slips), &found) } else { 0 };
+        let one = found.swap_remove(at);
+        Ok((one.modes, self.contacts.spread(&one.forces, &rows)))
+    }
+
+    /// Index of the modes that agree with the laws shortly after the instant, where all agree. Zero, the firmest, if
+    /// none does.
+    fn lasting(
+        &self,
+        free: &mut Held<'_>,
+        (t, y): (f64, &[f64]),
+        now: &Free,
+        (rest, slips): (&[usize], &[Option<f64>]),
+        found: &[Found],
+    ) -> usize {
+        let (_, rows) = self.contacts.closed(&now.response, rest);
+        let changes = &now.response.changes * self.contacts.spread(&found[0].forces, &rows);
+        let mut rates = now.rates.clone();
+        let first = rates.len() - changes.len();
+        rates[first..].iter_mut().zip(changes.iter()).for_each(|(rate, change)| *rate += change);
+        let ahead = self.least * AHEAD;
+        let later: Vec<f64> = y.iter().zip(&rates).map(|(y, rate)| y + ahead * rate).collect();
+        let Ok(then) = free.free(t + ahead, &later) else { return 0 };
+        let (system, rows) = self.contacts.closed(&then.response, rest);
+        let accelerations = then.accelerations.select_rows(&rows);
+        found.iter().position(|found| system.allows(&accelerations, slips, &found.modes)).unwrap_or(0)
+    }
+
+    /// Failure that reports closed contacts whose modes are undecided. `what` is its message where no contact has
+    /// friction.
+    pub(super) fn undecided(&self, t: f64, contacts: &[usize], what: &str, why: &Undecided) -> Failure {
+        let name = |at: &usize| format!("`{}`", self.contacts.impacts[*at].name);
+        let names = contacts.iter().map(name).collect::<Vec<_>>().join(", ");
+        let help = "Painlevé's paradox of rigid bodies; a smaller coefficient of friction has none";
+        let does = |modes: &[Mode]| {
+            let each = contacts.iter().zip(modes).map(|(at, mode)| format!("{} {mode}", name(at)));
+            each.collect::<Vec<_>>().join(" and ")
+        };
+        let (code, message) = match why {
+            Undecided::Nothing if contacts.iter().all(|at| self.contacts.friction(*at).is_none()) => {
+                ("impact", format!("{what} at t = {t} s: {names}"))
+            }
+            Undecided::Nothing => {
+                let none = "neither sticking, nor slipping, nor opening agrees with Coulomb's law";
+                ("friction", format!("{none} at t = {t} s for what is closed there: {names}. That is {help}"))
+            }
+            Undecided::Several([one, other]) => {
+                let several = "Coulomb's law allows more than one motion";
+                let ways = format!("{}, or {}", does(one), does(other));
+                ("friction", format!("{several} from t = {t} s on: {ways}. That is {help}"))
+            }
+        };
+        Failure { code, message }
+    }
+}

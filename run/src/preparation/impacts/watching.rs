@@ -1,0 +1,143 @@
+//! Events at which parts of a run end: gaps that close, forces that no longer push or exceed friction, and slips that
+//! end.
+
+use crate::preparation::impacts::Bouncing;
+use crate::preparation::impacts::happening::Happening;
+use crate::preparation::impacts::held::Held;
+use crate::preparation::impacts::kept::Kept;
+use tripos_sim::{Direction, Effect, Event, InRanges, Mode, SimError};
+use tripos_traits::{Enclosure, Scalar};
+
+/// Least determinant that can be told from rounding, relative to its value without slip.
+const TOLD: f64 = 1e-9;
+
+impl Bouncing<'_> {
+    /// Lists the events to watch while contacts are held, with their meaning. `anew` gives the equations for each event
+    /// of forces.
+    ///
+    /// # Errors
+    /// Those of `anew`.
+    pub(super) fn watched<'e>(
+        &'e self,
+        kept: &'e Kept,
+        y: &[f64],
+        anew: &dyn Fn() -> Result<Held<'e>, SimError>,
+    ) -> Result<Vec<(Happening, Event<'e>)>, SimError> {
+        let mut list = Vec::new();
+        for contact in 0..self.contacts.impacts.len() {
+            let Some(mode) = kept.mode(contact) else {
+                list.push((Happening::Closes(contact), self.closing(contact)));
+                continue;
+            };
+            let mut forces = anew()?;
+            let opens = move |t: f64, y: &[f64]| forces.normal(contact, t, y);
+            list.push(self.falling(Happening::Opens(contact), opens));
+            match mode {
+                Mode::Sticks => {
+                    let mut forces = anew()?;
+                    let margin = move |t: f64, y: &[f64]| forces.margin(contact, t, y);
+                    list.push(self.falling(Happening::Slips(contact), margin));
+                }
+                Mode::Slips(way) if self.contacts.is_rough(contact) => list.extend(self.stopping(contact, way)),
+                Mode::Slips(_) | Mode::Pushes | Mode::Opens => {}
+            }
+        }
+        let forces = anew()?;
+        if let (Some((first, _)), true) = (kept.slipping().next(), forces.determinant(y).abs() > TOLD) {
+            let (jams, event) = self.falling(Happening::Jams(first), move |_, y: &[f64]| forces.determinant(y));
+            list.push((jams, Event { direction: Direction::Either, ..event }));
+        }
+        Ok(list)
+    }
+
+    /// Events for the minima of open gaps.
+    pub(super) fn approaches(&self, kept: &Kept) -> Vec<(Happening, Event<'_>)> {
+        let contacts = self.contacts;
+        let free = (0..contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
+        let event = |contact: usize| {
+            let row = contacts.rows[contact][0];
+            let happening = Happening::Nears(contact);
+            let rate = move |_: f64, y: &[f64]| contacts.rates(y).values[row];
+            (happening, Event::recorded(happening.name(contacts.impacts), Direction::Rising, rate))
+        };
+        free.map(event).collect()
+    }
+
+    /// Event for a gap that closes.
+    fn closing(&self, contact: usize) -> Event<'_> {
+        let contacts = self.contacts;
+        let p = contacts.parameters;
+        let n = contacts.system.lengths().coordinates;
+        let (numbers, ranges) = &contacts.gaps[contact];
+        let used = ranges.used().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
+        let wide: Vec<Enclosure> = p.iter().map(|p| Enclosure::from_f64(*p)).collect();
+        let (mut scratch, mut wide_scratch) = (Vec::new(), Vec::new());
+        let function = move |_: f64, y: &[f64]| {
+            let mut out = [0.0];
+            numbers.evaluate_into(&[p, &y[..n]].concat(), &mut scratch, &mut out);
+            out[0]
+        };
+        let in_ranges = move |_: Enclosure, y: &[Enclosure]| {
+            let mut out = [Enclosure::from_f64(0.0)];
+            let inputs: Vec<Enclosure> = wide.iter().chain(&y[..n]).copied().collect();
+            ranges.evaluate_into(&inputs, &mut wide_scratch, &mut out);
+            out[0]
+        };
+        Event {
+            name: contacts.impacts[contact].name.clone(),
+            function: Box::new(function),
+            ranges: Some(InRanges { function: Box::new(in_ranges), components: Some(used) }),
+            direction: Direction::Falling,
+            effect: Effect::Terminal,
+        }
+    }
+
+    /// Event for the end of a slip in the direction `way`; `None` if the contact has no friction.
+    fn stopping(&self, contact: usize, way: f64) -> Option<(Happening, Event<'_>)> {
+        let p = self.contacts.parameters;
+        let (numbers, ranges) = self.contacts.slips[contact].as_ref()?;
+        let used = ranges.used().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
+        let wide: Vec<Enclosure> = p.iter().map(|p| Enclosure::from_f64(*p)).collect();
+        let (mut scratch, mut wide_scratch) = (Vec::new(), Vec::new());
+        let function = move |_: f64, y: &[f64]| {
+            let mut out = [0.0];
+            numbers.evaluate_into(&[p, y].concat(), &mut scratch, &mut out);
+            way * out[0]
+        };
+        let in_ranges = move |_: Enclosure, y: &[Enclosure]| {
+            let mut out = [Enclosure::from_f64(0.0)];
+            let inputs: Vec<Enclosure> = wide.iter().chain(y).copied().collect();
+            ranges.evaluate_into(&inputs, &mut wide_scratch, &mut out);
+            Enclosure::from_f64(way) * out[0]
+        };
+        let (happening, event) = self.falling(Happening::Sticks(contact), function);
+        let ranges = Some(InRanges { function: Box::new(in_ranges), components: Some(used) });
+        Some((happening, Event { ranges, ..event }))
+    }
+
+    /// Event for a function that falls below 0.
+    fn falling<'e>(
+        &self,
+        happening: Happening,
+        function: impl FnMut(f64, &[f64]) -> f64 + 'e,
+    ) -> (Happening, Event<'e>) {
+        let name = happening.name(self.contacts.impacts);
+        (happening, Event::terminal(name, Direction::Falling, function))
+    }
+}
+
+/// Lends an event of the caller to one part of a run.
+pub fn passed_on<'e>(event: &'e mut Event<'_>) -> Event<'e> {
+    let function = &mut event.function;
+    let ranges = event.ranges.as_mut().map(|ranges| {
+        let own = &mut ranges.function;
+        InRanges { function: Box::new(move |t, y: &[Enclosure]| own(t, y)), components: ranges.components.clone() }
+    });
+    Event {
+        name: event.name.clone(),
+        function: Box::new(move |t, y: &[f64]| function(t, y)),
+        ranges,
+        direction: event.direction,
+        effect: event.effect,
+    }
+}

@@ -1,0 +1,410 @@
+//! A scene made ready to be integrated by one set of equations.
+//!
+//! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
+//! that people see hold the coordinate.
+
+mod bouncing;
+mod changing;
+mod extended;
+
+use crate::code::Code;
+use crate::error::{Error, refused};
+use crate::mechanism::Mechanism;
+use crate::preparation::near_divisors::near_divisors;
+use crate::preparation::passage::Chosen;
+use crate::preparation::reduced::Reduced;
+use tripos_derive::mechanics::{By, InertiaCheck};
+use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve, Stated};
+use tripos_derive::{Formulation, Model};
+use tripos_sim::projection::Invariants;
+use tripos_sim::quadrature::{self, NoQuadrature};
+use tripos_sim::{
+    Accompanied, Corner, Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, integrate,
+    integrate_projected,
+};
+use tripos_traits::{DoubleDouble, Real, Scalar, System};
+
+/// Power at an integrated state, W, as a function of t and y.
+pub type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
+
+/// Scene with the equations that run it and the way in which accelerations are found.
+pub struct Problem<'a> {
+    /// The scene's mechanism.
+    pub mechanism: &'a Mechanism,
+    /// The model of the equations: the mechanism's, or the reduced one.
+    pub model: &'a Model,
+    /// The scene, in the variables of the equations.
+    pub scene: &'a Scene,
+    /// The scene as its file gives it.
+    pub shown: &'a Scene,
+    /// Equations of motion that run.
+    pub by: &'a By,
+    /// The equations, in the scene's distance if it has one.
+    pub code: &'a Code,
+    /// Way in which accelerations are found.
+    pub solve: Solve,
+    /// Equations in chosen speeds that run as far as they hold. `None` unless the problem's own equations are in all
+    /// rates.
+    pub chosen: Option<Chosen<'a>>,
+    origin: Option<Origin>,
+}
+
+/// Convolutions for each component of a state up to which a run by Taylor's method costs no more than one by DOP853:
+/// 2.4 of the disk cost 0.9 to 1.1 of it, 6.5 of a cart with three pendulums 2.3.
+const MOST_CONVOLUTIONS: usize = 4;
+
+/// Parameters and the integrated state, to 32 digits.
+pub type ExtendedStart = (Vec<DoubleDouble>, Vec<DoubleDouble>);
+
+/// Offset of one integrated variable, which is the coordinate minus this value.
+#[derive(Clone, Copy)]
+struct Origin {
+    at: usize,
+    value: DoubleDouble,
+}
+
+impl<'a> Problem<'a> {
+    /// Problem with these equations, which are in the scene's distance if it has one. Without `solve` the scene decides
+    /// how accelerations are found. If it does not say, they are eliminated where the equations allow it.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if accelerations are to be eliminated and cannot be; [`Error::Input`] if a moving body has no
+    /// mass at these parameters.
+    pub fn new(
+        mechanism: &'a Mechanism,
+        scene: &'a Scene,
+        by: &'a By,
+        code: &'a Code,
+        solve: Option<Solve>,
+    ) -> Result<Self, Error> {
+        Self::among(&InertiaCheck::new(mechanism), mechanism, scene, by, code, solve)
+    }
+
+    /// Problem with these equations for one of many scenes of a mechanism, with one inertia check for all.
+    ///
+    /// # Errors
+    /// As [`Problem::new`].
+    pub fn among(
+        inertia: &InertiaCheck<'_>,
+        mechanism: &'a Mechanism,
+        scene: &'a Scene,
+        by: &'a By,
+        code: &'a Code,
+        solve: Option<Solve>,
+    ) -> Result<Self, Error> {
+        // Eliminated equations may have been divided by a mass that is 0.
+        inertia.at(&scene.exact.rational).map_err(|error| Error::Input(mechanism.diagnose(&error)))?;
+        Self::with(mechanism, &mechanism.model, scene, (by, code), solve)
+    }
+
+    /// Problem with a scene's own reduced equations. Their reduction has already checked the inertia.
+    ///
+    /// # Errors
+    /// As [`Problem::new`].
+    pub fn reduced(
+        mechanism: &'a Mechanism,
+        reduced: &'a Reduced,
+        shown: &'a Scene,
+        code: &'a Code,
+    ) -> Result<Self, Error> {
+        let Reduced { reduction, scene, by } = reduced;
+        Ok(Self { shown, ..Self::with(mechanism, &reduction.model, scene, (by, code), None)? })
+    }
+
+    fn with(
+        mechanism: &'a Mechanism,
+        model: &'a Model,
+        scene: &'a Scene,
+        (by, code): (&'a By, &'a Code),
+        solve: Option<Solve>,
+    ) -> Result<Self, Error> {
+        bouncing::check(scene, by)?;
+        let eliminated = code.system().has_accelerations();
+        let wanted = solve.or(scene.integration.solve);
+        if wanted == Some(Solve::Eliminated) && !eliminated {
+            let what = format!("the accelerations of {} are not eliminated", by.name());
+            let help = "printed equations are solved as they stand: use solve = \"numeric\"".to_owned();
+            return Err(Error::request(what, help));
+        }
+        let natural = if eliminated { Solve::Eliminated } else { Solve::Numeric };
+        let origin = scene.integration.distance.map(|distance| Origin {
+            at: distance.coordinate,
+            value: DoubleDouble::pi() * DoubleDouble::ratio(i64::from(distance.quarter_turns), 2),
+        });
+        Ok(Self {
+            mechanism,
+            model,
+            scene,
+            shown: scene,
+            by,
+            code,
+            solve: wanted.unwrap_or(natural),
+            chosen: None,
+            origin,
+        })
+    }
+
+    /// Problem with these equations and another scene that differs only in its numbers.
+    #[must_use]
+    pub fn with_scene<'b>(&self, scene: &'b Scene) -> Problem<'b>
+    where
+        'a: 'b,
+    {
+        let Self { mechanism, model, shown, by, code, solve, chosen, origin, .. } = *self;
+        Problem { mechanism, model, scene, shown, by, code, solve, chosen, origin }
+    }
+
+    /// True if the run can use Taylor coefficients with few convolutions. In larger systems they cost more than a step
+    /// of a Runge–Kutta method. Convolutions of interpreted equations are not counted.
+    #[must_use]
+    pub fn has_short_series(&self) -> bool {
+        let system = self.system();
+        let an_order = system.taylor_work(2) - system.taylor_work(1);
+        // Each convolution has two factors.
+        let is_short = an_order <= 2 * MOST_CONVOLUTIONS * system.lengths().state();
+        self.solve == Solve::Eliminated && system.has_taylor() && is_short
+    }
+
+    /// The equations in doubles.
+    #[must_use]
+    pub fn system(&self) -> &'a dyn System<f64> {
+        self.code.system()
+    }
+
+    /// Coordinates of an integrated state, or of its leading components.
+    #[must_use]
+    pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
+        let mut q = y[..self.system().lengths().coordinates].to_vec();
+        if let Some(Origin { at, value }) = self.origin {
+            q[at] += value.to_f64();
+        }
+        q
+    }
+
+    /// Shown quantities of an integrated state: coordinates, then generalized speeds, or the outputs of a reduced
+    /// scene.
+    #[must_use]
+    pub fn state(&self, t: f64, y: &[f64]) -> Vec<f64> {
+        let system = self.system();
+        if self.by.is_reduced() {
+            let (q, v) = y.split_at(system.lengths().coordinates);
+            let mut out = vec![f64::NAN; system.output_count()];
+            system.outputs(&self.scene.parameters, t - self.scene.span.0, q, v, &mut out);
+            return out;
+        }
+        let (q, v) = y.split_at(system.lengths().coordinates);
+        let mut u = vec![0.0; system.lengths().speeds];
+        system.generalized_speeds(&self.scene.parameters, q, v, &mut u);
+        [self.coordinates(y), u].concat()
+    }
+
+    /// Integrated state at the start.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`] if the generalized speeds do not determine the motion variables there.
+    pub fn start(&self) -> Result<Vec<f64>, Error> {
+        let (system, scene) = (self.system(), self.scene);
+        let mut q = scene.q.clone();
+        if let Some(Origin { at, value }) = self.origin {
+            // The file's exact number is used. The double nearest to it has lost digits that the distance keeps.
+            q[at] = (scene.exact.q[at] - value).to_f64();
+        }
+        let mut v = vec![0.0; system.lengths().variables];
+        match &scene.exact.motion {
+            // The generalized speeds may not determine the rates, as in a dead point.
+            Stated::Rates(rates) if self.is_constrained_in_rates() => {
+                v = rates.iter().map(|rate| rate.to_f64()).collect();
+            }
+            _ => system.motion_variables(&scene.parameters, &q, &scene.u, &mut v),
+        }
+        if let Some(at) = v.iter().position(|x| !x.is_finite()) {
+            let name = &self.variables()[system.lengths().coordinates + at];
+            return Err(Error::Stopped(format!(
+                "the run cannot start: the speeds do not determine `{name}` there{}",
+                self.near_divisors(&q)?
+            )));
+        }
+        Ok([q, v].concat())
+    }
+
+    /// True if the motion variables are the rates of coordinates under motion constraints.
+    fn is_constrained_in_rates(&self) -> bool {
+        !self.model.motion_constraints.is_empty() && self.by.formulation().is_some_and(Formulation::is_in_rates)
+    }
+
+    /// Names of the components of the integrated state.
+    #[must_use]
+    pub fn variables(&self) -> Vec<String> {
+        let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
+        let is_rate = self.by.formulation().is_some_and(Formulation::is_in_rates);
+        let speeds = self.model.speeds.iter().map(|s| s.name.clone());
+        let speeds: Vec<String> =
+            if is_rate { coordinates.clone().map(|name| format!("{name}'")).collect() } else { speeds.collect() };
+        coordinates.chain(speeds).collect()
+    }
+
+    /// Divisors of the equations that are nearly zero at an integrated state, as text; see [`near_divisors`].
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a divisor mentions a symbol without a value during a run.
+    pub fn near_divisors(&self, y: &[f64]) -> Result<String, Error> {
+        near_divisors(self.model, &self.scene.parameters, &self.coordinates(y))
+    }
+
+    /// Reason why the equations have no value at the start; `None` if they have one.
+    ///
+    /// # Errors
+    /// [`Error`] if the start does not determine the motion variables.
+    pub fn singular_start(&self) -> Result<Option<String>, Error> {
+        let Some(mut rhs) = Eliminated::new(self.system(), &self.scene.parameters) else { return Ok(None) };
+        let y0 = self.start()?;
+        let mut rates = vec![0.0; y0.len()];
+        let failed = rhs.rhs(self.scene.span.0, &y0, &mut rates).is_err();
+        let shown = self.state(self.scene.span.0, &y0);
+        if !failed && rates.iter().chain(&shown).all(|x| x.is_finite()) {
+            return Ok(None);
+        }
+        let which = rates.iter().zip(self.variables()).find(|(rate, _)| !rate.is_finite());
+        let what = which.map(|(_, name)| format!("the rate of `{name}`")).or_else(|| {
+            let at = shown.iter().position(|x| !x.is_finite())?;
+            let names = self.by.is_reduced().then(|| self.shown.outputs.iter().map(|output| &output.name));
+            names.and_then(|mut names| names.nth(at)).map(|name| format!("the output `{name}`"))
+        });
+        let what = what.unwrap_or_else(|| "an output".to_owned());
+        Ok(Some(format!("{what} has no value at the start{}", self.near_divisors(&y0)?)))
+    }
+
+    /// Integrates from the integrated state `y0` over the span of the scene.
+    ///
+    /// # Errors
+    /// [`SimError`] if the request is invalid.
+    pub fn integrate(&self, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Solution, SimError> {
+        self.integrate_over(self.scene.span, y0, options, events)
+    }
+
+    /// Integrates from `y0` over a span other than the scene's.
+    ///
+    /// # Errors
+    /// [`SimError`] if the request is invalid.
+    pub fn integrate_over(
+        &self,
+        span: (f64, f64),
+        y0: &[f64],
+        options: &Options,
+        events: &mut [Event<'_>],
+    ) -> Result<Solution, SimError> {
+        if !self.scene.impacts.is_empty() {
+            return self.bouncing((span, y0), &self.options(options), events, None);
+        }
+        let mut rhs = self.right_hand_side()?;
+        integrate(Lent(rhs.as_mut()), span, y0, &self.options(options), events)
+    }
+
+    /// Options of a run that can be followed and interrupted. Its steps end at the corners of prescribed motions and
+    /// forces.
+    #[must_use]
+    pub fn options(&self, options: &Options) -> Options {
+        let corners = self.model.corners(&self.scene.parameters).into_iter();
+        let corners = corners.map(|(at, jumps)| Corner::still(at, jumps)).collect();
+        Options { corners, clock: self.model.time(), ..self.mechanism.follow.options(options) }
+    }
+
+    pub(crate) fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
+        Ok(match Eliminated::new(self.system(), &self.scene.parameters) {
+            Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
+            _ => Box::new(self.dynamics()?),
+        })
+    }
+
+    /// Runs the problem as the scene asks: by steps, by projected steps or by quadrature. With a power it also
+    /// integrates the work.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the request is invalid, or these equations cannot be run so.
+    pub fn solve(
+        &self,
+        y0: &[f64],
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<Power<'_>>,
+    ) -> Result<Solution, Error> {
+        let (how, system, p) = (&self.scene.integration, self.system(), self.scene.parameters.as_slice());
+        if !self.scene.impacts.is_empty() {
+            let run = self.bouncing((self.scene.span, y0), &self.options(options), events, power);
+            return run.map_err(|error| refused(self.scene, &error));
+        }
+        if how.method == QUADRATURE {
+            if self.by.is_reduced() && system.lengths().variables == 0 {
+                let what = "no motion by quadrature: nothing is left to integrate".to_owned();
+                return Err(Error::request(what, "any stepping method gives it: all of it is algebra".to_owned()));
+            }
+            return quadrature::solve(system, p, self.scene.span, y0, &self.options(options), events).map_err(
+                |error| match error {
+                    NoQuadrature::Question(error) => refused(self.scene, &error),
+                    error => {
+                        Error::request(format!("no motion by quadrature: {error}"), self.no_quadrature().to_owned())
+                    }
+                },
+            );
+        }
+        let Some(Project::Energy) = how.project else {
+            if let Some(chosen) = self.chosen {
+                return self.changing(chosen, y0, options, events, power);
+            }
+            let mut rhs = self.right_hand_side().map_err(|error| refused(self.scene, &error))?;
+            let (span, options) = (self.scene.span, self.options(options));
+            let run = match power {
+                Some(mut power) => {
+                    let mut with =
+                        Accompanied { rhs: rhs.as_mut(), power: Some(power.as_mut()), over: None, yields: None };
+                    integrate(Lent(&mut with as &mut dyn RightHandSide<f64>), span, y0, &options, events)
+                }
+                None => integrate(Lent(rhs.as_mut()), span, y0, &options, events),
+            };
+            return run.map_err(|error| refused(self.scene, &error));
+        };
+        if !system.has_energy_gradient() {
+            let what = format!("{} cannot be projected onto their energy", self.by.title());
+            let help = if self.by.is_reduced() {
+                "no conserved energy was found that is a function of what is left: leave the projection out"
+            } else {
+                "projection needs a scene's own equations: name no others"
+            };
+            return Err(Error::request(what, help.to_owned()));
+        }
+        let n = system.lengths().coordinates;
+        let function = |_t: f64, y: &[f64], values: &mut [f64], gradient: &mut [f64]| {
+            values[0] = system.energy_gradient(p, &y[..n], &y[n..], gradient);
+        };
+        let mut invariants = Invariants { count: 1, function: Box::new(function) };
+        let mut rhs = Eliminated::new(system, p).ok_or_else(|| {
+            Error::request("accelerations are not eliminated".to_owned(), "leave `solve` out".to_owned())
+        })?;
+        let rhs = Lent(&mut rhs as &mut dyn RightHandSide<f64>);
+        let run = integrate_projected(rhs, self.scene.span, y0, &self.options(options), events, &mut invariants);
+        run.map_err(|error| refused(self.scene, &error))
+    }
+
+    /// Help that names the condition for a motion by quadrature that these equations do not meet.
+    fn no_quadrature(&self) -> &'static str {
+        let system = self.system();
+        if !self.by.is_reduced() {
+            "it needs a scene's own equations with one degree of freedom left, as `tripos scene` shows"
+        } else if system.lengths().variables != 1 {
+            "it needs one degree of freedom; `tripos scene` shows how many are left: give a stepping method"
+        } else if !system.has_potential_slope() {
+            "no conserved energy with a potential in closed form was found for what is left: give a stepping method"
+        } else {
+            "give a stepping method for this motion"
+        }
+    }
+
+    /// Linear system for the accelerations at each state.
+    ///
+    /// # Errors
+    /// [`SimError`] if the parameters do not fit.
+    pub fn dynamics(&self) -> Result<Dynamics<'a>, SimError> {
+        let label = format!("{}, {}", self.model.title, self.by.name());
+        Ok(Dynamics::new(self.system(), &self.scene.parameters)?.labelled(label))
+    }
+}

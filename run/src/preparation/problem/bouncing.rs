@@ -1,0 +1,91 @@
+//! Runs of scenes with contacts.
+
+use crate::error::Error;
+use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, Kept, LEAST};
+use crate::preparation::problem::{Power, Problem};
+use tripos_derive::Formulation;
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_sim::{Event, Failure, Options, RightHandSide, SimError, Solution};
+use tripos_traits::Real;
+
+impl Problem<'_> {
+    /// The contacts of the scene.
+    #[must_use]
+    pub(crate) fn contacts(&self) -> Contacts<'_> {
+        let in_rates = self.by.formulation().is_some_and(Formulation::is_in_rates);
+        let of = (self.system(), self.scene.parameters.as_slice());
+        Contacts::new(self.model, &self.scene.impacts, of, in_rates)
+    }
+
+    /// Runs in parts, from impact to impact.
+    pub(super) fn bouncing(
+        &self,
+        from: ((f64, f64), &[f64]),
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<Power<'_>>,
+    ) -> Result<Solution, SimError> {
+        let contacts = self.contacts();
+        let equations = || self.right_hand_side();
+        let doubles = Doubles { contacts: &contacts, equations: &equations };
+        self.bounce(&contacts, &doubles, from, options, events, power)
+    }
+
+    /// Runs in parts, from impact to impact, in the numbers of a carrier.
+    ///
+    /// # Errors
+    /// [`SimError`] if the request is invalid.
+    pub(crate) fn bounce<S: Real>(
+        &self,
+        contacts: &Contacts<'_>,
+        carrier: &dyn Carrier<S>,
+        (span, y0): ((f64, f64), &[S]),
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<Power<'_>>,
+    ) -> Result<Solution<S>, SimError> {
+        let least = LEAST * span.0.abs().max(span.1.abs());
+        let equations = || self.right_hand_side();
+        let bouncing = Bouncing { contacts, equations: &equations, least };
+        bouncing.solve(carrier, (span, y0), options, events, power)
+    }
+
+    /// Derivative y′ while these contacts are held.
+    ///
+    /// # Errors
+    /// [`Failure`] where the derivative has no value.
+    pub(crate) fn flow(&self, contacts: &Contacts<'_>, kept: &Kept, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+        let unknown = |error: SimError| Failure { code: "not-finite", message: error.to_string() };
+        let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept };
+        let mut rates = vec![0.0; y.len()];
+        rhs.rhs(t, y, &mut rates)?;
+        Ok(rates)
+    }
+}
+
+/// Refuses a scene with contacts that cannot be run as it asks.
+///
+/// # Errors
+/// [`Error::Request`] if the way of running the scene does not allow contacts. It has advice.
+pub(super) fn check(scene: &Scene, by: &By) -> Result<(), Error> {
+    let how = &scene.integration;
+    let (what, help) = if scene.impacts.is_empty() {
+        return Ok(());
+    } else if by.printed_id().is_some() {
+        ("printed equations have no impacts", "run derived ones, such as --by kane")
+    } else if how.method == QUADRATURE {
+        ("no motion by quadrature with impacts: what it integrates is smooth", "give a stepping method, such as dop853")
+    } else if by.is_reduced() {
+        ("what a scene's own equations hold constant changes in impacts", "run the whole equations: name no others")
+    } else if how.project.is_some() {
+        ("impacts take energy: no projection onto that of the start", "leave `project` out")
+    } else if how.distance.is_some() {
+        ("impacts are not computed in a coordinate's distance", "leave `distance` out")
+    } else if scene.span.1 < scene.span.0 {
+        ("an impact cannot be undone, and this run goes back in time", "end the span after its start")
+    } else {
+        return Ok(());
+    };
+    Err(Error::request(what, help))
+}

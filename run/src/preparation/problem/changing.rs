@@ -1,0 +1,61 @@
+//! Runs by equations in all rates where those in chosen speeds fail.
+
+use crate::code::Code;
+use crate::error::{Error, refused};
+use crate::preparation::passage::{self, Chosen};
+use crate::preparation::problem::{Power, Problem};
+use tripos_sim::{Event, Options, Solution};
+
+impl<'a> Problem<'a> {
+    /// Adds equations in chosen speeds, which run as far as they hold. These equations, in all rates with multipliers,
+    /// run elsewhere.
+    #[must_use]
+    pub fn beside(self, chosen: Chosen<'a>) -> Self {
+        Self { chosen: Some(chosen), ..self }
+    }
+
+    /// The run of the scene by these equations alone. `None` if their speeds fail on the way, or hardly determine the
+    /// motion there; `rates`, the same equations in all rates, tell so.
+    ///
+    /// # Errors
+    /// As [`Problem::solve`].
+    pub(crate) fn in_speeds_alone(
+        &self,
+        rates: &Code,
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<Power<'_>>,
+    ) -> Result<Option<Solution>, Error> {
+        let Ok(y0) = self.start() else { return Ok(None) };
+        let run = self.right_hand_side().and_then(|mut rhs| {
+            let systems = (rates.system(), self.system(), self.scene.parameters.as_slice());
+            let start = (self.scene.span, y0.as_slice());
+            passage::in_speeds_alone(systems, rhs.as_mut(), start, &self.options(options), events, power)
+        });
+        run.map_err(|error| refused(self.scene, &error))
+    }
+
+    /// Runs by chosen speeds, and by all rates where these fail.
+    pub(super) fn changing(
+        &self,
+        chosen: Chosen<'_>,
+        y0: &[f64],
+        options: &Options,
+        events: &mut [Event<'_>],
+        power: Option<Power<'_>>,
+    ) -> Result<Solution, Error> {
+        let speeds = Problem { by: chosen.by, code: chosen.code, solve: chosen.solve, chosen: None, ..*self };
+        let run = speeds.right_hand_side().and_then(|mut rhs| {
+            let systems = (self.system(), speeds.system(), self.scene.parameters.as_slice());
+            let start = (self.scene.span, y0);
+            // Unless a power is given, forces must all have a potential.
+            let keeps_energy = !self.mechanism.is_driven() && (power.is_some() || !self.system().has_power());
+            passage::solve(systems, rhs.as_mut(), start, &self.options(options), events, (power, keeps_energy))
+        });
+        let (solution, list) = run.map_err(|error| refused(self.scene, &error))?;
+        if let Ok(mut changes) = chosen.changes.lock() {
+            *changes = list;
+        }
+        Ok(solution)
+    }
+}

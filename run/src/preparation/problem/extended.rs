@@ -1,0 +1,62 @@
+//! Starts and states in twice the precision of a double.
+
+use crate::error::Error;
+use crate::preparation::problem::{ExtendedStart, Origin, Problem};
+use crate::preparation::start::speeds;
+use tripos_derive::Formulation;
+use tripos_derive::scene::Stated;
+use tripos_traits::{DoubleDouble, Scalar};
+
+impl Problem<'_> {
+    /// Parameters and the integrated state at the start, to 32 digits.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the definition of a speed mentions a symbol that has no value at the start.
+    pub fn extended_start(&self) -> Result<ExtendedStart, Error> {
+        let (system, exact) = (self.code.extended(), &self.scene.exact);
+        let (p, mut q) = (exact.parameters.clone(), exact.q.clone());
+        if let Some(Origin { at, value }) = self.origin {
+            q[at] = q[at] - value;
+        }
+        let mut v = vec![DoubleDouble::int(0); system.lengths().variables];
+        match &exact.motion {
+            Stated::Rates(rates) if self.by.formulation().is_some_and(Formulation::is_in_rates) => v.clone_from(rates),
+            _ => system.motion_variables(&p, &q, &speeds(self.model, exact)?, &mut v),
+        }
+        Ok((p, [q, v].concat()))
+    }
+
+    /// Shown quantities of an integrated state, in twice the precision of a double.
+    #[must_use]
+    pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let system = self.code.extended();
+        let (q, v) = y.split_at(system.lengths().coordinates);
+        if self.by.is_reduced() {
+            let mut out = vec![DoubleDouble::int(0); system.output_count()];
+            let elapsed = DoubleDouble::from_f64(t) - DoubleDouble::from_f64(self.scene.span.0);
+            system.outputs(p, elapsed, q, v, &mut out);
+            return out;
+        }
+        let mut u = vec![DoubleDouble::int(0); system.lengths().speeds];
+        system.generalized_speeds(p, q, v, &mut u);
+        let mut q = q.to_vec();
+        if let Some(Origin { at, value }) = self.origin {
+            q[at] = q[at] + value;
+        }
+        [q, u].concat()
+    }
+
+    /// Shown quantities of an integrated state in doubles. A coordinate given by its distance keeps all digits.
+    #[must_use]
+    pub fn precise_state(&self, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
+        let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();
+        if self.by.is_reduced() {
+            return self.extended_state(&self.scene.exact.parameters, t, &wide(y.to_vec()));
+        }
+        let mut state = wide(self.state(t, y));
+        if let Some(Origin { at, value }) = self.origin {
+            state[at] = DoubleDouble::from_f64(y[at]) + value;
+        }
+        state
+    }
+}

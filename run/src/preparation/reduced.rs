@@ -1,0 +1,168 @@
+//! Reduced equations of a scene, ready to run: the smallest system that gives all that the scene asks for.
+
+use crate::code::{Code, Ready, compiled_scene, interpreted_scene, tape};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::preparation::frame_start::turned;
+use crate::preparation::start::known;
+use tripos_codegen::plan::{Costs, costs};
+use tripos_derive::Model;
+use tripos_derive::algebra::Expr;
+use tripos_derive::mechanics::By;
+use tripos_derive::reduce::{Ground, Quantity, Reduction};
+use tripos_derive::scene::{Exact, Scene, SceneEvent, Stated};
+use tripos_traits::{AbsoluteTolerance, DoubleDouble};
+
+/// The reduced equations of a scene, and the scene in their variables.
+pub struct Reduced {
+    /// Derived equations of the reduced system.
+    pub reduction: Reduction,
+    /// The scene in the variables of the reduced model, the momenta among its parameters.
+    pub scene: Scene,
+    /// Name of the equations.
+    pub by: By,
+}
+
+impl Reduced {
+    /// The reduced equations of a scene of this model.
+    ///
+    /// # Errors
+    /// [`Error`] if the model cannot be derived, or does not determine an output of the scene.
+    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let ground = Ground::new(model).map_err(|error| model.diagnose(&error))?;
+        Self::of_ground(&ground, model, scene)
+    }
+
+    /// The reduced equations of a scene of the model that `ground` was derived from.
+    ///
+    /// # Errors
+    /// [`Error`] if the model does not determine an output of the scene.
+    pub fn of_ground(ground: &Ground, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let reduction = ground.reduce(scene).map_err(|error| model.diagnose(&error))?;
+        let turns = reduction.frame.is_some();
+        match Self::with(reduction, model, scene) {
+            // Some starts cannot be moved to the section of the moving frame.
+            Err(Error::Stopped(_)) if turns => {
+                let plain = ground.reduce_without_frame(scene).map_err(|error| model.diagnose(&error))?;
+                Self::with(plain, model, scene)
+            }
+            found => found,
+        }
+    }
+
+    /// The equations without constant momenta. They are singular only where the model's own equations are.
+    ///
+    /// # Errors
+    /// As [`Reduced::of_ground`].
+    pub fn without_momenta(ground: &Ground, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let reduction = ground.reduce_without_momenta(scene).map_err(|error| model.diagnose(&error))?;
+        Self::with(reduction, model, scene)
+    }
+
+    /// The equations from the start of another scene that differs only in its numbers.
+    ///
+    /// The scene must have the same model, outputs, events and parameters as the one that was reduced.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a variable depends on a symbol that has no value at the start; [`Error::Stopped`] if the
+    /// start cannot be moved to the section of the moving frame.
+    pub fn with(reduction: Reduction, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let [parameters, q, v] = start(&reduction, model, &scene.exact)?;
+        let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<_>>();
+        let mut integration = scene.integration.clone();
+        integration.distance = None;
+        if let AbsoluteTolerance::Each(each) = &integration.atol {
+            integration.atol = AbsoluteTolerance::Each(tolerances(&reduction, model, each));
+        }
+        let events = scene.events.iter().zip(&reduction.events);
+        let own = Scene {
+            parameters: doubles(&parameters),
+            q: doubles(&q),
+            u: doubles(&v),
+            exact: Exact { rational: vec![None; parameters.len()], parameters, q, motion: Stated::Speeds(v) },
+            integration,
+            ladder: None,
+            events: events.map(|(event, function)| SceneEvent { function: *function, ..event.clone() }).collect(),
+            ..scene.clone()
+        };
+        Ok(Self { reduction, scene: own, by: By::Reduced })
+    }
+
+    /// The equations, ready to run. They are compiled in if they were generated from this scene's reduction.
+    ///
+    /// # Errors
+    /// [`Error`] if they cannot be interpreted.
+    pub fn code(&self, mechanism: &Mechanism) -> Result<Code, Error> {
+        match compiled_scene(mechanism, &self.reduction, Ready::for_runs(&self.scene)?) {
+            Some(code) => Ok(code),
+            None => interpreted_scene(&self.reduction),
+        }
+    }
+
+    /// Reason why these equations are no gain over the whole ones: they have as many variables, and a call costs at
+    /// least as much. `None` if they are a gain.
+    ///
+    /// # Errors
+    /// [`Error`] if the model has no Kane's equations.
+    pub fn no_gain(&self, model: &Model) -> Result<Option<String>, Error> {
+        if !self.scene.impacts.is_empty() {
+            return Ok(Some("impacts change what the scene's own equations hold constant".to_owned()));
+        }
+        let whole = model.coordinates.len() + model.speeds.len();
+        if self.reduction.states.len() + self.reduction.quadratures.len() < whole {
+            return Ok(None);
+        }
+        let Costs { full, scene } = costs(model, &self.reduction).map_err(|error| model.diagnose(&error))?;
+        Ok((scene.weight() >= full.weight()).then(|| {
+            format!(
+                "the scene's own equations carry all {whole} variables and take {scene} a call, the whole ones {full}"
+            )
+        }))
+    }
+
+    /// The constants of the motion, with their values.
+    pub fn constants(&self) -> impl Iterator<Item = (&Quantity, f64)> {
+        let first = self.scene.parameters.len() - self.reduction.constants.len();
+        self.reduction.constants.iter().zip(self.scene.parameters[first..].iter().copied())
+    }
+}
+
+/// Parameters, coordinates and motion variables of a reduced system at the start, from the scene's own numbers.
+fn start(reduction: &Reduction, model: &Model, exact: &Exact) -> Result<[Vec<DoubleDouble>; 3], Error> {
+    let (mut symbols, mut values) = known(model, exact)?;
+    if let Some(frame) = &reduction.frame {
+        let count = model.parameters.len() + model.coordinates.len() + model.speeds.len();
+        // Rates in the file belong to the state before the turn; the speeds give the same information.
+        symbols.truncate(count);
+        values.truncate(count);
+        let states = values.split_off(model.parameters.len());
+        let turned = turned(reduction.terms(), frame, &symbols, (&values, &states))?;
+        values.extend(turned);
+    }
+    let free = reduction.model.parameters.len() - reduction.constants.len();
+    let equations = &reduction.derivation.equations;
+    let variables = || reduction.states.iter().chain(&reduction.quadratures);
+    let of_start = |symbol: &Expr| variables().find(|q| q.symbol == *symbol).map_or(*symbol, |q| q.of_start);
+    let mut wanted: Vec<Expr> = reduction.model.parameters[..free].iter().map(|p| p.symbol).collect();
+    wanted.extend(reduction.constants.iter().map(|constant| constant.of_start));
+    wanted.extend(equations.coordinates.iter().chain(&equations.variables).map(of_start));
+    let tape = tape(reduction.terms(), &symbols, &wanted, "the start of a reduced variable")?.to();
+    let mut parameters: Vec<DoubleDouble> = tape.evaluate(&values);
+    let mut q = parameters.split_off(reduction.model.parameters.len());
+    let v = q.split_off(equations.coordinates.len());
+    Ok([parameters, q, v])
+}
+
+/// Tolerance of each reduced variable: the one of the whole model's variable that it is or replaces.
+fn tolerances(reduction: &Reduction, model: &Model, each: &[f64]) -> Vec<f64> {
+    let arena = reduction.terms();
+    let own: Vec<_> = model.q().into_iter().chain(model.u()).collect();
+    let equations = &reduction.derivation.equations;
+    let all = || reduction.states.iter().chain(&reduction.quadratures);
+    let of = |symbol: &Expr| {
+        let start = all().find(|q| q.symbol == *symbol).map_or(*symbol, |q| q.of_start);
+        let mentioned = own.iter().zip(each).filter(|(e, _)| arena.mentions(start, **e)).map(|(_, x)| *x);
+        mentioned.fold(f64::INFINITY, f64::min)
+    };
+    equations.coordinates.iter().chain(&equations.variables).map(of).collect()
+}

@@ -1,0 +1,142 @@
+//! Shown quantities of states of whole equations, by any formulation, with any solve: every coordinate and speed, and
+//! the other outputs of a scene.
+//!
+//! Invariant: an output that has no value at a state is not a number; no other number ever replaces it. Reduced
+//! equations have outputs of their own ([`tripos_traits::System::outputs`]).
+
+use crate::code::{Code, Ready, code, tape};
+use crate::error::{Error, refused};
+use crate::mechanism::Mechanism;
+use crate::preparation::problem::Problem;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::scene::{ENERGIES, Scene, Solve};
+use tripos_derive::{Formulation, Model};
+use tripos_sim::{Dynamics, Eliminated, RightHandSide};
+use tripos_traits::Lengths;
+
+/// The names of the states: coordinates, then generalized speeds.
+#[must_use]
+pub fn state_names(model: &Model) -> Vec<String> {
+    let coordinates = model.coordinates.iter().map(|c| c.name.clone());
+    coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
+}
+
+/// Computes the shown quantities of a state.
+#[derive(Clone)]
+pub struct Shown {
+    /// Names of coordinates and generalized speeds, then of the other outputs.
+    pub names: Vec<String>,
+    /// Outputs that are not states; `None` if the scene asks only for states.
+    outputs: Option<Outputs>,
+}
+
+/// Outputs as functions of p, q, q̇, u, u̇, reactions and energies.
+#[derive(Clone)]
+struct Outputs {
+    tape: Tape,
+    needs_accelerations: bool,
+    /// Equations of the force balance; `None` if no output needs a reaction.
+    balance: Option<Code>,
+    /// Indices of the energies that the scene names: kinetic, potential, total.
+    energies: Vec<usize>,
+}
+
+impl Shown {
+    /// Prepares the shown quantities of a scene of this model.
+    ///
+    /// # Errors
+    /// [`Error`] if an output needs a reaction that the model does not determine.
+    pub fn new(model: &Mechanism, scene: &Scene) -> Result<Self, Error> {
+        let mut names = state_names(model);
+        let others: Vec<_> = scene.outputs.iter().filter(|o| !names.contains(&o.name)).collect();
+        if others.is_empty() {
+            return Ok(Self { names, outputs: None });
+        }
+        let (arena, values) = (&model.arena, others.iter().map(|o| o.value).collect::<Vec<_>>());
+        let mentioned = |list: &[Expr]| list.iter().any(|s| values.iter().any(|e| arena.mentions(*e, *s)));
+        let u_dot: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
+        let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
+        let energies: Vec<(usize, Expr)> =
+            ENERGIES.iter().enumerate().filter_map(|(at, name)| Some((at, arena.find_symbol(name)?))).collect();
+        let inputs = [model.p(), model.q(), model.q_dot(), model.u(), u_dot.clone(), reactions.clone()].concat();
+        let energies: Vec<_> = energies.into_iter().filter(|(_, symbol)| !inputs.contains(symbol)).collect();
+        let inputs = inputs.into_iter().chain(energies.iter().map(|(_, symbol)| *symbol)).collect::<Vec<_>>();
+        let balance = mentioned(&reactions)
+            .then(|| code(model, &Formulation::NewtonEuler.into(), None, Ready::AsDerived))
+            .transpose()?;
+        if !scene.impacts.is_empty() && (balance.is_some() || mentioned(&u_dot)) {
+            let what = "accelerations and reactions are not shown in scenes with impacts: what holds a closed contact is not in them".to_owned();
+            return Err(Error::request(what, "leave them out of `outputs`, or the impacts out of the scene"));
+        }
+        let outputs = Outputs {
+            tape: tape(arena, &inputs, &values, "an output")?,
+            needs_accelerations: mentioned(&u_dot),
+            balance,
+            energies: energies.into_iter().map(|(at, _)| at).collect(),
+        };
+        names.extend(others.iter().map(|o| o.name.clone()));
+        Ok(Self { names, outputs: Some(outputs) })
+    }
+
+    /// Computes the shown quantities of an integrated state of whole equations.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the parameters are not those of the equations.
+    pub fn of(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
+        let state = problem.state(t, y);
+        match &self.outputs {
+            None => Ok(state),
+            Some(outputs) => {
+                let values = outputs.of(problem, &state, t, y)?;
+                Ok([state, values].concat())
+            }
+        }
+    }
+}
+
+impl Outputs {
+    fn of(&self, problem: &Problem<'_>, state: &[f64], t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
+        let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
+        let (variables, v) = y.split_at(system.lengths().coordinates);
+        let (q, u) = state.split_at(system.lengths().coordinates);
+        let mut q_dot = vec![0.0; q.len()];
+        system.coordinate_rates(p, variables, v, &mut q_dot);
+        let u_dot = self.accelerations(problem, t, y)?;
+        let reactions = self.reactions(problem, q, u)?;
+        let (kinetic, potential) = (system.kinetic_energy(p, variables, v), system.potential_energy(p, variables));
+        let energies = [kinetic, potential, kinetic + potential];
+        let energies: Vec<f64> = self.energies.iter().map(|at| energies[*at]).collect();
+        Ok(self.tape.evaluate(&[p, q, &q_dot, u, &u_dot, &reactions, &energies].concat()))
+    }
+
+    /// Accelerations u̇ as the run finds them; NaN where no output needs them, or where they have no value.
+    fn accelerations(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
+        let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
+        let Lengths { coordinates: n, speeds, .. } = system.lengths();
+        let mut u_dot = vec![f64::NAN; speeds];
+        if !self.needs_accelerations {
+            return Ok(u_dot);
+        }
+        let mut rhs: Box<dyn RightHandSide<f64> + '_> = match Eliminated::new(system, p) {
+            Some(rhs) if problem.solve == Solve::Eliminated => Box::new(rhs),
+            _ => Box::new(problem.dynamics().map_err(|error| refused(problem.scene, &error))?),
+        };
+        let mut rates = vec![0.0; y.len()];
+        // A state without accelerations shows none; the run says why it stops there.
+        if rhs.rhs(t, y, &mut rates).is_ok() {
+            system.generalized_speed_rates(p, &y[..n], &y[n..], &rates[n..], &mut u_dot);
+        }
+        Ok(u_dot)
+    }
+
+    /// Values of all reactions; NaN where no output needs them, or where they have no value.
+    fn reactions(&self, problem: &Problem<'_>, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Error> {
+        let count = problem.model.reactions.len();
+        let Some(balance) = &self.balance else { return Ok(vec![f64::NAN; count]) };
+        let mut dynamics = Dynamics::new(balance.system(), &problem.scene.parameters)
+            .map_err(|error| refused(problem.scene, &error))?;
+        let unknowns = dynamics.unknowns(q, u);
+        Ok(unknowns.map_or_else(|_| vec![f64::NAN; count], |x| x[u.len()..].to_vec()))
+    }
+}

@@ -1,0 +1,154 @@
+//! Result of one run of a scene.
+
+use crate::code::{Code, Form};
+use crate::error::{Error, refused};
+use crate::preparation::problem::Problem;
+use crate::trust::digits::Digits;
+use crate::trust::invariants::{Course, Drift, Watch};
+use crate::trust::residuals::Residual;
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::{Dynamics, EventRecord, ImpactRecord, Kind, Solution};
+
+/// States, errors and checks of a run.
+pub struct Run {
+    /// Equations of motion that ran.
+    pub by: By,
+    /// Form of the code that ran.
+    pub code: Form,
+    /// Way in which accelerations were found.
+    pub solve: Solve,
+    /// The integrator's result.
+    pub solution: Solution,
+    /// Reason of its end, with the names of its variables.
+    pub why: String,
+    /// Sentence that says when, after how many steps and why it ended.
+    pub ending: String,
+    /// Shown quantity without a value, and the first instant of that; set by [`Run::look_for_missing`].
+    pub(crate) missing: Option<String>,
+    /// Names of the shown quantities: coordinates and generalized speeds, or the outputs of a scene.
+    pub names: Vec<String>,
+    /// Values of the shown quantities at each sample.
+    pub states: Vec<Vec<f64>>,
+    /// Kinetic and potential energy at each sample, J; empty where a scene shows outputs of its own.
+    pub energies: Vec<(f64, f64)>,
+    /// Values of the shown quantities at the end.
+    pub end: Vec<f64>,
+    /// Digits of the shown quantities that are correct; `None` if the run took no step or was interrupted.
+    pub digits: Option<Digits>,
+    /// Largest change of total energy over the samples, J; `None` if it is not known.
+    pub energy_drift: Option<f64>,
+    /// Change of each first integral that was watched.
+    pub drifts: Vec<Drift>,
+    /// Residuals of the constraints onto which the run is kept.
+    pub residuals: Vec<Residual>,
+    /// Notes on the way in which the run was made. They are no reason to distrust it.
+    pub notes: Vec<String>,
+    /// Warnings to read before trusting the numbers.
+    pub warnings: Vec<String>,
+}
+
+impl Run {
+    /// Values of the quantity of this name, at each sample.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the run does not show it.
+    pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
+        let at = self.names.iter().position(|shown| shown == name).ok_or_else(|| {
+            let known = self.names.iter().map(String::as_str);
+            Error::request(format!("the run shows no `{name}`"), tripos_derive::diagnostic::nearest(name, known))
+        })?;
+        Ok(self.states.iter().map(|values| values[at]).collect())
+    }
+
+    /// Samples in order: the time, s, and the shown values in the order of [`Run::names`].
+    pub fn samples(&self) -> impl Iterator<Item = (f64, &[f64])> {
+        self.solution.t.iter().copied().zip(self.states.iter().map(Vec::as_slice))
+    }
+
+    /// Events and domain conditions that the run met, in order, with their instants and states.
+    #[must_use]
+    pub fn events(&self) -> &[EventRecord] {
+        &self.solution.events
+    }
+
+    /// The impacts of the run, in order.
+    #[must_use]
+    pub fn impacts(&self) -> &[ImpactRecord] {
+        &self.solution.impacts
+    }
+
+    /// Estimated error of the instant of an impact, s; `None` where it was not assessed, and for an impact at the
+    /// start.
+    #[must_use]
+    pub fn error_of_impact(&self, impact: &ImpactRecord) -> Option<f64> {
+        let at = self
+            .solution
+            .events
+            .iter()
+            .position(|event| event.t.total_cmp(&impact.t).is_eq() && event.kind == Kind::Falling)?;
+        self.digits.as_ref().and_then(|digits| digits.events[at])
+    }
+
+    /// Reasons not to trust the run to the requested end, one a line; empty if it can be trusted.
+    #[must_use]
+    pub fn objections(&self) -> Vec<String> {
+        self.failure().into_iter().chain(self.warnings.iter().cloned()).collect()
+    }
+
+    /// True if the run can be trusted to its end: there are no objections, and its digits were assessed.
+    #[must_use]
+    pub fn is_trusted(&self) -> bool {
+        self.objections().is_empty() && self.digits.as_ref().is_none_or(Digits::is_complete)
+    }
+
+    /// Reason why the run could not go on, or the quantity that it does not give; `None` if it is complete.
+    #[must_use]
+    pub fn failure(&self) -> Option<String> {
+        if self.solution.stop.is_failure() { Some(self.ending.clone()) } else { self.missing.clone() }
+    }
+
+    /// Checks that all shown quantities have a value, as they are shown now.
+    ///
+    /// # Errors
+    /// As [`Problem::near_divisors`].
+    pub(crate) fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
+        self.missing = None;
+        let Solution { t, y, t_end, y_end, .. } = &self.solution;
+        // The last sample is the end, except where only certain instants were requested.
+        let end = Some(((t_end, y_end), &self.end)).filter(|_| t.last() != Some(t_end));
+        let samples = t.iter().zip(y).zip(&self.states).chain(end);
+        let without = samples.filter_map(|(at, values)| Some((at, values.iter().position(|x| !x.is_finite())?)));
+        let mut without = without.peekable();
+        let Some(&((t, y), which)) = without.peek() else {
+            let lost = self.energy_drift.is_some_and(f64::is_nan);
+            self.missing = lost.then(|| "the energy has no value that doubles can hold".to_owned());
+            return Ok(());
+        };
+        let more = without.count() - 1;
+        let more = if more == 0 { String::new() } else { format!(" and at {more} of the samples after it") };
+        let near = problem.near_divisors(y)?;
+        self.missing = Some(format!("`{}` has no value at t = {t} s{more}{near}", self.names[which]));
+        Ok(())
+    }
+
+    /// Computes all watched quantities along the run; `code` is the code that made it.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the parameters are not those of the equations.
+    pub fn course(&self, watch: &Watch, scene: &Scene, code: &Code) -> Result<Course, Error> {
+        let (integrals, divisors) = watch.along(&scene.parameters, &self.states);
+        let (mut determinant, mut condition) = (Vec::new(), Vec::new());
+        // A scene's own equations are solved. They have no matrix, and their parameters differ.
+        if !self.by.is_reduced() {
+            let mut dynamics =
+                Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused(scene, &error))?;
+            for y in &self.solution.y {
+                let (q, v) = y.split_at(code.system().lengths().coordinates.min(y.len()));
+                determinant.push(dynamics.determinant(q, v));
+                condition.push(dynamics.reciprocal_condition(q, v));
+            }
+        }
+        Ok(Course { t: self.solution.t.clone(), integrals, determinant, condition, divisors })
+    }
+}

@@ -1,0 +1,252 @@
+//! Runs whose inputs are set from outside and held between instants: recorded signals, and controllers that sample the
+//! state.
+//!
+//! The run is made in windows, one from each instant to the next. An input is a parameter of the equations in each
+//! window. A window ends exactly at its instant and the next begins there, so no step and no stage sees two values of
+//! an input. This holds for every method and every kind of code, and the same controller gives the same bits.
+//!
+//! A second run gives the errors. It takes finer steps and asks a new controller of its own. The controller decides
+//! from the states of that run, so the difference of the two runs contains the errors that the decisions amplify. K. J.
+//! Åström & B. Wittenmark, *Computer-Controlled Systems*, 3rd edition (1997), § 2.3 (zero-order hold).
+
+mod windows;
+
+use crate::code::{Form, Ready, by_or_first, code};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::options::options;
+use crate::preparation::problem::Problem;
+use crate::simulation::outputs::state_names;
+use crate::trust::digits::other_side;
+use crate::trust::events::Balance;
+use tripos_derive::diagnostic::nearest;
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_sim::{EventRecord, Stop};
+use windows::{Loop, finer};
+
+/// State of a run at an instant, as a controller sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample<'a> {
+    /// The instant, s.
+    pub t: f64,
+    /// Index of the instant, from 0.
+    pub index: usize,
+    /// The names of coordinates, then of generalized speeds.
+    pub names: &'a [String],
+    /// Values of coordinates and generalized speeds, in SI units.
+    pub state: &'a [f64],
+}
+
+impl Sample<'_> {
+    /// The value of a coordinate or a generalized speed; `None` if the name is unknown.
+    #[must_use]
+    pub fn value(&self, name: &str) -> Option<f64> {
+        self.names.iter().position(|known| known == name).map(|at| self.state[at])
+    }
+}
+
+/// Recorded signal of an input. From each instant on, the input has the value of the same index.
+#[derive(Clone, Copy, Debug)]
+pub struct Held<'a> {
+    /// The name of the input.
+    pub input: &'a str,
+    /// Instants in increasing order, s. Before the first the input has the value of the scene.
+    pub instants: &'a [f64],
+    /// Values at the instants, in the SI unit of the input; one for each.
+    pub values: &'a [f64],
+}
+
+/// The values of inputs from an instant on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decision {
+    /// The instant, s.
+    pub t: f64,
+    /// A value for each input, in the order of [`SampledRun::inputs`].
+    pub values: Vec<f64>,
+    /// State there, in the order of [`SampledRun::names`].
+    pub state: Vec<f64>,
+    /// Estimated error of each of these, in its unit; `None` where the second run did not get there.
+    pub errors: Option<Vec<f64>>,
+}
+
+/// Result of a run whose inputs were set from outside.
+#[derive(Clone, Debug)]
+pub struct SampledRun {
+    /// Equations of motion that ran.
+    pub by: By,
+    /// Form of the code that ran.
+    pub code: Form,
+    /// Names of the inputs that were set.
+    pub inputs: Vec<String>,
+    /// Names of coordinates, then of generalized speeds.
+    pub names: Vec<String>,
+    /// Instants of the samples, s.
+    pub t: Vec<f64>,
+    /// State at each sample.
+    pub states: Vec<Vec<f64>>,
+    /// Values of the inputs from each instant on, in order.
+    pub decisions: Vec<Decision>,
+    /// Events and conditions of the domain that the run met, in order.
+    pub events: Vec<EventRecord>,
+    /// The end of the run, s.
+    pub t_end: f64,
+    /// State at the end of the run.
+    pub end: Vec<f64>,
+    /// The estimated error of each value at the end, in its unit; `None` where the second run did not get there.
+    pub errors_at_end: Option<Vec<f64>>,
+    /// Numbers of accepted and of rejected steps.
+    pub steps: (u64, u64),
+    /// Reason of the end of the run.
+    pub stop: Stop,
+    /// Warnings to read before trusting the numbers.
+    pub warnings: Vec<String>,
+}
+
+impl SampledRun {
+    /// Values of the coordinate or speed of this name, at each sample.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if there is none of this name.
+    pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
+        let at = self.names.iter().position(|shown| shown == name).ok_or_else(|| {
+            let help = nearest(name, self.names.iter().map(String::as_str));
+            Error::request(format!("the run shows no `{name}`"), help)
+        })?;
+        Ok(self.states.iter().map(|values| values[at]).collect())
+    }
+}
+
+/// Runs a scene with recorded signals for some of its inputs.
+///
+/// # Errors
+/// As [`simulate_sampled`]; [`Error::Request`] for signals without as many values as instants.
+pub fn simulate_held(
+    mechanism: &Mechanism,
+    scene: &Scene,
+    signals: &[Held<'_>],
+    by: Option<&str>,
+) -> Result<SampledRun, Error> {
+    for Held { input, instants, values } in signals {
+        if instants.len() != values.len() {
+            let what = format!("`{input}` has {} instants and {} values", instants.len(), values.len());
+            return Err(Error::request(what, "give as many values as instants"));
+        }
+        // The instants of all signals together may be in order although those of one signal are not.
+        check_instants(scene, instants)?;
+    }
+    let inputs: Vec<&str> = signals.iter().map(|signal| signal.input).collect();
+    let places = places(mechanism, &inputs)?;
+    let mut all: Vec<f64> = signals.iter().flat_map(|signal| signal.instants.iter().copied()).collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    let value = |signal: &Held<'_>, place: &usize, t: f64| {
+        let behind = signal.instants.partition_point(|instant| *instant <= t);
+        behind.checked_sub(1).map_or(scene.parameters[*place], |at| signal.values[at])
+    };
+    let decide =
+        || |sample: &Sample<'_>| signals.iter().zip(&places).map(|(signal, at)| value(signal, at, sample.t)).collect();
+    simulate_sampled(mechanism, scene, (&inputs, &all), decide, by)
+}
+
+/// Runs a scene whose inputs of these names are set at these instants by a controller, and held until the next instant.
+/// Two runs are made, each with a new controller. A controller returns a value for each input, in its SI unit.
+///
+/// An instant at the end of the span gives no decision.
+///
+/// # Errors
+/// [`Error::Request`] for unknown inputs or inputs with formulas; instants that are not in order or outside the span; a
+/// decision with a wrong number of values or a value that is not finite; a run backwards, by quadrature, projected or
+/// with impacts. Otherwise as [`simulate`](crate::simulate()).
+pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
+    mechanism: &Mechanism,
+    scene: &Scene,
+    (inputs, instants): (&[&str], &[f64]),
+    controller: impl Fn() -> C,
+    by: Option<&str>,
+) -> Result<SampledRun, Error> {
+    let places = places(mechanism, inputs)?;
+    check_instants(scene, instants)?;
+    check_integration(scene)?;
+    let by = by_or_first(mechanism, by)?;
+    let code = code(mechanism, &by, scene.integration.distance, Ready::for_runs(scene)?)?;
+    let problem = Problem::new(mechanism, scene, &by, &code, None)?;
+    let balance = Balance::new(mechanism, mechanism, scene, &by)?;
+    let names = state_names(mechanism);
+    let loop_ = Loop { problem: &problem, balance: &balance, places: &places, inputs, instants, names: &names };
+    let start = problem.start()?;
+    let options = options(scene)?;
+    let first = loop_.run(scene, &start, &options, &mut controller())?;
+    let beside = Scene { parameters: other_side(scene), ..scene.clone() };
+    let nearby: Vec<f64> = start.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
+    let second = match first.stop {
+        Stop::Interrupted => None,
+        _ => Some(loop_.run(&beside, &nearby, &finer(&options), &mut controller())?),
+    };
+    Ok(loop_.told(first, second.as_ref(), code.form()))
+}
+
+/// Indices of inputs among the parameters.
+fn places(mechanism: &Mechanism, inputs: &[&str]) -> Result<Vec<usize>, Error> {
+    let mut places = Vec::new();
+    for name in inputs {
+        let known = mechanism.inputs.iter().map(|input| input.name.as_str());
+        let Some(input) = mechanism.inputs.iter().find(|input| input.name == *name) else {
+            return Err(Error::request(format!("the model has no input `{name}`"), nearest(name, known)));
+        };
+        let at = mechanism.parameters.iter().position(|p| p.is_input && p.name == input.name);
+        let Some(at) = at.filter(|_| input.is_parameter) else {
+            let what = format!("the input `{name}` is a formula here");
+            return Err(Error::request(
+                what,
+                "leave its formula out of the model and of the scene, or give it a number",
+            ));
+        };
+        if places.contains(&at) {
+            return Err(Error::request(format!("the input `{name}` is set twice"), "name each input once"));
+        }
+        places.push(at);
+    }
+    Ok(places)
+}
+
+/// Least distance of two instants, in roundings of them; nearer ones leave no room for a step.
+const ROUNDINGS: f64 = 64.0;
+
+fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
+    let (from, to) = scene.span;
+    if to < from {
+        let help = "end the span after its start";
+        return Err(Error::request("inputs are decided as time goes on, and this run goes back in it", help));
+    }
+    if let Some(t) = instants.iter().find(|t| !(from..=to).contains(*t)) {
+        let what = format!("the instant {t} s is outside the run, from {from} s to {to} s");
+        return Err(Error::request(what, "leave it out, or lengthen the span"));
+    }
+    let near = |pair: &&[f64]| pair[1] - pair[0] <= ROUNDINGS * f64::EPSILON * pair[1].abs().max(pair[0].abs());
+    let first = instants.first().filter(|t| **t > from).map(|_| from);
+    let last = instants.last().filter(|t| **t < to).map(|_| to);
+    let ends: Vec<f64> = first.into_iter().chain(instants.iter().copied()).chain(last).collect();
+    if let Some(pair) = ends.windows(2).find(near) {
+        let what = if pair[1] > pair[0] {
+            format!("the instants {} s and {} s are too near to each other for a step", pair[0], pair[1])
+        } else {
+            format!("the instants do not increase: {} s comes before {} s", pair[0], pair[1])
+        };
+        return Err(Error::request(what, "give each instant after the one before it"));
+    }
+    Ok(())
+}
+
+fn check_integration(scene: &Scene) -> Result<(), Error> {
+    let how = &scene.integration;
+    if how.method == QUADRATURE || how.project.is_some() {
+        let what = "inputs that are set from outside change the energy: no quadrature and no projection onto it";
+        return Err(Error::request(what, "give a stepping method, without `project`"));
+    }
+    if !scene.impacts.is_empty() {
+        let help = "run the scene by `simulate`, or leave its impacts out";
+        return Err(Error::request("inputs that are set from outside are not run together with impacts", help));
+    }
+    Ok(())
+}

@@ -1,0 +1,223 @@
+//! Windows of a run whose inputs are set from outside, and its errors by comparison with a second run.
+
+use crate::code::Form;
+use crate::error::Error;
+use crate::preparation::problem::Problem;
+use crate::simulation::sampled::{Decision, Sample, SampledRun};
+use crate::trust::events::{Balance, events};
+use crate::trust::residuals::{broken, opened};
+use tripos_derive::scene::Scene;
+use tripos_sim::{EventRecord, Method, Options, Output, Solution, Stop};
+use tripos_traits::{AbsoluteTolerance, DoubleDouble, Scalar};
+
+/// Ratio of the second run's tolerances to those of the first.
+const FINER: f64 = 0.1;
+/// Tolerances of the second run if the first has equal steps.
+const EQUAL: f64 = 1e-12;
+/// Longest step of the second run, relative to a window. The first run may take each window in one step.
+const PART_OF_WINDOW: f64 = 0.4;
+
+/// Options of the second run, made from those of the first.
+pub fn finer(first: &Options) -> Options {
+    let step_limit = first.step_limit.saturating_mul(10);
+    if first.step.is_some() {
+        let tolerances = Options::tolerances(EQUAL, EQUAL);
+        return Options { method: Method::Dop853, step_limit, output: Output::Ends, ..tolerances };
+    }
+    let atol = match &first.atol {
+        AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(FINER * atol),
+        AbsoluteTolerance::Each(list) => AbsoluteTolerance::Each(list.iter().map(|atol| FINER * atol).collect()),
+    };
+    Options { rtol: FINER * first.rtol, atol, step_limit, output: Output::Ends, ..first.clone() }
+}
+
+/// Closed loop: a problem, its inputs and the instants at which they are set.
+pub struct Loop<'a> {
+    pub problem: &'a Problem<'a>,
+    pub balance: &'a Balance,
+    pub places: &'a [usize],
+    pub inputs: &'a [&'a str],
+    pub instants: &'a [f64],
+    pub names: &'a [String],
+}
+
+/// Run through all windows.
+pub struct Way {
+    t: Vec<f64>,
+    states: Vec<Vec<f64>>,
+    decisions: Vec<Decision>,
+    events: Vec<EventRecord>,
+    t_end: f64,
+    end: Vec<f64>,
+    steps: (u64, u64),
+    pub stop: Stop,
+    warnings: Vec<String>,
+}
+
+impl Loop<'_> {
+    /// Runs through all windows from an integrated state. Parameters that are not decided are those of the scene.
+    pub fn run(
+        &self,
+        scene: &Scene,
+        start: &[f64],
+        how: &Options,
+        controller: &mut dyn FnMut(&Sample<'_>) -> Vec<f64>,
+    ) -> Result<Way, Error> {
+        let (from, to) = scene.span;
+        let mut way = Way {
+            t: Vec::new(),
+            states: Vec::new(),
+            decisions: Vec::new(),
+            events: Vec::new(),
+            t_end: from,
+            end: Vec::new(),
+            steps: (0, 0),
+            stop: Stop::End,
+            warnings: Vec::new(),
+        };
+        let mut now = scene.clone();
+        let mut y = start.to_vec();
+        let mut ahead = self.instants.iter().copied().filter(|t| *t < to).enumerate().peekable();
+        let mut t = from;
+        loop {
+            if let Some((index, t)) = ahead.next_if(|(_, instant)| *instant <= t) {
+                let state = self.problem.with_scene(&now).state(t, &y);
+                let values = self.decide(controller, &Sample { t, index, names: self.names, state: &state })?;
+                for (at, value) in self.places.iter().zip(&values) {
+                    now.parameters[*at] = *value;
+                    now.exact.parameters[*at] = DoubleDouble::from_f64(*value);
+                }
+                way.decisions.push(Decision { t, values, state, errors: None });
+            }
+            let end = ahead.peek().map_or(to, |(_, instant)| *instant);
+            now.span = (t, end);
+            let problem = self.problem.with_scene(&now);
+            let solution = self.window(&problem, &y, how, way.steps)?;
+            way.take(&problem, &solution);
+            if solution.stop != Stop::End || end >= to {
+                way.end = problem.state(solution.t_end, &solution.y_end);
+                return Ok(way);
+            }
+            (t, y) = (end, solution.y_end);
+        }
+    }
+
+    /// Runs one window, with the options of the whole.
+    fn window(
+        &self,
+        problem: &Problem<'_>,
+        y: &[f64],
+        how: &Options,
+        (steps, rejected): (u64, u64),
+    ) -> Result<Solution, Error> {
+        let (from, to) = problem.scene.span;
+        let output = match &how.output {
+            Output::At(times) => {
+                let is_first = from <= self.problem.scene.span.0;
+                let inside = |t: &&f64| (**t > from || is_first) && **t <= to;
+                Output::At(times.iter().filter(inside).copied().collect())
+            }
+            other => other.clone(),
+        };
+        let step_limit = how.step_limit.saturating_sub(steps + rejected);
+        let mut options = Options { output, step_limit, ..how.clone() };
+        // The second run keeps no samples.
+        if how.output == Output::Ends && how.step.is_none() {
+            let longest = PART_OF_WINDOW * (to - from);
+            options.max_step = Some(how.max_step.map_or(longest, |max| max.min(longest)));
+        }
+        let mut watched = events(problem, self.balance);
+        let mut solution = problem.solve(y, &options, &mut watched, None)?;
+        if let Stop::StepLimit { limit } = &mut solution.stop {
+            *limit = how.step_limit;
+        }
+        Ok(solution)
+    }
+
+    fn decide(
+        &self,
+        controller: &mut dyn FnMut(&Sample<'_>) -> Vec<f64>,
+        sample: &Sample<'_>,
+    ) -> Result<Vec<f64>, Error> {
+        let (values, t) = (controller(sample), sample.t);
+        if values.len() != self.inputs.len() {
+            let what = format!("the controller gave {} values at t = {t} s", values.len());
+            return Err(Error::request(what, format!("give one for each of {}", self.inputs.join(", "))));
+        }
+        if let Some((value, input)) = values.iter().zip(self.inputs).find(|(value, _)| !value.is_finite()) {
+            let what = format!("the value of `{input}` at t = {t} s is {value}");
+            return Err(Error::request(what, "give a finite number"));
+        }
+        Ok(values)
+    }
+
+    /// Result of a run, with the errors that a second one gives.
+    pub fn told(&self, first: Way, second: Option<&Way>, form: Form) -> SampledRun {
+        let mut decisions = first.decisions;
+        let mut errors_at_end = None;
+        if let Some(second) = second {
+            for (own, other) in decisions.iter_mut().zip(&second.decisions) {
+                own.errors = Some(apart(&own.state, &other.state));
+            }
+            // An event that ends both runs has a different instant in each; the error of its state is wanted.
+            let as_far = decisions.len() == second.decisions.len();
+            let both_ended = as_far && first.stop == second.stop && !first.stop.is_failure();
+            errors_at_end = both_ended.then(|| apart(&first.end, &second.end));
+        }
+        let mut warnings = first.warnings;
+        if let (Some(second), None) = (second, &errors_at_end) {
+            warnings.push(format!(
+                "the errors at the end are not known: this run ended at t = {} s ({}), the second one at t = {} s ({})",
+                first.t_end, first.stop, second.t_end, second.stop
+            ));
+        }
+        SampledRun {
+            by: self.problem.by.clone(),
+            code: form,
+            inputs: self.inputs.iter().map(|name| (*name).to_owned()).collect(),
+            names: self.names.to_vec(),
+            t: first.t,
+            states: first.states,
+            decisions,
+            events: first.events,
+            t_end: first.t_end,
+            end: first.end,
+            errors_at_end,
+            steps: first.steps,
+            stop: first.stop,
+            warnings,
+        }
+    }
+}
+
+/// Least relative error of a value: some roundings.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Errors of values by their difference from a second run.
+fn apart(own: &[f64], other: &[f64]) -> Vec<f64> {
+    own.iter().zip(other).map(|(a, b)| (a - b).abs() + ROUNDING * a.abs()).collect()
+}
+
+impl Way {
+    /// Adds a window to the run.
+    fn take(&mut self, problem: &Problem<'_>, solution: &Solution) {
+        // A window begins where the one before it ended.
+        let known = self.t.last().copied();
+        let new = solution.t.iter().zip(&solution.y).filter(|(t, _)| Some(**t) != known);
+        for (t, y) in new {
+            self.t.push(*t);
+            self.states.push(problem.state(*t, y));
+        }
+        self.events.extend(solution.events.iter().cloned());
+        self.t_end = solution.t_end;
+        self.steps = (self.steps.0 + solution.steps, self.steps.1 + solution.rejected);
+        self.stop = solution.stop.clone();
+        let said = solution.warnings.iter().map(ToString::to_string);
+        let said = said.chain(opened(problem, solution)).chain(broken(problem, solution));
+        for warning in said.collect::<Vec<_>>() {
+            if !self.warnings.contains(&warning) {
+                self.warnings.push(warning);
+            }
+        }
+    }
+}

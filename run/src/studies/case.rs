@@ -1,0 +1,237 @@
+//! Cases of a chart: equations of motion, the way in which accelerations are found, and the methods of the runs.
+
+use crate::code::{Code, Ready, code};
+use crate::error::{Error, refused};
+use crate::follow::uninterrupted;
+use crate::mechanism::Mechanism;
+use crate::preparation::problem::Problem;
+use crate::preparation::reduced::Reduced;
+use tripos_derive::mechanics::By;
+use tripos_derive::reduce::Reduction;
+use tripos_derive::scene::{QUADRATURE, Scene, Solve};
+use tripos_sim::work_precision::options;
+use tripos_sim::{Method, Options, Solution, quadrature};
+
+/// Methods that also run a scene's own equations with absolute tolerances alone. Their errors are so small that
+/// relative tolerances cannot be fine enough.
+const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
+
+/// Equations of motion with the way in which their accelerations are found.
+pub struct Case {
+    /// Name of the equations.
+    pub by: By,
+    /// Compiled or interpreted equations, in the scene's distance if it has one.
+    pub code: Code,
+    /// Way in which accelerations are found.
+    pub solve: Solve,
+    /// Reduction that gave a scene's own equations; `None` for those of the whole model.
+    pub reduction: Option<Reduction>,
+}
+
+impl Case {
+    /// True if a method can run the case. An implicit method needs a Jacobian, and Taylor's method needs eliminated
+    /// accelerations.
+    #[must_use]
+    pub fn has(&self, method: Method) -> bool {
+        let system = self.code.system();
+        let series = self.solve == Solve::Eliminated && system.has_taylor();
+        (!method.needs_jacobian() || system.has_accelerations()) && (!method.needs_series() || series)
+    }
+
+    /// The methods that can run the case, at each of these tolerances, and quadrature where it gives the motion.
+    #[must_use]
+    pub fn ways(&self, tolerances: &[f64]) -> Vec<Way> {
+        let mut list = Vec::new();
+        for method in Method::ALL.into_iter().filter(|method| self.has(*method)) {
+            list.extend(tolerances.iter().map(|tolerance| Way::Steps(method, *tolerance)));
+            if let (true, Some(finest)) = (self.reduction.is_some() && FINE.contains(&method), tolerances.last()) {
+                list.extend([10.0, 100.0].map(|times| Way::Absolute(method, finest / times)));
+            }
+        }
+        if self.has_quadrature() {
+            list.push(Way::Quadrature);
+        }
+        list
+    }
+
+    /// True if the motion can be computed by quadrature.
+    #[must_use]
+    pub fn has_quadrature(&self) -> bool {
+        self.reduction.is_some() && self.code.system().has_potential_slope()
+    }
+
+    /// Prepares the case for the start of a scene. The scene must have the model and the outputs of the case.
+    ///
+    /// # Errors
+    /// As [`Reduced::with`].
+    pub fn prepare<'a>(&'a self, model: &'a Mechanism, scene: &'a Scene) -> Result<Prepared<'a>, Error> {
+        let reduction = self.reduction.clone();
+        let mut reduced = reduction.map(|reduction| Reduced::with(reduction, model, scene)).transpose()?;
+        if let Some(reduced) = &mut reduced {
+            // The reduced equations have only the case's way of solving.
+            reduced.scene.integration.solve = Some(self.solve);
+        }
+        Ok(Prepared { case: self, model, scene, reduced })
+    }
+}
+
+/// A case with the start of a scene.
+pub struct Prepared<'a> {
+    case: &'a Case,
+    model: &'a Mechanism,
+    scene: &'a Scene,
+    reduced: Option<Reduced>,
+}
+
+impl Prepared<'_> {
+    /// The problem, ready to be integrated.
+    ///
+    /// # Errors
+    /// As [`Problem::new`].
+    pub fn problem(&self) -> Result<Problem<'_>, Error> {
+        let Self { case, model, scene, reduced } = self;
+        match reduced {
+            Some(reduced) => Problem::reduced(model, reduced, scene, &case.code),
+            None => Problem::new(model, scene, &case.by, &case.code, Some(case.solve)),
+        }
+    }
+}
+
+/// Method and tolerance of a run of a case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// Steps of a method at a tolerance.
+    Steps(Method, f64),
+    /// Steps of a method at an absolute tolerance alone. It can be finer than a relative one, which is at least several
+    /// roundings.
+    Absolute(Method, f64),
+    /// Integrals over the coordinate, exact to rounding.
+    Quadrature,
+}
+
+impl Way {
+    /// The method of the steps; `None` for quadrature.
+    #[must_use]
+    pub fn method(self) -> Option<Method> {
+        match self {
+            Self::Steps(method, _) | Self::Absolute(method, _) => Some(method),
+            Self::Quadrature => None,
+        }
+    }
+
+    /// The name of the method.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.method().map_or(QUADRATURE, Method::name)
+    }
+
+    /// The tolerance of the steps; `None` for quadrature.
+    #[must_use]
+    pub fn tolerance(self) -> Option<f64> {
+        match self {
+            Self::Steps(_, tolerance) | Self::Absolute(_, tolerance) => Some(tolerance),
+            Self::Quadrature => None,
+        }
+    }
+
+    /// Name of the way in which accelerations are found; `-` for quadrature, which needs none.
+    #[must_use]
+    pub fn solve(self, solve: Solve) -> &'static str {
+        match self {
+            Self::Steps(..) | Self::Absolute(..) => solve.name(),
+            Self::Quadrature => "-",
+        }
+    }
+
+    /// Tolerances and limits for a span of this length, s.
+    #[must_use]
+    pub fn options(self, length: f64, step_limit: u64) -> Options {
+        match self {
+            Self::Steps(method, tolerance) => options(method, tolerance, length, step_limit),
+            Self::Absolute(method, tolerance) => {
+                Options { rtol: 0.0, ..options(method, tolerance, length, step_limit) }
+            }
+            // Only the step limit matters here.
+            Self::Quadrature => options(Method::Dop853, 1e-12, length, step_limit),
+        }
+    }
+
+    /// Runs over a span from the integrated state `y0`.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the request is invalid, or quadrature does not give the motion.
+    pub fn run(
+        self,
+        problem: &Problem<'_>,
+        span: (f64, f64),
+        y0: &[f64],
+        options: &Options,
+    ) -> Result<Solution, Error> {
+        match self {
+            Self::Steps(..) | Self::Absolute(..) => {
+                let run = problem.integrate_over(span, y0, options, &mut []);
+                uninterrupted(run.map_err(|error| refused(problem.scene, &error))?)
+            }
+            Self::Quadrature => {
+                let p = &problem.scene.parameters;
+                quadrature::solve(problem.system(), p, span, y0, options, &mut []).map_err(|error| {
+                    Error::request(format!("no motion by quadrature: {error}"), "integrate step by step".to_owned())
+                })
+            }
+        }
+    }
+}
+
+/// Lists every formulation of the model with each way to find its accelerations. Printed equations follow if wanted, as
+/// they stand, and then the scene's own equations. Also returns the reasons why cases are missing.
+///
+/// # Errors
+/// [`Error`] if no equations can be run.
+pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
+    let (mut list, mut left_out) = whole(model, scene, printed)?;
+    match own(model, scene) {
+        Ok(case) => list.push(case),
+        Err(failure) => left_out.push(format!("the scene's own equations: {}", failure.first_line())),
+    }
+    Ok((list, left_out))
+}
+
+/// Lists the cases of the whole model.
+///
+/// # Errors
+/// As [`cases`].
+pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
+    let (mut list, mut left_out) = (Vec::new(), Vec::new());
+    let mut why = None;
+    let mut names: Vec<By> = tripos_derive::Formulation::ALL.map(By::from).to_vec();
+    if printed {
+        names.extend(crate::code::printed(model)?);
+    }
+    for by in names {
+        match code(model, &by, scene.integration.distance, Ready::Solved) {
+            Ok(code) => {
+                let can = |solve: &Solve| *solve == Solve::Numeric || code.system().has_accelerations();
+                let solves = Solve::ALL.into_iter().filter(can);
+                list.extend(solves.map(|solve| Case { by: by.clone(), code: code.clone(), solve, reduction: None }));
+            }
+            Err(failure) => {
+                left_out.push(format!("{}: {}", by.name(), failure.first_line()));
+                why = Some(failure);
+            }
+        }
+    }
+    match why {
+        Some(failure) if list.is_empty() => Err(failure),
+        _ => Ok((list, left_out)),
+    }
+}
+
+/// Case of a scene's own equations.
+///
+/// # Errors
+/// [`Error`] if the scene has none; the other cases can still be charted.
+pub fn own(model: &Mechanism, scene: &Scene) -> Result<Case, Error> {
+    let reduced = Reduced::new(model, scene)?;
+    let code = reduced.code(model)?;
+    Ok(Case { by: reduced.by, code, solve: Solve::Eliminated, reduction: Some(reduced.reduction) })
+}

@@ -1,0 +1,185 @@
+//! Charts of speed against accuracy: every formulation, solve and method at many tolerances, measured against a
+//! reference.
+
+pub mod session;
+
+use crate::error::Error;
+use crate::follow::Progress;
+use crate::mechanism::Mechanism;
+use crate::preparation::problem::Problem;
+use crate::studies::case::{Case, Prepared, Way};
+use crate::trust::comparison::Compared;
+use crate::trust::invariants::Watch;
+use crate::trust::reference::Reference;
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::work_precision::{Spread, error, interleaved};
+use tripos_sim::{Options, Output, Stop};
+use tripos_traits::larger;
+
+/// Extent of the measurements of a chart.
+pub struct Plan {
+    /// The tolerances, loosest first.
+    pub tolerances: Vec<f64>,
+    /// Number of runs for each measurement.
+    pub repeats: usize,
+    /// Number of steps after which a run is given up.
+    pub step_limit: u64,
+    /// True if tolerances finer than one that used up the steps are left out.
+    pub quick: bool,
+    /// Duration above which a run is not repeated, s.
+    pub patience: f64,
+}
+
+impl Plan {
+    /// The full plan, or a quick one that takes less than two minutes.
+    #[must_use]
+    pub fn new(quick: bool) -> Self {
+        let powers: Vec<i32> = if quick { vec![3, 5, 7, 9, 11, 13] } else { (2..=14).collect() };
+        Self {
+            tolerances: powers.into_iter().map(|n| 10_f64.powi(-n)).collect(),
+            repeats: if quick { 3 } else { 7 },
+            step_limit: if quick { 100_000 } else { 1_000_000 },
+            quick,
+            patience: if quick { 0.1 } else { 1.0 },
+        }
+    }
+}
+
+/// Measured point of a chart.
+pub struct Measurement {
+    /// Equations of motion that ran.
+    pub by: By,
+    /// Way in which accelerations were found, where the method needs them.
+    pub solve: Solve,
+    /// Method and tolerance of the run.
+    pub way: Way,
+    /// Times of the repeated runs, s.
+    pub seconds: Spread,
+    /// Error against the reference; `None` if the run did not reach the end.
+    pub error: Option<f64>,
+    /// Number of accepted steps.
+    pub steps: u64,
+    /// Number of calls of the right-hand side.
+    pub evaluations: u64,
+    /// Reason of the end of the run.
+    pub stop: Stop,
+    /// Largest change of each first integral.
+    pub drifts: Vec<f64>,
+}
+
+/// Reference, compared quantities and first integrals that runs are measured against.
+pub struct Truth<'a> {
+    /// Reference solution from which errors are measured.
+    pub reference: &'a Reference,
+    /// Quantities in which runs are compared.
+    pub compared: &'a Compared,
+    /// First integrals of the motion.
+    pub watch: &'a Watch,
+}
+
+/// Measures all cases against the reference at the end of the scene's span. An interrupted call returns the
+/// measurements so far. Cases that cannot be measured are added to the list of left-out ones, with the reason.
+///
+/// # Errors
+/// [`Error`] if the scene cannot be run at all.
+pub fn measure(
+    model: &Mechanism,
+    scene: &Scene,
+    cases: &[Case],
+    plan: &Plan,
+    truth: &Truth<'_>,
+    (bar, left_out): (&dyn Progress, &mut Vec<String>),
+) -> Result<Vec<Measurement>, Error> {
+    let prepared = cases.iter().map(|case| case.prepare(model, scene)).collect::<Result<Vec<_>, _>>()?;
+    let problems: Vec<Problem<'_>> = prepared.iter().map(Prepared::problem).collect::<Result<_, _>>()?;
+    let starts: Vec<Vec<f64>> = problems.iter().map(Problem::start).collect::<Result<_, _>>()?;
+    let length = scene.span.1 - scene.span.0;
+    let ways: Vec<Vec<Way>> = cases.iter().map(|case| case.ways(&plan.tolerances)).collect();
+    bar.set_length((ways.iter().map(Vec::len).sum::<usize>() * (1 + plan.repeats)) as u64);
+    let mut list: Vec<Measurement> = Vec::new();
+    let mut again: Vec<(usize, usize, Way, Options)> = Vec::new();
+    for (at, (problem, y0)) in problems.iter().zip(&starts).enumerate() {
+        let mut exhausted = None;
+        for way in &ways[at] {
+            // Finer tolerances would use up the steps too.
+            if exhausted == Some(way.name()) {
+                continue;
+            }
+            bar.set_message(&format!("{} {} {}", problem.by.name(), way.solve(problem.solve), way.name()));
+            let how = way.options(length, plan.step_limit);
+            bar.inc(1);
+            let outcome = first(problem, y0, *way, &how, truth);
+            if model.follow.asked() {
+                // The interrupted run is not measured.
+                return Ok(list);
+            }
+            let measurement = match outcome {
+                Ok(measurement) => measurement,
+                // A motion that has no quadrature is still integrated.
+                Err(failure) if *way == Way::Quadrature => {
+                    left_out.push(format!("{} by {}: {}", problem.by.name(), way.name(), failure.first_line()));
+                    continue;
+                }
+                Err(failure) => return Err(failure),
+            };
+            if measurement.seconds.median <= plan.patience {
+                again.push((at, list.len(), *way, how));
+            } else {
+                bar.inc(plan.repeats as u64);
+            }
+            exhausted = (plan.quick && matches!(measurement.stop, Stop::StepLimit { .. })).then(|| way.name());
+            list.push(measurement);
+        }
+    }
+    bar.set_message("timing, all in turn");
+    let mut jobs: Vec<Box<dyn FnMut() + '_>> = again
+        .iter()
+        .map(|(at, _, way, how)| -> Box<dyn FnMut() + '_> {
+            let (problem, y0) = (&problems[*at], &starts[*at]);
+            Box::new(move || drop(way.run(problem, problem.scene.span, y0, how)))
+        })
+        .collect();
+    let times = interleaved(&mut jobs, plan.repeats, || {
+        bar.inc(1);
+        model.follow.go_on()
+    });
+    drop(jobs);
+    for ((_, place, ..), times) in again.iter().zip(times) {
+        list[*place].seconds = Spread::of(&times).unwrap_or(list[*place].seconds);
+    }
+    Ok(list)
+}
+
+/// Greatest number of steps of a run whose first integrals are checked at each step.
+const MOST_WATCHED: u64 = 200_000;
+
+/// Makes the first run of a case: its error, the drift of its first integrals and a first time.
+fn first(problem: &Problem<'_>, y0: &[f64], way: Way, how: &Options, truth: &Truth<'_>) -> Result<Measurement, Error> {
+    let Truth { reference, compared, watch } = truth;
+    let start = std::time::Instant::now();
+    let bare = way.run(problem, problem.scene.span, y0, how)?;
+    let seconds = start.elapsed().as_secs_f64();
+    let watched = Options { output: Output::Steps { refine: 1 }, ..how.clone() };
+    // First integrals are functions of all states, which a scene may not show.
+    let shows_all = !(problem.by.is_reduced() && problem.shown.states_outputs);
+    let is_watched = shows_all && bare.steps <= MOST_WATCHED;
+    let again = is_watched.then(|| way.run(problem, problem.scene.span, y0, &watched));
+    let drifts = again.transpose()?.map_or_else(Vec::new, |solution| watch.changes(problem, &solution));
+    let arrived = bare.stop == Stop::End;
+    let off = || {
+        let right = compared.kept(compared.of_state(reference.end()));
+        larger(error(&compared.of_run(problem, bare.t_end, &bare.y_end), &right), reference.uncertainty)
+    };
+    Ok(Measurement {
+        by: problem.by.clone(),
+        solve: problem.solve,
+        way,
+        seconds: Spread { least: seconds, median: seconds, most: seconds, runs: 1 },
+        error: arrived.then(off),
+        steps: bare.steps,
+        evaluations: bare.evaluations,
+        stop: bare.stop,
+        drifts,
+    })
+}

@@ -1,0 +1,96 @@
+//! Whole chart of a scene: the charted span, the reference and the measurements.
+
+use crate::code::{Ready, code};
+use crate::error::{Error, refused};
+use crate::follow::Progress;
+use crate::mechanism::Mechanism;
+use crate::options::options;
+use crate::preparation::problem::Problem;
+use crate::studies::case::cases;
+use crate::studies::chart::{Measurement, Plan, Truth, measure};
+use crate::trust::comparison::Compared;
+use crate::trust::events::{Balance, events};
+use crate::trust::invariants::Watch;
+use crate::trust::reference::Reference;
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::Scene;
+use tripos_sim::{Method, Options, Output, Stop};
+use tripos_traits::Real;
+
+/// Measurements of a scene, with the reference and the quantities that they are measured against.
+pub struct Session {
+    /// All measured points.
+    pub list: Vec<Measurement>,
+    /// Reference solution from which errors are measured.
+    pub reference: Reference,
+    /// First integrals of the motion.
+    pub watch: Watch,
+    /// Sentence that names the compared quantities; `None` if runs are compared in all states.
+    pub compared: Option<String>,
+    /// The instant at which errors were taken, s.
+    pub until: f64,
+    /// Reason why that instant is before the end of the scene; `None` if it is the end.
+    pub cut: Option<String>,
+    /// Cases that could not be charted, each with the reason.
+    pub left_out: Vec<String>,
+}
+
+/// Charts a scene to its end, or to shortly before the motion leaves the domain of its equations.
+///
+/// # Errors
+/// [`Error`] if the scene cannot be run at all.
+pub fn chart(
+    model: &Mechanism,
+    scene: &Scene,
+    printed: bool,
+    plan: &Plan,
+    bar: &dyn Progress,
+) -> Result<Session, Error> {
+    model.has_speeds("there are no equations of motion whose methods could be compared")?;
+    let mut scene = scene.clone();
+    bar.set_message("reference");
+    let (mut cases, mut left_out) = cases(model, &scene, printed)?;
+    let mut compared = Compared::new(model, &scene)?;
+    let said = compared.said();
+    if compared.is_empty() {
+        // Whole states show none of the requested outputs, so the states themselves are compared.
+        scene.states_outputs = false;
+        compared = Compared::new(model, &scene)?;
+        cases.retain(|case| case.reduction.is_none());
+    }
+    let mut cut = None;
+    if let Some(t) = leaves(model, &scene, &cases[0].by)? {
+        let (from, to) = scene.span;
+        if t - from == 0.0 {
+            let help = "choose another start: `tripos simulate` says which condition does not hold".to_owned();
+            return Err(Error::request("the start is outside the domain of the model's equations".to_owned(), help));
+        }
+        scene.span.1 = from + (t - from) * 0.99;
+        cut = Some(format!(
+            "the motion ends at t = {t} s of {to} s, where it leaves the domain or meets a terminal event: charted to t = {}",
+            scene.span.1
+        ));
+    }
+    let reference = Reference::new(model, &scene, &[scene.span.1])?;
+    let right = compared.kept(compared.of_state(reference.end()));
+    if right.iter().any(|x| !x.to_f64().is_finite()) {
+        let what =
+            format!("what the scene wants to see has no value at t = {} s: there is nothing to compare", scene.span.1);
+        return Err(Error::Stopped(what));
+    }
+    let watch = Watch::of_model(model)?;
+    let truth = Truth { reference: &reference, compared: &compared, watch: &watch };
+    let list = measure(model, &scene, &cases, plan, &truth, (bar, &mut left_out))?;
+    Ok(Session { list, compared: said, reference, watch, until: scene.span.1, cut, left_out })
+}
+
+/// When the motion leaves the domain of its equations, or meets a terminal event, before the end of its span.
+fn leaves(model: &Mechanism, scene: &Scene, by: &By) -> Result<Option<f64>, Error> {
+    let code = code(model, by, scene.integration.distance, Ready::Solved)?;
+    let problem = Problem::new(model, scene, by, &code, None)?;
+    let balance = Balance::new(model, model, scene, by)?;
+    let mut events = events(&problem, &balance);
+    let how = Options { method: Method::Ode45, output: Output::Ends, rtol: 1e-9, step: None, ..options(scene)? };
+    let solution = problem.integrate(&problem.start()?, &how, &mut events).map_err(|error| refused(scene, &error))?;
+    Ok(matches!(solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. }).then_some(solution.t_end))
+}

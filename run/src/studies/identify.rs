@@ -1,0 +1,117 @@
+//! Identification in numbers: values of the base parameters, and the regressor at given states.
+//!
+//! [`tripos_derive::identify`] finds the base parameters. Row by row Y_b π_b + rest = tau, where tau = B r is the
+//! generalized force of the inputs r ([`crate::studies::inverse`]).
+
+use crate::{Error, Mechanism};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::identify::{Factor, Identification};
+use tripos_derive::mechanics::Varied;
+use tripos_derive::scene::Moving;
+use tripos_traits::DoubleDouble;
+
+/// Finds the base parameters of a mechanism.
+///
+/// # Errors
+/// [`Error::Input`] if the model cannot be derived.
+pub fn identify(model: &Mechanism, varied: Varied) -> Result<Identification, Error> {
+    Identification::new(model, varied).map_err(|error| Error::Input(model.diagnose(&error)))
+}
+
+/// Values of the base parameters for the model's bodies and these parameters; `None` where a factor has no closed form.
+///
+/// # Errors
+/// [`Error::Request`] if a formula mentions a symbol without a value.
+pub fn values(
+    model: &Mechanism,
+    found: &Identification,
+    parameters: &[DoubleDouble],
+) -> Result<Vec<Option<DoubleDouble>>, Error> {
+    let columns = &found.regressor.columns;
+    let mut terms: Vec<Expr> = columns.iter().map(|column| column.stated).collect();
+    let groups = || found.base.iter().chain(&found.grouped);
+    terms.extend(groups().flat_map(|base| &base.with).filter_map(|(_, factor)| match factor {
+        Factor::Exact(e) => Some(*e),
+        _ => None,
+    }));
+    let tape: Tape<DoubleDouble> = crate::code::tape(&found.regressor.arena, &model.p(), &terms, "a parameter")?.to();
+    let values = tape.evaluate(parameters);
+    let (stated, factors) = values.split_at(columns.len());
+    let mut factors = factors.iter();
+    let mut of_groups: Vec<Vec<(usize, Option<DoubleDouble>)>> = Vec::new();
+    for base in groups() {
+        let value = |factor: &Factor, next: &mut std::slice::Iter<'_, DoubleDouble>| match factor {
+            Factor::Exact(_) => next.next().copied(),
+            Factor::Number(x) => Some((*x).into()),
+            Factor::Unknown => None,
+        };
+        of_groups.push(base.with.iter().map(|(at, factor)| (*at, value(factor, &mut factors))).collect());
+    }
+    // With closed loops, a column that stands for its own combination has the value of that combination.
+    let whole: Vec<(usize, usize)> =
+        found.grouped.iter().enumerate().map(|(k, base)| (base.column, found.base.len() + k)).collect();
+    let own = |at: usize, with: &[(usize, Option<DoubleDouble>)]| {
+        with.iter().try_fold(stated[at], |sum, (at, factor)| Some(sum + stated[*at] * (*factor)?))
+    };
+    let value_of = |at: usize| match whole.iter().find(|(column, _)| *column == at) {
+        Some((column, k)) => own(*column, &of_groups[*k]),
+        None => Some(stated[at]),
+    };
+    let of_base = found.base.iter().zip(&of_groups).map(|(base, with)| {
+        with.iter().try_fold(stated[base.column], |sum, (at, factor)| Some(sum + value_of(*at)? * (*factor)?))
+    });
+    Ok(of_base.collect())
+}
+
+/// Row of the regressor: the force along a speed at a state.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Index of the state.
+    pub state: usize,
+    /// Index of the speed.
+    pub speed: usize,
+    /// Factor of each base parameter.
+    pub factors: Vec<DoubleDouble>,
+    /// Known part of the force, which is Σ factor π + rest, with all inputs 0.
+    pub rest: DoubleDouble,
+}
+
+/// Rows of the regressor of the base parameters at states.
+///
+/// # Errors
+/// [`Error::Request`] if a column mentions a symbol without a value; [`Error::Stopped`] where a column has no value at
+/// a state.
+pub fn rows(
+    model: &Mechanism,
+    found: &Identification,
+    parameters: &[DoubleDouble],
+    states: &[Moving],
+) -> Result<Vec<Row>, Error> {
+    let regressor = &found.regressor;
+    let speeds = model.speeds.len();
+    let columns = found.base.iter().map(|base| &regressor.columns[base.column].forces);
+    let terms: Vec<Expr> = columns.chain([&regressor.rest]).flatten().copied().collect();
+    let rates = model.speeds.iter().map(|speed| speed.rate).collect();
+    let known = [model.p(), model.q(), model.u(), rates].concat();
+    let tape: Tape<DoubleDouble> = crate::code::tape(&regressor.arena, &known, &terms, "the regressor")?.to();
+    let mut p = parameters.to_vec();
+    let inputs =
+        (0..p.len()).filter(|at| model.parameters[*at].is_input && model.parameters[*at].unit.of_mass().is_one());
+    for at in inputs.collect::<Vec<_>>() {
+        p[at] = 0.0.into();
+    }
+    let mut list = Vec::new();
+    for (state, moving) in states.iter().enumerate() {
+        let values = tape.evaluate(&[p.as_slice(), &moving.q, &moving.u, &moving.rates].concat());
+        if values.iter().any(|x| !x.hi().is_finite()) {
+            return Err(Error::Stopped(format!("the regressor has no value at state {}", state + 1)));
+        }
+        for speed in 0..speeds {
+            let of = |column: usize| values[column * speeds + speed];
+            let factors = (0..found.base.len()).map(of).collect();
+            list.push(Row { state, speed, factors, rest: of(found.base.len()) });
+        }
+    }
+    Ok(list)
+}

@@ -1,0 +1,160 @@
+//! Motions given by formulas of t: poses that close the loops, and the speeds and accelerations that follow.
+//!
+//! The rates of the coordinates that have formulas, q̇ = W u + w, give u. Their second derivatives, q̈ = W u̇ + (Ẇ u +
+//! ẇ), give u̇. If more coordinates have formulas than there are speeds, the motion must obey the constraints;
+//! otherwise it is refused.
+
+use crate::studies::inverse::least::{Least, doubles};
+use crate::{Error, Mechanism};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::calculus::Gradient;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::mechanics::motion_rates;
+use tripos_derive::scene::{Formulas, Given, Loops, Motion, Moving};
+use tripos_traits::DoubleDouble;
+
+/// Tolerance of constraints in a given motion, relative to the largest given rate or 1.
+const BROKEN: f64 = 1e-9;
+
+/// Coordinates, speeds and accelerations of a motion at each of its instants.
+///
+/// # Errors
+/// [`Error::Stopped`] if formulas have no value at an instant, leave the motion open, break a constraint, or loops
+/// cannot be closed.
+pub fn moments(model: &Mechanism, motion: &Motion) -> Result<Vec<Moving>, Error> {
+    let formulas = match &motion.given {
+        Given::Samples(list) => return Ok(list.clone()),
+        Given::Formulas(formulas) => formulas,
+    };
+    let course = Course::new(model, formulas)?;
+    let mut q: Vec<DoubleDouble> = formulas.guesses.iter().map(|x| DoubleDouble::from(*x)).collect();
+    let mut list = Vec::with_capacity(formulas.instants.len());
+    for t in &formulas.instants {
+        let moving = course.at(&motion.parameters, *t, &q)?;
+        q.clone_from(&moving.q);
+        list.push(moving);
+    }
+    Ok(list)
+}
+
+/// Evaluates a motion that is given by formulas.
+struct Course {
+    names: Vec<String>,
+    speeds: usize,
+    /// Indices of the coordinates with formulas; `free` holds those that the loops determine.
+    given: Vec<usize>,
+    free: Vec<usize>,
+    /// q, q̇ and q̈ of each coordinate with a formula, in parameters and t.
+    formulas: Tape<DoubleDouble>,
+    /// q̇ and d(q̇)/dt of each coordinate, and W row by row, in parameters, q, u and u̇.
+    rates: Tape<DoubleDouble>,
+    loops: Loops,
+}
+
+impl Course {
+    fn new(model: &Mechanism, formulas: &Formulas) -> Result<Self, Error> {
+        let (given, free): (Vec<usize>, Vec<usize>) =
+            (0..model.coordinates.len()).partition(|at| formulas.coordinates[*at].is_some());
+        let terms: Vec<Expr> = formulas.coordinates.iter().flatten().flatten().copied().collect();
+        let of_time = [model.p(), vec![formulas.time]].concat();
+        let of_formulas = crate::code::tape(&model.arena, &of_time, &terms, "the motion")?;
+        let mut arena = model.arena.clone();
+        let rates = &model.kinematic_equations.rates;
+        let mut d_dt = motion_rates(model);
+        let mut gradient = Gradient::new(&model.u());
+        let seconds: Vec<Expr> = rates.iter().map(|rate| d_dt.apply(&mut arena, *rate)).collect();
+        let mut outputs = [rates.clone(), seconds].concat();
+        for rate in rates {
+            let mut row = vec![Expr::ZERO; model.speeds.len()];
+            for (at, slope) in gradient.apply(&mut arena, *rate).iter() {
+                row[*at] = *slope;
+            }
+            outputs.extend(row);
+        }
+        let known = [model.p(), model.q(), model.u(), model.speeds.iter().map(|s| s.rate).collect()].concat();
+        Ok(Self {
+            names: model.coordinates.iter().map(|c| c.name.clone()).collect(),
+            speeds: model.speeds.len(),
+            given,
+            free,
+            formulas: of_formulas.to(),
+            rates: crate::code::tape(&arena, &known, &outputs, "a rate")?.to(),
+            loops: Loops::new(model),
+        })
+    }
+
+    /// Computes the motion at an instant. `near` is a pose near by to begin from.
+    fn at(&self, p: &[DoubleDouble], t: f64, near: &[DoubleDouble]) -> Result<Moving, Error> {
+        let stopped = |why: String| Error::Stopped(format!("no motion at t = {t} s: {why}"));
+        let values = self.formulas.evaluate(&[p, &[DoubleDouble::from(t)]].concat());
+        let mut q = near.to_vec();
+        for (place, at) in self.given.iter().enumerate() {
+            if values[3 * place..3 * place + 3].iter().any(|x| !x.hi().is_finite()) {
+                return Err(stopped(format!("the formula of `{}` or a rate of it has no value", self.names[*at])));
+            }
+            q[*at] = values[3 * place];
+        }
+        if !self.loops.openings(&doubles(p), &doubles(&q)).is_empty() {
+            q = self.loops.close(p, &q, &self.free).ok_or_else(|| stopped(self.not_closed(p, &q)))?;
+        }
+        let still = vec![DoubleDouble::from(0.0); self.speeds];
+        let u = self.match_rates(&stopped, 0, (p, &q, &still), |place| values[3 * place + 1])?;
+        let rates = self.match_rates(&stopped, 1, (p, &q, &u), |place| values[3 * place + 2])?;
+        Ok(Moving { t: Some(t), q, u, rates })
+    }
+
+    /// Explains why the loops are not closed in a pose.
+    fn not_closed(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> String {
+        let names =
+            |list: &[usize]| list.iter().map(|at| format!("`{}`", self.names[*at])).collect::<Vec<_>>().join(", ");
+        if !self.free.is_empty() {
+            let free = names(&self.free);
+            return format!("the loops are not closed near the last pose, or do not determine it: {free}");
+        }
+        let mut open = self.loops.openings(&doubles(p), &doubles(q));
+        open.retain(|(_, by)| by.abs() > BROKEN || by.is_nan());
+        let open: Vec<String> = open.iter().map(|(name, by)| format!("`{name}` by {by:.6e}")).collect();
+        format!(
+            "the formulas of {} contradict the loops, which are open: {}; leave out the formulas of coordinates that the loops \
+             determine, and put values near them under [guess]",
+            names(&self.given),
+            open.join(", ")
+        )
+    }
+
+    /// Finds the speeds, or with `order` 1 their rates, that give the coordinates with formulas the `wanted`
+    /// derivatives. The tape is evaluated with these unknowns at 0.
+    fn match_rates(
+        &self,
+        stopped: &dyn Fn(String) -> Error,
+        order: usize,
+        (p, q, u): (&[DoubleDouble], &[DoubleDouble], &[DoubleDouble]),
+        wanted: impl Fn(usize) -> DoubleDouble,
+    ) -> Result<Vec<DoubleDouble>, Error> {
+        let n = q.len();
+        let still = vec![DoubleDouble::from(0.0); self.speeds];
+        let values = self.rates.evaluate(&[p, q, u, &still].concat());
+        if let Some(at) = values.iter().position(|x| !x.hi().is_finite()) {
+            return Err(stopped(format!("a rate of `{}` has no value", self.names[(at % n).min(n - 1)])));
+        }
+        let row = |at: usize| &values[2 * n + at * self.speeds..2 * n + (at + 1) * self.speeds];
+        let rows: Vec<&[DoubleDouble]> = self.given.iter().map(|at| row(*at)).collect();
+        let right: Vec<DoubleDouble> =
+            self.given.iter().enumerate().map(|(place, at)| wanted(place) - values[order * n + at]).collect();
+        let found = Least::new(&rows).solve(&rows, &right);
+        if found.rank < self.speeds {
+            let what = format!("the formulas determine {} of {} speeds", found.rank, self.speeds);
+            return Err(stopped(format!("{what}; give formulas for more coordinates")));
+        }
+        let size = (0..rows.len()).fold(1.0, |most: f64, place| most.max(wanted(place).hi().abs()));
+        let worst = found.left.iter().map(|x| x.hi().abs()).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        match worst.filter(|(_, left)| *left > BROKEN * size) {
+            Some((place, left)) => {
+                let primes = ["'", "''"][order];
+                let name = &self.names[self.given[place]];
+                Err(stopped(format!("the constraints are broken: {name}{primes} is off by {left:e}")))
+            }
+            None => Ok(found.x),
+        }
+    }
+}

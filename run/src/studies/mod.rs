@@ -1,0 +1,13 @@
+//! Many runs, or none: charts, sweeps, slopes, steady motions, inverse dynamics, identification.
+
+pub mod case;
+#[cfg(feature = "clock")]
+pub mod chart;
+pub mod figure;
+pub mod identify;
+pub mod inverse;
+pub mod sensitivity;
+pub mod stability;
+pub mod steady;
+pub mod study;
+pub mod sweep;

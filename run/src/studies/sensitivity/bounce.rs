@@ -1,0 +1,131 @@
+//! Runs with contacts in numbers with slopes.
+
+use crate::preparation::impacts::{Approach, Carrier, Contacts, Crossing, Held, Kept};
+use crate::preparation::problem::Problem;
+use crate::studies::sensitivity::contacts::{Direction, Wide};
+use crate::studies::sensitivity::crossing::Crossed;
+use crate::studies::sensitivity::held::{HeldTangents, Told, slopes, values};
+use crate::studies::sensitivity::start::Seed;
+use crate::studies::sensitivity::way::{Instant, Way, end};
+use std::cell::RefCell;
+use tripos_sim::{Corner, RightHandSide, SimError, Tangents};
+use tripos_traits::{Flow, Real, Scalar, Series, Tangent};
+
+/// Functions that compute rates with slopes, and, if they exist, their Taylor coefficients.
+pub type Parts<'a, const K: usize> = (&'a dyn Flow<Tangent<K>>, Option<&'a dyn Series<Tangent<K>>>);
+
+/// Carrier of numbers with slopes by some seeds, from impact to impact.
+pub struct Bounced<'a, const K: usize> {
+    pub problem: &'a Problem<'a>,
+    pub parts: Parts<'a, K>,
+    /// The parameters with their slopes.
+    pub parameters: &'a [Tangent<K>],
+    pub seeds: &'a [Seed],
+    pub corners: &'a [Corner],
+    pub contacts: &'a Contacts<'a>,
+    wide: Wide<'a>,
+    told: Told<K>,
+    /// Relative gap below which a contact counts as touched; `None` if that is not watched.
+    pub near: Option<f64>,
+    /// Minima of gaps that are below `near`.
+    pub approaches: RefCell<Vec<Approach>>,
+    pub way: RefCell<Way>,
+}
+
+impl<'a, const K: usize> Bounced<'a, K> {
+    /// Prepares a run of a problem with these contacts. Gaps below `near`, relative to the size of their terms, count
+    /// as touched.
+    pub fn new(
+        problem: &'a Problem<'a>,
+        parts: Parts<'a, K>,
+        (parameters, seeds): (&'a [Tangent<K>], &'a [Seed]),
+        (contacts, corners): (&'a Contacts<'a>, &'a [Corner]),
+        (near, is_watched): (f64, bool),
+    ) -> Self {
+        let wide = Wide::new(contacts, problem.code.extended(), near);
+        let told = Told { gaps: contacts.gaps.iter().map(|(gap, _)| gap.to()).collect(), rates: contacts.rates.to() };
+        let way = RefCell::new(Way::new(seeds.len()));
+        let (near, approaches) = (is_watched.then_some(near), RefCell::new(Vec::new()));
+        Self { problem, parts, parameters, seeds, corners, contacts, wide, told, near, approaches, way }
+    }
+}
+
+/// Derivative along a direction of the rates that the equations of a problem have without contacts.
+pub fn rates_along<const K: usize>(
+    problem: &Problem<'_>,
+    flow: &dyn Flow<Tangent<K>>,
+    y: &[f64],
+    direction: Direction<'_>,
+) -> Vec<f64> {
+    let along = |values: &[f64], by: &[f64]| -> Vec<Tangent<K>> {
+        values.iter().zip(by).map(|(value, by)| Tangent::from_f64(*value).turned(0, *by)).collect()
+    };
+    let p = along(&problem.scene.parameters, direction.parameters);
+    let y = along(y, direction.state);
+    let (q, v) = y.split_at(problem.system().lengths().coordinates);
+    let mut rates = vec![Tangent::from_f64(0.0); y.len()];
+    let (q_dot, v_dot) = rates.split_at_mut(q.len());
+    flow.rates(&p, q, v, q_dot, v_dot);
+    slopes(&rates, 0)
+}
+
+/// Refuses a crossing at the instant of a jump of the drive: their order is not known.
+///
+/// # Errors
+/// Reason why there is no derivative.
+pub fn meets_no_corner(corners: &[Corner], crossing: &Crossing<'_>) -> Result<(), String> {
+    let t = crossing.t;
+    let meets = |corner: &Corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs();
+    if crossing.happening.is_some() && corners.iter().any(meets) {
+        return Err("contacts change where the drive jumps".to_owned());
+    }
+    Ok(())
+}
+
+impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
+    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<Tangent<K>> + 'e>, SimError> {
+        let rhs = Tangents::new(self.problem.system(), self.parts.0, self.parts.1, self.parameters);
+        let unsolved = SimError::Option { name: "equations", must: "equations with eliminated accelerations" };
+        let rhs = rhs.ok_or(unsolved)?;
+        let held = Held { rhs: self.problem.right_hand_side()?, contacts: self.contacts, kept };
+        let (wide, told, seeds) = (&self.wide, &self.told, self.seeds);
+        Ok(Box::new(HeldTangents { rhs, held, wide, told, parameters: self.parameters, seeds, way: &self.way }))
+    }
+
+    fn near(&self) -> Option<f64> {
+        self.near
+    }
+
+    fn nears(&self, approach: &Approach) {
+        self.approaches.borrow_mut().push(approach.clone());
+    }
+
+    fn across(&self, crossing: &Crossing<'_>, before: &[Tangent<K>]) -> Vec<Tangent<K>> {
+        if crossing.after.closed.is_empty() {
+            return before.to_vec();
+        }
+        let flow = |kept: &Kept, t: f64, y: &[f64]| self.problem.flow(self.contacts, kept, t, y);
+        let along = |y: &[f64], direction: Direction<'_>| rates_along(self.problem, self.parts.0, y, direction);
+        let crossed = meets_no_corner(self.corners, crossing);
+        let crossed = crossed.and_then(|()| Crossed::new(&self.wide, crossing, &along, &flow));
+        let mut after: Vec<Tangent<K>> = crossing.after.y.iter().map(|y| Tangent::from_f64(*y)).collect();
+        let mut moves = Vec::new();
+        for (k, seed) in self.seeds.iter().enumerate() {
+            let found = match &crossed {
+                Ok(crossed) => crossed.across(&seed.varied(), &slopes(before, k)),
+                Err(message) => Err(message.clone()),
+            };
+            let over = self.way.borrow().endings[k].as_ref().map(|ending| ending.why.clone());
+            let (later, list) = over.map_or(found, Err).unwrap_or_else(|why| {
+                end(&self.way, k, crossing.t, why);
+                (f64::NAN, vec![0.0; after.len()])
+            });
+            moves.push(later);
+            after.iter_mut().zip(list).for_each(|(y, slope)| *y = y.turned(k, slope));
+        }
+        let kept = crossing.after.kept.clone();
+        self.way.borrow_mut().instants.push(Instant { t: crossing.t, moves, kept });
+        debug_assert_eq!(values(&after), crossing.after.y);
+        after
+    }
+}

@@ -1,0 +1,70 @@
+//! Instants at which the equations jump or bend, and their derivatives.
+//!
+//! Slopes of the state jump where the instant of a jump moves; steps that end there apply it ([`tripos_sim::Corner`]).
+//! They do not jump where the instant of a bend moves. All else is refused: jumps at which there is no derivative, and
+//! steps that go across.
+
+use crate::error::Error;
+use crate::preparation::problem::Problem;
+use crate::studies::sensitivity::start::Seed;
+use tripos_sim::{Corner, DIRECTIONS, Options};
+use tripos_traits::Tangent;
+
+/// Shift of an instant, relative to it plus 1 s, below which it counts as fixed. The shift is its derivative times the
+/// size of the number.
+const MOVED: f64 = 1e-9;
+/// Relative distance below which two instants count as one.
+const ONE: f64 = 64.0 * f64::EPSILON;
+
+/// Corners of a run with these parameters, with their derivatives.
+pub fn corners<const K: usize>(problem: &Problem<'_>, parameters: &[Tangent<K>]) -> Vec<Corner> {
+    let of = |(at, jumps): (Tangent<K>, bool)| {
+        let mut moves = [0.0; DIRECTIONS];
+        moves.iter_mut().zip(at.slopes).for_each(|(to, from)| *to = from);
+        Corner { at: at.value, jumps, moves }
+    };
+    problem.model.corners(parameters).into_iter().map(of).collect()
+}
+
+/// Refuses a number that moves a jump or bend of the equations where there is no derivative by it.
+///
+/// # Errors
+/// [`Error::Request`], with the reason.
+pub fn check(problem: &Problem<'_>, seed: &Seed, options: &Options) -> Result<(), Error> {
+    let values = problem.scene.parameters.iter().zip(&seed.parameters);
+    let parameters: Vec<Tangent<1>> = values.clone().map(|(p, by)| Tangent { value: *p, slopes: [*by] }).collect();
+    let sizes = values.filter(|(_, by)| **by != 0.0).map(|(p, by)| (p / by).abs());
+    let size = sizes.filter(|size| size.is_finite() && *size > 0.0).fold(0.0, f64::max);
+    let size = if size > 0.0 { size } else { 1.0 };
+    let span = problem.scene.span;
+    let (low, high) = (span.0.min(span.1), span.0.max(span.1));
+    let is_one = |a: f64, b: f64| (a - b).abs() <= ONE * a.abs().max(b.abs());
+    let differ = |a: f64, b: f64, at: f64| (a - b).abs() * size > MOVED * (1.0 + at.abs());
+    let mut inside = corners(problem, &parameters);
+    inside.retain(|corner| (low..=high).contains(&corner.at) || is_one(corner.at, low) || is_one(corner.at, high));
+    let moved: Vec<&Corner> = inside.iter().filter(|corner| differ(corner.moves[0], 0.0, corner.at)).collect();
+    let name = &seed.name;
+    let refuse = |what: String, help: &str| Err(Error::request(what, help));
+    if let (Some(first), Some(_)) = (moved.first(), options.step) {
+        let what = format!(
+            "`{name}` moves the instant {} s at which the equations jump or bend, and equal steps go across",
+            first.at
+        );
+        return refuse(what, "leave `step` out: steps that errors choose end there");
+    }
+    let is_end = |corner: &&&Corner| corner.jumps && (is_one(corner.at, low) || is_one(corner.at, high));
+    if let Some(end) = moved.iter().find(is_end) {
+        let what = format!("`{name}` moves the jump of the equations at {} s into the span or out of it", end.at);
+        return refuse(what, "let the span begin or end elsewhere");
+    }
+    let jumps: Vec<&Corner> = inside.iter().filter(|corner| corner.jumps).collect();
+    let apart = jumps.iter().enumerate().find_map(|(at, one)| {
+        let others = jumps[at + 1..].iter().filter(|other| is_one(one.at, other.at));
+        others.into_iter().find(|other| differ(one.moves[0], other.moves[0], one.at)).map(|_| one.at)
+    });
+    if let Some(at) = apart {
+        let what = format!("two jumps of the equations are at {at} s, and `{name}` moves them apart");
+        return refuse(what, "let them be at two instants: which comes first decides what it changes");
+    }
+    Ok(())
+}

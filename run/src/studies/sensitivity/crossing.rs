@@ -1,0 +1,320 @@
+//! Jumps of slopes where velocities jump, and where contacts are released, held, stick or slip from there on.
+//!
+//! At an instant t(p) a motion y⁻(t, p) is taken to y⁺ = R(y⁻, p), from rates f⁻ to f⁺. Slopes at a fixed instant go
+//! from s⁻ to s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp. The instant has the derivative dt/dp = −(g_y s⁻ + g_p)/(g_y
+//! f⁻), where g is zero there: a gap, a force, the margin of friction, or a slip ([`crate::studies::sensitivity::zero`]). M. A. Aizerman & F.
+//! R. Gantmakher, "On the stability of periodic motions", *Journal of Applied Mathematics and Mechanics* 22 (1958),
+//! 1065–1078; P. C. Müller, "Calculation of Lyapunov exponents for dynamic systems with discontinuities", *Chaos,
+//! Solitons & Fractals* 5 (1995), 1671–1681. The map is linear in s⁻ and p: forwards it is applied to slopes, and a
+//! backward sweep takes its transpose.
+//!
+//! R is differentiated with the sets of contacts that push, stick and slip held fixed. There is no derivative, and the
+//! reason is given, where these sets change with the varied number, where contacts that change together do not stay
+//! together, or where contacts close without a velocity.
+
+use crate::preparation::impacts::{Crossing, Kept, NONE};
+use crate::studies::sensitivity::contacts::{Acting, Change, Direction, SMALL, Wide, Without};
+use crate::studies::sensitivity::forces::{Forces, NOTHING, RatesAlong, Varied};
+use crate::studies::sensitivity::grip::Grip;
+use crate::studies::sensitivity::strike::{Law, Strike, along_rows, strikes};
+use crate::studies::sensitivity::zero::{Coming, Zeros};
+use nalgebra::DVector;
+use tripos_sim::{Failure, Mode};
+
+/// The rates at an instant and a state while contacts are held.
+pub type Flow<'c> = dyn Fn(&Kept, f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c;
+
+/// A crossing, with the data that all directions need.
+pub struct Crossed<'c> {
+    wide: &'c Wide<'c>,
+    crossing: &'c Crossing<'c>,
+    rates_along: &'c RatesAlong<'c>,
+    /// Functions that are zero at the instant.
+    zeros: Zeros<'c>,
+    strikes: Vec<Strike>,
+    /// Rates after the crossing, with the forces of held contacts.
+    rates: Vec<f64>,
+    /// Forces of the contacts that are held after the crossing; `None` where no contact is held.
+    forces: Option<Forces>,
+}
+
+/// Result of taking a direction across a crossing.
+pub struct Across {
+    /// Derivative of the instant.
+    pub later: f64,
+    /// Slopes of the state after the crossing.
+    pub slopes: Vec<f64>,
+    /// Derivatives of the impulses of each strike.
+    changes: Vec<Change>,
+    /// Slopes of the state before each strike.
+    before: Vec<Vec<f64>>,
+}
+
+impl<'c> Crossed<'c> {
+    /// Prepares a crossing in a motion whose rates `flow` gives while contacts are held.
+    ///
+    /// # Errors
+    /// Reason why there is no derivative by anything.
+    pub fn new(
+        wide: &'c Wide<'c>,
+        crossing: &'c Crossing<'c>,
+        rates_along: &'c RatesAlong<'c>,
+        flow: &Flow<'_>,
+    ) -> Result<Self, String> {
+        let said = |failure: Failure| failure.message;
+        let (t, y, kept) = (crossing.t, &crossing.after.y, &crossing.after.kept);
+        let forces = |kept: &Kept, y: &[f64]| -> Result<Option<Forces>, Failure> {
+            if kept.is_empty() {
+                return Ok(None);
+            }
+            Forces::new(wide.contacts, kept, y, flow(&NONE, t, y)?).map(Some)
+        };
+        let coming = Coming {
+            wide,
+            crossing,
+            rates_along,
+            rates: flow(crossing.kept, t, crossing.before).map_err(said)?,
+            forces: forces(crossing.kept, crossing.before).map_err(said)?,
+        };
+        Ok(Self {
+            wide,
+            crossing,
+            rates_along,
+            zeros: Zeros::new(coming)?,
+            strikes: strikes(wide.contacts, crossing).map_err(said)?,
+            rates: flow(kept, t, y).map_err(said)?,
+            forces: forces(kept, y).map_err(said)?,
+        })
+    }
+
+    /// Derivative of the instant, and the slopes of the state after it, from those before.
+    ///
+    /// # Errors
+    /// Reason why there are none.
+    pub fn across(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(f64, Vec<f64>), String> {
+        self.begins_together(varied, state)?;
+        self.zeros.stay_together(varied, state)?;
+        let across = self.linear(varied, state)?;
+        self.stays_decided(varied, &across)?;
+        self.stays_held(varied, &across.slopes)?;
+        Ok((across.later, across.slopes))
+    }
+
+    /// True if contacts hold the same motion: then only numbers that move them alike have derivatives.
+    pub fn shares(&self) -> bool {
+        let before = &self.zeros.coming.forces;
+        before.iter().chain(&self.forces).any(Forces::are_shared)
+    }
+
+    /// True if only some of the numbers that change the state before may have derivatives.
+    pub fn asks(&self) -> bool {
+        let is_open = |strike: &Strike| {
+            let compliance =
+                &strike.operators.of_u * strike.operators.inertia.solve(&strike.operators.of_u.transpose());
+            let shared = strike.grip.system(&compliance).shared();
+            let is_one = strike.undecided.is_empty() && strike.resting.is_empty() && strike.others.is_empty();
+            !is_one || shared.contains(&true)
+        };
+        self.zeros.ask()
+            || self.shares()
+            || self.strikes.iter().any(is_open)
+            || !self.lying().is_empty()
+            || !self.at_limit().is_empty()
+            || !self.at_rest().is_empty()
+    }
+
+    /// Takes slopes across the crossing, without checking that the sets of contacts stay fixed along this direction.
+    ///
+    /// # Errors
+    /// Reason, where a value does not exist.
+    pub fn linear(&self, varied: &Varied<'_>, state: &[f64]) -> Result<Across, String> {
+        let later = self.zeros.later(varied, state)?;
+        let mut slopes: Vec<f64> = state.iter().zip(&self.zeros.coming.rates).map(|(s, f)| s + f * later).collect();
+        let (mut changes, mut before): (Vec<Change>, _) = (Vec::new(), Vec::new());
+        for strike in &self.strikes {
+            let change = self.strike((strike, &strike.grip), varied, &slopes, changes.last())?;
+            before.push(slopes.clone());
+            let first = slopes.len() - change.variables.len();
+            slopes[first..].iter_mut().zip(change.variables.iter()).for_each(|(s, more)| *s += more);
+            changes.push(change);
+        }
+        slopes.iter_mut().zip(&self.rates).for_each(|(s, f)| *s -= f * later);
+        Ok(Across { later, slopes, changes, before })
+    }
+
+    fn name(&self, contact: usize) -> &str {
+        &self.wide.contacts.impacts[contact].name
+    }
+
+    fn normal(&self, contact: usize) -> usize {
+        self.wide.contacts.rows[contact][0]
+    }
+
+    /// Derivative of the impulses of a strike if they follow from `grip`. `last` is that of the strike before.
+    fn strike(
+        &self,
+        (strike, grip): (&Strike, &Grip),
+        varied: &Varied<'_>,
+        slopes: &[f64],
+        last: Option<&Change>,
+    ) -> Result<Change, String> {
+        let Strike { y, operators, law, impulses, .. } = strike;
+        let acting = Acting { y, operators, impulses, grip };
+        let contacts = self.wide.contacts;
+        let velocities = contacts.rates(y).values;
+        let e = along_rows(contacts, |at| contacts.impacts[at].restitution);
+        let turns = along_rows(contacts, |at| contacts.turns(at, &velocities));
+        let by_e = along_rows(contacts, |at| varied.restitutions[at]);
+        // An opening contact gives nothing back, whatever its coefficient.
+        let by_turns =
+            along_rows(contacts, |at| if velocities[self.normal(at)] < 0.0 { varied.restitutions[at] } else { 0.0 });
+        let nothing = DVector::zeros(contacts.count);
+        let before = last.map_or_else(|| nothing.clone(), |change| change.impulses.clone());
+        let (parts, by, given) = match law {
+            Law::Turn => (turns.add_scalar(1.0), by_turns, grip.of_coefficients(varied.frictions, impulses)),
+            Law::Stop { given: None } => {
+                (nothing.add_scalar(1.0), nothing, grip.of_coefficients(varied.frictions, impulses))
+            }
+            Law::Stop { given: Some(given) } => {
+                let friction = grip.of_coefficients(varied.frictions, &(impulses + given)) + grip.of_given(&before);
+                (nothing.add_scalar(1.0), nothing, friction)
+            }
+            // e Λ of the strike before.
+            Law::Return(of) => (nothing.clone(), nothing, e.component_mul(&before) + by_e.component_mul(of)),
+        };
+        let direction = Direction { parameters: varied.parameters, state: slopes };
+        let without = Without::Move { parts: parts.as_slice(), by: by.as_slice() };
+        self.wide.change(&acting, &without, direction, &given).map_err(|failure| failure.message)
+    }
+
+    fn undecided(&self, contact: usize, varied: &Varied<'_>) -> String {
+        format!("whether the contact `{}` pushes or opens there changes with `{}`", self.name(contact), varied.name)
+    }
+
+    /// Refuses at the start a number that opens a closed contact, or lets it overlap.
+    fn begins_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
+        if self.crossing.happening.is_some() {
+            return Ok(());
+        }
+        let after = self.crossing.after;
+        let is_struck = |at: &&usize| self.strikes.iter().any(|strike| strike.grip.rows.contains(&self.normal(**at)));
+        let hit = after.hits.iter().flatten().filter(is_struck);
+        let direction = Direction { parameters: varied.parameters, state };
+        for contact in after.kept.which.iter().chain(hit) {
+            let (change, size) = self.wide.gap(*contact, self.crossing.before, direction);
+            if change.abs() > SMALL * size {
+                return Err(format!(
+                    "the contact `{}` is closed at the start, and `{}` opens it",
+                    self.name(*contact),
+                    varied.name
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a number that changes which contacts take part in an impact, or how.
+    fn stays_decided(&self, varied: &Varied<'_>, across: &Across) -> Result<(), String> {
+        let largest = across.changes.iter().map(|change| change.size).fold(0.0, f64::max);
+        for (at, (strike, change)) in self.strikes.iter().zip(&across.changes).enumerate() {
+            if change.is_apart {
+                return Err(crate::studies::sensitivity::contacts::APART.to_owned());
+            }
+            let inertia = &strike.operators.inertia;
+            let direction = Direction { parameters: varied.parameters, state: &across.before[at] };
+            for contact in &strike.resting {
+                let (moved, size) = self.wide.velocity(self.normal(*contact), &strike.y, direction);
+                if moved.abs() > SMALL * size {
+                    let name = self.name(*contact);
+                    return Err(format!(
+                        "the contact `{name}` is hit at rest, and whether it takes part there changes with `{}`",
+                        varied.name
+                    ));
+                }
+            }
+            for contact in &strike.undecided {
+                let row = strike.operators.of_u.row(self.normal(*contact));
+                let g = (row * inertia.solve(&row.transpose()))[0];
+                if change.impulses[self.normal(*contact)].abs() * g.sqrt() > SMALL * change.size {
+                    return Err(self.undecided(*contact, varied));
+                }
+            }
+            for grip in &strike.others {
+                let last = at.checked_sub(1).map(|before| &across.changes[before]);
+                let other = self.strike((strike, grip), varied, &across.before[at], last)?;
+                let apart = inertia.l().transpose() * (&other.speeds - &change.speeds);
+                if apart.norm() > SMALL * largest.max(other.size) {
+                    return Err(format!("whether contacts stick or slip in the impact changes with `{}`", varied.name));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Contacts that are held afterwards without a force.
+    fn lying(&self) -> Vec<usize> {
+        let Some(forces) = &self.forces else { return Vec::new() };
+        forces.kept().map(|(at, _)| at).filter(|at| forces.is_nothing(self.normal(*at))).collect()
+    }
+
+    /// Contacts that stick afterwards at the limit of their friction.
+    fn at_limit(&self) -> Vec<usize> {
+        let Some(forces) = &self.forces else { return Vec::new() };
+        let sticks = forces.kept().filter(|(_, mode)| *mode == Mode::Sticks).map(|(at, _)| at);
+        sticks.filter(|at| forces.is_at_limit(self.wide.contacts, *at)).collect()
+    }
+
+    /// Contacts that begin to slip at the start.
+    fn at_rest(&self) -> Vec<usize> {
+        let Some(forces) = self.forces.as_ref().filter(|_| self.crossing.happening.is_none()) else {
+            return Vec::new();
+        };
+        let (contacts, y) = (self.wide.contacts, &self.crossing.after.y);
+        let rates = contacts.rates(y);
+        let is_still = |at: &usize| {
+            let row = contacts.rows[*at][1];
+            let size: f64 = rates.slopes.row(row).iter().zip(y).map(|(slope, y)| (slope * y).abs()).sum();
+            contacts.is_rough(*at) && rates.values[row].abs() <= NOTHING * size
+        };
+        let slips = forces.kept().filter(|(_, mode)| matches!(mode, Mode::Slips(_))).map(|(at, _)| at);
+        slips.filter(is_still).collect()
+    }
+
+    /// Refuses a number that gives a force to a contact that lies without one. Refuses one that makes a contact slip
+    /// that sticks at its limit, or that moves a contact that begins to slip at rest.
+    fn stays_held(&self, varied: &Varied<'_>, slopes: &[f64]) -> Result<(), String> {
+        let Some(forces) = &self.forces else { return Ok(()) };
+        let contacts = self.wide.contacts;
+        for contact in self.at_rest() {
+            let direction = Direction { parameters: varied.parameters, state: slopes };
+            let (change, size) = self.wide.velocity(contacts.rows[contact][1], &self.crossing.after.y, direction);
+            if change.abs() > SMALL * size {
+                let name = self.name(contact);
+                return Err(format!("the contact `{name}` begins to slip at rest, and `{}` moves it", varied.name));
+            }
+        }
+        let (lying, at_limit) = (self.lying(), self.at_limit());
+        if lying.is_empty() && at_limit.is_empty() {
+            return Ok(());
+        }
+        let change = forces.change(self.wide, self.rates_along, varied, slopes)?.together()?;
+        let presses = |at: &&usize| {
+            let row = self.normal(**at);
+            change.impulses[row].abs() * forces.unit(row) > SMALL * change.size
+        };
+        if let Some(at) = lying.iter().find(presses) {
+            return Err(self.undecided(*at, varied));
+        }
+        let slips = |at: &&usize| {
+            let (margin, size) = forces.margin(contacts, **at, &change, varied);
+            margin.abs() > SMALL * size
+        };
+        at_limit.iter().find(slips).map_or(Ok(()), |at| {
+            Err(format!(
+                "whether the contact `{}` sticks or slips there changes with `{}`",
+                self.name(*at),
+                varied.name
+            ))
+        })
+    }
+}

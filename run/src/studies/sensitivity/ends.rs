@@ -1,0 +1,206 @@
+//! Derivatives at the end of a run and at its events, and their errors.
+
+use crate::error::Error;
+use crate::options::options;
+use crate::preparation::impacts::Kept;
+use crate::studies::sensitivity::corners::corners;
+use crate::studies::sensitivity::equations::{Carried, From};
+use crate::studies::sensitivity::{Parts, onward};
+use crate::trust::digits::other_side;
+use crate::trust::events::{Balance, events};
+use tripos_derive::scene::Scene;
+use tripos_sim::{EventRecord, Kind, Options, Output, Stop, seconds};
+use tripos_traits::{Scalar, Tangent, larger};
+
+/// Derivatives at the end of a run, by each seed.
+pub struct End {
+    /// Derivatives of the shown quantities; total ones if an event ends the run.
+    pub shown: Vec<Vec<f64>>,
+    /// Derivatives of the instant of the end.
+    pub t: Vec<f64>,
+}
+
+/// Computes the derivatives at the end of a run.
+///
+/// # Errors
+/// [`Error::Request`] if the parameters are not those of the equations.
+pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
+    let solution = &carried.solution;
+    let event = match solution.stop {
+        Stop::Event { .. } | Stop::LeftDomain { .. } => solution.events.iter().rfind(|event| event.terminal),
+        _ => None,
+    };
+    let place = parts.quantities.place(parts.problem, solution.t_end, &solution.y_end)?;
+    let still = vec![0.0; parts.problem.scene.parameters.len()];
+    let rates =
+        event.map(|_| rates(parts, carried.way.kept(solution.t_end), (solution.t_end, &solution.y_end))).transpose()?;
+    let flow = rates.map(|rates| parts.quantities.slopes(&place, &still, &rates));
+    let (mut shown, mut t) = (Vec::new(), Vec::new());
+    for (seed, state) in parts.seeds.iter().zip(&carried.end) {
+        let slopes = parts.quantities.slopes(&place, &seed.parameters, state);
+        let later = match (event, &flow) {
+            // g(y(t, p), p) = 0 for all p.
+            (Some(event), Some(flow)) => -slopes.watched[event.event] / flow.watched[event.event],
+            _ => 0.0,
+        };
+        let total = |at: usize, x: &f64| flow.as_ref().map_or(*x, |flow| x + flow.shown[at] * later);
+        shown.push(slopes.shown.iter().enumerate().map(|(at, x)| total(at, x)).collect());
+        t.push(later);
+    }
+    Ok(End { shown, t })
+}
+
+/// Rates y′ at a state while these contacts are held.
+fn rates(parts: &Parts<'_>, kept: &Kept, (t, y): (f64, &[f64])) -> Result<Vec<f64>, Error> {
+    if !kept.is_empty() {
+        let rates = parts.problem.flow(&parts.problem.contacts(), kept, t, y);
+        return rates.map_err(|failure| Error::Stopped(failure.message));
+    }
+    let system = parts.problem.system();
+    let (q, v) = y.split_at(system.lengths().coordinates);
+    let (mut q_dot, mut v_dot) = (vec![0.0; q.len()], vec![0.0; v.len()]);
+    system.derivative(&parts.problem.scene.parameters, q, v, &mut q_dot, &mut v_dot);
+    Ok([q_dot, v_dot].concat())
+}
+
+/// Computes the derivatives of the instants of a run's events; `t_end` holds those of its end.
+///
+/// # Errors
+/// As [`end`].
+pub fn instants(parts: &Parts<'_>, carried: &Carried, t_end: &[f64]) -> Result<Vec<Option<Vec<f64>>>, Error> {
+    carried.solution.events.iter().map(|event| instant(parts, carried, t_end, event)).collect()
+}
+
+fn instant(
+    parts: &Parts<'_>,
+    carried: &Carried,
+    t_end: &[f64],
+    event: &EventRecord,
+) -> Result<Option<Vec<f64>>, Error> {
+    if event.terminal {
+        return Ok(Some(t_end.to_vec()));
+    }
+    if !matches!(event.kind, Kind::Rising | Kind::Falling) {
+        return Ok(None);
+    }
+    if event.event >= parts.quantities.watched() {
+        return Ok(carried.way.moves(event.t).map(<[f64]>::to_vec));
+    }
+    let Some((y, slopes)) = on_the_way(parts, carried, event.t)? else { return Ok(None) };
+    let place = parts.quantities.place(parts.problem, event.t, &y)?;
+    let still = vec![0.0; parts.problem.scene.parameters.len()];
+    let rates = rates(parts, carried.way.kept(event.t), (event.t, &y))?;
+    let flow = parts.quantities.slopes(&place, &still, &rates).watched[event.event];
+    let later = parts.seeds.iter().zip(&slopes).map(|(seed, state)| {
+        let along = parts.quantities.slopes(&place, &seed.parameters, state).watched[event.event];
+        -along / flow
+    });
+    // There is no derivative where the function of an event only touches zero.
+    Ok((flow.abs() > 0.0).then(|| later.collect()))
+}
+
+/// A state between samples and its slopes, from a short run that begins at the last sample before it.
+type State = (Vec<f64>, Vec<Vec<f64>>);
+
+fn on_the_way(parts: &Parts<'_>, carried: &Carried, t: f64) -> Result<Option<State>, Error> {
+    let (solution, span) = (&carried.solution, parts.problem.scene.span);
+    let toward = (span.1 - span.0).signum();
+    let Some(sample) = solution.t.iter().rposition(|sample| (t - sample) * toward >= 0.0) else {
+        return Ok(None);
+    };
+    let slopes: Vec<Vec<f64>> = carried.at.iter().map(|list| list[sample].clone()).collect();
+    let y = &solution.y[sample];
+    if t - solution.t[sample] == 0.0 {
+        return Ok(Some((y.clone(), slopes)));
+    }
+    let from = From { span: (solution.t[sample], t), y, slopes: &slopes };
+    let run = parts.equations.run(parts.problem, (&from, parts.seeds), &onward(parts)?, &mut [])?;
+    Ok((run.solution.stop == Stop::End).then_some((run.solution.y_end, run.end)))
+}
+
+/// Least relative error of a derivative: eight roundings.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Errors of the derivatives at the end by each seed, and the run that gave them.
+type Assessed = (Option<Vec<Vec<f64>>>, Option<String>);
+
+/// Errors of the derivatives at the end, from a second run with other steps, from numbers one rounding away.
+///
+/// Differences shortly before the end count as well: two motions that swing about each other meet now and then.
+///
+/// # Errors
+/// [`Error`] if the second run makes no sense where the first did.
+pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<f64>])) -> Result<Assessed, Error> {
+    let (problem, first) = (parts.problem, &carried.solution);
+    if first.steps == 0 || first.stop.is_failure() {
+        return Ok((None, None));
+    }
+    let how = options(problem.scene)?;
+    let has_series = problem.has_short_series() && parts.equations.has_series();
+    let scene = Scene { parameters: other_side(problem.scene), ..problem.scene.clone() };
+    let beside = problem.with_scene(&scene);
+    let balance = Balance::new(problem.mechanism, problem.model, &scene, problem.by)?;
+    let y: Vec<f64> = problem.start()?.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
+    let before = before(parts, carried);
+    let times: Vec<f64> = before.iter().map(|at| first.t[*at]).collect();
+    for second in seconds(&how, first, problem.scene.span, has_series) {
+        let how = Options { output: Output::At(times.clone()), ..second.options.clone() };
+        let from = From { span: problem.scene.span, y: &y, slopes: starts };
+        let mut watched = events(&beside, &balance);
+        let run = parts.equations.run(&beside, (&from, parts.seeds), &how, &mut watched)?;
+        if run.solution.stop.code() != first.stop.code() || run.solution.t.len() < times.len() {
+            continue;
+        }
+        let its = Parts { problem: &beside, ..*parts };
+        let theirs = end(&its, &run)?.shown;
+        // The second run has no derivatives where it alone nearly touches a contact: it tells nothing of them.
+        let pairs = || own.shown.iter().flatten().zip(theirs.iter().flatten());
+        if pairs().any(|(own, other)| other.is_nan() && !own.is_nan()) {
+            continue;
+        }
+        let mut apart = differences(&own.shown, &theirs);
+        for (sample, at) in before.iter().enumerate() {
+            let of = |parts: &Parts<'_>, carried: &Carried, sample: usize| at_sample(parts, carried, sample);
+            let near = differences(&of(parts, carried, *at)?, &of(&its, &run, sample)?);
+            for (sum, near) in apart.iter_mut().flatten().zip(near.into_iter().flatten()) {
+                *sum = larger(*sum, near);
+            }
+        }
+        for (error, value) in apart.iter_mut().flatten().zip(own.shown.iter().flatten()) {
+            *error = second.part * *error + ROUNDING * value.abs();
+        }
+        return Ok((Some(apart), Some(second.words)));
+    }
+    Ok((None, None))
+}
+
+/// Time next to an instant at which slopes jump in which samples are not compared, over the larger of the instant and 1
+/// s.
+const BESIDE: f64 = 1e-6;
+
+/// Indices of two samples shortly before the end, if there are such. None is next to an instant at which slopes jump: a
+/// second run may be on the other side of it.
+fn before(parts: &Parts<'_>, carried: &Carried) -> Vec<usize> {
+    let (t, t_end) = (&carried.solution.t, carried.solution.t_end);
+    let p: Vec<Tangent<1>> = parts.problem.scene.parameters.iter().map(|p| Tangent::from_f64(*p)).collect();
+    let jumps = corners(parts.problem, &p).into_iter().filter(|corner| corner.jumps).map(|corner| corner.at);
+    let jumps: Vec<f64> = jumps.chain(carried.way.instants.iter().map(|instant| instant.t)).collect();
+    let is_beside = |t: f64| jumps.iter().any(|jump| (t - jump).abs() <= BESIDE * t.abs().max(1.0));
+    let up_to = |part: usize| (0..=t.len() * part / 40).rev().find(|at| t.get(*at).is_some_and(|t| !is_beside(*t)));
+    let mut list: Vec<usize> = [38, 39].into_iter().filter_map(up_to).collect();
+    list.dedup();
+    list.retain(|at| t[*at].total_cmp(&t_end).is_ne());
+    list
+}
+
+fn at_sample(parts: &Parts<'_>, carried: &Carried, sample: usize) -> Result<Vec<Vec<f64>>, Error> {
+    let solution = &carried.solution;
+    let place = parts.quantities.place(parts.problem, solution.t[sample], &solution.y[sample])?;
+    let slopes = parts.seeds.iter().zip(&carried.at);
+    Ok(slopes.map(|(seed, at)| parts.quantities.slopes(&place, &seed.parameters, &at[sample]).shown).collect())
+}
+
+fn differences(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let of = |a: &Vec<f64>, b: &Vec<f64>| a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect();
+    a.iter().zip(b).map(|(a, b)| of(a, b)).collect()
+}

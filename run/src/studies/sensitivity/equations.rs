@@ -1,0 +1,261 @@
+//! Equations with slopes: the compiled ones, or their tapes in numbers with slopes.
+
+use crate::code::{Code, Ready, code, code_of, derivation};
+use crate::error::{Error, refused};
+use crate::interpreted::Interpreted;
+use crate::mechanism::Mechanism;
+use crate::preparation::impacts::Approach;
+use crate::preparation::problem::Problem;
+use crate::studies::sensitivity::bounce::{Bounced, Parts};
+use crate::studies::sensitivity::contacts::Wide;
+use crate::studies::sensitivity::corners::corners;
+use crate::studies::sensitivity::graze::{self, near};
+use crate::studies::sensitivity::start::Seed;
+use crate::studies::sensitivity::way::Way;
+use crate::trust::power::accounted;
+use std::cell::OnceCell;
+use tripos_derive::mechanics::{By, in_distance};
+use tripos_derive::scene::Scene;
+use tripos_sim::{Accompanied, Event, Lent, Options, Output, RightHandSide, Solution, Tangents, integrate};
+use tripos_traits::{CompiledSystem, Derivative, InTangents, Method, Tangent};
+
+/// Equations that give values with slopes.
+pub struct Equations {
+    /// Equations in doubles.
+    pub code: Code,
+    one: OnceCell<Derivative<Interpreted<Tangent<1>>>>,
+    four: OnceCell<Derivative<Interpreted<Tangent<4>>>>,
+}
+
+impl Equations {
+    /// Prepares the equations of a mechanism for a method; they are compiled if a version with slopes is compiled.
+    ///
+    /// # Errors
+    /// Those of [`code`].
+    pub fn new(mechanism: &Mechanism, scene: &Scene, by: &By, method: Method) -> Result<Self, Error> {
+        let distance = scene.integration.distance;
+        let mut code = code(mechanism, by, distance, Ready::Solved)?;
+        let has_all = compiled(&code).is_some() && !method.needs_series();
+        if code.is_compiled() && !has_all {
+            let derived = derivation(mechanism, by)?;
+            let derived = match distance {
+                Some(distance) => in_distance(mechanism, derived, distance),
+                None => derived,
+            };
+            code = code_of(mechanism, by, &derived, Ready::Solved)?;
+        }
+        Ok(Self { code, one: OnceCell::new(), four: OnceCell::new() })
+    }
+
+    /// True if Taylor coefficients can be computed with slopes.
+    pub fn has_series(&self) -> bool {
+        compiled(&self.code).is_none() && self.code.system().has_taylor()
+    }
+
+    /// Functions that compute rates with one slope.
+    pub fn one(&self) -> Parts<'_, 1> {
+        match (&self.code, compiled(&self.code)) {
+            (Code::Interpreted(system), _) => parts(self.one.get_or_init(|| Derivative(system.double.to()))),
+            (_, Some(tangents)) => (tangents.one, None),
+            _ => unreachable!("equations that are compiled without slopes are interpreted"),
+        }
+    }
+
+    fn four(&self) -> Parts<'_, 4> {
+        match (&self.code, compiled(&self.code)) {
+            (Code::Interpreted(system), _) => parts(self.four.get_or_init(|| Derivative(system.double.to()))),
+            (_, Some(tangents)) => (tangents.four, None),
+            _ => unreachable!("equations that are compiled without slopes are interpreted"),
+        }
+    }
+
+    /// Makes a run with its derivatives by each of the seeds, from a state with slopes along each of them.
+    ///
+    /// These are the derivatives of the run itself, along the steps that it takes. Four are carried along at once; if
+    /// there are more, the same run is made again for each four.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the question makes no sense.
+    pub fn run(
+        &self,
+        problem: &Problem<'_>,
+        (from, seeds): (&From<'_>, &[Seed]),
+        options: &Options,
+        events: &mut [Event<'_>],
+    ) -> Result<Carried, Error> {
+        let mut carried: Option<Carried> = None;
+        for first in (0..seeds.len()).step_by(4) {
+            let part = first..seeds.len().min(first + 4);
+            let more = match part.len() {
+                1 => watched(problem, self.one(), (from, part.start, &seeds[part]), options, events)?,
+                _ => watched(problem, self.four(), (from, part.start, &seeds[part]), options, events)?,
+            };
+            match &mut carried {
+                None => carried = Some(more),
+                Some(known) => {
+                    known.at.extend(more.at);
+                    known.end.extend(more.end);
+                    known.way.extend(more.way);
+                }
+            }
+        }
+        carried.ok_or_else(|| Error::request("there is nothing to differentiate by", "name a parameter"))
+    }
+}
+
+/// Start of a run with slopes: an instant, a state, and the slopes of the state by each seed.
+pub struct From<'a> {
+    /// First and last instant, s.
+    pub span: (f64, f64),
+    /// Integrated state at the first instant.
+    pub y: &'a [f64],
+    /// Slopes of this state, a list for each seed.
+    pub slopes: &'a [Vec<f64>],
+}
+
+/// A run, and the slopes of its integrated states.
+pub struct Carried {
+    /// The run in plain doubles.
+    pub solution: Solution,
+    /// Slopes by each seed, at each sample, of each component.
+    pub at: Vec<Vec<Vec<f64>>>,
+    /// Slopes by each seed, at the end, of each component.
+    pub end: Vec<Vec<f64>>,
+    /// Changes of contacts during the run, and ends of derivatives.
+    pub way: Way,
+}
+
+fn parts<const K: usize>(system: &Derivative<Interpreted<Tangent<K>>>) -> Parts<'_, K> {
+    (system, Some(system))
+}
+
+fn compiled(code: &Code) -> Option<InTangents<'static>> {
+    match code {
+        Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) => lanes.tangents,
+        _ => None,
+    }
+}
+
+/// Makes one run in numbers with `K` slopes. Derivatives end where a contact is just touched.
+fn watched<const K: usize>(
+    problem: &Problem<'_>,
+    parts: Parts<'_, K>,
+    from: (&From<'_>, usize, &[Seed]),
+    options: &Options,
+    events: &mut [Event<'_>],
+) -> Result<Carried, Error> {
+    let (mut carried, approaches) = carry(problem, parts, from, (options, true), events)?;
+    for approach in &approaches {
+        end_at(problem, parts, &mut carried, (approach, from.2), options)?;
+    }
+    Ok(carried)
+}
+
+/// Ends the derivatives by numbers that change a gap whose minimum is zero.
+fn end_at<const K: usize>(
+    problem: &Problem<'_>,
+    parts: Parts<'_, K>,
+    carried: &mut Carried,
+    (approach, seeds): (&Approach, &[Seed]),
+    options: &Options,
+) -> Result<(), Error> {
+    let Approach { contact, t, y } = approach;
+    let solution = &carried.solution;
+    let Some(sample) = solution.t.iter().rposition(|sample| sample <= t) else { return Ok(()) };
+    let mut slopes: Vec<Vec<f64>> = carried.at.iter().map(|list| list[sample].clone()).collect();
+    if solution.t[sample] < *t {
+        let from = From { span: (solution.t[sample], *t), y: &solution.y[sample], slopes: &slopes };
+        let short = Options { output: Output::Ends, ..options.clone() };
+        slopes = carry(problem, parts, (&from, 0, seeds), (&short, false), &mut [])?.0.end;
+    }
+    let contacts = problem.contacts();
+    let wide = Wide::new(&contacts, problem.code.extended(), near(options));
+    for (k, (seed, slopes)) in seeds.iter().zip(&slopes).enumerate() {
+        if let Err(why) = graze::check(&wide, (*contact, y), &seed.varied(), slopes) {
+            carried.over(k, *t, why);
+        }
+    }
+    Ok(())
+}
+
+impl Carried {
+    /// Ends the derivatives by a number at an instant.
+    fn over(&mut self, number: usize, t: f64, why: String) {
+        self.way.end(number, t, why);
+        let later = self.solution.t.iter().zip(&mut self.at[number]).filter(|(sample, _)| **sample >= t);
+        let later = later.map(|(_, slopes)| slopes);
+        later.chain([&mut self.end[number]]).for_each(|slopes| slopes.fill(f64::NAN));
+    }
+}
+
+/// Makes one run in numbers with `K` slopes. It lists the contacts that are nearly touched if that is watched.
+fn carry<const K: usize>(
+    problem: &Problem<'_>,
+    parts: Parts<'_, K>,
+    (from, first, seeds): (&From<'_>, usize, &[Seed]),
+    (options, is_watched): (&Options, bool),
+    events: &mut [Event<'_>],
+) -> Result<(Carried, Vec<Approach>), Error> {
+    let tangent = |value: f64, slope: &dyn Fn(usize) -> f64| {
+        let mut slopes = [0.0; K];
+        for (k, out) in slopes.iter_mut().enumerate().take(seeds.len()) {
+            *out = slope(k);
+        }
+        Tangent { value, slopes }
+    };
+    let values = problem.scene.parameters.iter().enumerate();
+    let p: Vec<Tangent<K>> = values.map(|(at, p)| tangent(*p, &|k| seeds[k].parameters[at])).collect();
+    let values = from.y.iter().enumerate();
+    let y0: Vec<Tangent<K>> = values.map(|(at, y)| tangent(*y, &|k| from.slopes[first + k][at])).collect();
+    let options = Options { corners: corners(problem, &p), ..problem.options(options) };
+    let (solution, way, approaches) = if problem.scene.impacts.is_empty() {
+        (smooth(problem, parts, &p, (from.span, &y0), &options, events)?, Way::new(seeds.len()), Vec::new())
+    } else {
+        let (contacts, near) = (problem.contacts(), (near(&options), is_watched));
+        let bounced = Bounced::new(problem, parts, (&p, seeds), (&contacts, &options.corners), near);
+        let run = problem.bounce(&contacts, &bounced, (from.span, &y0), &options, events, accounted(problem)?);
+        let run = run.map_err(|error| refused(problem.scene, &error))?;
+        (run, bounced.way.into_inner(), bounced.approaches.into_inner())
+    };
+    let slopes = |k: usize, t: f64, y: &[Tangent<K>]| -> Vec<f64> {
+        let is_over = way.endings[k].as_ref().is_some_and(|ending| t >= ending.t);
+        y.iter().map(|y| if is_over { f64::NAN } else { y.slopes[k] }).collect()
+    };
+    let at = |k: usize| solution.t.iter().zip(&solution.y).map(|(t, y)| slopes(k, *t, y)).collect();
+    let carried = Carried {
+        at: (0..seeds.len()).map(at).collect(),
+        end: (0..seeds.len()).map(|k| slopes(k, solution.t_end, &solution.y_end)).collect(),
+        solution: solution.rounded(),
+        way,
+    };
+    Ok((carried, approaches))
+}
+
+/// Makes a run without contacts.
+fn smooth<const K: usize>(
+    problem: &Problem<'_>,
+    (flow, series): Parts<'_, K>,
+    p: &[Tangent<K>],
+    (span, y0): ((f64, f64), &[Tangent<K>]),
+    options: &Options,
+    events: &mut [Event<'_>],
+) -> Result<Solution<Tangent<K>>, Error> {
+    let rhs = Tangents::new(problem.system(), flow, series, p);
+    let mut rhs = rhs.ok_or_else(|| Error::request("accelerations are not eliminated", "take other equations"))?;
+    let mut power = accounted(problem)?;
+    let mut doubles = Vec::new();
+    let mut of_values = |t: f64, y: &[Tangent<K>]| {
+        doubles.clear();
+        doubles.extend(y.iter().map(|y| y.value));
+        power.as_mut().map_or(0.0, |power| power(t, &doubles))
+    };
+    let has_power = problem.system().has_power();
+    let mut with = Accompanied {
+        rhs: &mut rhs,
+        power: if has_power { Some(&mut of_values) } else { None },
+        over: None,
+        yields: None,
+    };
+    let lent = Lent(&mut with as &mut dyn RightHandSide<Tangent<K>>);
+    integrate(lent, span, y0, options, events).map_err(|error| refused(problem.scene, &error))
+}

@@ -1,0 +1,75 @@
+//! Impacts and changes of contacts in a backward sweep.
+
+use crate::preparation::impacts::{Contacts, Crossing, Kept};
+use crate::preparation::problem::Problem;
+use crate::studies::sensitivity::bounce::{meets_no_corner, rates_along};
+use crate::studies::sensitivity::contacts::{Direction, Wide};
+use crate::studies::sensitivity::crossing::Crossed;
+use crate::studies::sensitivity::equations::Equations;
+use crate::studies::sensitivity::forces::Varied;
+use crate::studies::sensitivity::gradient::stepped::Part;
+use crate::studies::sensitivity::way::Ending;
+use tripos_sim::{Corner, Pulled};
+
+/// Contacts of a problem, and the data that differentiate crossings of them.
+pub struct Crossings<'a> {
+    pub problem: &'a Problem<'a>,
+    pub contacts: &'a Contacts<'a>,
+    /// The contacts in 32 digits.
+    pub wide: Wide<'a>,
+    /// Equations with slopes.
+    pub equations: &'a Equations,
+    /// Corners of the equations, among them the instants at which the drive jumps.
+    pub corners: &'a [Corner],
+}
+
+impl Crossings<'_> {
+    /// Applies `of` to a crossing that is prepared for differentiation.
+    ///
+    /// # Errors
+    /// [`Ending`] with the reason, where there is no derivative.
+    pub fn at<T>(
+        &self,
+        crossing: &Crossing<'_>,
+        of: impl FnOnce(&Crossed<'_>) -> Result<T, String>,
+    ) -> Result<T, Ending> {
+        let flow = |kept: &Kept, t: f64, y: &[f64]| self.problem.flow(self.contacts, kept, t, y);
+        let along =
+            |y: &[f64], direction: Direction<'_>| rates_along(self.problem, self.equations.one().0, y, direction);
+        let crossed = meets_no_corner(self.corners, crossing);
+        let crossed = crossed.and_then(|()| Crossed::new(&self.wide, crossing, &along, &flow));
+        let known = crossed.and_then(|crossed| of(&crossed));
+        known.map_err(|why| Ending { t: crossing.t, why })
+    }
+
+    /// Goes back across the crossing that a part begins with: replaces weights of the state after it by those of the
+    /// state before. Returns true if numbers must be checked one by one for a derivative.
+    ///
+    /// # Errors
+    /// [`Ending`] with the reason, where there is no derivative by anything.
+    pub fn back(&self, part: &Part, (state, parameters): Pulled<'_>) -> Result<bool, Ending> {
+        let Some(crossing) = part.crossing() else { return Ok(false) };
+        self.at(&crossing, |crossed| {
+            let after = state.to_vec();
+            let (p, c) = (self.contacts.parameters.len(), self.contacts.impacts.len());
+            let still = [vec![0.0; state.len()], vec![0.0; p], vec![0.0; c], vec![0.0; c]];
+            let share = |kind: usize, at: usize| {
+                let mut one = still.clone();
+                one[kind][at] = 1.0;
+                let [along, parameters, restitutions, frictions] = &one;
+                let varied = Varied { name: "", parameters, restitutions, frictions };
+                let slopes = crossed.linear(&varied, along)?.slopes;
+                Ok::<_, String>(slopes.iter().zip(&after).map(|(slope, weight)| slope * weight).sum::<f64>())
+            };
+            for (at, own) in state.iter_mut().enumerate() {
+                *own = share(0, at)?;
+            }
+            let of_parameters =
+                (0..p).map(|at| (1, at)).chain((0..c).map(|at| (2, at))).chain((0..c).map(|at| (3, at)));
+            for (sum, (kind, at)) in parameters.iter_mut().zip(of_parameters) {
+                *sum += share(kind, at)?;
+            }
+            Ok(crossed.asks())
+        })
+    }
+}

@@ -1,0 +1,235 @@
+//! Equations with the forces of held contacts, and their transposed slopes.
+//!
+//! Forces give the motion variables the rates B a, where B is the slopes of these variables in speeds. M a = Wᵀ Λ, and
+//! W a + c = 0 along the held rows: c = S ẏ without forces, where S is the slopes of the velocities along the rows. Let
+//! w be weights of these rates, b = Bᵀ w, and A = W M⁻¹ Wᵀ E, where E holds the friction of slipping contacts. The
+//! derivative of w·B a is that of the residuals with a and Λ held fixed: z₁·∂(M a − Wᵀ Λ) + z₂·∂(W a + c) + w·∂(B a),
+//! where Aᵀ z₂ = −Eᵀ W M⁻¹ b and z₁ = −M⁻¹ (b + Wᵀ z₂). Each term is one of the tapes run backwards: M x·z of the
+//! kinetic energy, a quadratic form, B x of the motion variables, and W and S of the velocities along the rows.
+
+use crate::error::{Error, refused};
+use crate::preparation::impacts::{Contacts, Held, Kept, Operators};
+use crate::preparation::problem::Problem;
+use crate::studies::sensitivity::gradient::products::{Products, Tapes};
+use crate::studies::sensitivity::grip::Grip;
+use nalgebra::DVector;
+use tripos_derive::algebra::evaluate::{Backwards, Tape};
+use tripos_sim::{Failure, Pulled, RightHandSide, Transposed};
+
+/// Equations of a motion, with the forces of contacts that are held, if any.
+pub struct Motion<'a> {
+    free: Products<'a>,
+    held: Option<Holding<'a>>,
+    parameters: usize,
+}
+
+/// Contacts that are held, with the data of their transposed slopes.
+struct Holding<'a> {
+    held: Held<'a>,
+    grip: Grip,
+    weights: Weights<'a>,
+}
+
+/// Adds up slopes of weighted sums of tape outputs.
+struct Weights<'a> {
+    tapes: &'a Tapes,
+    parameters: &'a [f64],
+    room: Backwards,
+    slopes: Vec<f64>,
+}
+
+impl<'a> Motion<'a> {
+    /// Prepares the equations of a problem while these contacts are held. The parameters are followed by the
+    /// restitutions of the contacts and their coefficients of friction.
+    ///
+    /// # Errors
+    /// [`Error::Request`] for equations that were not solved for their accelerations.
+    pub fn new(
+        problem: &'a Problem<'_>,
+        tapes: &'a Tapes,
+        contacts: Option<(&'a Contacts<'a>, &'a Kept)>,
+    ) -> Result<Self, Error> {
+        let free = Products::new(problem, tapes)?;
+        let count = contacts.map_or(0, |(contacts, _)| contacts.impacts.len());
+        let parameters = problem.scene.parameters.as_slice();
+        let held = contacts.filter(|(_, kept)| !kept.is_empty()).map(|(contacts, kept)| {
+            let rhs = problem.right_hand_side().map_err(|error| refused(problem.scene, &error))?;
+            let weights = Weights { tapes, parameters, room: Backwards::default(), slopes: Vec::new() };
+            Ok::<_, Error>(Holding { held: Held { rhs, contacts, kept }, grip: Grip::of(contacts, kept), weights })
+        });
+        Ok(Self { free, held: held.transpose()?, parameters: parameters.len() + 2 * count })
+    }
+}
+
+impl RightHandSide<f64> for Motion<'_> {
+    fn rhs(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
+        match &mut self.held {
+            Some(holding) => holding.held.rhs(t, y, dydt),
+            None => self.free.rhs(t, y, dydt),
+        }
+    }
+
+    fn constraint_count(&self) -> usize {
+        self.held.as_ref().map_or_else(|| self.free.constraint_count(), |holding| holding.held.constraint_count())
+    }
+
+    fn constraints(&mut self, t: f64, y: &[f64], values: &mut [f64], slopes: &mut [f64]) {
+        match &mut self.held {
+            Some(holding) => holding.held.constraints(t, y, values, slopes),
+            None => self.free.constraints(t, y, values, slopes),
+        }
+    }
+
+    fn inertia(&mut self, t: f64, y: &[f64], out: &mut Vec<f64>) -> bool {
+        self.free.inertia(t, y, out)
+    }
+}
+
+impl Transposed for Motion<'_> {
+    fn parameter_count(&self) -> usize {
+        self.parameters
+    }
+
+    fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], (state, parameters): Pulled<'_>) -> Result<(), Failure> {
+        let Some(holding) = &mut self.held else { return self.free.pull(t, y, weights, (state, parameters)) };
+        let weights = holding.pull((t, y), weights, (&mut *state, &mut *parameters))?;
+        self.free.pull(t, y, &weights, (state, parameters))
+    }
+
+    fn pull_constraints(
+        &mut self,
+        t: f64,
+        y: &[f64],
+        weights: &[f64],
+        (state, parameters): Pulled<'_>,
+    ) -> Result<(), Failure> {
+        let (own, rest) = weights.split_at(self.free.constraint_count());
+        self.free.pull_constraints(t, y, own, (&mut *state, &mut *parameters))?;
+        let Some(Holding { held, grip, weights }) = &mut self.held else { return Ok(()) };
+        let (contacts, gaps) = (held.contacts, held.kept.which.len());
+        let q = &y[..contacts.system.lengths().coordinates];
+        for (at, weight) in held.kept.which.iter().zip(rest) {
+            weights.pull(&contacts.gaps[*at].0, q, &[*weight], (&mut *state, &mut *parameters));
+        }
+        let mut of_rates = vec![0.0; contacts.rates.outputs()];
+        grip.rows.iter().zip(&rest[gaps..]).for_each(|(row, weight)| of_rates[*row] += weight);
+        weights.pull(&contacts.rates, y, &of_rates, (state, parameters));
+        Ok(())
+    }
+}
+
+impl Holding<'_> {
+    /// Adds the effect of the forces for these weights of the rates, and returns the weights of the rates without
+    /// forces.
+    fn pull(
+        &mut self,
+        (t, y): (f64, &[f64]),
+        weights: &[f64],
+        (state, parameters): Pulled<'_>,
+    ) -> Result<Vec<f64>, Failure> {
+        let contacts = self.held.contacts;
+        let free = self.held.free(t, y)?;
+        let forces = self.held.forces(&free)?;
+        let rates = contacts.rates(y);
+        let Operators { basis, of_u, inertia } = contacts.operators(y, &rates)?;
+        let (n, rows) = (y.len() - basis.nrows(), &self.grip.rows);
+        let of_rates = DVector::from_column_slice(&weights[n..]);
+        let a = inertia.solve(&(of_u.transpose() * &forces));
+        let b = basis.transpose() * &of_rates;
+        let moved = inertia.solve(&b);
+        let along = self.grip.spread(contacts.count).transpose() * (&of_u * &moved);
+        let system = self.grip.system(&free.response.compliance);
+        let z2 = system.solve_transposed(&along).ok_or_else(|| Failure {
+            code: "not-finite",
+            message: "the forces of contacts that are held have no finite derivative".to_owned(),
+        })?;
+        let z2 = rows.iter().zip(z2.iter()).fold(DVector::zeros(contacts.count), |mut all, (row, z)| {
+            all[*row] = *z;
+            all
+        });
+        let z1 = -(moved + inertia.solve(&(of_u.transpose() * &z2)));
+        let (of_a, of_z) = (&basis * &a, &basis * &z1);
+        let slopes = &rates.slopes;
+        let mut of_contacts = vec![0.0; contacts.count * (1 + y.len())];
+        let mut left = weights.to_vec();
+        for row in 0..contacts.count {
+            let own = &mut of_contacts[contacts.count + row * y.len()..][..y.len()];
+            for (j, own) in own.iter_mut().enumerate() {
+                // S of c = S ẏ, then W of −z₁·Wᵀ Λ and of z₂·W a.
+                *own = z2[row] * free.rates[j];
+                left[j] += z2[row] * slopes[(row, j)];
+                if let Some(j) = j.checked_sub(n) {
+                    *own += z2[row] * of_a[j] - forces[row] * of_z[j];
+                }
+            }
+        }
+        let of_v = slopes.columns(n, basis.nrows());
+        let of_motions = [(&a, of_rates + of_v.transpose() * &z2), (&z1, -(of_v.transpose() * &forces))];
+        for slip in &self.grip.slips {
+            // M a − Wᵀ Λ, by a coefficient of friction: s Λₙ times the row of the slip.
+            let first = parameters.len() - contacts.impacts.len();
+            parameters[first + slip.contact] +=
+                z1.dot(&of_u.row(slip.along).transpose()) * slip.way * forces[slip.normal];
+        }
+        let to = &mut (state, parameters);
+        let weights = &mut self.weights;
+        weights.pull(&contacts.rates, y, &of_contacts, (&mut *to.0, &mut *to.1));
+        for (x, by) in of_motions {
+            weights.pull_motion(&y[..n], (x, &by), (&mut *to.0, &mut *to.1));
+        }
+        weights.pull_inertia(&y[..n], (&a, &z1), (&mut *to.0, &mut *to.1));
+        Ok(left)
+    }
+}
+
+impl Weights<'_> {
+    /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs. `add` also returns the slopes
+    /// by the tape's other inputs.
+    fn pull(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): Pulled<'_>) {
+        self.add(tape, (y, &[]), weights, (state, parameters));
+    }
+
+    fn add(
+        &mut self,
+        tape: &Tape,
+        (y, more): (&[f64], &[f64]),
+        weights: &[f64],
+        (state, parameters): Pulled<'_>,
+    ) -> Vec<f64> {
+        let inputs = [self.parameters, y, more].concat();
+        self.slopes.clear();
+        self.slopes.resize(inputs.len(), 0.0);
+        tape.pull(&inputs, weights, &mut self.room, &mut self.slopes);
+        let (by_parameters, rest) = self.slopes.split_at(self.parameters.len());
+        let (by_state, rest) = rest.split_at(y.len());
+        parameters.iter_mut().zip(by_parameters).for_each(|(sum, share)| *sum += share);
+        state.iter_mut().zip(by_state).for_each(|(sum, share)| *sum += share);
+        rest.to_vec()
+    }
+
+    /// Adds the slopes of w·B x: motion variables of the speeds x minus those of zero speeds.
+    fn pull_motion(&mut self, q: &[f64], (x, w): (&DVector<f64>, &DVector<f64>), (state, parameters): Pulled<'_>) {
+        let tapes = self.tapes;
+        let still = vec![0.0; x.len()];
+        self.add(&tapes.motions, (q, x.as_slice()), w.as_slice(), (&mut *state, &mut *parameters));
+        self.add(&tapes.motions, (q, &still), (-w).as_slice(), (state, parameters));
+    }
+
+    /// Adds the slopes of z·M x = T(x + z) − T(x) − T(z) + T(0), with speeds of one size.
+    fn pull_inertia(&mut self, q: &[f64], (x, z): (&DVector<f64>, &DVector<f64>), (state, parameters): Pulled<'_>) {
+        let (size, own) = (x.norm(), z.norm());
+        if !(size > 0.0 && own > 0.0) {
+            return;
+        }
+        let (z, unit) = (z * (size / own), own / size);
+        let tapes = self.tapes;
+        let nothing = DVector::zeros(x.len());
+        for (u, sign) in [(x + &z, unit), (x.clone(), -unit), (z, -unit), (nothing, unit)] {
+            let mut v = vec![0.0; tapes.motions.outputs()];
+            let inputs = [self.parameters, q, u.as_slice()].concat();
+            v.copy_from_slice(&tapes.motions.evaluate(&inputs));
+            let by_v = self.add(&tapes.energy, (q, &v), &[sign], (&mut *state, &mut *parameters));
+            self.add(&tapes.motions, (q, u.as_slice()), &by_v, (&mut *state, &mut *parameters));
+        }
+    }
+}

@@ -1,0 +1,366 @@
+//! Gradient of a quantity that a run shows at its end: its derivatives by all parameters and all numbers of the start
+//! at once, by one backward sweep.
+//!
+//! The run equals the run without a gradient. Then its steps are taken once more, backwards, each transposed
+//! ([`tripos_sim::adjoint`]). Rates are those of the code that runs; products with their transposed slopes are tapes
+//! run backwards. The start and the quantity at the end are differentiated as for forward derivatives. So the result
+//! equals theirs along the same steps, but its cost does not grow with the count of numbers. A second run with other
+//! steps, swept likewise, gives the errors that steps leave.
+//!
+//! Impacts and changes of contacts are crossed by the transpose of the map that takes slopes across them (`crossing`).
+//! While contacts are held, the transpose of the map of their forces is used (`held`).
+//!
+//! Absent on purpose: implicit methods and Taylor's. DOP853 runs in their place.
+
+mod crossings;
+mod held;
+mod numbers;
+mod products;
+mod stepped;
+mod sweep;
+
+use crate::code::{Ready, by_or_first, code};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::options::{method, options, options_of_ends};
+use crate::preparation::problem::Problem;
+use crate::simulation::outputs::Shown;
+use crate::simulation::run::Run;
+use crate::simulation::simulate::{changes_speeds, proved, run_by};
+use crate::studies::sensitivity::apart::{Apart, WORDS};
+use crate::studies::sensitivity::equations::{Equations, From};
+use crate::studies::sensitivity::shown::Quantities;
+use crate::studies::sensitivity::start::Seed;
+use crate::studies::sensitivity::{check_equations, jumps};
+use crate::trust::digits::other_side;
+use crate::trust::events::{Balance, events};
+use numbers::{Number, names, numbers};
+use products::Tapes;
+use stepped::Stepped;
+use sweep::{Swept, Target, Through, sweep};
+use tripos_derive::model::{TIME, Unit};
+use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::adjoint::has_adjoint;
+use tripos_sim::{Method, Options, Second, Stop, seconds};
+use tripos_traits::larger;
+
+/// A run with the gradient of one quantity that it shows at its end.
+pub struct Gradient {
+    /// The run, equal bit by bit to the run without a gradient.
+    pub run: Run,
+    /// The scene as it was run: by DOP853 if its own method cannot be swept backwards.
+    pub scene: Scene,
+    /// Name of the differentiated quantity: an output, a coordinate, a generalized speed, an energy, or `t`, the
+    /// instant at which an event ends the run.
+    pub of: String,
+    /// True if an event ends the run: the derivatives are then total ones, as its instant moves. Otherwise they are
+    /// those at a fixed instant.
+    pub is_total: bool,
+    /// Derivatives by each parameter and each number that the start states.
+    pub slopes: Vec<Slope>,
+    /// Description of the second run; `None` if none came to the same end.
+    pub assessed_by: Option<String>,
+    /// Largest number of states that were kept at once to go backwards.
+    pub states: usize,
+}
+
+/// Derivative of the quantity by one number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slope {
+    /// Name of the number.
+    pub by: String,
+    /// Unit of the derivative; `None` if the unit of the quantity is not known.
+    pub unit: Option<String>,
+    /// Value of the derivative; NaN if there is none.
+    pub value: f64,
+    /// Estimated error of the derivative; `None` if a second run does not come to the same end.
+    pub error: Option<f64>,
+    /// Reason why there is no derivative; `None` if there is one.
+    pub missing: Option<String>,
+}
+
+impl Gradient {
+    /// Derivative by the number of this name.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if there is no such number.
+    pub fn by(&self, name: &str) -> Result<&Slope, Error> {
+        let found = self.slopes.iter().find(|slope| slope.by == name);
+        found.ok_or_else(|| {
+            let known = self.slopes.iter().map(|slope| slope.by.as_str());
+            Error::request(format!("nothing is differentiated by `{name}`"), nearest(name, known))
+        })
+    }
+
+    /// Describes the first derivative that has no value though there should be one; `None` if all have one.
+    #[must_use]
+    pub fn missing(&self) -> Option<String> {
+        let first = self.slopes.first().filter(|_| self.slopes.iter().all(|slope| slope.missing.is_some()));
+        if let Some((first, why)) = first.and_then(|first| Some((first, first.missing.as_ref()?))) {
+            return Some(format!("d({})/d({}) has no value at the end: {why}", self.of, first.by));
+        }
+        let slope = self.slopes.iter().find(|slope| slope.missing.is_none() && !slope.value.is_finite())?;
+        Some(format!("d({})/d({}) has no value at the end", self.of, slope.by))
+    }
+}
+
+/// Runs a scene by whole equations, with the gradient of the quantity that it shows at its end under the name `of`.
+/// `set` holds the numbers whose values differ from the file of the scene.
+///
+/// # Errors
+/// [`Error::Request`] for a name that the scene does not show, and for equations or a method that cannot be
+/// differentiated; otherwise those of [`crate::simulation::simulate`].
+pub fn gradient(
+    mechanism: &Mechanism,
+    scene: &Scene,
+    set: &[(String, f64)],
+    of: &str,
+    by: Option<&str>,
+) -> Result<Gradient, Error> {
+    check_equations(scene, by)?;
+    let own = method(&scene.integration.method)?;
+    let scene = steppable(scene, own);
+    let by = by_or_first(mechanism, by)?;
+    if by.printed_id().is_some() {
+        return Err(Error::request("printed equations are not differentiated", "take kane, lagrange or newton-euler"));
+    }
+    if let Some(run) = changes_speeds(mechanism, &scene, &by)? {
+        return by_differences(mechanism, scene, (set, of), run);
+    }
+    let code = code(mechanism, &by, scene.integration.distance, Ready::Solved)?;
+    let problem = Problem::new(mechanism, &scene, &by, &code, Some(Solve::Eliminated))?;
+    let (shown, quantities) = (Shown::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
+    let target = target(&quantities, &scene, of)?;
+    let numbers = numbers(&problem, set, &options(&scene)?);
+    let tapes = Tapes::new(mechanism, &by, scene.integration.distance, &code)?;
+    let with_slopes = || Equations::new(mechanism, &scene, &by, method(&scene.integration.method)?);
+    let equations = (!scene.impacts.is_empty()).then(with_slopes).transpose()?;
+    let mut stepped = None;
+    let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
+        let run = stepped.insert(Stepped::new(&problem, y0, options, events)?);
+        Ok(run.solution.clone())
+    })?;
+    let stepped = stepped.ok_or_else(|| Error::Stopped("the run was not made".to_owned()))?;
+    let through = Through { tapes: &tapes, quantities: &quantities, numbers: &numbers, equations: equations.as_ref() };
+    let parts = Parts { through, target };
+    let is_total = stepped.event().is_some();
+    if target == Target::End && !is_total && !stepped.solution.stop.is_failure() {
+        let help = "the instant at the end of a span stays; give the scene a terminal event";
+        return Err(Error::request(format!("no event ended the run at t = {} s", stepped.solution.t_end), help));
+    }
+    let assessed = if stepped.solution.stop.is_failure() { None } else { Some(parts.assess(&problem, &stepped)?) };
+    run.notes.splice(..0, notes(mechanism, own, &scene, &numbers));
+    run.warnings.extend(jumps(mechanism));
+    let missing: Vec<Option<String>> = match &assessed {
+        Some(known) => known.missing.clone(),
+        None => numbers.iter().map(|number| number.seed.as_ref().err().cloned()).collect(),
+    };
+    run.warnings.extend(without(&numbers, &missing));
+    let slopes = numbers.iter().zip(missing).enumerate().map(|(at, (number, missing))| {
+        let known = assessed.as_ref().filter(|_| missing.is_none());
+        Slope {
+            by: number.name.clone(),
+            unit: number.seed.as_ref().ok().and_then(|seed| Some(unit(&parts)?.over(&seed.unit).to_string())),
+            value: known.map_or(f64::NAN, |known| known.own.by(at, number).0),
+            error: known.and_then(|known| Some(known.errors.as_ref()?[at])),
+            missing: missing.or_else(|| assessed.is_none().then(|| "the run came to no end".to_owned())),
+        }
+    });
+    let slopes = slopes.collect();
+    let (states, assessed_by) = assessed.map_or((0, None), |known| (known.own.states, known.by));
+    Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by, states, scene })
+}
+
+/// Gradient, by differences for each number, of a run that changes its speeds on the way.
+fn by_differences(
+    mechanism: &Mechanism,
+    scene: Scene,
+    (set, of): (&[(String, f64)], &str),
+    mut run: Run,
+) -> Result<Gradient, Error> {
+    let quantities = Quantities::new(mechanism, &scene)?;
+    let target = target(&quantities, &scene, of)?;
+    let by = run.by.clone();
+    let apart = Apart { mechanism, scene: &scene, set, by: &by, names: &quantities.names };
+    let slope = |name: String| match apart.by(&name, &run) {
+        Ok(found) => {
+            let (value, error, own) = match target {
+                Target::End => (found.t_end, None, Some(Unit::new(0, 0, 1))),
+                Target::Shown(at) => {
+                    (found.values[at], found.errors.map(|errors| errors[at]), quantities.units[at].clone())
+                }
+            };
+            Slope { by: name, unit: own.map(|own| own.over(&found.unit).to_string()), value, error, missing: None }
+        }
+        Err(error) => {
+            Slope { by: name, unit: None, value: f64::NAN, error: None, missing: Some(Error::first_line(&error)) }
+        }
+    };
+    let slopes: Vec<Slope> = names(mechanism, &scene).into_iter().map(slope).collect();
+    run.warnings.extend(
+        slopes
+            .iter()
+            .filter_map(|slope| Some(format!("there is no derivative by `{}`: {}", slope.by, slope.missing.as_ref()?))),
+    );
+    let is_total = matches!(run.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
+    Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by: Some(WORDS.to_owned()), states: 0, scene })
+}
+
+/// Scene with a method that can be swept backwards, at the same tolerances.
+fn steppable(scene: &Scene, own: Method) -> Scene {
+    let mut scene = scene.clone();
+    if !has_adjoint(own) {
+        Method::Dop853.name().clone_into(&mut scene.integration.method);
+    }
+    scene
+}
+
+fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
+    tripos_derive::diagnostic::nearest(name, known)
+}
+
+/// Finds the target that a name means at the end of a run.
+fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Error> {
+    if of == TIME {
+        return Ok(Target::End);
+    }
+    let found = quantities.names.iter().position(|name| name == of);
+    found.map(Target::Shown).ok_or_else(|| {
+        let known = quantities.names.iter().map(String::as_str).chain(scene.events.first().map(|_| TIME));
+        Error::request(format!("the scene shows no `{of}`"), nearest(of, known))
+    })
+}
+
+fn unit(parts: &Parts<'_>) -> Option<Unit> {
+    match parts.target {
+        Target::End => Some(Unit::new(0, 0, 1)),
+        Target::Shown(at) => parts.through.quantities.units[at].clone(),
+    }
+}
+
+/// Notes on the derivatives for the reader of a run.
+fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) -> Vec<String> {
+    let mut list = Vec::new();
+    if mechanism.loops.is_empty() {
+        list.push("whole equations are run, of which derivatives are taken".to_owned());
+    }
+    let run = scene.integration.method.as_str();
+    if own.name() != run {
+        list.push(format!(
+            "steps of {} are not swept backwards: the run is by {run}, to the same tolerances",
+            own.name()
+        ));
+    }
+    let moving = numbers.iter().filter(|number| number.seed.as_ref().is_ok_and(|seed| seed.moves_span));
+    list.extend(
+        moving
+            .map(|number| format!("the span depends on `{}`: its derivative is that at a fixed instant", number.name)),
+    );
+    list
+}
+
+/// Warnings that there are no derivatives by some numbers, one for each reason.
+fn without(numbers: &[Number], missing: &[Option<String>]) -> Vec<String> {
+    let mut list: Vec<(&String, Vec<String>)> = Vec::new();
+    for (number, why) in numbers.iter().zip(missing).filter_map(|(number, why)| Some((number, why.as_ref()?))) {
+        let name = format!("`{}`", number.name);
+        match list.iter_mut().find(|(other, _)| *other == why) {
+            Some((_, names)) => names.push(name),
+            None => list.push((why, vec![name])),
+        }
+    }
+    let said = |(why, names): (&String, Vec<String>)| format!("there is no derivative by {}: {why}", names.join(", "));
+    list.into_iter().map(said).collect()
+}
+
+/// Data from which a gradient is computed.
+struct Parts<'a> {
+    through: Through<'a>,
+    target: Target,
+}
+
+/// A gradient, its errors, and the run that gave the errors.
+struct Assessed {
+    own: Swept,
+    errors: Option<Vec<f64>>,
+    by: Option<String>,
+    /// Reason why there is no derivative by each number; `None` where there is one.
+    missing: Vec<Option<String>>,
+}
+
+/// Least error of a derivative, relative to the size of the terms of its sum: eight roundings.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+impl Parts<'_> {
+    fn sweep(&self, problem: &Problem<'_>, from: (&Options, &Stepped)) -> Result<Swept, Error> {
+        sweep(problem, &self.through, self.target, from)
+    }
+
+    /// Reason why there is no derivative by each number; `None` where there is one. Where contacts that meet together
+    /// leave a derivative by some numbers only, slopes carried forwards tell which.
+    fn missing(&self, problem: &Problem<'_>, y0: &[f64], own: &Swept) -> Result<Vec<Option<String>>, Error> {
+        let numbers = self.through.numbers;
+        let mut list: Vec<Option<String>> = (0..numbers.len()).map(|at| own.missing(at)).collect();
+        let (Some(equations), true, None) = (self.through.equations, own.asks, &own.ended) else { return Ok(list) };
+        let known = |at: &usize| list[*at].is_none();
+        let places: Vec<usize> = (0..numbers.len()).filter(known).collect();
+        let seeds: Vec<Seed> = places.iter().filter_map(|at| numbers[*at].seed.as_ref().ok().cloned()).collect();
+        if seeds.is_empty() {
+            return Ok(list);
+        }
+        let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
+        let from = From { span: problem.scene.span, y: y0, slopes: &slopes };
+        let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
+        let mut watched = events(problem, &balance);
+        let run = equations.run(problem, (&from, &seeds), &options_of_ends(problem.scene)?, &mut watched)?;
+        for (at, ending) in places.into_iter().zip(run.way.endings) {
+            list[at] = ending.map(|ending| ending.to_string());
+        }
+        Ok(list)
+    }
+
+    /// Computes the gradient of a run, and its errors by a second run: one with other steps, from numbers one rounding
+    /// away.
+    fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
+        let how = options_of_ends(problem.scene)?;
+        let y0 = problem.start()?;
+        let own = self.sweep(problem, (&how, first))?;
+        let missing = self.missing(problem, &y0, &own)?;
+        if first.solution.steps == 0 {
+            return Ok(Assessed { own, errors: None, by: None, missing });
+        }
+        let scene = Scene { parameters: other_side(problem.scene), ..problem.scene.clone() };
+        let beside = problem.with_scene(&scene);
+        let balance = Balance::new(problem.mechanism, problem.model, &scene, problem.by)?;
+        let y: Vec<f64> = y0.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
+        for Second { options, part, words, .. } in seconds(&how, &first.solution, problem.scene.span, false) {
+            let mut watched = events(&beside, &balance);
+            let run = Stepped::new(&beside, &y, &options, &mut watched)?;
+            if run.solution.stop.code() == first.solution.stop.code() {
+                let other = self.sweep(&beside, (&options, &run))?;
+                if other.ended.is_some() == own.ended.is_some() {
+                    let errors = Some(self.errors(&own, &other, part));
+                    return Ok(Assessed { errors, by: Some(words), own, missing });
+                }
+            }
+        }
+        Ok(Assessed { own, errors: None, by: None, missing })
+    }
+
+    /// Errors of a gradient, from its differences to a second one. Each entry has at least the median relative
+    /// difference as its error: two motions that swing about each other may meet in one entry.
+    fn errors(&self, own: &Swept, other: &Swept, part: f64) -> Vec<f64> {
+        let numbers = self.through.numbers.iter().enumerate();
+        let pairs: Vec<_> = numbers.map(|(at, number)| (own.by(at, number), other.by(at, number).0)).collect();
+        let apart = |((value, _), other): &((f64, f64), f64)| (value - other).abs();
+        let known = pairs.iter().filter(|((value, _), _)| value.is_finite() && *value != 0.0);
+        let mut relative: Vec<f64> = known.map(|pair| apart(pair) / pair.0.0.abs()).collect();
+        relative.sort_by(f64::total_cmp);
+        let half = relative.get(relative.len() / 2).copied().unwrap_or(0.0);
+        let error = |pair: &((f64, f64), f64)| {
+            let (value, size) = pair.0;
+            part * larger(apart(pair), half * value.abs()) + ROUNDING * size
+        };
+        pairs.iter().map(error).collect()
+    }
+}

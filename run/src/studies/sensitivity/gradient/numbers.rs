@@ -1,0 +1,64 @@
+//! Numbers of a scene by which a gradient is taken: its parameters, and the numbers that its start states.
+
+use crate::error::Error;
+use crate::preparation::problem::Problem;
+use crate::studies::sensitivity::corners;
+use crate::studies::sensitivity::start::Seed;
+use tripos_derive::Model;
+use tripos_derive::model::TIME;
+use tripos_derive::scene::{Scene, Stated};
+use tripos_sim::Options;
+use tripos_sim::adjoint::Moved;
+use tripos_traits::Tangent;
+
+/// A number of a scene: the derivatives of a run's start by it, or the reason why there are none.
+pub struct Number {
+    pub name: String,
+    pub seed: Result<Seed, String>,
+}
+
+/// All numbers of the scene of a problem. `set` holds those whose values differ from its file.
+pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) -> Vec<Number> {
+    let number = |name: String| {
+        let seed = Seed::new(problem, set, &name);
+        let seed = seed.and_then(|seed| {
+            corners::check(problem, &seed, options).and_then(|()| seed.check(problem.scene)).map(|()| seed)
+        });
+        Number { name, seed: seed.map_err(|error| Error::first_line(&error)) }
+    };
+    names(problem.model, problem.scene).into_iter().map(number).collect()
+}
+
+/// Names of the parameters in the order of the model, of the coordinates, and of the rates or speeds that the start
+/// states. Names that follow from others are left out.
+pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
+    let coordinates = || model.coordinates.iter().map(|c| c.name.clone()).filter(|name| name != TIME);
+    let motion: Vec<String> = match &scene.exact.motion {
+        Stated::Rates(_) => coordinates().map(|name| format!("{name}'")).collect(),
+        Stated::Speeds(_) => model.speeds.iter().map(|s| s.name.clone()).collect(),
+    };
+    let follows = |name: &String| {
+        scene.closed.iter().any(|closed| closed.name == *name) || model.constraints.iter().any(|c| c.fixes == *name)
+    };
+    let start = coordinates().chain(motion).filter(|name| !follows(name));
+    model.parameters.iter().map(|p| p.name.clone()).chain(start).collect()
+}
+
+/// Derivatives of the instants at which the equations jump, by each parameter.
+pub fn moved(problem: &Problem<'_>) -> Vec<Moved> {
+    let parameters = &problem.scene.parameters;
+    let mut list: Vec<Moved> = Vec::new();
+    for first in (0..parameters.len()).step_by(4) {
+        let slopes = |at: usize| std::array::from_fn(|k| f64::from(u8::from(first + k == at)));
+        let along: Vec<Tangent<4>> =
+            parameters.iter().enumerate().map(|(at, p)| Tangent { value: *p, slopes: slopes(at) }).collect();
+        let jumps = corners::corners(problem, &along).into_iter().filter(|corner| corner.jumps);
+        for (place, jump) in jumps.enumerate() {
+            if list.len() <= place {
+                list.push(Moved { at: jump.at, by: Vec::with_capacity(parameters.len()) });
+            }
+            list[place].by.extend(jump.moves.iter().take(parameters.len() - first));
+        }
+    }
+    list
+}

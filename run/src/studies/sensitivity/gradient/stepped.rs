@@ -1,0 +1,165 @@
+//! A run with its steps, from impact to impact.
+
+use crate::error::{Error, refused};
+use crate::preparation::impacts::{After, Approach, Carrier, Crossing, Doubles, Happening, Kept, NONE};
+use crate::preparation::problem::Problem;
+use crate::studies::sensitivity::graze::near;
+use crate::trust::power::accounted;
+use std::cell::{Cell, RefCell};
+use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, SimError, Solution, Stop, integrate};
+
+/// A run, and the parts that it consists of.
+pub struct Stepped {
+    pub solution: Solution,
+    /// Parts of the run, one after the other: a run without contacts has one.
+    pub parts: Vec<Part>,
+    /// True if a contact is nearly touched on the way.
+    pub is_near: bool,
+}
+
+/// Part of a run in which contacts keep their modes.
+pub struct Part {
+    /// Instant at which the part begins, s.
+    pub t: f64,
+    /// State at the beginning of the part.
+    pub y: Vec<f64>,
+    /// Crossing with which the part begins; `None` where there are no contacts.
+    pub begun: Option<Begun>,
+    /// Instants at which the steps of the part end, s.
+    pub ends: Vec<f64>,
+}
+
+/// Copy of the crossing with which a part begins.
+pub struct Begun {
+    happening: Option<Happening>,
+    /// State before the crossing.
+    pub before: Vec<f64>,
+    kept: Kept,
+    after: After,
+}
+
+impl Part {
+    /// Contacts that are held in this part.
+    pub fn kept(&self) -> &Kept {
+        self.begun.as_ref().map_or(&NONE, |begun| &begun.after.kept)
+    }
+
+    /// Crossing with which the part begins; `None` where no contacts meet.
+    pub fn crossing(&self) -> Option<Crossing<'_>> {
+        let Begun { happening, before, kept, after } = self.begun.as_ref()?;
+        let crossing = Crossing { t: self.t, happening: *happening, before, kept, after };
+        (!after.closed.is_empty()).then_some(crossing)
+    }
+
+    /// Adds the end of the last step, which is not reported. It ends the part, at its end or, by an event, inside.
+    fn ends_at(&mut self, t: f64) {
+        let last = self.ends.last().unwrap_or(&self.t);
+        if last.total_cmp(&t).is_ne() {
+            self.ends.push(t);
+        }
+    }
+}
+
+/// Carrier of plain doubles that notes steps and crossings.
+struct Noting<'a> {
+    doubles: Doubles<'a>,
+    parts: RefCell<Vec<Part>>,
+    near: f64,
+    is_near: Cell<bool>,
+}
+
+impl Carrier<f64> for Noting<'_> {
+    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<f64> + 'e>, SimError> {
+        self.doubles.equations(kept)
+    }
+
+    fn stepped(&self, t: f64) {
+        if let Some(part) = self.parts.borrow_mut().last_mut() {
+            part.ends.push(t);
+        }
+    }
+
+    fn near(&self) -> Option<f64> {
+        Some(self.near)
+    }
+
+    fn nears(&self, _: &Approach) {
+        self.is_near.set(true);
+    }
+
+    fn across(&self, crossing: &Crossing<'_>, before: &[f64]) -> Vec<f64> {
+        let y = self.doubles.across(crossing, before);
+        let mut parts = self.parts.borrow_mut();
+        if let Some(last) = parts.last_mut() {
+            last.ends_at(crossing.t);
+        }
+        let begun = Begun {
+            happening: crossing.happening,
+            before: crossing.before.to_vec(),
+            kept: crossing.kept.clone(),
+            after: crossing.after.clone(),
+        };
+        parts.push(Part { t: crossing.t, y: y.clone(), begun: Some(begun), ends: Vec::new() });
+        y
+    }
+}
+
+impl Stepped {
+    /// Makes the run of a problem from the integrated state `y0` as [`Problem::solve`] makes it. The ends of steps are
+    /// noted when it is asked after each step whether another run takes over.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the question makes no sense.
+    pub fn new(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
+        let options = problem.options(options);
+        let mut run = if problem.scene.impacts.is_empty() {
+            Self::smooth(problem, y0, &options, events)?
+        } else {
+            Self::bouncing(problem, y0, &options, events)?
+        };
+        if let Some(last) = run.parts.last_mut() {
+            last.ends_at(run.solution.t_end);
+        }
+        Ok(run)
+    }
+
+    fn smooth(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
+        let refuse = |error| refused(problem.scene, &error);
+        let mut rhs = problem.right_hand_side().map_err(refuse)?;
+        let mut power = accounted(problem)?;
+        let span = problem.scene.span;
+        let mut part = Part { t: span.0, y: y0.to_vec(), begun: None, ends: Vec::new() };
+        let mut note = |t: f64, y: Option<&[f64]>| {
+            part.ends.extend(y.map(|_| t));
+            false
+        };
+        let mut with = Accompanied {
+            rhs: rhs.as_mut(),
+            power: power.as_mut().map(|power| power.as_mut() as _),
+            over: Some(&mut note),
+            yields: None,
+        };
+        let lent = Lent(&mut with as &mut dyn RightHandSide<f64>);
+        let solution = integrate(lent, span, y0, options, events).map_err(refuse)?;
+        Ok(Self { solution, parts: vec![part], is_near: false })
+    }
+
+    fn bouncing(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
+        let contacts = problem.contacts();
+        let equations = || problem.right_hand_side();
+        let doubles = Doubles { contacts: &contacts, equations: &equations };
+        let parts = RefCell::new(Vec::new());
+        let noting = Noting { doubles, parts, near: near(options), is_near: Cell::new(false) };
+        let from = (problem.scene.span, y0);
+        let run = problem.bounce(&contacts, &noting, from, options, events, accounted(problem)?);
+        let solution = run.map_err(|error| refused(problem.scene, &error))?;
+        Ok(Self { solution, parts: noting.parts.into_inner(), is_near: noting.is_near.get() })
+    }
+
+    /// Index of the event that ended the run.
+    pub fn event(&self) -> Option<usize> {
+        let is_event = matches!(self.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
+        let last = self.solution.events.iter().rfind(|event| event.terminal);
+        last.filter(|_| is_event).map(|event| event.event)
+    }
+}

@@ -1,0 +1,38 @@
+//! Contacts that are just touched.
+//!
+//! A gap comes down to zero and grows again; a neighboring motion closes the contact, or does not. On one side of the
+//! touch, slopes are those of a flight. On the other they grow without bound, as the inverse of the impact velocity. So
+//! there is no derivative by a number that changes the gap there. The gap is flat in time there, so the same holds for
+//! a number that changes its velocity. Derivatives by all other numbers go on.
+
+use crate::studies::sensitivity::contacts::{Direction, SMALL, Wide};
+use crate::studies::sensitivity::forces::Varied;
+use tripos_sim::Options;
+
+/// Minimum of a gap that cannot be told from zero, in units of the relative tolerance of a run.
+const TOLD: f64 = 8.0;
+/// Least relative tolerance in this judgement: rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// Relative gap below which a contact counts as touched, over the size of the gap's terms: the error of a run.
+pub fn near(options: &Options) -> f64 {
+    TOLD * options.rtol.max(ROUNDING)
+}
+
+/// Checks that the varied number does not change the gap of a contact, or its velocity, at a minimum of zero.
+///
+/// # Errors
+/// Reason why there is no derivative by the varied number.
+pub fn check(wide: &Wide<'_>, (contact, y): (usize, &[f64]), varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
+    let direction = Direction { parameters: varied.parameters, state };
+    let row = wide.contacts.rows[contact][0];
+    let changes = [wide.gap(contact, y, direction), wide.velocity(row, y, direction)];
+    // A change that is NaN counts as a change.
+    if changes.iter().all(|(change, size)| change.abs() <= SMALL * size) {
+        return Ok(());
+    }
+    Err(format!(
+        "the contact `{}` is touched there without a velocity that closes it, and whether it is met changes with `{}`",
+        wide.contacts.impacts[contact].name, varied.name
+    ))
+}

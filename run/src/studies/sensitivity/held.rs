@@ -1,0 +1,146 @@
+//! Motions in which contacts are held closed, with slopes.
+//!
+//! Invariant: values are those of [`crate::preparation::impacts::Held`], bit by bit. The slopes of forces follow from the linear
+//! system that gives the forces ([`crate::studies::sensitivity::contacts`]).
+
+use crate::preparation::impacts::Held;
+use crate::studies::sensitivity::contacts::{Acting, Change, Direction, Wide, Without};
+use crate::studies::sensitivity::grip::Grip;
+use crate::studies::sensitivity::start::Seed;
+use crate::studies::sensitivity::way::{Way, end};
+use std::cell::RefCell;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_sim::{Failure, RightHandSide, Tangents};
+use tripos_traits::{Real, Scalar, Tangent};
+
+/// Gaps and velocities of contacts as tapes in numbers with slopes.
+pub struct Told<const K: usize> {
+    /// Tape of each gap, in parameters and coordinates.
+    pub gaps: Vec<Tape<Tangent<K>>>,
+    /// Tape with the velocities of all rows first, in parameters and state.
+    pub rates: Tape<Tangent<K>>,
+}
+
+/// Equations with the forces of held contacts, in numbers with slopes.
+pub struct HeldTangents<'a, const K: usize> {
+    pub rhs: Tangents<'a, K>,
+    /// The same equations in doubles.
+    pub held: Held<'a>,
+    pub wide: &'a Wide<'a>,
+    pub told: &'a Told<K>,
+    /// Parameters with their slopes.
+    pub parameters: &'a [Tangent<K>],
+    pub seeds: &'a [Seed],
+    pub way: &'a RefCell<Way>,
+}
+
+/// Rounds a state to doubles.
+pub fn values<S: Real>(y: &[S]) -> Vec<f64> {
+    y.iter().map(|y| y.to_f64()).collect()
+}
+
+/// Slopes of a state along the direction of this index.
+pub fn slopes<S: Real>(y: &[S], at: usize) -> Vec<f64> {
+    y.iter().map(|y| y.slope(at)).collect()
+}
+
+impl<const K: usize> HeldTangents<'_, K> {
+    /// Adds the forces of held contacts, with their slopes, to the rates.
+    fn push(&mut self, t: f64, y: &[Tangent<K>], dydt: &mut [Tangent<K>]) -> Result<(), Failure> {
+        let state = values(y);
+        let free = self.held.free(t, &state)?;
+        let forces = self.held.forces(&free)?;
+        let changes = &free.response.changes * &forces;
+        let contacts = self.held.contacts;
+        let operators = contacts.operators(&state, &contacts.rates(&state))?;
+        let grip = Grip::of(contacts, self.held.kept);
+        let acting = Acting { y: &state, operators: &operators, impulses: &forces, grip: &grip };
+        let first = dydt.len() - changes.len();
+        for (k, seed) in self.seeds.iter().enumerate() {
+            let (by, along) = (slopes(dydt, k), slopes(y, k));
+            let direction = Direction { parameters: &seed.parameters, state: &along };
+            let without = Without::Accelerate { rates: &free.rates, by: &by };
+            let given = grip.of_coefficients(&seed.frictions, &forces);
+            let change = self.wide.change(&acting, &without, direction, &given);
+            match change.map_err(|failure| failure.message).and_then(Change::together) {
+                Ok(change) => {
+                    let more = dydt[first..].iter_mut().zip(change.variables.iter());
+                    more.for_each(|(rate, more)| *rate = rate.turned(k, *more));
+                }
+                Err(why) => end(self.way, k, t, why),
+            }
+        }
+        for (rate, change) in dydt[first..].iter_mut().zip(changes.iter()) {
+            rate.value += change;
+        }
+        Ok(())
+    }
+
+    /// Sets the slopes of the constraints of contacts, the first of which has the index `own`.
+    fn turn(&self, own: usize, y: &[Tangent<K>], values: &mut [Tangent<K>]) {
+        let n = y.len() - self.held.contacts.system.lengths().variables;
+        let of_gaps: Vec<Tangent<K>> = [self.parameters, &y[..n]].concat();
+        let of_rates: Vec<Tangent<K>> = [self.parameters, y].concat();
+        let gaps = self.held.kept.which.iter().map(|at| self.told.gaps[*at].evaluate(&of_gaps)[0]);
+        let velocities = self.told.rates.evaluate(&of_rates);
+        let rates = self.held.rows().into_iter().map(|row| velocities[row]);
+        for (value, told) in values[own..].iter_mut().zip(gaps.chain(rates)) {
+            value.slopes = told.slopes;
+        }
+    }
+}
+
+impl<const K: usize> RightHandSide<Tangent<K>> for HeldTangents<'_, K> {
+    fn rhs(&mut self, t: f64, y: &[Tangent<K>], dydt: &mut [Tangent<K>]) -> Result<(), Failure> {
+        self.rhs.rhs(t, y, dydt)?;
+        if self.held.kept.is_empty() { Ok(()) } else { self.push(t, y, dydt) }
+    }
+
+    fn jacobian(&mut self, t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>]) -> Option<Result<(), Failure>> {
+        if self.held.kept.is_empty() { self.rhs.jacobian(t, y, out) } else { None }
+    }
+
+    fn taylor(&mut self, t: f64, order: usize, x: &mut [Tangent<K>]) -> Option<Result<(), Failure>> {
+        if self.held.kept.is_empty() { self.rhs.taylor(t, order, x) } else { None }
+    }
+
+    fn divisor_count(&self) -> usize {
+        self.rhs.divisor_count()
+    }
+
+    fn divisors(&mut self, t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>]) {
+        self.rhs.divisors(t, y, out);
+    }
+
+    fn divisor_name(&self, at: usize) -> String {
+        self.rhs.divisor_name(at)
+    }
+
+    fn constraint_count(&self) -> usize {
+        self.held.constraint_count()
+    }
+
+    fn constraints(&mut self, t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>], of_state: &mut [Tangent<K>]) {
+        let (own, size) = (self.rhs.constraint_count(), y.len());
+        self.rhs.constraints(t, y, &mut out[..own], &mut of_state[..own * size]);
+        if self.held.kept.is_empty() {
+            return;
+        }
+        let (mut plain, mut plain_slopes) = (vec![0.0; out.len()], vec![0.0; of_state.len()]);
+        self.held.constraints(t, &values(y), &mut plain, &mut plain_slopes);
+        let constants = |to: &mut [Tangent<K>], from: &[f64]| {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to = Tangent::from_f64(*from));
+        };
+        constants(&mut out[own..], &plain[own..]);
+        constants(&mut of_state[own * size..], &plain_slopes[own * size..]);
+        self.turn(own, y, out);
+    }
+
+    fn inertia(&mut self, t: f64, y: &[Tangent<K>], out: &mut Vec<f64>) -> bool {
+        self.rhs.inertia(t, y, out)
+    }
+
+    fn avoids(&mut self, t: f64, y: &[Tangent<K>]) -> bool {
+        self.held.avoids(t, &values(y))
+    }
+}

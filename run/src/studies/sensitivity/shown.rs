@@ -1,0 +1,197 @@
+//! Derivatives of the quantities that a run shows, from those of its states.
+//!
+//! Coordinates, and speeds where these are integrated, have the slopes of the state. Every other quantity is a function
+//! of parameters and state. Its derivative along them is a difference in 32 digits ([`crate::studies::sensitivity::difference`]), which needs
+//! no second definition of it.
+
+use crate::code::{Code, Ready, code, tape};
+use crate::error::{Error, refused};
+use crate::mechanism::Mechanism;
+use crate::preparation::problem::Problem;
+use crate::simulation::outputs::state_names;
+use crate::studies::sensitivity::difference::along;
+use tripos_derive::Formulation;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::model::Unit;
+use tripos_derive::scene::{ENERGIES, Scene};
+use tripos_sim::Dynamics;
+use tripos_sim::linear::{self, Shape};
+use tripos_traits::{DoubleDouble, Lengths, Scalar};
+
+/// Differentiated quantities: those that a run shows, its energies, and those that it watches.
+pub struct Quantities {
+    /// Names of coordinates and generalized speeds, of other outputs, of the kinetic and the potential energy.
+    pub names: Vec<String>,
+    /// Their units, where they are known.
+    pub units: Vec<Option<Unit>>,
+    /// Number of coordinates and speeds among the names.
+    states: usize,
+    /// Tape of other outputs, then of the watched functions: the domain's conditions and the scene's events.
+    tape: Tape<DoubleDouble>,
+    outputs: usize,
+    needs_accelerations: bool,
+    energies: Vec<usize>,
+    /// Force balance, if a quantity mentions a reaction.
+    balance: Option<Code>,
+}
+
+/// A place in a run: an integrated state, and reactions where something needs them.
+pub struct Place<'a> {
+    problem: &'a Problem<'a>,
+    y: &'a [f64],
+    reactions: Vec<f64>,
+}
+
+/// Derivatives of all quantities along a direction: those shown, and those watched.
+pub struct Slopes {
+    /// Derivatives of the shown quantities, in the order of [`Quantities::names`].
+    pub shown: Vec<f64>,
+    /// Derivatives of the watched functions, in the order of the events of a run.
+    pub watched: Vec<f64>,
+}
+
+impl Quantities {
+    /// Prepares the quantities of the runs of a scene.
+    ///
+    /// # Errors
+    /// [`Error`] if one of them needs a reaction that the model does not determine.
+    pub fn new(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
+        let (model, arena) = (&mechanism.model, &mechanism.arena);
+        let mut names = state_names(model);
+        let mut units: Vec<Option<Unit>> = model.coordinates.iter().map(|c| Some(c.unit.clone())).collect();
+        units.extend(model.speeds.iter().map(|s| Some(s.unit.clone())));
+        let states = names.len();
+        let others: Vec<_> = scene.outputs.iter().filter(|o| !names.contains(&o.name)).collect();
+        names.extend(others.iter().map(|o| o.name.clone()));
+        units.extend(others.iter().map(|o| model.unit_of(arena, o.value)));
+        names.extend(
+            ENERGIES[..2].iter().filter(|name| !others.iter().any(|o| o.name == **name)).map(|n| (*n).to_owned()),
+        );
+        units.resize(names.len(), Some(Unit::new(2, 1, -2)));
+        let watched = model.domain.iter().map(|c| c.positive).chain(scene.events.iter().map(|e| e.function));
+        let values: Vec<Expr> = others.iter().map(|o| o.value).chain(watched).collect();
+        let mentioned = |list: &[Expr]| list.iter().any(|s| values.iter().any(|e| arena.mentions(*e, *s)));
+        let u_dot: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
+        let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
+        let inputs = [model.p(), model.q(), model.q_dot(), model.u(), u_dot.clone(), reactions.clone()].concat();
+        let energies = ENERGIES.iter().enumerate().filter_map(|(at, name)| Some((at, arena.find_symbol(name)?)));
+        let energies: Vec<_> = energies.filter(|(_, symbol)| !inputs.contains(symbol)).collect();
+        let inputs: Vec<Expr> = inputs.into_iter().chain(energies.iter().map(|(_, symbol)| *symbol)).collect();
+        let needs_balance = mentioned(&reactions);
+        let balance = needs_balance.then(|| code(mechanism, &Formulation::NewtonEuler.into(), None, Ready::AsDerived));
+        Ok(Self {
+            tape: tape(arena, &inputs, &values, "an output")?.to(),
+            outputs: others.len(),
+            needs_accelerations: mentioned(&u_dot),
+            energies: energies.into_iter().map(|(at, _)| at).collect(),
+            balance: balance.transpose()?,
+            names,
+            units,
+            states,
+        })
+    }
+
+    /// Number of watched functions: conditions of the domain, and events of the scene.
+    pub fn watched(&self) -> usize {
+        self.tape.outputs() - self.outputs
+    }
+
+    /// A place in a run.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the parameters are not those of the equations.
+    pub fn place<'a>(&self, problem: &'a Problem<'a>, t: f64, y: &'a [f64]) -> Result<Place<'a>, Error> {
+        let mut reactions = Vec::new();
+        if let Some(balance) = &self.balance {
+            let state = problem.state(t, y);
+            let (q, u) = state.split_at(problem.system().lengths().coordinates);
+            let parameters = &problem.scene.parameters;
+            let mut dynamics =
+                Dynamics::new(balance.system(), parameters).map_err(|error| refused(problem.scene, &error))?;
+            let order = balance.system().lengths().unknowns();
+            reactions = dynamics.unknowns(q, u).map_or_else(|_| vec![f64::NAN; order], <[f64]>::to_vec);
+        }
+        Ok(Place { problem, y, reactions })
+    }
+
+    /// Derivatives of all quantities along a direction of parameters and of the integrated state.
+    pub fn slopes(&self, place: &Place<'_>, parameters: &[f64], state: &[f64]) -> Slopes {
+        let problem = place.problem;
+        let moved = self.moved_with(problem, state);
+        let unknowns = self.reactions(place, parameters, state);
+        let x = [&problem.scene.parameters[..], place.y, &place.reactions].concat();
+        let direction = [parameters, state, &unknowns].concat();
+        let mut all = along(&x, &direction, |x| self.values(problem, x));
+        let watched = all.split_off(self.names.len());
+        all[..moved.len()].copy_from_slice(&moved);
+        Slopes { shown: all, watched }
+    }
+
+    /// Slopes of the state that are shown directly: those of coordinates, and of speeds where these are integrated.
+    fn moved_with(&self, problem: &Problem<'_>, state: &[f64]) -> Vec<f64> {
+        let is_rate = problem.by.formulation().is_some_and(Formulation::is_in_rates);
+        let known = if is_rate { problem.model.coordinates.len() } else { self.states };
+        state[..known].to_vec()
+    }
+
+    /// All quantities at parameters, state and reactions.
+    fn values(&self, problem: &Problem<'_>, x: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let system = problem.code.extended();
+        let Lengths { parameters, coordinates: n, speeds, .. } = system.lengths();
+        let (p, rest) = x.split_at(parameters);
+        let (y, unknowns) = rest.split_at(system.lengths().state());
+        let (variables, v) = y.split_at(n);
+        let zeros = |count: usize| vec![DoubleDouble::int(0); count];
+        let state = problem.extended_state(p, problem.scene.span.0, y);
+        let (mut q_dot, mut v_dot, mut u_dot) = (zeros(n), zeros(v.len()), zeros(speeds));
+        if self.needs_accelerations {
+            system.derivative(p, variables, v, &mut q_dot, &mut v_dot);
+            system.generalized_speed_rates(p, variables, v, &v_dot, &mut u_dot);
+        } else {
+            system.coordinate_rates(p, variables, v, &mut q_dot);
+        }
+        let (kinetic, potential) = (system.kinetic_energy(p, variables, v), system.potential_energy(p, variables));
+        let energies = [kinetic, potential, kinetic + potential];
+        let named: Vec<DoubleDouble> = self.energies.iter().map(|at| energies[*at]).collect();
+        let nothing = zeros(problem.model.reactions.len());
+        let reactions = unknowns.get(speeds..).unwrap_or(&nothing);
+        let inputs = [p, &state[..n], &q_dot, &state[n..], &u_dot, reactions, &named].concat();
+        let mut values = self.tape.evaluate(&inputs);
+        let watched = values.split_off(self.outputs);
+        let more = self.names.len() - self.states - self.outputs;
+        let own = self.names[self.names.len() - more..].iter();
+        let own = own.map(|name| if name == ENERGIES[0] { kinetic } else { potential });
+        state.iter().copied().chain(values).chain(own).chain(watched).collect()
+    }
+
+    /// The derivatives of the unknowns of the force balance A x = b: A x′ = b′ − A′ x.
+    fn reactions(&self, place: &Place<'_>, parameters: &[f64], state: &[f64]) -> Vec<f64> {
+        let Some(balance) = &self.balance else { return Vec::new() };
+        let (problem, system) = (place.problem, balance.extended());
+        let Lengths { parameters: count, coordinates: n, .. } = system.lengths();
+        let order = system.lengths().unknowns();
+        let unknowns: Vec<DoubleDouble> = place.reactions.iter().map(|x| DoubleDouble::from_f64(*x)).collect();
+        let left = |x: &[DoubleDouble]| {
+            let (p, y) = x.split_at(count);
+            let shown = problem.extended_state(p, problem.scene.span.0, y);
+            let (q, u) = shown.split_at(n);
+            let (mut matrix, mut sides) =
+                (vec![DoubleDouble::int(0); order * order], vec![DoubleDouble::int(0); order]);
+            system.linear_system(p, q, u, &mut matrix, &mut sides);
+            for (side, row) in sides.iter_mut().zip(matrix.chunks_exact(order.max(1))) {
+                *side = row.iter().zip(&unknowns).fold(*side, |side, (a, x)| side - *a * *x);
+            }
+            sides
+        };
+        let x = [&problem.scene.parameters[..], place.y].concat();
+        let mut sides = along(&x, &[parameters, state].concat(), left);
+        let shown = problem.state(problem.scene.span.0, place.y);
+        let mut matrix = vec![0.0; order * order];
+        balance.system().mass_matrix(&problem.scene.parameters, &shown[..n], &shown[n..], &mut matrix);
+        match linear::solve(&matrix, &mut sides, Shape::General) {
+            Ok(()) => sides,
+            Err(_) => vec![f64::NAN; order],
+        }
+    }
+}

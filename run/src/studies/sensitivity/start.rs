@@ -1,0 +1,102 @@
+//! Derivatives of the start of a run and of its parameters by one number of a scene.
+//!
+//! A start may follow from a number in many ways: by formulas, by closed loops, by speeds that rates determine. Its
+//! derivative is a difference of starts in 32 digits, of order 4 in the step. It is right to some 20 digits: in
+//! doubles, to rounding.
+
+use crate::error::Error;
+use crate::preparation::problem::Problem;
+use crate::studies::sensitivity::difference::{CENTRAL, FORWARD, STEP, difference};
+use crate::studies::sensitivity::forces::Varied;
+use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::model::Unit;
+use tripos_derive::scene::{Impact, Nearby, Scene};
+use tripos_traits::{DoubleDouble, Real, Scalar};
+
+/// A number of a scene, and the derivatives by it of the parameters and the start of a run.
+#[derive(Clone)]
+pub struct Seed {
+    /// Name of the number.
+    pub name: String,
+    /// Unit of the number.
+    pub unit: Unit,
+    /// Slopes of the parameters, in the order of the model.
+    pub parameters: Vec<f64>,
+    /// Slopes of the integrated state.
+    pub state: Vec<f64>,
+    /// Slopes of the restitutions of contacts.
+    pub restitutions: Vec<f64>,
+    /// Slopes of the coefficients of friction of contacts, 0 for those that have none.
+    pub frictions: Vec<f64>,
+    /// True if the span of the scene changes with the number, too.
+    pub moves_span: bool,
+}
+
+impl Seed {
+    /// Computes the derivatives by the number of this name, in a scene in which the numbers in `set` were set.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a name that is no parameter and no number of the start, and where no neighboring scenes
+    /// exist.
+    pub fn new(problem: &Problem<'_>, set: &[(String, f64)], name: &str) -> Result<Self, Error> {
+        let mut nearby = Nearby::new(problem.scene, problem.mechanism, set, name)?;
+        let (value, unit) = (nearby.value(), nearby.unit());
+        let size = value.to_f64().abs();
+        let step = DoubleDouble::from_f64(STEP * if size > 0.0 { size } else { 1.0 });
+        let mut at = |offset: i32| nearby.at(value + step * DoubleDouble::int(i64::from(offset)));
+        let (scenes, rule) = scenes(&mut at)?;
+        let start = |scene: &Scene| {
+            let restitutions = scene.impacts.iter().map(|impact| impact.restitution_extended);
+            let friction = |impact: &Impact| impact.friction.as_ref().map(|friction| friction.coefficient_extended);
+            let frictions = scene.impacts.iter().map(|impact| friction(impact).unwrap_or(DoubleDouble::int(0)));
+            let coefficients = restitutions.chain(frictions).collect();
+            problem.with_scene(scene).extended_start().map(|(p, y)| [p, y, coefficients].concat())
+        };
+        let list = scenes.iter().map(start).collect::<Result<Vec<_>, _>>()?;
+        let mut parameters = difference(&list, rule, step);
+        let mut state = parameters.split_off(problem.scene.parameters.len());
+        let contacts = problem.scene.impacts.len();
+        let mut restitutions = state.split_off(state.len() - 2 * contacts);
+        let frictions = restitutions.split_off(contacts);
+        let span = scenes[0].span;
+        let moves_span = scenes.iter().any(|scene| scene.span != span);
+        Ok(Self { name: name.to_owned(), unit, parameters, state, restitutions, frictions, moves_span })
+    }
+
+    /// Refuses a coefficient of friction that begins at 0: the direction of friction is not known there.
+    ///
+    /// # Errors
+    /// [`Error::Request`], with the reason.
+    pub fn check(&self, scene: &Scene) -> Result<(), Error> {
+        let is_zero = |impact: &Impact| impact.friction.as_ref().is_some_and(|friction| friction.coefficient == 0.0);
+        let found = scene.impacts.iter().zip(&self.frictions).find(|(impact, by)| is_zero(impact) && **by != 0.0);
+        found.map_or(Ok(()), |(impact, _)| {
+            let what = format!(
+                "`{}` changes the friction of the contact `{}` from 0 on, where it has no derivative",
+                self.name, impact.name
+            );
+            Err(Error::request(what, "give it a coefficient above 0"))
+        })
+    }
+
+    /// Derivatives of the parameters and of the coefficients of contacts by this number.
+    pub fn varied(&self) -> Varied<'_> {
+        let Self { name, parameters, restitutions, frictions, .. } = self;
+        Varied { name, parameters, restitutions, frictions }
+    }
+}
+
+/// Scenes at the places of a rule for differences, and the rule.
+type Around = (Vec<Scene>, &'static [(i32, i64)]);
+
+/// Scenes at the places of a rule for differences: on both sides of the number, or on one side if only that exists.
+fn scenes(at: &mut dyn FnMut(i32) -> Result<Scene, Diagnostics>) -> Result<Around, Error> {
+    let mut by = |rule: &'static [(i32, i64)], side: i32| -> Result<Vec<Scene>, Diagnostics> {
+        rule.iter().map(|(place, _)| at(side * place)).collect()
+    };
+    match by(&CENTRAL, 1) {
+        Ok(list) => Ok((list, &CENTRAL)),
+        // The number is at the edge of its range.
+        Err(error) => Ok((by(&FORWARD, 1).map_err(|_| error)?, &FORWARD)),
+    }
+}

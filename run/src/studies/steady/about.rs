@@ -1,0 +1,170 @@
+//! A mechanism near a steady motion: its linear system, its modes, and its stability.
+
+use crate::studies::steady::Question;
+use crate::studies::steady::control::{Transfer, reached, transfers};
+use crate::studies::steady::dense::Wide;
+use crate::studies::steady::eigen::{Mode, modes};
+use crate::studies::steady::newton::{Steady, Unknowns};
+use crate::studies::steady::quotient::Quotient;
+use crate::studies::steady::verdict::Stability;
+use crate::{Error, Mechanism};
+use nalgebra::DMatrix;
+use tripos_derive::scene::Asked;
+
+/// Linear system near a steady motion, with its modes, stability and transfer functions.
+#[derive(Clone, Debug)]
+pub struct About {
+    /// Names of all states of the mechanism: coordinates, then speeds.
+    pub all: Vec<String>,
+    /// Index of time among the states; `None` if the model does not name it. Drives go on with time.
+    pub time: Option<usize>,
+    /// Steady motion about which the system is linear.
+    pub steady: Steady,
+    /// Symmetries along which the motion goes, in words, each with its rate.
+    pub moves: Vec<(String, f64)>,
+    /// Names of the inputs.
+    pub inputs: Vec<String>,
+    /// Names of the outputs.
+    pub outputs: Vec<String>,
+    /// Matrices of the linear system.
+    pub system: Quotient,
+    /// Eigenvalues of the linear system.
+    pub modes: Vec<Mode>,
+    /// Stability of the motion by the eigenvalues.
+    pub stability: Stability,
+    /// Names of states that tell the steady motions of its family apart, as many as the family has parameters. Empty if
+    /// A maps directions to zero but no steady motions were found there.
+    pub family: Vec<String>,
+    /// Number of independent directions that A maps to zero.
+    pub still: usize,
+    /// Number of dimensions that the inputs reach.
+    pub controllable: usize,
+    /// Number of dimensions that the outputs show.
+    pub observable: usize,
+    /// Transfer functions from each input to each output.
+    pub transfers: Vec<Transfer>,
+}
+
+impl About {
+    /// Coordinates and speeds by name, with their values; time is left out.
+    pub fn states(&self) -> impl Iterator<Item = (&str, f64)> + '_ {
+        let all = self.all.iter().zip(&self.steady.x).enumerate().filter(|(at, _)| Some(*at) != self.time);
+        all.map(|(_, (name, x))| (name.as_str(), x.hi()))
+    }
+}
+
+/// Options of a linearisation.
+#[derive(Clone, Debug, Default)]
+pub struct Wanted {
+    /// Inputs, by name: inputs of the model, or parameters. All inputs of the model if none is given.
+    pub inputs: Vec<String>,
+    /// True if states that symmetries shift are kept.
+    pub whole: bool,
+    /// True if a state that is not steady is accepted, with the loops closed by the coordinates that are sought.
+    pub as_is: bool,
+}
+
+/// Advice for a state that is not steady.
+const ASK: &str = "put what may change under [guess], or ask `tripos equilibria` for what is near";
+
+/// Linearises a mechanism about a steady motion: the state that is asked about, with its sought states solved for.
+///
+/// # Errors
+/// [`Error`] if the model cannot be derived or lacks one of the inputs, if the state is not steady and no steady state
+/// was found near it, and if it is singular.
+pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<About, Error> {
+    let mut question = Question::new(model, asked, &wanted.inputs)?;
+    let unknowns = Unknowns { states: asked.sought.clone(), moves: true };
+    let mut steady = question.settle(&asked.x, &unknowns);
+    if !steady.is_steady() {
+        if !wanted.as_is {
+            return Err(question.unbalanced(&steady, ASK));
+        }
+        steady = question.as_it_is(model, asked)?;
+    }
+    question.about(model, steady, wanted.whole)
+}
+
+impl Question {
+    /// Linear system near a steady motion, with its modes and stability; `whole` keeps the states that symmetries
+    /// shift.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`] in a singular pose, and where a slope has no value.
+    pub fn about(&mut self, model: &Mechanism, steady: Steady, whole: bool) -> Result<About, Error> {
+        self.about_in(model, steady, whole, true)
+    }
+
+    /// Linearises about a steady motion. `with_family` looks for its family, which the search for a crossing does not
+    /// need.
+    pub(super) fn about_in(
+        &mut self,
+        model: &Mechanism,
+        steady: Steady,
+        whole: bool,
+        with_family: bool,
+    ) -> Result<About, Error> {
+        self.poles.refuse(&self.parameters, &steady)?;
+        let system = self.quotient(&steady, whole)?;
+        let [a, b, c] = [&system.a, &system.b, &system.c].map(Wide::rounded);
+        let modes = modes(&system.a, steady.uncertain + steady.residual / a.norm().max(1.0))?;
+        let still = modes.iter().find(|mode| mode.value.iter().all(|x| x.abs() <= 0.0)).map_or(0, |mode| mode.vectors);
+        let beside = self.beside(&steady, &system, if with_family { still } else { 0 });
+        let family: Vec<String> = leading(&beside).iter().map(|at| self.names[system.kept[*at]].clone()).collect();
+        let stability = self.stability(&steady, &system, &modes, family.len());
+        Ok(About {
+            controllable: reached(&a, &b),
+            observable: reached(&a.transpose(), &c.transpose()),
+            transfers: transfers(&system.a, &system.b, &system.c, &system.d)?,
+            all: self.names.clone(),
+            time: self.time,
+            moves: self.moves(model, &steady),
+            inputs: self.inputs.iter().map(|at| model.parameters[*at].name.clone()).collect(),
+            outputs: self.outputs.clone(),
+            steady,
+            system,
+            modes,
+            stability,
+            family,
+            still,
+        })
+    }
+}
+
+/// Indices, in ascending order, of rows of a matrix that tell its columns apart. Large rows are preferred.
+fn leading(columns: &DMatrix<f64>) -> Vec<usize> {
+    let mut left = columns.clone();
+    let mut rows = Vec::new();
+    while rows.len() < left.ncols() {
+        let row =
+            left.row_iter().map(|row| row.norm()).enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |m| m.0);
+        let direction = left.row(row).normalize();
+        left -= &left * direction.transpose() * &direction;
+        rows.push(row);
+    }
+    rows.sort_unstable();
+    rows
+}
+
+impl Question {
+    /// Error that tells why a state is not steady, and what to do.
+    #[must_use]
+    pub fn unbalanced(&self, steady: &Steady, help: &str) -> Error {
+        let rates = steady.unbalanced.iter().map(|(at, left)| format!("{}' is left at {left:.6e}", self.names[*at]));
+        let open = steady.open.iter().map(|(at, left)| format!("`{}` is open by {left:.6e}", self.loops[*at]));
+        let list: Vec<String> = open.chain(rates).collect();
+        let list = if list.is_empty() { "a rate is not a number there".to_owned() } else { list.join(", ") };
+        Error::Request {
+            what: format!("the state is not an equilibrium, nor carried along by a symmetry: {list}"),
+            help: help.to_owned(),
+        }
+    }
+
+    /// Symmetries along which a motion goes, in words, with its rates.
+    fn moves(&self, model: &Mechanism, steady: &Steady) -> Vec<(String, f64)> {
+        let all = self.flow.symmetries.iter().zip(&steady.along).enumerate();
+        let all = all.filter(|(at, _)| Some(*at) != self.by_time);
+        let all = all.map(|(_, (symmetry, c))| (symmetry.words(model), c.hi()));
+        all.filter(|(_, c)| c.abs() > crate::studies::steady::newton::BALANCED).collect()
+    }
+}

@@ -1,0 +1,244 @@
+//! A steady motion followed along a number: the crossings of the imaginary axis by eigenvalues, and its end.
+
+use crate::studies::steady::Question;
+use crate::studies::steady::about::About;
+use crate::studies::steady::dense::Wide;
+use crate::studies::steady::eigen::Mode;
+use crate::studies::steady::newton::{Steady, Unknowns};
+use crate::studies::steady::search::{ELSEWHERE, unknowns};
+use crate::{Error, Mechanism};
+use tripos_derive::scene::Asked;
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Largest number of halvings of an interval for a crossing; `WIDTH` is the relative width at which they end.
+const HALVINGS: usize = 200;
+const WIDTH: f64 = 4.0 * f64::EPSILON;
+/// Largest number of crossings that are told apart between two values.
+const MOST_CROSSINGS: usize = 32;
+
+/// A steady motion at one value of the number.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Value of the number.
+    pub value: f64,
+    /// Linear system of the steady motion there.
+    pub about: About,
+}
+
+/// Kind of change of a steady motion between two values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CrossingKind {
+    /// A real eigenvalue passes 0: other steady motions branch off, or it exchanges stability with them.
+    Real,
+    /// A pair of eigenvalues passes the imaginary axis: oscillations begin to grow, or end to (E. Hopf).
+    Pair,
+    /// Two steady motions meet and end: no steady motion goes on beyond.
+    Fold,
+}
+
+impl CrossingKind {
+    /// Its name in JSON and tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Real => "real",
+            Self::Pair => "pair",
+            Self::Fold => "fold",
+        }
+    }
+}
+
+/// Change of stability of a steady motion, or its end.
+#[derive(Clone, Debug)]
+pub struct Crossing {
+    /// Kind of the change.
+    pub kind: CrossingKind,
+    /// Value of the number at the change.
+    pub value: f64,
+    /// Angular frequency there, rad/s; 0 except for a pair.
+    pub frequency: f64,
+}
+
+/// A steady motion along a number.
+#[derive(Clone, Debug, Default)]
+pub struct Course {
+    /// Points at the values that were asked for, as far as the motion goes.
+    pub points: Vec<Point>,
+    /// Crossings between the points.
+    pub crossings: Vec<Crossing>,
+    /// Reason why the motion ends before the last value; `None` if it does not.
+    pub ended: Option<String>,
+}
+
+/// Follows a steady motion over values of a number of the state file; `asked` gives the request at a value.
+///
+/// # Errors
+/// [`Error`] as [`crate::studies::steady::equilibria`], at the first value.
+pub fn follow(
+    model: &Mechanism,
+    asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
+    values: &[f64],
+) -> Result<Course, Error> {
+    let Some(first) = values.first() else { return Ok(Course::default()) };
+    let mut question = Question::new(model, &asked(*first)?, &[])?;
+    along((model, &mut question), asked, values)
+}
+
+/// Follows a steady motion, as [`follow`] does, for a question that exists already.
+pub(super) fn along(
+    (model, question): (&Mechanism, &mut Question),
+    asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
+    values: &[f64],
+) -> Result<Course, Error> {
+    let mut course = Course::default();
+    let Some(first) = values.first() else { return Ok(course) };
+    let start = asked(*first)?;
+    let mut unknowns = unknowns(question, &start);
+    if let Some(last) = values.last() {
+        // States that the number moves are held.
+        let other = asked(*last)?;
+        unknowns.states.retain(|at| start.x[*at] == other.x[*at]);
+    }
+    let mut way = Way { model, question, unknowns, asked };
+    for value in values {
+        let from = course.points.last();
+        match (way.point(*value, from.map(|point| &point.about.steady)), from) {
+            (Ok(point), None) => course.points.push(point),
+            (Ok(point), Some(from)) => {
+                course.crossings.extend(way.crossings(from, &point)?);
+                course.points.push(point);
+            }
+            (Err(error), None) => return Err(error),
+            (Err(_), Some(from)) => {
+                let last = way.end(from, *value);
+                course.crossings.push(Crossing { kind: CrossingKind::Fold, value: last, frequency: 0.0 });
+                course.ended = Some(format!("no steady motion near it was found beyond {last}"));
+                break;
+            }
+        }
+    }
+    Ok(course)
+}
+
+/// Data of a steady motion that is followed along a number.
+struct Way<'w> {
+    model: &'w Mechanism,
+    question: &'w mut Question,
+    unknowns: Unknowns,
+    asked: &'w mut dyn FnMut(f64) -> Result<Asked, Error>,
+}
+
+impl Way<'_> {
+    /// Finds the steady motion at a value, from one that is near.
+    fn point(&mut self, value: f64, near: Option<&Steady>) -> Result<Point, Error> {
+        self.point_in(value, near, true)
+    }
+
+    /// Finds the steady motion at a value of the parameter; `with_family` looks for its family.
+    fn point_in(&mut self, value: f64, near: Option<&Steady>, with_family: bool) -> Result<Point, Error> {
+        let asked = (self.asked)(value)?;
+        self.question.at(&asked.parameters);
+        let mut x: Vec<DoubleDouble> = asked.x;
+        if let Some(near) = near {
+            self.unknowns.states.iter().for_each(|at| x[*at] = near.x[*at]);
+        }
+        let steady = self.question.settle(&x, &self.unknowns);
+        if !steady.is_steady() {
+            return Err(self.question.unbalanced(&steady, ELSEWHERE));
+        }
+        Ok(Point { value, about: self.question.about_in(self.model, steady, false, with_family)? })
+    }
+
+    /// Last value at which the motion is found, between a value at which it is found and one at which it is not.
+    fn end(&mut self, from: &Point, to: f64) -> f64 {
+        let (mut near, mut last, mut beyond) = (from.about.steady.clone(), from.value, to);
+        for _ in 0..HALVINGS {
+            let middle = last / 2.0 + beyond / 2.0;
+            if (beyond - last).abs() <= 1e-10 * last.abs().max(1e-3) {
+                break;
+            }
+            match self.point_in(middle, Some(&near), false) {
+                Ok(point) => (near, last) = (point.about.steady, middle),
+                Err(_) => beyond = middle,
+            }
+        }
+        last
+    }
+
+    /// Finds the eigenvalues that cross the imaginary axis between two points. A real one crosses where the product of
+    /// all eigenvalues except those of the family changes its sign; this is known even where eigenvalues near 0 are
+    /// not. A pair crosses where the number of growing eigenvalues changes by two. Two real ones that meet and become a
+    /// pair cross nothing.
+    fn crossings(&mut self, from: &Point, to: &Point) -> Result<Vec<Crossing>, Error> {
+        let family = from.about.still;
+        let is_negative = |point: &Point| is_negative(&point.about.system.a, family);
+        let stands = |point: &Point| (growing(point), is_negative(point));
+        let mut list = Vec::new();
+        let mut from = from.clone();
+        for _ in 0..MOST_CROSSINGS {
+            if stands(&from) == stands(to) {
+                break;
+            }
+            let [before, after] = self.change(&from, to, stands)?;
+            let passing = after.about.modes.iter().filter(|mode| mode.value[1] > 0.0);
+            let passing = passing.min_by(|a, b| a.value[0].abs().total_cmp(&b.value[0].abs()));
+            let (kind, frequency) = match passing {
+                _ if is_negative(&before) != is_negative(&after) => (Some(CrossingKind::Real), 0.0),
+                Some(mode) if growing(&before).abs_diff(growing(&after)) == 2 => {
+                    (Some(CrossingKind::Pair), mode.value[1])
+                }
+                _ => (None, 0.0),
+            };
+            list.extend(kind.map(|kind| Crossing { kind, value: after.value, frequency }));
+            from = after;
+        }
+        Ok(list)
+    }
+
+    /// Brackets by halving, to rounding, the first point at which `what` differs from its value at `from`. Returns the
+    /// last point before it, and that point.
+    fn change<T: PartialEq>(
+        &mut self,
+        from: &Point,
+        to: &Point,
+        what: impl Fn(&Point) -> T,
+    ) -> Result<[Point; 2], Error> {
+        let (mut low, mut high) = (from.clone(), to.clone());
+        let before = what(from);
+        for _ in 0..HALVINGS {
+            let middle = low.value / 2.0 + high.value / 2.0;
+            let width = (high.value - low.value).abs();
+            if width <= WIDTH * low.value.abs().max(high.value.abs()) {
+                break;
+            }
+            let point = self.point_in(middle, Some(&low.about.steady), false)?;
+            let side = if what(&point) == before { &mut low } else { &mut high };
+            *side = point;
+        }
+        Ok([low, high])
+    }
+}
+
+/// Number of eigenvalues that grow.
+fn growing(point: &Point) -> usize {
+    let grows = |mode: &&Mode| mode.grows();
+    point.about.modes.iter().filter(grows).count()
+}
+
+/// True if the coefficient of s^family in det(s − A) is negative. It is ± the sum of the products of n − family
+/// eigenvalues (D. K. Faddeev's recurrence).
+fn is_negative(a: &Wide, family: usize) -> bool {
+    let n = a.rows.len();
+    let one = DoubleDouble::int(1);
+    let mut matrix = Wide::zeros(n, n);
+    let mut coefficient = one;
+    for k in 1..=n.saturating_sub(family) {
+        for (at, row) in matrix.rows.iter_mut().enumerate() {
+            row[at] = row[at] + coefficient;
+        }
+        matrix = Wide::zeros(n, n).plus(1.0, a, &matrix);
+        let trace = (0..n).fold(DoubleDouble::int(0), |sum, at| sum + matrix.rows[at][at]);
+        coefficient = -trace / DoubleDouble::int(i64::try_from(k).unwrap_or(1));
+    }
+    coefficient.hi() < 0.0
+}

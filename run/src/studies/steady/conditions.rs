@@ -1,0 +1,233 @@
+//! Rest and steady motion in closed form: the terms that must vanish, in letters, and the solutions that exact algebra
+//! finds.
+
+use crate::studies::steady::newton::Steady;
+use crate::{Error, Mechanism};
+use std::f64::consts::TAU;
+use tripos_derive::algebra::closed::{Branch, Kind, Need, Relation, in_factors};
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::print::{latex, text};
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_traits::DoubleDouble;
+
+/// Distance of a number from a formula, relative to its size or 1, up to which it lies on the formula's branch.
+const NEAR: f64 = 1e-9;
+
+/// A formula in the notation of model files and in LaTeX.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formula {
+    /// Formula in the language of model files.
+    pub text: String,
+    /// Formula in LaTeX, for math mode.
+    pub latex: String,
+}
+
+/// A name and its value, both as formulas.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Told {
+    /// An unknown, its square, or a sine, cosine or tangent of it.
+    pub name: Formula,
+    /// Formula of the value.
+    pub value: Formula,
+}
+
+/// A velocity along a symmetry.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Velocity {
+    /// Letter of the velocity; the rate of a coordinate where it is one.
+    pub name: String,
+    /// Motion of the mechanism along the symmetry, in words.
+    pub along: String,
+    /// True if it is the rate of a coordinate.
+    pub is_rate: bool,
+}
+
+/// Solutions that are given by formulas; angles up to whole turns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Solved {
+    /// Formulas of the unknowns that were solved for, in those that are left free.
+    pub solved: Vec<Told>,
+    /// Conditions for the unknowns to be real, such as `l*cos(q) >= 0`.
+    pub needs: Vec<Formula>,
+    /// Divisors, which must not be 0.
+    pub divided_by: Vec<Formula>,
+    /// Terms that must vanish, too, but were not solved for.
+    pub left: Vec<Formula>,
+    branch: Branch,
+}
+
+/// Rest, or motion along symmetries, in closed form.
+#[derive(Clone, Debug)]
+pub struct Conditions {
+    /// True if these are conditions of rest, with all velocities 0.
+    pub rest: bool,
+    /// Velocities along symmetries; empty at rest.
+    pub along: Vec<Velocity>,
+    /// Generalized speeds in coordinates and these velocities.
+    pub speeds: Vec<Told>,
+    /// Velocities, coordinates and parameters that were solved for, the preferred ones first.
+    pub unknowns: Vec<String>,
+    /// Terms that must vanish.
+    pub equations: Vec<Formula>,
+    /// Number of further equations that are too large for a readable form.
+    pub too_large: usize,
+    /// Divisors of the equations: where one of these is 0 the conditions say nothing.
+    pub divided_by: Vec<Formula>,
+    /// Solutions where no divisor is 0, each proved by substitution: all of them if `complete`.
+    pub branches: Vec<Solved>,
+    /// True if the search ended within its budget.
+    pub complete: bool,
+    symbols: Vec<Expr>,
+}
+
+/// Conditions of rest and of steady motion of a mechanism in closed form.
+#[derive(Clone)]
+pub struct ClosedForm {
+    /// Rest, then motion along symmetries, if it has any.
+    pub list: Vec<Conditions>,
+    arena: Arena,
+    is_angle: Vec<bool>,
+}
+
+/// Finds the conditions of rest and of steady motion in letters, and solves them where exact algebra can. It prefers to
+/// solve for the names in `asked`: velocities, coordinates, and parameters, which are solved for only if they are
+/// named.
+///
+/// # Errors
+/// [`Error`] if the model cannot be derived, depends on time, or has no such names.
+pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Error> {
+    let mut flow = crate::studies::steady::steady_flow(model)?;
+    let mut balances = vec![flow.balance(model, false)];
+    if flow.symmetries.len() > usize::from(flow.by_time(model).is_some()) {
+        balances.push(flow.balance(model, true));
+    }
+    let velocities: Vec<Expr> = balances.iter().flat_map(|balance| &balance.along).map(|along| along.symbol).collect();
+    let known: Vec<Expr> = velocities.into_iter().chain(model.q()).chain(model.p()).collect();
+    let place = |name: &String| {
+        let found = known.iter().copied().find(|e| flow.arena.symbol_name(*e) == Some(name.as_str()));
+        found.ok_or_else(|| {
+            let names = known.iter().filter_map(|e| flow.arena.symbol_name(*e));
+            let help = tripos_derive::diagnostic::nearest(name, names);
+            Error::request(format!("nothing is called `{name}` that could be solved for"), help)
+        })
+    };
+    let asked = asked.iter().map(place).collect::<Result<Vec<Expr>, Error>>()?;
+    let mut list = Vec::new();
+    for balance in &balances {
+        let speeds: Vec<Expr> = balance.speeds.iter().map(|u| in_factors(&mut flow.arena, *u)).collect();
+        let (unknowns, found) = flow.closed_form(model, balance, &asked);
+        let arena = &mut flow.arena;
+        let name = |arena: &Arena, e: Expr| arena.symbol_name(e).unwrap_or_default().to_owned();
+        let along = balance.along.iter().map(|along| Velocity {
+            name: name(arena, along.symbol),
+            along: flow.symmetries[along.symmetry].words(model),
+            is_rate: along.is_rate,
+        });
+        let along: Vec<Velocity> = along.collect();
+        let told =
+            |arena: &Arena, (e, value): (Expr, &Expr)| Told { name: formula(arena, e), value: formula(arena, *value) };
+        let speeds = model.u().into_iter().zip(&speeds).map(|pair| told(arena, pair)).collect();
+        let branches = found.branches.into_iter().map(|branch| solved(arena, branch)).collect();
+        list.push(Conditions {
+            rest: balance.along.is_empty(),
+            along,
+            speeds,
+            unknowns: unknowns.iter().map(|e| name(arena, *e)).collect(),
+            equations: found.equations.iter().map(|e| formula(arena, *e)).collect(),
+            too_large: found.too_large,
+            divided_by: found.divided_by.iter().map(|e| formula(arena, *e)).collect(),
+            branches,
+            complete: !found.is_cut,
+            symbols: model.p().into_iter().chain(model.q()).chain(balance.along.iter().map(|a| a.symbol)).collect(),
+        });
+    }
+    let is_angle = model.coordinates.iter().map(|c| c.unit.is_plain()).collect();
+    Ok(ClosedForm { list, arena: flow.arena, is_angle })
+}
+
+fn formula(arena: &Arena, e: Expr) -> Formula {
+    Formula { text: text(arena, e), latex: latex(arena, e) }
+}
+
+/// Left side of a relation: the unknown, its square, or a function of the angle.
+fn subject(arena: &mut Arena, relation: &Relation) -> Expr {
+    match relation.kind {
+        Kind::Value => relation.unknown,
+        Kind::Square => arena.square(relation.unknown),
+        Kind::Sine => arena.sin(relation.angle),
+        Kind::Cosine => arena.cos(relation.angle),
+        Kind::Tangent => {
+            let (sine, cosine) = (arena.sin(relation.angle), arena.cos(relation.angle));
+            arena.div(sine, cosine).unwrap_or(sine)
+        }
+    }
+}
+
+fn solved(arena: &mut Arena, branch: Branch) -> Solved {
+    let mut list = Vec::new();
+    for relation in &branch.solved {
+        let subject = subject(arena, relation);
+        list.push(Told { name: formula(arena, subject), value: formula(arena, relation.value) });
+    }
+    let need = |need: &Need| {
+        let Formula { text, latex } = formula(arena, need.term());
+        match need {
+            Need::NotNegative(_) => Formula { text: format!("{text} >= 0"), latex: format!(r"{latex} \ge 0") },
+            Need::Unit(_) => {
+                Formula { text: format!("abs({text}) <= 1"), latex: format!(r"\left|{latex}\right| \le 1") }
+            }
+        }
+    };
+    let all = |list: &[Expr]| list.iter().map(|e| formula(arena, *e)).collect();
+    Solved {
+        solved: list,
+        needs: branch.needs.iter().map(need).collect(),
+        divided_by: all(&branch.divided_by),
+        left: all(&branch.left),
+        branch,
+    }
+}
+
+impl ClosedForm {
+    /// Index of the conditions that a motion is under, and indices of the branches on which it lies, by its numbers.
+    /// This proves nothing. `None` if no conditions apply.
+    #[must_use]
+    pub fn branches_at(&self, parameters: &[DoubleDouble], steady: &Steady) -> Option<(usize, Vec<usize>)> {
+        let at = self.list.iter().position(|conditions| conditions.rest == steady.is_rest())?;
+        let conditions = &self.list[at];
+        let q = &steady.x[..self.is_angle.len()];
+        let along = if conditions.rest { Vec::new() } else { steady.velocities() };
+        let values = [parameters, q, &along].concat();
+        let holds = |branch: &usize| self.holds(conditions, &conditions.branches[*branch].branch, &values);
+        Some((at, (0..conditions.branches.len()).filter(holds).collect()))
+    }
+
+    /// True if a branch holds, by numbers.
+    fn holds(&self, conditions: &Conditions, branch: &Branch, values: &[DoubleDouble]) -> bool {
+        let mut arena = self.arena.clone();
+        let sides = branch.solved.iter().map(|relation| [subject(&mut arena, relation), relation.value]);
+        let mut terms: Vec<Expr> = sides.flatten().collect();
+        terms.extend(branch.needs.iter().map(|need| need.term()));
+        terms.extend(branch.left.iter().chain(&branch.divided_by));
+        let Ok(tape) = Tape::new(&arena, &conditions.symbols, &terms) else { return false };
+        let found: Vec<f64> = tape.to::<DoubleDouble>().evaluate(values).iter().map(|x| x.hi()).collect();
+        let (sides, rest) = found.split_at(2 * branch.solved.len());
+        let (needs, rest) = rest.split_at(branch.needs.len());
+        let (left, divisors) = rest.split_at(branch.left.len());
+        let parameters = conditions.symbols.len() - self.is_angle.len() - conditions.along.len();
+        let is_turned = |relation: &Relation| {
+            let place = conditions.symbols[parameters..].iter().position(|e| *e == relation.unknown);
+            relation.kind == Kind::Value && place.is_some_and(|at| self.is_angle.get(at) == Some(&true))
+        };
+        let is_told = branch.solved.iter().zip(sides.chunks(2)).all(|(relation, pair)| {
+            let difference = pair[0] - pair[1];
+            let turns = if is_turned(relation) { (difference / TAU).round() * TAU } else { 0.0 };
+            (difference - turns).abs() <= NEAR * pair[1].abs().max(1.0)
+        });
+        let is_met = branch.needs.iter().zip(needs).all(|(need, value)| match need {
+            Need::NotNegative(_) => *value >= -NEAR,
+            Need::Unit(_) => value.abs() <= 1.0 + NEAR,
+        });
+        is_told && is_met && left.iter().all(|x| x.abs() <= NEAR) && divisors.iter().all(|x| x.abs() > 0.0)
+    }
+}

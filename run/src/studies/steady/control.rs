@@ -1,0 +1,97 @@
+//! Dimensions of a linear system that inputs reach and outputs show, and its transfer functions.
+
+use crate::Error;
+use crate::studies::steady::complex::Complex;
+use crate::studies::steady::dense::Wide;
+use crate::studies::steady::schur::Schur;
+use nalgebra::DMatrix;
+use tripos_traits::DoubleDouble;
+
+/// Length of a unit direction, after the reached directions are taken out of it, up to which it counts as zero.
+const NOTHING: f64 = 1e-9;
+
+/// Number of dimensions that inputs reach: the rank of (B, A B, A² B, …), found direction by direction, so that powers
+/// of A do not hide any (Kalman's condition). For (Aᵀ, Cᵀ), the number of dimensions that outputs show.
+#[must_use]
+pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
+    let mut basis: Vec<nalgebra::DVector<f64>> = Vec::new();
+    let size = a.norm().max(f64::MIN_POSITIVE);
+    let mut next: Vec<nalgebra::DVector<f64>> =
+        b.column_iter().filter(|c| c.norm() > 0.0).map(|c| c.into_owned().normalize()).collect();
+    while let Some(mut direction) = next.pop() {
+        // Twice, since rounding leaves a rest.
+        for _ in 0..2 {
+            for known in &basis {
+                direction -= known * known.dot(&direction);
+            }
+        }
+        if direction.norm() <= NOTHING {
+            continue;
+        }
+        direction.normalize_mut();
+        let moved = a * &direction;
+        // A direction that A maps to zero, relative to its size, reaches nothing further.
+        if moved.norm() > f64::EPSILON * size {
+            next.insert(0, moved.normalize());
+        }
+        basis.push(direction);
+    }
+    basis.len()
+}
+
+/// y(s)/r(s) of one output and one input, (n₀ sᵐ + n₁ sᵐ⁻¹ + …)/(sᵏ + …).
+#[derive(Clone, Debug)]
+pub struct Transfer {
+    /// Index of the input.
+    pub input: usize,
+    /// Index of the output.
+    pub output: usize,
+    /// Coefficients of the numerator, that of the highest power first.
+    pub numerator: Vec<f64>,
+    /// Coefficients of the denominator, 1 first.
+    pub denominator: Vec<f64>,
+}
+
+/// The transfer functions of d' = A d + B r, y = C d + D r: det(s − A + b c) − det(s − A) over det(s − A), each.
+///
+/// # Errors
+/// [`Error::Stopped`] where eigenvalues are not found.
+pub fn transfers(a: &Wide, b: &Wide, c: &Wide, d: &Wide) -> Result<Vec<Transfer>, Error> {
+    let mut list = Vec::new();
+    let open = characteristic(a)?;
+    let denominator: Vec<f64> = open.iter().map(|x| x.hi()).collect();
+    for input in 0..b.columns() {
+        for output in 0..c.rows.len() {
+            let mut closed = a.clone();
+            for (row, entries) in closed.rows.iter_mut().enumerate() {
+                for (entry, shown) in entries.iter_mut().zip(&c.rows[output]) {
+                    *entry = *entry - b.rows[row][input] * *shown;
+                }
+            }
+            let closed = characteristic(&closed)?;
+            let direct = d.rows[output][input];
+            let size = closed.iter().chain(&open).fold(0.0_f64, |most, x| most.max(x.hi().abs()));
+            let numerator = closed.iter().zip(&open).map(|(closed, open)| (*closed - *open + direct * *open).hi());
+            let numerator: Vec<f64> = numerator.collect();
+            let first = numerator.iter().position(|x| x.abs() > 1e-12 * size).unwrap_or(numerator.len() - 1);
+            let numerator = numerator[first..].to_vec();
+            list.push(Transfer { input, output, numerator, denominator: denominator.clone() });
+        }
+    }
+    Ok(list)
+}
+
+/// Coefficients of det(s − A), that of the highest power first.
+fn characteristic(a: &Wide) -> Result<Vec<DoubleDouble>, Error> {
+    let mut coefficients = vec![Complex::from_f64(1.0)];
+    if !a.rows.is_empty() {
+        let none = || Error::Stopped("the eigenvalues of this matrix were not found".to_owned());
+        for root in Schur::new(a).ok_or_else(none)?.eigenvalues() {
+            coefficients.push(Complex::default());
+            for at in (1..coefficients.len()).rev() {
+                coefficients[at] = coefficients[at] - root * coefficients[at - 1];
+            }
+        }
+    }
+    Ok(coefficients.into_iter().map(|c| c.re).collect())
+}

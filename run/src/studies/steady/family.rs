@@ -1,0 +1,61 @@
+//! Steady motions beside a steady motion: an eigenvalue of 0 of the linear system tells that there may be some.
+
+use crate::studies::steady::Question;
+use crate::studies::steady::dense::{least, least_moved};
+use crate::studies::steady::newton::{Steady, Unknowns};
+use crate::studies::steady::quotient::Quotient;
+use nalgebra::{DMatrix, DVector};
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Distance at which steady motions are looked for, over the size of the state or 1. `LEFT` bounds the residual of
+/// their balance, and `BACK` how far Newton's method may lead back.
+const BESIDE: f64 = 1e-3;
+const LEFT: f64 = 1e-20;
+const BACK: f64 = 0.3;
+
+impl Question {
+    /// Directions, in the kept states, in which steady motions were found beside a steady motion: as many as A maps to
+    /// zero, or none. Each direction is tried both ways, and so is their sum: q̈ = −q³ has none beside q = 0.
+    pub(super) fn beside(&self, steady: &Steady, system: &Quotient, count: usize) -> DMatrix<f64> {
+        let directions = least_moved(&system.a.rounded(), count);
+        let together = directions.column_iter().fold(DVector::zeros(directions.nrows()), |sum, column| sum + column);
+        let single = directions.column_iter().map(nalgebra::Matrix::into_owned);
+        let ways = single.chain((count > 1).then_some(together)).flat_map(|way| [way.clone(), -way]);
+        let is_found =
+            steady.is_steady() && ways.into_iter().all(|way| self.goes_on(steady, system, (&directions, &way)));
+        if is_found { directions } else { DMatrix::zeros(directions.nrows(), 0) }
+    }
+
+    /// True if a steady motion is found in a direction.
+    fn goes_on(&self, steady: &Steady, system: &Quotient, (directions, way): (&DMatrix<f64>, &DVector<f64>)) -> bool {
+        let unknowns = Unknowns { states: self.free_states(), moves: true };
+        let Some(lifted) = self.lifted(steady, &unknowns.states, system, way) else { return false };
+        let beside = |at: usize, by: f64| by.abs() / steady.x[at].hi().abs().max(1.0);
+        let most = unknowns.states.iter().zip(&lifted).fold(0.0_f64, |most, (at, by)| most.max(beside(*at, *by)));
+        let share = BESIDE / most;
+        let mut x = steady.x.clone();
+        for (at, by) in unknowns.states.iter().zip(&lifted) {
+            x[*at] = x[*at] + DoubleDouble::from_f64(share * by);
+        }
+        let found = self.settle(&x, &unknowns);
+        let moved = system.kept.iter().map(|at| (found.x[*at] - steady.x[*at]).hi() / share);
+        let moved = DVector::from_iterator(system.kept.len(), moved);
+        let back = (directions.transpose() * (moved - way)).norm();
+        found.is_steady() && found.residual <= LEFT.max(10.0 * steady.residual) && back <= BACK * way.norm()
+    }
+
+    /// Direction in these states of the mechanism, as far as the slopes of the residual determine it.
+    fn lifted(&self, steady: &Steady, states: &[usize], system: &Quotient, way: &DVector<f64>) -> Option<Vec<f64>> {
+        let slopes = self.slopes_at(steady, states);
+        let (rows, columns) = slopes.shape();
+        let mut matrix = slopes.resize_vertically(rows + way.len(), 0.0);
+        let mut right = DVector::zeros(rows + way.len());
+        for (row, at) in system.kept.iter().enumerate() {
+            let Some(column) = states.iter().position(|state| state == at) else { continue };
+            matrix[(rows + row, column)] = 1.0;
+            right[rows + row] = -way[row];
+        }
+        let found = least(&matrix, &right, 1e-12)?;
+        Some(found.iter().take(states.len().min(columns)).copied().collect())
+    }
+}

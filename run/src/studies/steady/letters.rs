@@ -1,0 +1,163 @@
+//! The linear system near a steady motion with numbers kept as letters, such as the speed of a bicycle.
+
+use crate::studies::steady::Question;
+use crate::studies::steady::about::About;
+use crate::studies::steady::dense::Wide;
+use crate::studies::steady::quotient::pivots;
+use crate::{Error, Mechanism};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::print::{text_of, view_of};
+use tripos_derive::algebra::view::View;
+use tripos_derive::flow::{Chosen, InLetters, NotInLetters, Stated};
+use tripos_derive::scene::Asked;
+use tripos_traits::DoubleDouble;
+
+/// Change of a sought state, relative to its size or 1, up to which its guess holds for every value of the letters.
+const AS_GUESSED: f64 = 1e-12;
+
+/// An entry of a matrix in letters.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Entry {
+    /// A polynomial in the one letter, the coefficient of its power 0 first.
+    Polynomial(Vec<f64>),
+    /// A formula in letters and parameters.
+    Formula(View),
+}
+
+/// Matrices A, B, C and D in letters, in the states of the linear system to which they belong.
+#[derive(Clone, Debug)]
+pub struct Letters {
+    /// Names of the letters.
+    pub names: Vec<String>,
+    /// A, B, C and D, row by row.
+    pub matrices: [Vec<Vec<Entry>>; 4],
+}
+
+/// Linear system of a steady motion, with these numbers kept as letters: names of the state file, or parameters. It is
+/// proved that the motion is steady for all of their values.
+///
+/// # Errors
+/// [`Error`] if there are no such letters, if the motion is steady only for some of their values, and if it is known by
+/// numbers alone.
+pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[String]) -> Result<Letters, Error> {
+    let question = Question::new(model, asked, &found.inputs)?;
+    let symbols = letters.iter().map(|name| letter(model, asked, name)).collect::<Result<Vec<Expr>, Error>>()?;
+    for at in &asked.sought {
+        let moved = (found.steady.x[*at] - asked.x[*at]).hi().abs();
+        if moved.is_nan() || moved > AS_GUESSED * asked.x[*at].hi().abs().max(1.0) {
+            let what = format!(
+                "`{}` was solved for, and there is no formula of it in {}",
+                question.names[*at],
+                letters.join(", ")
+            );
+            return Err(Error::request(what, "state it as a formula, or leave the letters out"));
+        }
+    }
+    let parameters = model.parameters.iter().zip(&asked.rational).zip(&asked.parameters);
+    let (mut numbers, mut known) = (Vec::new(), Vec::new());
+    for ((parameter, exact), value) in parameters {
+        // An input has a value, too: its slope is taken before the value is put in.
+        if let (false, Some(exact)) = (symbols.contains(&parameter.symbol), exact) {
+            numbers.push((parameter.symbol, exact.clone()));
+        }
+        if !symbols.contains(&parameter.symbol) {
+            known.push((parameter.symbol, *value));
+        }
+    }
+    known.extend(
+        asked.names.iter().filter(|(_, symbol, _)| !symbols.contains(symbol)).map(|(_, symbol, x)| (*symbol, *x)),
+    );
+    let inputs = model.parameters.iter().filter(|p| found.inputs.contains(&p.name)).map(|p| p.symbol).collect();
+    let outputs = question.output_terms.clone();
+    let stated = Stated { numbers, states: asked.formulas.clone(), inputs, outputs };
+    let chosen = question.chosen(found);
+    let mut system = question.flow.in_letters(&stated, &chosen).map_err(|why| refused(&why, letters))?;
+    let matrices = system.matrices.clone();
+    let matrices = matrices.map(|matrix| {
+        matrix.iter().map(|row| row.iter().map(|e| entry(&mut system, *e, &symbols, &known)).collect()).collect()
+    });
+    Ok(Letters { names: letters.to_vec(), matrices })
+}
+
+fn refused(why: &NotInLetters, letters: &[String]) -> Error {
+    let letters = letters.join(", ");
+    match why {
+        NotInLetters::NotSteady => Error::request(
+            format!("the motion is not proved to be steady for every value of {letters}"),
+            "state what changes with them as formulas, or leave the letters out",
+        ),
+        NotInLetters::Singular => {
+            Error::Stopped(format!("the linear system has no value for general values of {letters}"))
+        }
+    }
+}
+
+/// Symbol of the letter with this name.
+fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error> {
+    let own = asked.names.iter().map(|(own, symbol, _)| (own.as_str(), *symbol));
+    let all: Vec<(&str, Expr)> = own.chain(model.parameters.iter().map(|p| (p.name.as_str(), p.symbol))).collect();
+    all.iter().find(|(known, _)| known == name).map(|(_, symbol)| *symbol).ok_or_else(|| {
+        let help = tripos_derive::diagnostic::nearest(name, all.iter().map(|(known, _)| *known));
+        Error::request(format!("there is no `{name}` among the parameters and the names of the state file"), help)
+    })
+}
+
+fn entry(system: &mut InLetters, e: Expr, letters: &[Expr], known: &[(Expr, DoubleDouble)]) -> Entry {
+    let polynomial = if let [letter] = letters { system.polynomial(e, *letter, known) } else { None };
+    let polynomial = polynomial.map(|list| list.iter().map(|c| c.hi()).collect());
+    polynomial.map_or_else(|| Entry::Formula(view_of(&system.arena, e)), Entry::Polynomial)
+}
+
+impl Entry {
+    /// True if the entry is 0 for every value of the letters.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        matches!(self, Self::Polynomial(list) if list.iter().all(|c| c.abs() <= 0.0))
+    }
+
+    /// Text in the language of model files, with numbers in shortest decimals.
+    #[must_use]
+    pub fn text(&self, letter: &str) -> String {
+        text_of(&self.view(letter, &|x| x.to_string()))
+    }
+
+    /// View of the entry, for any notation; `decimals` writes numbers that are not negative.
+    #[must_use]
+    pub fn view(&self, letter: &str, decimals: &dyn Fn(f64) -> String) -> View {
+        let coefficients = match self {
+            Self::Formula(view) => return view.clone(),
+            Self::Polynomial(coefficients) => coefficients,
+        };
+        let term = |(power, c): (usize, &f64)| {
+            let number = View::Number(decimals(c.abs()));
+            let name = View::Name(letter.to_owned());
+            let term = match i32::try_from(power) {
+                Ok(0) => number,
+                Ok(1) => View::Product(vec![number, name]),
+                power => View::Product(vec![number, View::Power(Box::new(name), power.unwrap_or(i32::MAX))]),
+            };
+            (*c < 0.0, term)
+        };
+        let terms: Vec<(bool, View)> =
+            coefficients.iter().enumerate().filter(|(_, c)| c.abs() > 0.0).map(term).collect();
+        if terms.is_empty() { View::Number("0".to_owned()) } else { View::Sum(terms) }
+    }
+}
+
+impl Question {
+    /// Choices of a numeric elimination, which an exact one repeats.
+    fn chosen(&self, found: &About) -> Chosen {
+        let (values, _) = self.program.evaluate(&self.wide, &self.parameters, &found.steady.x, &[]);
+        let carriers = found.steady.carriers();
+        let fields: Vec<Vec<DoubleDouble>> = carriers.iter().map(|at| values.symmetries[*at].clone()).collect();
+        let all: Vec<usize> = (0..self.names.len()).collect();
+        let (rows, columns) = pivots(&Wide::from_columns(self.names.len(), &fields).rounded(), &[&all]);
+        Chosen {
+            kept: found.system.kept.clone(),
+            closed: found.system.closed.clone(),
+            shifted: found.system.shifted.clone(),
+            symmetries: found.system.symmetries.clone(),
+            carried: (rows, columns.into_iter().map(|column| carriers[column]).collect()),
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! A steady motion over two numbers.
+
+use crate::studies::steady::Question;
+use crate::studies::steady::along::{Course, along};
+use crate::{Error, Mechanism};
+use tripos_derive::scene::Asked;
+
+/// A steady motion over two numbers: its course along the first, for each value of the second.
+#[derive(Clone, Debug)]
+pub struct Map {
+    /// Values of the second number, each with the course there, or the reason why there is none.
+    pub rows: Vec<(f64, Result<Course, Error>)>,
+}
+
+/// Follows a steady motion over values of one number of the state file, for each value of another. `asked` gives the
+/// request at both.
+///
+/// # Errors
+/// [`Error`] as [`crate::studies::steady::follow`], if there is no steady motion to begin with at any of the second values.
+pub fn map(
+    model: &Mechanism,
+    asked: &mut dyn FnMut(f64, f64) -> Result<Asked, Error>,
+    (first, second): (&[f64], &[f64]),
+) -> Result<Map, Error> {
+    let mut rows = Vec::with_capacity(second.len());
+    let (Some(start), Some(row)) = (first.first(), second.first()) else { return Ok(Map { rows }) };
+    let mut question = Question::new(model, &asked(*start, *row)?, &[])?;
+    let mut refused = None;
+    for value in second {
+        let course = along((model, &mut question), &mut |at| asked(at, *value), first);
+        if let Err(error) = &course {
+            refused.get_or_insert_with(|| error.clone());
+        }
+        rows.push((*value, course));
+    }
+    match refused {
+        Some(error) if rows.iter().all(|(_, course)| course.is_err()) => Err(error),
+        _ => Ok(Map { rows }),
+    }
+}

@@ -1,0 +1,170 @@
+//! Equilibria, steady motions and the linear systems near them, by the exact slopes of a mechanism's equations in 32
+//! digits.
+//!
+//! A steady motion is one that the symmetries of the mechanism carry along: x' = f(x) is a combination Σ c ζ(x) of its
+//! symmetries ([`tripos_derive::flow`]). So every quantity that the symmetries leave unchanged is constant. Rest is the
+//! case c = 0. Differences from a steady motion, in the frame that moves along, obey d' = (Df − Σ c Dζ) d. The states
+//! that the symmetries shift are left out (J. E. Marsden, Lectures on Mechanics, 1992, chapter 5: relative equilibria).
+
+mod about;
+mod along;
+mod complex;
+mod conditions;
+mod control;
+mod dense;
+mod eigen;
+mod family;
+mod letters;
+mod map;
+mod newton;
+mod poles;
+mod quotient;
+mod schur;
+mod search;
+mod verdict;
+
+pub use about::{About, Wanted, linearise};
+pub use along::{Course, Crossing, CrossingKind, Point, follow};
+pub use conditions::{ClosedForm, Conditions, Formula, Solved, Told, Velocity, conditions};
+pub use control::{Transfer, reached};
+pub use dense::Wide;
+pub use eigen::{Mode, modes};
+pub use letters::{Entry, Letters, in_letters};
+pub use map::{Map, map};
+pub use newton::{Steady, Unknowns};
+pub use quotient::Quotient;
+pub use search::{Found, equilibria};
+pub use verdict::Stability;
+
+use crate::{Error, Mechanism};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::flow::{Flow, Program};
+use tripos_derive::prove::IntegralKind;
+use tripos_derive::scene::Asked;
+use tripos_traits::DoubleDouble;
+
+/// Steady motions of a mechanism at given parameters: its equations, and the functions that are asked for.
+pub struct Question {
+    /// Equations of first order.
+    pub flow: Flow,
+    /// Names of the states: coordinates, then speeds.
+    pub names: Vec<String>,
+    /// Number of coordinates among the states.
+    pub coordinates: usize,
+    /// Index of time among the states; `None` if the model does not name it.
+    pub(crate) time: Option<usize>,
+    /// Index of the shift of time among the symmetries: it carries every state along at the rate 1.
+    pub(crate) by_time: Option<usize>,
+    /// Names of the loops.
+    loops: Vec<String>,
+    /// Flags of the states that are angles.
+    is_angle: Vec<bool>,
+    /// Indices of the parameters that are inputs.
+    inputs: Vec<usize>,
+    /// Names of the outputs.
+    outputs: Vec<String>,
+    /// Terms of the outputs in states.
+    output_terms: Vec<Expr>,
+    /// Program of all functions that are computed at a state.
+    program: Program,
+    /// Test for states at which the equations are singular.
+    poles: poles::Poles,
+    /// Tape of the program in 32 digits.
+    wide: Tape<DoubleDouble>,
+    /// Values of the parameters.
+    parameters: Vec<DoubleDouble>,
+}
+
+impl Question {
+    /// Prepares a model with the numbers of a state file, for these inputs: parameters by name, or all inputs of the
+    /// model if none is named.
+    ///
+    /// # Errors
+    /// [`Error`] if the model cannot be derived, depends on time, or lacks one of the inputs or outputs.
+    pub fn new(model: &Mechanism, asked: &Asked, inputs: &[String]) -> Result<Self, Error> {
+        let inputs = places(model, inputs)?;
+        let symbols: Vec<Expr> = inputs.iter().map(|at| model.parameters[*at].symbol).collect();
+        let mut flow = steady_flow(model)?;
+        let values: Vec<Expr> = asked.outputs.iter().map(|output| flow.in_states(model, output.value)).collect();
+        let program = flow.program(&symbols, &values).map_err(|unknown| {
+            let what = format!("`{}` has no value in coordinates, speeds and parameters", unknown.0);
+            Error::request(what, "ask for coordinates, speeds, their rates and energies")
+        })?;
+        let poles = poles::Poles::new(model, &flow).map_err(|unknown| {
+            Error::request(
+                format!("`{}` has no value at a state", unknown.0),
+                "report this: the model was derived with it",
+            )
+        })?;
+        let names = model.coordinates.iter().map(|c| c.name.clone());
+        Ok(Self {
+            poles,
+            names: names.chain(model.speeds.iter().map(|s| s.name.clone())).collect(),
+            coordinates: model.coordinates.len(),
+            time: model.time(),
+            by_time: flow.by_time(model),
+            loops: model.loops.iter().chain(&model.closed).map(|c| c.name.clone()).collect(),
+            is_angle: model
+                .coordinates
+                .iter()
+                .map(|c| c.unit.is_plain())
+                .chain(model.speeds.iter().map(|_| false))
+                .collect(),
+            inputs,
+            outputs: asked.outputs.iter().map(|output| output.name.clone()).collect(),
+            output_terms: values,
+            wide: program.tape().to(),
+            program,
+            parameters: asked.parameters.clone(),
+            flow,
+        })
+    }
+
+    /// True if coordinates change at a state, by its speeds or at given rates.
+    pub(crate) fn moves_at(&self, x: &[DoubleDouble]) -> bool {
+        let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
+        let (values, _) = self.program.evaluate(self.program.tape(), &doubles(&self.parameters), &doubles(x), &[]);
+        let speeds = x[self.coordinates..].iter().any(|u| u.hi().abs() > 0.0);
+        let goes_on = |(at, rate): (usize, &f64)| Some(at) != self.time && rate.abs() > 0.0;
+        speeds || values.flow[..self.coordinates].iter().enumerate().any(goes_on)
+    }
+
+    /// Sets other values of the parameters.
+    pub fn at(&mut self, parameters: &[DoubleDouble]) {
+        self.parameters = parameters.to_vec();
+    }
+}
+
+/// Equations of a model that moves. They do not depend on time, though the model may name it.
+fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
+    model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")?;
+    let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
+    let Some(time) = model.time() else { return Ok(flow) };
+    if flow.by_time(model).is_some() {
+        // A rotation by a drive in time is the shift of time itself.
+        flow.symmetries.retain(|field| field.kind == IntegralKind::Coordinate(time) || field.along[time] == Expr::ZERO);
+        return Ok(flow);
+    }
+    let names: Vec<&String> =
+        model.coordinates.iter().map(|c| &c.name).chain(model.speeds.iter().map(|s| &s.name)).collect();
+    let what = flow.depends_on_time(model).map_or("closed loops".to_owned(), |at| format!("{}'", names[at]));
+    let what = format!("{what} depends on the time t explicitly: the model has no steady motion");
+    let help = "leave out of the model, or of [inputs], what names `t`; what is driven at a constant rate may name it where the \
+                equations do not depend on it";
+    Err(Error::request(what, help))
+}
+
+/// Indices of these parameters, or of all inputs of the model if none is named.
+fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
+    if names.is_empty() {
+        return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());
+    }
+    let place = |name: &String| {
+        model.parameters.iter().position(|p| p.name == *name).ok_or_else(|| {
+            let help = tripos_derive::diagnostic::nearest(name, model.parameters.iter().map(|p| p.name.as_str()));
+            Error::request(format!("the model has no input `{name}`"), help)
+        })
+    };
+    names.iter().map(place).collect()
+}

@@ -1,0 +1,101 @@
+//! States at which the equations of a mechanism are singular by themselves: speeds do not determine the rates of
+//! coordinates, or some speeds have no inertia.
+
+use crate::Error;
+use crate::Mechanism;
+use crate::studies::steady::newton::Steady;
+use nalgebra::DMatrix;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::calculus::Differential;
+use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
+use tripos_derive::algebra::print::text;
+use tripos_derive::flow::Flow;
+use tripos_traits::DoubleDouble;
+
+/// Least distance of a state from a zero of a divisor, relative to its size or 1. Newton's method finds a state at such
+/// a zero only to half or a third of the digits, and slopes near it grow as the distance falls.
+const NEAR: f64 = 1e-7;
+/// Least eigenvalue of a mass matrix with the diagonal 1 below which the matrix is singular.
+const SINGULAR: f64 = 1e-12;
+
+/// Divisors and mass matrix of a mechanism, computed at a state.
+pub(super) struct Poles {
+    divisors: Vec<String>,
+    speeds: Vec<String>,
+    /// Tape of the divisors, their slopes along all states, and the mass matrix row by row.
+    tape: Tape,
+}
+
+impl Poles {
+    /// Prepares the divisors and the mass matrix of a flow.
+    ///
+    /// # Errors
+    /// [`UnknownSymbol`] if a divisor has no value in states and parameters.
+    pub(super) fn new(model: &Mechanism, flow: &Flow) -> Result<Self, UnknownSymbol> {
+        let mut arena = flow.arena.clone();
+        let mut slopes = Vec::new();
+        for divisor in &flow.divisors {
+            slopes.extend(flow.states.iter().map(|x| Differential::partial(*x).apply(&mut arena, *divisor)));
+        }
+        let inertia: Vec<Expr> = flow.inertia.iter().flatten().copied().collect();
+        let symbols = [&flow.parameters[..], &flow.states].concat();
+        let outputs = [flow.divisors.clone(), slopes, inertia].concat();
+        Ok(Self {
+            divisors: flow.divisors.iter().map(|divisor| text(&arena, *divisor)).collect(),
+            speeds: model.speeds.iter().map(|s| s.name.clone()).collect(),
+            tape: Tape::new(&arena, &symbols, &outputs)?,
+        })
+    }
+
+    /// Refuses a state that is singular, or too near a singular one for slopes to tell anything.
+    ///
+    /// # Errors
+    /// [`Error::Request`] that names the singular divisor or the speeds without inertia.
+    pub(super) fn refuse(&self, parameters: &[DoubleDouble], steady: &Steady) -> Result<(), Error> {
+        let known: Vec<f64> = parameters.iter().chain(&steady.x).map(|x| x.hi()).collect();
+        let values = self.tape.evaluate(&known);
+        let (divisors, rest) = values.split_at(self.divisors.len());
+        let (slopes, inertia) = rest.split_at(self.divisors.len() * steady.x.len());
+        let near = NEAR.max(10.0 * steady.uncertain);
+        for ((name, value), slopes) in self.divisors.iter().zip(divisors).zip(slopes.chunks(steady.x.len().max(1))) {
+            let reach = slopes.iter().zip(&steady.x).map(|(slope, x)| slope.abs() * x.hi().abs().max(1.0)).sum::<f64>();
+            // NaN is refused as well.
+            if value.is_nan() || value.abs() <= near * reach || value.abs() <= 0.0 {
+                let what = format!(
+                    "the equations are singular at this state: they divide by {name}, which is {value:.1e} there, and slopes have no bound"
+                );
+                let help = "choose speeds that determine the rates of all coordinates there, or coordinates that have no pole there, or another \
+                            state";
+                return Err(Error::request(what, help));
+            }
+        }
+        self.has_inertia(inertia)
+    }
+
+    /// Refuses a mass matrix that is singular.
+    fn has_inertia(&self, inertia: &[f64]) -> Result<(), Error> {
+        let n = self.speeds.len();
+        let size = |at: usize| inertia[at * n + at].abs().sqrt();
+        let empty = (0..n).find(|at| size(*at) <= 0.0 || !size(*at).is_finite());
+        let moved = match empty {
+            Some(at) => self.speeds[at].clone(),
+            None => {
+                let scaled = DMatrix::from_fn(n, n, |i, j| inertia[i * n + j] / (size(i) * size(j)));
+                let symmetric = (&scaled + scaled.transpose()) / 2.0;
+                if symmetric.iter().any(|x| !x.is_finite()) {
+                    return Ok(());
+                }
+                let eigen = symmetric.symmetric_eigen();
+                let least = eigen.eigenvalues.iamin();
+                if eigen.eigenvalues[least].abs() > SINGULAR {
+                    return Ok(());
+                }
+                let parts = eigen.eigenvectors.column(least);
+                let taking_part = self.speeds.iter().zip(parts.iter()).filter(|(_, part)| part.abs() > 0.1);
+                taking_part.map(|(name, _)| name.clone()).collect::<Vec<_>>().join(", ")
+            }
+        };
+        let what = format!("the mass matrix is singular at this state: nothing resists a change of {moved}");
+        Err(Error::request(what, "give an inertia to what moves there, or choose other speeds or another state"))
+    }
+}

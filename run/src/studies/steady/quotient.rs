@@ -1,0 +1,231 @@
+//! Linear system near a steady motion, with the loops closed and without the states that symmetries shift.
+
+use crate::Error;
+use crate::studies::steady::Question;
+use crate::studies::steady::dense::{Wide, least, null_space};
+use crate::studies::steady::newton::Steady;
+use nalgebra::{DMatrix, DVector};
+use tripos_derive::flow::Rates;
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Pivot, relative to the largest entry of its column, below which columns are dependent.
+const DEPENDENT: f64 = 1e-9;
+
+/// Linear system d' = A d + B r, y = C d + D r, in the states that are kept.
+#[derive(Clone, Debug)]
+pub struct Quotient {
+    /// Indices of the states that are kept.
+    pub kept: Vec<usize>,
+    /// Indices of the states that the loops determine.
+    pub closed: Vec<usize>,
+    /// Indices of the states that symmetries shift, and on which no kept state depends.
+    pub shifted: Vec<usize>,
+    /// Indices of the symmetries that shift these states, where no output tells them apart.
+    pub(super) symmetries: Vec<usize>,
+    /// A, in the order of `kept`.
+    pub a: Wide,
+    /// B, one column per input.
+    pub b: Wide,
+    /// C, one row per output.
+    pub c: Wide,
+    /// D, one row per output and one column per input.
+    pub d: Wide,
+}
+
+impl Question {
+    /// Linear system near a state that the symmetries carry along; `whole` keeps the states that these shift.
+    pub(super) fn quotient(&self, steady: &Steady, whole: bool) -> Result<Quotient, Error> {
+        let sizes = self.program.sizes;
+        let (values, slopes) = self.program.all_slopes(&self.wide, &self.parameters, &steady.x);
+        let (by_state, by_input) = slopes.split_at(sizes.states);
+        let moving = |slope: &Rates<DoubleDouble>| {
+            let mut column = slope.flow.clone();
+            for (c, zeta) in steady.along.iter().zip(&slope.symmetries) {
+                column.iter_mut().zip(zeta).for_each(|(rate, component)| *rate = *rate - *c * *component);
+            }
+            column
+        };
+        let columns = |list: &[Rates<DoubleDouble>]| list.iter().map(moving).collect::<Vec<_>>();
+        let outputs = |list: &[Rates<DoubleDouble>]| {
+            let list: Vec<_> = list.iter().map(|slope| slope.outputs.clone()).collect();
+            Wide::from_columns(sizes.outputs, &list)
+        };
+        let loops = |list: &[Rates<DoubleDouble>]| {
+            let list: Vec<_> = list.iter().map(|slope| slope.loops[..sizes.ties].to_vec()).collect();
+            Wide::from_columns(sizes.ties, &list)
+        };
+        let all = Quotient {
+            kept: (0..sizes.states).collect(),
+            closed: Vec::new(),
+            shifted: Vec::new(),
+            symmetries: Vec::new(),
+            a: Wide::from_columns(sizes.states, &columns(by_state)),
+            b: Wide::from_columns(sizes.states, &columns(by_input)),
+            c: outputs(by_state),
+            d: outputs(by_input),
+        };
+        let is_finite = |wide: &Wide| wide.rows.iter().flatten().all(|x| x.is_finite());
+        if ![&all.a, &all.b, &all.c, &all.d].into_iter().all(is_finite) {
+            return Err(Error::Stopped("a slope has no value that a number can hold at this state".to_owned()));
+        }
+        let (closed, symmetries) = all.on_loops(&loops(by_state), &loops(by_input), &values.symmetries)?;
+        // A shift of time is no difference from the motion, even where differences along symmetries are kept.
+        let left_out: Vec<usize> = (0..sizes.symmetries).filter(|at| !whole || Some(*at) == self.by_time).collect();
+        Ok(closed.without(&symmetries, &left_out, self.coordinates))
+    }
+}
+
+impl Quotient {
+    /// Restricts the system and the symmetries to states where the loops are closed. `slopes` and `by_input` are the
+    /// slopes of the loops along states and inputs.
+    fn on_loops(self, slopes: &Wide, by_input: &Wide, symmetries: &[Vec<DoubleDouble>]) -> Result<(Self, Wide), Error> {
+        let fields = Wide::from_columns(self.kept.len(), symmetries);
+        if slopes.rows.is_empty() {
+            return Ok((self, fields));
+        }
+        let columns: Vec<usize> = (0..slopes.columns()).collect();
+        let (found, rows) = pivots(&slopes.rounded().transpose(), &[&columns]);
+        if rows.len() < slopes.rows.len() {
+            let why = "this is a singular pose: the slopes of its loops are dependent, and do not tell how it moves";
+            return Err(Error::Stopped(why.to_owned()));
+        }
+        let rest: Vec<usize> = columns.iter().copied().filter(|at| !found.contains(at)).collect();
+        let all: Vec<usize> = (0..slopes.rows.len()).collect();
+        let singular = || Error::Stopped("this is a singular pose: its loops cannot be solved for".to_owned());
+        // The closed states follow the kept states, and inputs on which the loops depend.
+        let follow = |open: &Wide| {
+            let open = Wide::zeros(open.rows.len(), open.columns()).plus(-1.0, &identity(open.rows.len()), open);
+            slopes.part(&all, &found).solve(&open).ok_or_else(singular)
+        };
+        let (follows, follows_inputs) = (follow(&slopes.part(&all, &rest))?, follow(by_input)?);
+        let inputs: Vec<usize> = (0..self.b.columns()).collect();
+        let outputs: Vec<usize> = (0..self.c.rows.len()).collect();
+        let every: Vec<usize> = (0..fields.columns()).collect();
+        let on = Self {
+            a: self.a.part(&rest, &rest).plus(1.0, &self.a.part(&rest, &found), &follows),
+            b: self.b.part(&rest, &inputs).plus(1.0, &self.a.part(&rest, &found), &follows_inputs),
+            c: self.c.part(&outputs, &rest).plus(1.0, &self.c.part(&outputs, &found), &follows),
+            d: self.d.plus(1.0, &self.c.part(&outputs, &found), &follows_inputs),
+            kept: rest.clone(),
+            closed: found,
+            shifted: self.shifted,
+            symmetries: self.symmetries,
+        };
+        Ok((on, fields.part(&rest, &every)))
+    }
+
+    /// Removes the states that these symmetries shift, as far as no output shows them.
+    fn without(self, symmetries: &Wide, left_out: &[usize], coordinates: usize) -> Self {
+        let every: Vec<usize> = (0..self.kept.len()).collect();
+        let symmetries = &symmetries.part(&every, left_out);
+        let hidden = self.hidden(&symmetries.rounded());
+        let fields = combined(symmetries, &hidden);
+        let (places, speeds): (Vec<usize>, Vec<usize>) =
+            (0..self.kept.len()).partition(|at| self.kept[*at] < coordinates);
+        let (out, columns) = pivots(&fields.rounded(), &[&places, &speeds]);
+        if out.is_empty() {
+            return self;
+        }
+        let rest: Vec<usize> = (0..self.kept.len()).filter(|at| !out.contains(at)).collect();
+        let size = out.len();
+        // H G_out = G_rest, by rows: G_outᵀ Hᵀ = G_restᵀ.
+        let transposed = |rows: &[usize]| {
+            let part = fields.part(rows, &columns);
+            Wide { rows: (0..size).map(|c| part.rows.iter().map(|row| row[c]).collect()).collect() }
+        };
+        let Some(shares) = transposed(&out).solve(&transposed(&rest)) else { return self };
+        let shares = Wide { rows: (0..rest.len()).map(|r| shares.rows.iter().map(|row| row[r]).collect()).collect() };
+        let inputs: Vec<usize> = (0..self.b.columns()).collect();
+        let outputs: Vec<usize> = (0..self.c.rows.len()).collect();
+        Self {
+            a: self.a.part(&rest, &rest).plus(-1.0, &shares, &self.a.part(&out, &rest)),
+            b: self.b.part(&rest, &inputs).plus(-1.0, &shares, &self.b.part(&out, &inputs)),
+            c: self.c.part(&outputs, &rest),
+            d: self.d,
+            shifted: out.iter().map(|at| self.kept[*at]).collect(),
+            symmetries: columns.iter().map(|column| left_out[*column]).collect(),
+            kept: rest.iter().map(|at| self.kept[*at]).collect(),
+            closed: self.closed,
+        }
+    }
+
+    /// Combinations of symmetries that no output shows, now or later: the largest subspace within ker C that A leaves
+    /// invariant.
+    fn hidden(&self, fields: &DMatrix<f64>) -> DMatrix<f64> {
+        let count = fields.ncols();
+        let seen = self.c.rounded();
+        let mut basis = DMatrix::identity(count, count);
+        if count == 0 || seen.nrows() == 0 {
+            return basis;
+        }
+        let moved = self.a.rounded() * fields;
+        // A G = G L.
+        let l: Vec<DVector<f64>> =
+            moved.column_iter().filter_map(|column| least(fields, &-column, DEPENDENT)).collect();
+        if l.len() < count {
+            return DMatrix::zeros(count, 0);
+        }
+        let l = DMatrix::from_columns(&l);
+        basis = &basis * null_space(&(seen * fields * &basis), DEPENDENT);
+        loop {
+            let outside = &l * &basis - &basis * (basis.transpose() * &l * &basis);
+            let next = &basis * null_space(&outside, DEPENDENT.sqrt());
+            if next.ncols() == basis.ncols() {
+                return basis;
+            }
+            basis = next;
+        }
+    }
+}
+
+fn identity(n: usize) -> Wide {
+    let mut one = Wide::zeros(n, n);
+    for (at, row) in one.rows.iter_mut().enumerate() {
+        row[at] = DoubleDouble::int(1);
+    }
+    one
+}
+
+/// Combines columns, fields · hidden. Columns that are not mixed stay the same, to the last digit.
+fn combined(fields: &Wide, hidden: &DMatrix<f64>) -> Wide {
+    let wide =
+        Wide { rows: hidden.row_iter().map(|row| row.iter().map(|x| DoubleDouble::from_f64(*x)).collect()).collect() };
+    Wide::zeros(fields.rows.len(), hidden.ncols()).plus(1.0, fields, &wide)
+}
+
+/// Rows and columns of a regular square part of full rank, after columns are scaled to one size. Rows of the first
+/// group are taken as long as there are any.
+pub fn pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<usize>) {
+    let mut left = matrix.clone();
+    for mut column in left.column_iter_mut() {
+        let size = column.amax();
+        if size > 0.0 {
+            column /= size;
+        }
+    }
+    let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+    for group in groups {
+        loop {
+            let mut best = (DEPENDENT, None);
+            for column in (0..left.ncols()).filter(|column| !columns.contains(column)) {
+                for row in group.iter().filter(|row| !rows.contains(row)) {
+                    // The first of equal entries, except for rounding.
+                    if left[(*row, column)].abs() > best.0 * (1.0 + 1e-6) {
+                        best = (left[(*row, column)].abs(), Some((*row, column)));
+                    }
+                }
+            }
+            let Some((row, column)) = best.1 else { break };
+            rows.push(row);
+            columns.push(column);
+            let pivot = left.column(column).into_owned();
+            for other in (0..left.ncols()).filter(|other| !columns.contains(other)) {
+                let factor = left[(row, other)] / pivot[row];
+                for at in 0..left.nrows() {
+                    left[(at, other)] -= factor * pivot[at];
+                }
+            }
+        }
+    }
+    (rows, columns)
+}

@@ -1,0 +1,183 @@
+//! The Schur form A = Q T Qᴴ of a real matrix in 32 digits, with its eigenvalues in any order.
+//!
+//! It is computed by the shifted QR iteration on a Hessenberg matrix (J. G. F. Francis, Comput. J. 4, 1961; J. H.
+//! Wilkinson, *The Algebraic Eigenvalue Problem*, 1965). Only rotations change A, so that T belongs to a matrix that
+//! differs from A by some 1e-31 of its size.
+
+use crate::studies::steady::complex::Complex;
+use crate::studies::steady::dense::Wide;
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// An entry below the diagonal counts as 0 below this fraction of its neighbours on the diagonal.
+const NOTHING: f64 = 1e-32;
+/// Largest number of steps of the iteration for one eigenvalue; after each `UNUSUAL` steps an unusual shift is taken.
+const MOST_STEPS: usize = 200;
+const UNUSUAL: usize = 12;
+
+/// A = Q T Qᴴ with a unitary Q and an upper triangular T.
+#[derive(Clone, Debug)]
+pub struct Schur {
+    /// T, row by row.
+    pub t: Vec<Vec<Complex>>,
+    /// Q, row by row.
+    pub q: Vec<Vec<Complex>>,
+}
+
+/// A unitary matrix of two rows and columns that takes (a, b) to (r, 0).
+struct Rotation([[Complex; 2]; 2]);
+
+impl Rotation {
+    fn new(a: Complex, b: Complex) -> Self {
+        let size = (a.squared_norm() + b.squared_norm()).sqrt();
+        let one = Complex::from_f64(1.0);
+        if size.hi() <= 0.0 {
+            return Self([[one, Complex::default()], [Complex::default(), one]]);
+        }
+        let inverse = DoubleDouble::int(1) / size;
+        Self([[a.conj().scaled(inverse), b.conj().scaled(inverse)], [(-b).scaled(inverse), a.scaled(inverse)]])
+    }
+
+    /// Computes G M on rows k and k + 1, from a column on.
+    fn rows(&self, m: &mut [Vec<Complex>], k: usize, from: usize) {
+        let (above, below) = m.split_at_mut(k + 1);
+        for (x, y) in above[k][from..].iter_mut().zip(&mut below[0][from..]) {
+            (*x, *y) = (self.0[0][0] * *x + self.0[0][1] * *y, self.0[1][0] * *x + self.0[1][1] * *y);
+        }
+    }
+
+    /// Computes M Gᴴ on columns k and k + 1, for the first rows.
+    fn columns(&self, m: &mut [Vec<Complex>], k: usize, rows: usize) {
+        let [[a, b], [c, d]] = self.0.map(|row| row.map(Complex::conj));
+        for row in &mut m[..rows] {
+            (row[k], row[k + 1]) = (row[k] * a + row[k + 1] * b, row[k] * c + row[k + 1] * d);
+        }
+    }
+}
+
+impl Schur {
+    /// Schur form of a square matrix; `None` where the iteration does not end, or an entry is not finite.
+    #[must_use]
+    pub fn new(a: &Wide) -> Option<Self> {
+        let n = a.rows.len();
+        let t: Vec<Vec<Complex>> = a.rows.iter().map(|row| row.iter().map(|x| Complex::real(*x)).collect()).collect();
+        if t.iter().flatten().any(|x| !x.is_finite()) {
+            return None;
+        }
+        let unit = |i| (0..n).map(|j| Complex::from_f64(f64::from(u8::from(i == j)))).collect();
+        let mut form = Self { t, q: (0..n).map(unit).collect() };
+        form.reduce();
+        let size = a.rounded().norm();
+        let mut last = n.saturating_sub(1);
+        let mut steps = 0;
+        while last > 0 {
+            let first = form.split(last, size);
+            if first == last {
+                (last, steps) = (last - 1, 0);
+                continue;
+            }
+            steps += 1;
+            if steps > MOST_STEPS {
+                return None;
+            }
+            let shift = form.shift(last, steps % UNUSUAL == 0);
+            form.step(first, last, shift);
+        }
+        Some(form)
+    }
+
+    /// Removes the entries below the first subdiagonal.
+    fn reduce(&mut self) {
+        let n = self.t.len();
+        for column in 0..n.saturating_sub(2) {
+            for k in (column + 1..n - 1).rev() {
+                if self.t[k + 1][column].norm() > 0.0 {
+                    let rotation = Rotation::new(self.t[k][column], self.t[k + 1][column]);
+                    self.turn(&rotation, k, column, n);
+                    self.t[k + 1][column] = Complex::default();
+                }
+            }
+        }
+    }
+
+    /// Computes G T Gᴴ and Q Gᴴ, with rows and columns k and k + 1.
+    fn turn(&mut self, rotation: &Rotation, k: usize, from: usize, rows: usize) {
+        rotation.rows(&mut self.t, k, from);
+        rotation.columns(&mut self.t, k, rows);
+        let n = self.q.len();
+        rotation.columns(&mut self.q, k, n);
+    }
+
+    /// Index at which the part that ends with `last` begins: the entry beside it below the diagonal is 0.
+    fn split(&mut self, last: usize, size: f64) -> usize {
+        let t = &mut self.t;
+        for k in (1..=last).rev() {
+            let beside = t[k - 1][k - 1].norm() + t[k][k].norm();
+            let beside = if beside > 0.0 { beside } else { size };
+            if t[k][k - 1].norm() <= NOTHING * beside {
+                t[k][k - 1] = Complex::default();
+                return k;
+            }
+        }
+        0
+    }
+
+    /// Shift of the iteration: the eigenvalue of the last two rows that is nearest to their last entry.
+    fn shift(&self, last: usize, is_unusual: bool) -> Complex {
+        let t = &self.t;
+        let (a, b, c, d) = (t[last - 1][last - 1], t[last - 1][last], t[last][last - 1], t[last][last]);
+        if is_unusual {
+            return d + Complex::from_f64(c.norm());
+        }
+        let half = DoubleDouble::from_f64(0.5);
+        let difference = (a - d).scaled(half);
+        let root = (difference * difference + b * c).sqrt();
+        let [plus, minus] = [difference + root, difference - root];
+        let larger = if plus.norm() >= minus.norm() { plus } else { minus };
+        if larger.norm() > 0.0 { d - b * c / larger } else { d }
+    }
+
+    /// Takes a step of the iteration on the rows from `first` to `last`.
+    fn step(&mut self, first: usize, last: usize, shift: Complex) {
+        let n = self.t.len();
+        let mut rotations = Vec::with_capacity(last - first);
+        for k in first..=last {
+            self.t[k][k] = self.t[k][k] - shift;
+        }
+        for k in first..last {
+            let rotation = Rotation::new(self.t[k][k], self.t[k + 1][k]);
+            rotation.rows(&mut self.t, k, k);
+            self.t[k + 1][k] = Complex::default();
+            rotations.push(rotation);
+        }
+        for (k, rotation) in (first..).zip(&rotations) {
+            rotation.columns(&mut self.t, k, k + 2);
+            rotation.columns(&mut self.q, k, n);
+        }
+        for k in first..=last {
+            self.t[k][k] = self.t[k][k] + shift;
+        }
+    }
+
+    /// The eigenvalues, in the order of the diagonal.
+    #[must_use]
+    pub fn eigenvalues(&self) -> Vec<Complex> {
+        self.t.iter().enumerate().map(|(at, row)| row[at]).collect()
+    }
+
+    /// This form, reordered so that the eigenvalues at these places come first.
+    #[must_use]
+    pub fn with_first(&self, places: &[usize]) -> Self {
+        let mut form = self.clone();
+        let mut places = places.to_vec();
+        places.sort_unstable();
+        for (target, place) in places.into_iter().enumerate() {
+            for k in (target..place).rev() {
+                let difference = form.t[k + 1][k + 1] - form.t[k][k];
+                let rotation = Rotation::new(form.t[k][k + 1], difference);
+                form.turn(&rotation, k, k, k + 2);
+                form.t[k + 1][k] = Complex::default();
+            }
+        }
+        form
+    }
+}

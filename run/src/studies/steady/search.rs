@@ -1,0 +1,172 @@
+//! Rest positions and steady motions near a guess, and from other starts.
+
+use crate::studies::steady::Question;
+use crate::studies::steady::about::About;
+use crate::studies::steady::newton::{Steady, Unknowns};
+use crate::{Error, Mechanism};
+use std::f64::consts::{PI, TAU};
+use tripos_derive::scene::Asked;
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Difference of two states, relative to their size or 1, below which they are one steady motion.
+const SAME: f64 = 1e-8;
+/// The first primes, in the bases of which starts are spread (J. H. Halton, Numer. Math. 2, 1960).
+const PRIMES: [u64; 24] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89];
+
+/// Advice if no steady motion is found.
+pub(super) const ELSEWHERE: &str =
+    "put what may change under [guess], begin from another state, or seek from more starts around it (--starts)";
+
+/// A steady motion that was found, with its linear system if there is one.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// State and velocities of the steady motion.
+    pub steady: Steady,
+    /// Linear system near it, or the reason why there is none.
+    pub about: Result<About, Error>,
+}
+
+/// Unknowns of a search: the states that the file guesses. If it guesses none, all coordinates where nothing moves at
+/// the guess, and all states where something does.
+#[must_use]
+pub fn unknowns(question: &Question, asked: &Asked) -> Unknowns {
+    let n = question.coordinates;
+    let moves = question.moves_at(&asked.x) || asked.sought.iter().any(|at| *at >= n);
+    let states = match (asked.sought.is_empty(), moves) {
+        (false, _) => asked.sought.clone(),
+        (true, false) => question.free_states().into_iter().filter(|at| *at < n).collect(),
+        (true, true) => question.free_states(),
+    };
+    Unknowns { states, moves }
+}
+
+/// Searches from a guess, in turn until something is found. First comes the request of the file. If that only closes
+/// loops, or is empty, the steady motion near the guess and rest beside it follow.
+fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unknowns)>> {
+    let n = question.coordinates;
+    let mut groups = Vec::new();
+    if !asked.sought.is_empty() {
+        groups.push(vec![(asked.x.clone(), unknowns(question, asked))]);
+        if asked.sought.len() > question.program.sizes.ties || asked.sought.iter().any(|at| *at >= n) {
+            return groups;
+        }
+    }
+    let mut at_rest = asked.x.clone();
+    at_rest[n..].iter_mut().for_each(|u| *u = DoubleDouble::int(0));
+    let places = question.free_states().into_iter().filter(|at| *at < n).collect();
+    let rest = (at_rest, Unknowns { states: places, moves: false });
+    let moving = question.moves_at(&asked.x) && !question.flow.symmetries.is_empty();
+    let steady = moving.then(|| (asked.x.clone(), Unknowns { states: question.free_states(), moves: true }));
+    groups.push(steady.into_iter().chain([rest]).collect());
+    groups
+}
+
+/// Finds rest positions and, if the guess moves, steady motions: the one that Newton's method finds from the guess,
+/// then others that it finds from `starts` starts around it.
+///
+/// # Errors
+/// [`Error`] if the model cannot be derived, or if no steady motion is found, with the residuals at the first guess.
+pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<Found>, Error> {
+    let mut question = Question::new(model, asked, &[])?;
+    let spread = Spread::new(model, asked);
+    let mut list: Vec<Steady> = Vec::new();
+    let mut nearest = None;
+    let tries = sought(&question, asked).into_iter().flat_map(|group| {
+        let last = group.len() - 1;
+        group.into_iter().enumerate().map(move |(at, what)| (what, at == last))
+    });
+    for ((x, unknowns), is_last) in tries {
+        let first = question.settle(&x, &unknowns);
+        let others = (1..=starts).map(|start| spread.start(&x, &unknowns.states, start));
+        let others: Vec<Steady> = others.map(|x| question.settle(&x, &unknowns)).collect();
+        for steady in std::iter::once(&first).chain(&others).filter(|steady| steady.is_steady()) {
+            if !list.iter().any(|known| is_same(model, known, steady)) {
+                list.push(steady.clone());
+            }
+        }
+        nearest.get_or_insert(first);
+        if is_last && !list.is_empty() {
+            break;
+        }
+    }
+    if let (true, Some(first)) = (list.is_empty(), nearest) {
+        return Err(question.unbalanced(&first, ELSEWHERE));
+    }
+    // The equations do not tell whether a singular state rests: it is given only if there is no other.
+    let is_regular = |steady: &Steady| question.poles.refuse(&question.parameters, steady).is_ok();
+    if list.iter().any(is_regular) {
+        list.retain(is_regular);
+    }
+    let mut found: Vec<Found> = Vec::new();
+    for steady in list {
+        let about = question.about(model, steady.clone(), false);
+        let is_known = found.iter().any(|known| is_shifted(model, known, &about));
+        if !is_known {
+            found.push(Found { steady, about });
+        }
+    }
+    Ok(found)
+}
+
+/// True if two states are one, angles being equal after whole turns.
+fn is_same(model: &Mechanism, a: &Steady, b: &Steady) -> bool {
+    (0..a.x.len()).all(|at| is_near(model, at, a.x[at].hi(), b.x[at].hi()))
+}
+
+fn is_near(model: &Mechanism, at: usize, a: f64, b: f64) -> bool {
+    let turns = model.coordinates.get(at).is_some_and(|c| c.unit.is_plain());
+    let difference = if turns { (a - b) - TAU * ((a - b) / TAU).round() } else { a - b };
+    difference.abs() <= SAME * a.abs().max(1.0)
+}
+
+/// True if one of them is the other, moved along symmetries: the states that these do not shift are equal.
+fn is_shifted(model: &Mechanism, known: &Found, new: &Result<About, Error>) -> bool {
+    let (Ok(a), Ok(b)) = (&known.about, new) else { return false };
+    a.system.kept == b.system.kept
+        && !a.system.shifted.is_empty()
+        && a.system
+            .kept
+            .iter()
+            .chain(&a.system.closed)
+            .all(|at| is_near(model, *at, a.steady.x[*at].hi(), b.steady.x[*at].hi()))
+}
+
+/// Range of the starts of a search.
+struct Spread {
+    /// Reach of coordinates and speeds to both sides: a half turn for angles, else twice the largest length or speed.
+    reach: Vec<f64>,
+}
+
+impl Spread {
+    fn new(model: &Mechanism, asked: &Asked) -> Self {
+        let is_length = |at: usize| model.parameters[at].unit.is_length();
+        let lengths = (0..model.parameters.len()).filter(|at| is_length(*at)).map(|at| asked.parameters[at].hi().abs());
+        let longest = lengths.fold(0.0_f64, f64::max);
+        let longest = if longest > 0.0 { longest } else { 1.0 };
+        let of_place = model.coordinates.iter().map(|c| if c.unit.is_plain() { PI } else { 2.0 * longest });
+        let speeds = &asked.x[model.coordinates.len()..];
+        let most = speeds.iter().fold(0.0_f64, |most, u| most.max(u.hi().abs())).max(1.0);
+        Self { reach: of_place.chain(speeds.iter().map(|_| 2.0 * most)).collect() }
+    }
+
+    /// Start of this number: the guess with the sought states moved, angles anywhere and the rest about the guess.
+    fn start(&self, guess: &[DoubleDouble], sought: &[usize], start: u64) -> Vec<DoubleDouble> {
+        let mut x = guess.to_vec();
+        for (place, at) in sought.iter().enumerate() {
+            let share = 2.0 * radical_inverse(start, PRIMES[place % PRIMES.len()]) - 1.0;
+            x[*at] = x[*at] + DoubleDouble::from_f64(self.reach[*at] * share);
+        }
+        x
+    }
+}
+
+/// Number from 0 to 1 whose digits in a base are those of `number` in reverse.
+fn radical_inverse(mut number: u64, base: u64) -> f64 {
+    let (mut value, mut digit) = (0.0, 1.0);
+    while number > 0 {
+        digit /= base as f64;
+        value += digit * (number % base) as f64;
+        number /= base;
+    }
+    value
+}

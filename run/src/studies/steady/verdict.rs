@@ -1,0 +1,120 @@
+//! Stability of a steady motion by its eigenvalues.
+
+use crate::studies::steady::Question;
+use crate::studies::steady::eigen::Mode;
+use crate::studies::steady::newton::Steady;
+use crate::studies::steady::quotient::Quotient;
+use tripos_derive::algebra::modular::{ZeroTest, zero_test};
+
+/// Stability of a steady motion by its linear system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stability {
+    /// Differences grow exponentially.
+    Unstable,
+    /// No difference grows exponentially, and some grow like this power of t, by Jordan blocks of eigenvalues on the
+    /// imaginary axis.
+    Grows(usize),
+    /// All differences die away.
+    Attracting,
+    /// All differences die away except those that lead to other motions of its family, which was found.
+    AttractingInFamily,
+    /// It is at rest at a strict minimum of the energy, and does not leave its neighbourhood (Lagrange, Dirichlet).
+    Energy,
+    /// No difference grows to first order, and some do not die away: terms of higher order decide.
+    FirstOrder,
+    /// An eigenvalue is so near the imaginary axis, or to another one there, that its digits do not tell.
+    Undecided,
+    /// The state is not steady: eigenvalues do not tell where motions near it go.
+    NotSteady,
+}
+
+impl Stability {
+    /// Name of the stability in JSON.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Unstable => "unstable",
+            Self::Grows(_) => "neutral, grows like a power of t",
+            Self::Attracting => "asymptotically stable",
+            Self::AttractingInFamily => "stable in its family",
+            Self::Energy => "stable",
+            Self::FirstOrder => "stable to first order",
+            Self::Undecided => "undecided to first order",
+            Self::NotSteady => "not steady",
+        }
+    }
+
+    /// Power of t like which differences grow; `None` if they do not grow so.
+    #[must_use]
+    pub const fn power(self) -> Option<usize> {
+        if let Self::Grows(power) = self { Some(power) } else { None }
+    }
+
+    /// Describes the stability in words.
+    #[must_use]
+    pub fn words(self) -> String {
+        let text = match self {
+            Self::Unstable => "unstable: small differences grow",
+            Self::Grows(power) => {
+                let like = if power == 1 { "t".to_owned() } else { format!("t^{power}") };
+                return format!(
+                    "neutral, and grows like {like}: to first order some differences grow without bound, though not exponentially \
+                     (a Jordan block of {} rows on the imaginary axis)",
+                    power + 1
+                );
+            }
+            Self::Attracting => "asymptotically stable: small differences die away",
+            Self::AttractingInFamily => {
+                "stable: small differences die away, but for those that lead to other motions of its family"
+            }
+            Self::Energy => "stable: the energy is a strict minimum there",
+            Self::FirstOrder => {
+                "stable to first order: nothing grows, some of it does not die away, and terms of higher order decide"
+            }
+            Self::Undecided => {
+                "undecided to first order: an eigenvalue is so near the imaginary axis, or to another one there, that its digits do not tell"
+            }
+            Self::NotSteady => "the state is not steady: eigenvalues do not tell where motions near it go",
+        };
+        text.to_owned()
+    }
+}
+
+impl Question {
+    /// Stability of a motion by its eigenvalues. `family` is the number of parameters of its family, as far as it was
+    /// found.
+    pub(super) fn stability(&mut self, steady: &Steady, system: &Quotient, modes: &[Mode], family: usize) -> Stability {
+        if !steady.is_steady() {
+            return Stability::NotSteady;
+        }
+        if modes.iter().any(|mode| mode.grows() && !mode.is_undecided) {
+            return Stability::Unstable;
+        }
+        if modes.iter().any(|mode| mode.is_undecided) {
+            return Stability::Undecided;
+        }
+        let neutral = || modes.iter().filter(|mode| mode.is_neutral());
+        let power = neutral().map(|mode| mode.power).max().unwrap_or(0);
+        match neutral().count() {
+            0 => Stability::Attracting,
+            _ if power > 0 => Stability::Grows(power),
+            count if count == family => Stability::AttractingInFamily,
+            _ if self.is_least(steady, system, modes) => Stability::Energy,
+            _ => Stability::FirstOrder,
+        }
+    }
+
+    /// True if a mechanism without friction, drive and gyroscopic forces rests at a strict minimum of its potential.
+    /// There, and only there, all of its eigenvalues are imaginary and none is 0.
+    fn is_least(&mut self, steady: &Steady, system: &Quotient, modes: &[Mode]) -> bool {
+        let [_, _, power] = self.flow.energies;
+        let power = self.flow.behind(&[power]);
+        let is_conservative = zero_test(&self.flow.arena, power[0]) == ZeroTest::Zero;
+        let speeds: Vec<usize> = (0..system.kept.len()).filter(|at| system.kept[*at] >= self.coordinates).collect();
+        let among = system.a.part(&speeds, &speeds);
+        let size = system.a.rounded().norm();
+        let gyroscopic = among.rows.iter().flatten().any(|x| x.hi().abs() > 1e-12 * size);
+        let oscillates = modes.iter().all(|mode| mode.is_neutral() && mode.value[1].abs() > 0.0);
+        steady.is_rest() && self.time.is_none() && is_conservative && !gyroscopic && oscillates
+    }
+}

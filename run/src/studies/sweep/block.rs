@@ -1,0 +1,296 @@
+//! Blocks of points, each run by one thread.
+
+use crate::code::{Code, Ready, code};
+use crate::error::{Error, refused};
+use crate::mechanism::Mechanism;
+use crate::options::{options, options_of_ends};
+use crate::overrides::Overrides;
+use crate::preparation::problem::Problem;
+use crate::simulation::outputs::Shown;
+use crate::simulation::simulate::{changing_speeds, in_rates, proved};
+use crate::studies::sweep::lanes::{self, Request};
+use crate::studies::sweep::row::{Ended, Row};
+use crate::trust::digits::assess;
+use crate::trust::events::{Balance, events};
+use crate::trust::invariants::Watch;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use tripos_derive::mechanics::{By, InertiaCheck};
+use tripos_derive::scene::{Family, Grid, QUADRATURE, Scene, Solve};
+use tripos_sim::{Event, Options, SimError, Solution, Warning};
+use tripos_traits::InLanes;
+
+/// Data of a sweep that all its points share.
+pub struct Sweep<'a> {
+    /// The mechanism.
+    pub model: &'a Mechanism,
+    /// The scene as its file gives it, with the options of the command line.
+    pub scene: &'a Scene,
+    /// Grid of the values that vary.
+    pub grid: &'a Grid,
+    /// Equations of motion of all runs.
+    pub by: &'a By,
+    /// Overrides of each point's scene.
+    pub how: &'a Overrides,
+    /// First integrals that each run is checked against; `None` if they are not known.
+    pub watch: Option<Watch>,
+    /// Way in which accelerations are found.
+    pub solve: Solve,
+    /// Warnings that hold for every run.
+    pub warnings: Vec<String>,
+    /// Check that all moving bodies have mass at a point's parameters.
+    inertia: InertiaCheck<'a>,
+    /// Names of the quantities that the table shows at the end of each run.
+    pub names: Vec<String>,
+    /// Compiled equations that run; all threads share them.
+    pub code: Code,
+    /// Equations in all rates, which go on where the speeds of a constrained mechanism fail.
+    rates: Option<Code>,
+    balance: Balance,
+    shown: Shown,
+    /// True if a second run of each point tells the number of correct digits.
+    pub tells_digits: bool,
+    /// Flag that is set when no more rows are wanted.
+    pub stop: AtomicBool,
+}
+
+impl<'a> Sweep<'a> {
+    /// Sweep of a scene that `how` has changed, over a grid that was read for it.
+    ///
+    /// # Errors
+    /// [`Error`] if no point can be run by these equations with this method.
+    pub fn new(
+        model: &'a Mechanism,
+        scene: &'a Scene,
+        grid: &'a Grid,
+        by: &'a By,
+        how: &'a Overrides,
+    ) -> Result<Self, Error> {
+        let how_own = scene.integration.method == QUADRATURE || scene.integration.project.is_some();
+        if how_own {
+            let what = "a sweep runs whole equations, which know neither quadrature nor projection".to_owned();
+            let help = "give a stepping method, and leave `project` out of the scene".to_owned();
+            return Err(Error::request(what, help));
+        }
+        let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
+        let balance = Balance::new(model, model, scene, by)?;
+        let inertia = InertiaCheck::new(model);
+        let (solve, warnings, rates) = {
+            let problem = Problem::among(&inertia, model, scene, by, &code, None)?;
+            let warnings = try_one_step(&problem)?;
+            (problem.solve, warnings, in_rates(&problem)?)
+        };
+        // Impacts change the conserved quantities.
+        let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
+        let shown = Shown::new(model, scene)?;
+        let names = shown.names.clone();
+        Ok(Self {
+            model,
+            scene,
+            grid,
+            by,
+            how,
+            watch,
+            solve,
+            warnings,
+            inertia,
+            rates,
+            names,
+            code,
+            balance,
+            shown,
+            tells_digits: false,
+            stop: AtomicBool::new(false),
+        })
+    }
+
+    /// True if the total energy is constant: no force without a potential works, no constraint is driven, and nothing
+    /// bounces.
+    fn conserves_energy(&self) -> bool {
+        !self.code.system().has_power() && !self.model.is_driven() && self.scene.impacts.is_empty()
+    }
+
+    /// Names of the quantities that are constant in each motion: the proved first integrals, or only energy for a large
+    /// model.
+    pub fn conserved(&self) -> Vec<&str> {
+        match &self.watch {
+            Some(watch) => watch.integrals.iter().map(|integral| integral.title.as_str()).collect(),
+            None if self.conserves_energy() => vec!["energy T + V"],
+            None => Vec::new(),
+        }
+    }
+
+    /// Creates the data that one thread needs of its own.
+    ///
+    /// # Errors
+    /// [`Error`] if the scene's text cannot be read again.
+    pub fn worker(&'a self) -> Result<Worker<'a>, Error> {
+        let family = Family::new(self.scene, self.model, self.grid)?;
+        // Assessing digits needs whole runs, so they are not made in lanes.
+        let lanes =
+            if self.tells_digits { None } else { lanes::equations(self.model, self.scene, self.solve, &self.code) };
+        Ok(Worker { sweep: self, family, lanes })
+    }
+}
+
+/// Makes one step. Refuses a method that cannot run any point; returns warnings that hold for every run.
+fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
+    // The file's own start may be unsuitable for a run while the points are suitable.
+    let Ok(y0) = problem.start() else { return Ok(Vec::new()) };
+    let options = Options { step_limit: 1, ..options_of_ends(problem.scene)? };
+    match problem.integrate(&y0, &options, &mut []) {
+        Err(error @ (SimError::NoStep { .. } | SimError::NoJacobian { .. } | SimError::NoSeries { .. })) => {
+            Err(refused(problem.scene, &error))
+        }
+        Err(_) => Ok(Vec::new()),
+        Ok(solution) => {
+            let raised = solution.warnings.iter().filter(|w| matches!(w, Warning::RtolRaised { .. }));
+            Ok(raised.map(ToString::to_string).collect())
+        }
+    }
+}
+
+/// Runs one thread's share of the points.
+pub struct Worker<'a> {
+    sweep: &'a Sweep<'a>,
+    family: Family<'a>,
+    /// Equations in lanes; `None` where runs cannot share them.
+    lanes: Option<InLanes<'static>>,
+}
+
+impl Worker<'_> {
+    /// Runs the points of a block. Returns a row for each, in order; fewer if the sweep was stopped. `done` is called
+    /// after each point.
+    ///
+    /// Runs of a block may share work, as lanes do, but no results.
+    pub fn run_block(&mut self, points: Range<u64>, done: &(impl Fn() + ?Sized)) -> Vec<Row> {
+        let read = |point: u64| {
+            let (values, scene) = self.family.point(point);
+            let scene = scene.map_err(Error::from).and_then(|mut scene| {
+                self.sweep.how.change(&mut scene)?;
+                Ok(scene)
+            });
+            (point, values, scene)
+        };
+        let scenes: Vec<_> = points.map(read).collect();
+        let solutions = self.side_by_side(scenes.iter().map(|(.., scene)| scene.as_ref().ok()));
+        let mut rows = Vec::new();
+        for ((point, values, scene), solution) in scenes.into_iter().zip(solutions) {
+            if self.sweep.stop.load(Ordering::Relaxed) {
+                break;
+            }
+            let outcome = scene.and_then(|scene| self.run(&scene, solution));
+            if self.sweep.model.follow.asked() {
+                // The last run may have been cut short.
+                break;
+            }
+            rows.push(Row { point, values, outcome: outcome.map_err(|failure| reason(&failure)) });
+            done();
+        }
+        rows
+    }
+
+    /// Solutions of the scenes that can run in lanes; `None` for the others.
+    fn side_by_side<'s>(&self, scenes: impl ExactSizeIterator<Item = Option<&'s Scene>>) -> Vec<Option<Solution>> {
+        let mut solutions: Vec<Option<Solution>> = (0..scenes.len()).map(|_| None).collect();
+        let Some(equations) = self.lanes else { return solutions };
+        let problem = |scene| self.problem(scene).ok();
+        let requests = scenes.enumerate().filter_map(|(at, scene)| Some((at, Request::new(problem(scene?)?)?)));
+        let (places, requests): (Vec<usize>, Vec<Request<'_>>) = requests.unzip();
+        for (at, solution) in places.into_iter().zip(lanes::run(equations, &self.sweep.balance, &requests)) {
+            solutions[at] = solution;
+        }
+        solutions
+    }
+
+    fn problem<'s>(&'s self, scene: &'s Scene) -> Result<Problem<'s>, Error> {
+        let Sweep { inertia, model, by, solve, .. } = self.sweep;
+        Problem::among(inertia, model, scene, by, &self.sweep.code, Some(*solve))
+    }
+
+    /// Runs the scene of a point, unless its solution is given.
+    fn run(&self, scene: &Scene, solution: Option<Solution>) -> Result<Ended, Error> {
+        let problem = self.problem(scene)?;
+        if let Some(solution) = solution {
+            return self.ended(&problem, &solution, None);
+        }
+        let Some(rates) = &self.sweep.rates else {
+            return self.run_by(&problem, |y0, options, events| {
+                problem.integrate(y0, options, events).map_err(|error| refused(scene, &error))
+            });
+        };
+        let mut watched = events(&problem, &self.sweep.balance);
+        match problem.in_speeds_alone(rates, &self.options(scene)?, &mut watched, None)? {
+            Some(solution) => self.run_by(&problem, |_, _, _| Ok(solution)),
+            None => changing_speeds(&problem, rates, |problem| {
+                self.run_by(problem, |y0, options, events| problem.solve(y0, options, events, None))
+            }),
+        }
+    }
+
+    fn options(&self, scene: &Scene) -> Result<Options, Error> {
+        if self.sweep.tells_digits { options(scene) } else { options_of_ends(scene) }
+    }
+
+    /// Runs a problem from its start by `solve`.
+    fn run_by(
+        &self,
+        problem: &Problem<'_>,
+        solve: impl FnOnce(&[f64], &Options, &mut [Event<'_>]) -> Result<Solution, Error>,
+    ) -> Result<Ended, Error> {
+        let y0 = problem.start()?;
+        let Sweep { balance, shown, tells_digits, .. } = self.sweep;
+        let options = self.options(problem.scene)?;
+        let mut watched = events(problem, balance);
+        let solution = solve(&y0, &options, &mut watched)?;
+        drop(watched);
+        let values = |problem: &Problem<'_>, t: f64, y: &[f64]| shown.of(problem, t, y);
+        let digits = if *tells_digits { assess(problem, &y0, &options, &solution, (&values, balance))? } else { None };
+        self.ended(problem, &solution, digits.and_then(|digits| digits.end()))
+    }
+
+    fn ended(&self, problem: &Problem<'_>, solution: &Solution, digits: Option<f64>) -> Result<Ended, Error> {
+        let changes = match &self.sweep.watch {
+            Some(watch) => watch.changes(problem, solution),
+            None if self.sweep.conserves_energy() => {
+                let dynamics = problem.dynamics().map_err(|error| refused(problem.scene, &error))?;
+                vec![dynamics.energy_drift(solution)]
+            }
+            None => Vec::new(),
+        };
+        let shown = self.sweep.shown.of(problem, solution.t_end, &solution.y_end)?;
+        let failed = solution.stop.is_failure().then(|| solution.stop.described(&problem.variables()));
+        let without = shown.iter().position(|x| !x.is_finite());
+        let missing = || without.map(|at| format!("`{}` has no value at the end", self.sweep.shown.names[at]));
+        let exist = |at: usize| {
+            let watch = self.sweep.watch.as_ref();
+            watch.is_none_or(|watch| watch.exist(&problem.scene.parameters)[at])
+        };
+        let lost = changes.iter().enumerate().any(|(at, change)| change.is_nan() && exist(at));
+        let unkept = || lost.then(|| "what is constant in this motion has no value that doubles can hold".to_owned());
+        Ok(Ended {
+            t_end: solution.t_end,
+            stop: solution.stop.code(),
+            failure: failed.or_else(missing).or_else(unkept),
+            shown,
+            steps: solution.steps,
+            rejected: solution.rejected,
+            evaluations: solution.evaluations,
+            changes,
+            digits,
+        })
+    }
+}
+
+/// Reason why a point has no run, in one line.
+fn reason(failure: &Error) -> String {
+    match failure {
+        Error::Input(diagnostics) => {
+            let messages: Vec<&str> = diagnostics.list.iter().map(|d| d.message.as_str()).collect();
+            messages.join("; ")
+        }
+        Error::Request { what, .. } => what.clone(),
+        Error::Stopped(why) => why.clone(),
+        other => other.to_string(),
+    }
+}

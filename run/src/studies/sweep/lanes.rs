@@ -1,0 +1,99 @@
+//! Runs of a sweep side by side in vector registers.
+//!
+//! Invariant: the choice of lanes for a point depends only on the point and the scene, and its result on nothing else
+//! in its block. So a sweep cut into shards gives the same rows.
+
+use crate::code::Code;
+use crate::options::options_of_ends;
+use crate::preparation::problem::Problem;
+use crate::trust::events::{Balance, events};
+use tripos_derive::Model;
+use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::batch::{self, Outcome, Plan, Trajectory, Watched};
+use tripos_sim::{Eliminated, Method, Options, Output, Solution};
+use tripos_traits::{CompiledSystem, InLanes};
+
+/// The equations of a sweep in lanes; `None` if its runs cannot share them. They must be compiled and eliminated. The
+/// method must be DOP853 or Taylor's, with steps chosen by the error, and only the equations may move a state.
+pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Option<InLanes<'static>> {
+    let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
+    let how = &scene.integration;
+    let has_method =
+        how.method == Method::Dop853.name() || how.method == Method::Taylor.name() && lanes.series.is_some();
+    // Lanes cannot project onto constraints, end steps at corners or bounce.
+    let is_moved = code.system().constraint_count() > 0 || !scene.impacts.is_empty();
+    let cornered = !model.corners(&scene.parameters).is_empty();
+    let plain = solve == Solve::Eliminated && how.step.is_none() && !is_moved && !cornered;
+    (has_method && plain).then_some(*lanes)
+}
+
+/// Start and plan of one point's run in a batch.
+pub struct Request<'s> {
+    problem: Problem<'s>,
+    plan: Plan,
+    start: Vec<f64>,
+}
+
+impl<'s> Request<'s> {
+    /// Request for a problem that can start; `None` for others, whose scalar run says why they cannot.
+    pub fn new(problem: Problem<'s>) -> Option<Self> {
+        let scene: &Scene = problem.scene;
+        let Options { method, order, rtol, atol, max_step, step_limit, .. } = options_of_ends(scene).ok()?;
+        let start = problem.start().ok()?;
+        let finite = scene.parameters.iter().chain(&start).all(|x| x.is_finite());
+        let plan = Plan { method, order, span: scene.span, rtol, atol, max_step, step_limit };
+        finite.then_some(Self { problem, plan, start })
+    }
+
+    fn trajectory(&self) -> Trajectory<'_> {
+        Trajectory { parameters: &self.problem.scene.parameters, start: &self.start }
+    }
+
+    /// Events of the run, and the equations with their divisors.
+    fn watched<'a>(&'a self, balance: &'a Balance) -> Watched<'a> {
+        let equations = Eliminated::new(self.problem.system(), &self.problem.scene.parameters);
+        let equations = Box::new(equations.expect("only eliminated equations are had in lanes"));
+        Watched { equations, events: events(&self.problem, balance) }
+    }
+}
+
+/// Runs the requests; those with equal plans run together. `None` for an invalid plan, whose scalar run says why.
+pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) -> Vec<Option<Solution>> {
+    let mut solutions: Vec<Option<Solution>> = requests.iter().map(|_| None).collect();
+    let mut left: Vec<usize> = (0..requests.len()).collect();
+    while let Some(first) = left.first() {
+        let plan = requests[*first].plan.clone();
+        let (together, others): (Vec<usize>, Vec<usize>) = left.iter().partition(|at| requests[**at].plan == plan);
+        left = others;
+        let trajectories: Vec<Trajectory<'_>> = together.iter().map(|at| requests[*at].trajectory()).collect();
+        let watching = |at: usize| requests[together[at]].watched(balance);
+        let Ok(outcomes) = batch::integrate_watched(equations, &plan, &trajectories, Some(&watching)) else { continue };
+        for (at, outcome) in together.into_iter().zip(outcomes) {
+            solutions[at] = Some(solution(&requests[at], outcome));
+        }
+    }
+    solutions
+}
+
+/// The outcome with its start, in the form of [`Output::Ends`].
+fn solution(request: &Request<'_>, outcome: Outcome) -> Solution {
+    let Outcome { t_end, y_end, stop, steps, rejected, evaluations, events } = outcome;
+    debug_assert_eq!(request.plan.options().output, Output::Ends);
+    Solution {
+        t: vec![request.plan.span.0, t_end],
+        y: vec![request.start.clone(), y_end.clone()],
+        work: Vec::new(),
+        t_end,
+        y_end,
+        work_end: 0.0,
+        steps,
+        rejected,
+        evaluations,
+        jacobians: 0,
+        stop,
+        events,
+        impacts: Vec::new(),
+        projection: None,
+        warnings: Vec::new(),
+    }
+}

@@ -1,0 +1,134 @@
+//! Quantities in which runs are compared: every coordinate and speed, or the outputs that the scene asks for.
+//!
+//! Invariant: a compared quantity is a function of the state of the whole model, so that all equations are compared in
+//! the same quantities. Outputs that need accelerations or reactions are left out, and named.
+
+use crate::code::stepwise;
+use crate::error::Error;
+use crate::preparation::problem::Problem;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::steps::{Definition, needed};
+use tripos_derive::algebra::{Expr, Node};
+use tripos_derive::mechanics::derive;
+use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
+use tripos_derive::{Formulation, Model};
+use tripos_traits::DoubleDouble;
+
+/// Quantities that are compared in the runs of a scene.
+pub struct Compared {
+    /// Outputs of the scene; `None` if it asks for none, so that states are compared.
+    outputs: Option<Outputs>,
+}
+
+/// Outputs of a scene as functions of the whole state.
+struct Outputs {
+    parameters: Vec<DoubleDouble>,
+    /// Computes the known outputs from parameters, coordinates and speeds.
+    tape: Tape<DoubleDouble>,
+    list: Vec<Shown>,
+}
+
+struct Shown {
+    name: String,
+    is_known: bool,
+}
+
+impl Compared {
+    /// Chooses the compared quantities for runs of a scene of this model.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the scene has an energy as output and the model cannot be derived.
+    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let outputs = scene.states_outputs.then(|| Outputs::new(model, scene)).transpose()?;
+        Ok(Self { outputs })
+    }
+
+    /// Outputs at a state of the whole model, NaN for those that are left out; the state itself if states are compared.
+    #[must_use]
+    pub fn of_state(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        match &self.outputs {
+            Some(outputs) => outputs.values(state),
+            None => state.to_vec(),
+        }
+    }
+
+    /// Selects the compared quantities from the values of all outputs.
+    #[must_use]
+    pub fn kept(&self, values: Vec<DoubleDouble>) -> Vec<DoubleDouble> {
+        match &self.outputs {
+            Some(outputs) => {
+                values.into_iter().zip(&outputs.list).filter(|(_, o)| o.is_known).map(|(x, _)| x).collect()
+            }
+            None => values,
+        }
+    }
+
+    /// The compared quantities of an integrated state of any equations.
+    #[must_use]
+    pub fn of_run(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
+        let shown = problem.precise_state(t, y);
+        self.kept(if problem.by.is_reduced() { shown } else { self.of_state(&shown) })
+    }
+
+    /// True if there is nothing to compare.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.outputs.as_ref().is_some_and(|outputs| outputs.list.iter().all(|o| !o.is_known))
+    }
+
+    /// Sentence that names the compared quantities; `None` if all states are compared.
+    #[must_use]
+    pub fn said(&self) -> Option<String> {
+        let list = &self.outputs.as_ref()?.list;
+        let names = |known: bool| {
+            let names = list.iter().filter(|o| o.is_known == known).map(|o| o.name.as_str());
+            names.collect::<Vec<_>>().join(", ")
+        };
+        let left_out = names(false);
+        let more = if left_out.is_empty() {
+            String::new()
+        } else {
+            format!(" Not compared, since whole states do not show accelerations and reactions: {left_out}.")
+        };
+        Some(match names(true).as_str() {
+            "" => format!("Errors are those of all states.{more}"),
+            known => format!("Errors are those of what the scene wants to see: {known}.{more}"),
+        })
+    }
+}
+
+impl Outputs {
+    fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let mut arena = model.arena.clone();
+        let pairs = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
+        let mut steps: Vec<Definition> = pairs.map(|(symbol, value)| Definition { symbol, value }).collect();
+        let symbols = ENERGIES.map(|name| arena.find_symbol(name));
+        if symbols.iter().flatten().any(|s| scene.outputs.iter().any(|o| arena.mentions(o.value, *s))) {
+            let mut kane = derive(model, Formulation::Kane).map_err(|error| Error::Input(model.diagnose(&error)))?;
+            let (kinetic, potential) = (kane.equations.kinetic_energy, kane.equations.potential_energy);
+            let total = kane.arena.add(kinetic, potential);
+            let pairs = symbols.into_iter().zip([kinetic, potential, total]);
+            steps.extend(pairs.filter_map(|(symbol, value)| Some(Definition { symbol: symbol?, value })));
+            arena = kane.arena;
+        }
+        let inputs = [model.p(), model.q(), model.u()].concat();
+        let is_known = |value: Expr| {
+            let defined = |e: &Expr| inputs.contains(e) || steps.iter().any(|step| step.symbol == *e);
+            let is_symbol = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_));
+            arena.reachable(&[value]).iter().filter(|e| is_symbol(e)).all(defined)
+        };
+        let shown = |o: &SceneOutput| Shown { name: o.name.clone(), is_known: is_known(o.value) };
+        let list: Vec<Shown> = scene.outputs.iter().map(shown).collect();
+        let known = scene.outputs.iter().zip(&list).filter(|(_, shown)| shown.is_known);
+        let values: Vec<Expr> = known.map(|(output, _)| output.value).collect();
+        let steps = needed(&arena, &steps, &values);
+        let tape = stepwise(&arena, &inputs, &steps, &values, "an output")?.to();
+        Ok(Self { parameters: scene.exact.parameters.clone(), tape, list })
+    }
+
+    fn values(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let mut known = self.tape.evaluate(&[&self.parameters, state].concat()).into_iter();
+        let value = |shown: &Shown| if shown.is_known { known.next() } else { None };
+        self.list.iter().map(value).map(|value| value.unwrap_or(DoubleDouble::NAN)).collect()
+    }
+}

@@ -1,0 +1,311 @@
+//! Number of correct digits of a run, estimated by a second run.
+//!
+//! The second run follows the same motion with other steps ([`tripos_sim::seconds`]). Its start and its parameters are
+//! one rounding away. So the difference of the two contains the errors of the steps, of rounding, and of numbers that
+//! doubles cannot hold, each as far as the motion has amplified it.
+//!
+//! During the run an error is measured relative to the largest size s of its value along the run. s is at least the
+//! quotient of absolute and relative tolerance, since these two say below which size nothing matters. A curve through
+//! zero has no digits of its own there. At the end, where the number itself is wanted, the error is measured relative
+//! to |value| + s, with s at most 1 in its SI unit.
+
+use crate::error::Error;
+use crate::preparation::problem::Problem;
+use crate::trust::events::{Balance, events};
+use rustc_hash::FxHashMap;
+use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_sim::{Effect, Event, EventRecord, Kind, Options, Output, Second, Solution, Stop, seconds};
+use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
+
+/// Greatest number of instants at which the two runs are compared.
+const INSTANTS: usize = 400;
+/// Number of parts of a run. The last part before an instant counts for its error, and at least the next number of
+/// instants.
+const NEAR: usize = 40;
+const NEAREST: usize = 2;
+/// Number of digits below which a warning is given.
+pub const FEW: f64 = 3.0;
+/// Least relative error of a value: some roundings of its terms.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Size below which a value does not matter, where no relative tolerance gives it: that of the default tolerances.
+const SMALL: f64 = 1e-3;
+/// Factor from the difference of two motions by quadrature to the error. Both share all errors except those of the
+/// start.
+const QUADRATURE_PART: f64 = 4.0;
+
+/// Estimated errors and correct digits of the values of a run.
+#[derive(Clone, Debug)]
+pub struct Digits {
+    /// Compared instants in the order of the run, s. The last is the run's end, if it was assessed to its end.
+    pub t: Vec<f64>,
+    /// Estimated error of each shown value at each of these instants, in its unit.
+    pub errors: Vec<Vec<f64>>,
+    /// Digits of each shown value at each of these instants: −log₁₀ of its error relative to its largest size.
+    pub digits: Vec<Vec<f64>>,
+    /// Digits of each value at the last of these instants: −log₁₀ of its error relative to the value itself.
+    last: Vec<f64>,
+    /// Estimated error of the instant of each event of the run, s; `None` for an event that the second run does not
+    /// have.
+    pub events: Vec<Option<f64>>,
+    /// Description of the second run in words.
+    pub by: String,
+    /// The end of the run, s.
+    pub t_end: f64,
+    /// End of the second run, s, its reason, and true if it was the finer run.
+    pub(crate) second: (f64, Stop, bool),
+}
+
+impl Digits {
+    /// True if the run was assessed to its end.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.assessed() == Some(self.t_end)
+    }
+
+    /// The last assessed instant, s; `None` if there is none.
+    #[must_use]
+    pub fn assessed(&self) -> Option<f64> {
+        self.t.last().copied()
+    }
+
+    /// Digits of each value at the end; `None` if the run was not assessed to its end.
+    #[must_use]
+    pub fn at_end(&self) -> Option<&[f64]> {
+        self.is_complete().then_some(self.last.as_slice())
+    }
+
+    /// Least number of digits of all values at the end; `None` if the run was not assessed to its end.
+    #[must_use]
+    pub fn end(&self) -> Option<f64> {
+        self.at_end()?.iter().copied().reduce(f64::min)
+    }
+
+    /// Estimated error of each value at the end, in its unit; `None` if the run was not assessed to its end.
+    #[must_use]
+    pub fn errors_at_end(&self) -> Option<&[f64]> {
+        self.errors.last().filter(|_| self.is_complete()).map(Vec::as_slice)
+    }
+
+    /// The value with the fewest digits at an instant, as its index and its digits.
+    #[must_use]
+    pub fn fewest(&self, instant: usize) -> Option<(usize, f64)> {
+        self.digits[instant].iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// The fewest digits of all values and instants, as instant, value and digits; the first if several are equal.
+    #[must_use]
+    pub fn fewest_of_all(&self) -> Option<(usize, usize, f64)> {
+        let all = (0..self.t.len()).filter_map(|at| self.fewest(at).map(|(which, digits)| (at, which, digits)));
+        all.min_by(|a, b| a.2.total_cmp(&b.2))
+    }
+
+    /// The first instant at which a value has too few digits, as the indices of instant and value.
+    #[must_use]
+    pub fn first_with_few(&self) -> Option<(usize, usize)> {
+        let few = |at: usize| self.fewest(at).filter(|(_, digits)| *digits < FEW).map(|(which, _)| (at, which));
+        let at_end = || Some((self.t.len().checked_sub(1)?, self.at_end()?.iter().position(|digits| *digits < FEW)?));
+        (0..self.t.len()).find_map(few).or_else(at_end)
+    }
+}
+
+/// Function that gives the shown values of a state at an instant of a run.
+pub type Values<'a> = dyn Fn(&Problem<'_>, f64, &[f64]) -> Result<Vec<f64>, Error> + 'a;
+
+/// Compares a run from `y0` with a second one. `None` if the run has no step or was interrupted.
+///
+/// # Errors
+/// [`Error`] if the second run is invalid although the first was not, or a value cannot be computed.
+pub fn assess(
+    problem: &Problem<'_>,
+    y0: &[f64],
+    options: &Options,
+    solution: &Solution,
+    (values, balance): (&Values<'_>, &Balance),
+) -> Result<Option<Digits>, Error> {
+    if solution.steps == 0 || solution.stop == Stop::Interrupted || y0.is_empty() {
+        return Ok(None);
+    }
+    let scene = beside(problem.scene, solution.t_end);
+    let beside = problem.with_scene(&scene);
+    let mut watched: Vec<Event<'_>> = if solution.events.is_empty() { Vec::new() } else { events(&beside, balance) };
+    for event in &mut watched {
+        event.effect = Effect::Record;
+    }
+    let start: Vec<f64> = y0.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
+    let samples = samples(solution);
+    let times: Vec<f64> = samples.iter().map(|(t, _)| *t).collect();
+    let mut best: Option<(Solution, Second)> = None;
+    for second in choices(problem, options, solution) {
+        let how = Options { output: Output::At(times.clone()), ..second.options.clone() };
+        let run = beside.solve(&start, &how, &mut watched, None)?;
+        if run.stop == Stop::Interrupted {
+            return Ok(None);
+        }
+        if best.as_ref().is_none_or(|(other, _)| run.t.len() > other.t.len()) {
+            best = Some((run, second));
+        }
+        if best.as_ref().is_some_and(|(run, _)| run.t.len() == times.len()) {
+            break;
+        }
+    }
+    let Some((run, Second { part, words, is_finer, .. })) = best else { return Ok(None) };
+    let first: Vec<Vec<f64>> = samples.iter().map(|(t, y)| values(problem, *t, y)).collect::<Result<_, _>>()?;
+    let second: Vec<Vec<f64>> =
+        run.t.iter().zip(&run.y).map(|(t, y)| values(&beside, *t, y)).collect::<Result<_, _>>()?;
+    let sizes = sizes(problem.scene, &first);
+    let (mut errors, mut digits, mut last) = (Vec::new(), Vec::new(), Vec::new());
+    let mut apart: Vec<Vec<f64>> = first.iter().zip(&second).map(|(a, b)| differences(a, b)).collect();
+    leave_out_jumps(&mut apart, &times, (solution, &run), problem.scene.span);
+    for (instant, a) in first.iter().take(apart.len()).enumerate() {
+        let near = up_to(&apart, instant);
+        let own = |at: usize| a[at].abs() + sizes[at].min(1.0);
+        let error = |at: usize| {
+            // A neighbour without a value tells nothing about this instant.
+            let others = near.iter().map(|apart| apart[at]).filter(|apart| !apart.is_nan());
+            let largest = others.fold(apart[instant][at], larger);
+            part * largest + ROUNDING * own(at)
+        };
+        errors.push((0..a.len()).map(error).collect::<Vec<_>>());
+        digits.push((0..a.len()).map(|at| told(error(at) / sizes[at])).collect::<Vec<_>>());
+        last = (0..a.len()).map(|at| told(error(at) / own(at))).collect();
+    }
+    let events = of_events(&solution.events, &run.events, part);
+    let second = (run.t_end, run.stop, is_finer);
+    Ok(Some(Digits { t: run.t, errors, digits, last, events, by: words, t_end: solution.t_end, second }))
+}
+
+fn differences(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
+}
+
+/// Longest time between the instants that two runs have for one impact, relative to the span.
+const ONE_IMPACT: f64 = 1e-3;
+
+/// Replaces differences between the instants that two runs have for one impact. There one run has jumped and the other
+/// has not, so they differ by the jump; the uncertainty of the instant is given separately. Such samples get the errors
+/// of the instant before.
+fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], (first, second): (&Solution, &Solution), span: (f64, f64)) {
+    let between: Vec<(f64, f64)> = first
+        .impacts
+        .iter()
+        .zip(&second.impacts)
+        .map(|(own, other)| (own.t.min(other.t), own.t.max(other.t)))
+        .filter(|(from, to)| to - from <= ONE_IMPACT * (span.1 - span.0))
+        .collect();
+    let mut next = 0;
+    for (at, t) in times.iter().enumerate().take(apart.len()) {
+        while between.get(next).is_some_and(|(_, to)| to < t) {
+            next += 1;
+        }
+        if at > 0 && between.get(next).is_some_and(|(from, _)| from <= t) {
+            let (before, from) = apart.split_at_mut(at);
+            from[0].clone_from(&before[at - 1]);
+        }
+    }
+}
+
+/// The differences just before an instant and at it. Two motions that oscillate about each other meet now and then,
+/// although the errors of both are as large as elsewhere. So the differences shortly before count too.
+fn up_to(apart: &[Vec<f64>], instant: usize) -> &[Vec<f64>] {
+    let near = (apart.len() / NEAR).max(NEAREST);
+    &apart[instant.saturating_sub(near)..=instant]
+}
+
+/// Errors of the instants of events, by comparison with another run. The counterpart is the event that happened as
+/// often before. Of a repeated event the largest of several neighbouring errors is taken, since two runs that oscillate
+/// about each other may meet at one of them.
+fn of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Option<f64>> {
+    let mut errors = vec![None; list.len()];
+    for (own, its) in by_event(list).iter().zip(by_event(others)) {
+        let same_kind = |kind: Kind| its.iter().map(move |at| &others[*at]).filter(move |other| other.kind == kind);
+        let mut met: FxHashMap<Kind, _> = FxHashMap::default();
+        let mut counterpart =
+            |event: &EventRecord| met.entry(event.kind).or_insert_with(|| same_kind(event.kind)).next();
+        let apart: Vec<Option<f64>> =
+            own.iter().map(|at| Some((list[*at].t - counterpart(&list[*at])?.t).abs())).collect();
+        for (place, at) in own.iter().enumerate() {
+            let near = &apart[place.saturating_sub(NEAREST)..(place + NEAREST + 1).min(apart.len())];
+            let largest = near.iter().flatten().copied().fold(0.0, larger);
+            errors[*at] = apart[place].map(|_| part * largest + ROUNDING * list[*at].t.abs());
+        }
+    }
+    errors
+}
+
+/// Indices of the records of each event, in order.
+fn by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
+    let mut places = Vec::new();
+    for (at, record) in list.iter().enumerate() {
+        if places.len() <= record.event {
+            places.resize(record.event + 1, Vec::new());
+        }
+        places[record.event].push(at);
+    }
+    places
+}
+
+/// Digits that a relative error leaves; 0 if it is 1 or more, or not a number.
+fn told(relative: f64) -> f64 {
+    if relative < 1.0 { -relative.log10() } else { 0.0 }
+}
+
+/// Possible second runs in the order of preference.
+fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec<Second> {
+    if problem.scene.integration.method == QUADRATURE {
+        let words = "quadrature from numbers one rounding away".to_owned();
+        return vec![Second { options: options.clone(), part: QUADRATURE_PART, is_finer: false, words }];
+    }
+    seconds(options, solution, problem.scene.span, problem.has_short_series())
+}
+
+/// Samples spread evenly over a run, at most as many as are compared, and its end.
+fn samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
+    let every = solution.y.len().div_ceil(INSTANTS).max(1);
+    let mut list: Vec<_> = solution.t.iter().copied().zip(&solution.y).step_by(every).collect();
+    if list.last().is_none_or(|(t, _)| t.total_cmp(&solution.t_end).is_ne()) {
+        list.push((solution.t_end, &solution.y_end));
+    }
+    list
+}
+
+/// Length by which the second run goes beyond the end of the first, relative to it. An event of that end may be later
+/// there.
+const BEYOND: f64 = 0.02;
+
+/// The scene for the second run, from the first run's start to a little beyond its end. Its parameters are on the other
+/// side of numbers that doubles cannot hold.
+fn beside(scene: &Scene, t_end: f64) -> Scene {
+    let (start, end) = scene.span;
+    let beyond = t_end + BEYOND * (t_end - start);
+    let is_inside = (end - beyond) * (end - start) > 0.0;
+    Scene { parameters: other_side(scene), span: (start, if is_inside { beyond } else { end }), ..scene.clone() }
+}
+
+/// Parameters of a scene, rounded to the other side of numbers that doubles cannot hold.
+pub fn other_side(scene: &Scene) -> Vec<f64> {
+    let other = |(x, exact): (&f64, &DoubleDouble)| {
+        let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();
+        if rest > 0.0 {
+            x.next_up()
+        } else if rest < 0.0 {
+            x.next_down()
+        } else {
+            *x
+        }
+    };
+    scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect()
+}
+
+/// Largest size of each value, or the size below which it does not matter if that is larger.
+fn sizes(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
+    let how = &scene.integration;
+    let adaptive = how.step.is_none() && how.method != QUADRATURE;
+    let matters = match (adaptive, how.rtol > 0.0) {
+        (true, true) => (how.atol.smallest() / how.rtol).clamp(f64::MIN_POSITIVE, 1.0),
+        (true, false) => 1.0,
+        (false, _) => SMALL,
+    };
+    let count = values.first().map_or(0, Vec::len);
+    let of = |at: usize| largest(values.iter().map(|list| list[at])).max(matters);
+    (0..count).map(of).map(|size| larger(size, f64::MIN_POSITIVE)).collect()
+}

@@ -1,0 +1,196 @@
+//! Watched functions of a scene's runs: the domain's conditions and the scene's events, compiled once and bound to a
+//! problem.
+
+use crate::code::{Code, Ready, code, tape};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use crate::preparation::problem::Problem;
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::evaluate::{Numeric, Tape, UnknownSymbol};
+use tripos_derive::algebra::steps::{Definition, fresh_symbol, needed};
+use tripos_derive::mechanics::By;
+use tripos_derive::scene::Scene;
+use tripos_derive::{Formulation, Model};
+use tripos_sim::{Direction, Dynamics, Effect, Event, EventFunction, InRanges};
+use tripos_traits::{Enclosure, Lengths, Scalar};
+
+/// Watched functions of a scene's runs, compiled once. If one of them mentions a reaction, the force balance gives it
+/// for any formulation.
+#[derive(Clone)]
+pub struct Balance {
+    code: Option<Code>,
+    /// Conditions of the domain, then the scene's events.
+    watched: Vec<Watched>,
+}
+
+/// An expression in parameters, q, q̇, u and reactions, as it is computed.
+#[derive(Clone)]
+enum Watched {
+    /// Function of parameters and the integrated state, in numbers and in ranges.
+    OfState { tape: Tape, ranges: Tape<Enclosure> },
+    /// Function of parameters, q, q̇, u and reactions. The running equations and the force balance give these.
+    OfMotion { tape: Tape, needs_reactions: bool },
+}
+
+impl Balance {
+    /// Prepares the watched functions of a scene of this model: the mechanism's own, or a reduced one, which has no
+    /// reactions.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a watched reaction is not determined, or a symbol has no value during a run.
+    pub fn new(mechanism: &Mechanism, model: &Model, scene: &Scene, by: &By) -> Result<Self, Error> {
+        let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
+        let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
+        let (mut balance, mut list) = (None, Vec::new());
+        for (name, e) in watched {
+            let reaction = model.reactions.iter().find(|r| model.arena.mentions(e, r.symbol));
+            if let (Some(reaction), false) = (reaction, scene.impacts.is_empty()) {
+                let what = format!(
+                    "`{name}` needs the reaction `{}`, in which what holds a closed contact is not",
+                    reaction.name
+                );
+                return Err(Error::request(what, "leave the condition out, or the impacts out of the scene"));
+            }
+            if let (Some(reaction), None) = (reaction, &balance) {
+                balance = Some(code(mechanism, &Formulation::NewtonEuler.into(), None, Ready::AsDerived).map_err(|error| {
+                    Error::request(
+                        format!(
+                            "`{name}` needs the reaction `{}`, which only newton-euler gives, also in a run by {}:\n{error}",
+                            reaction.name, by.name()
+                        ),
+                        "name the missing reactions, or state the condition without a reaction".to_owned(),
+                    )
+                })?);
+            }
+            list.push(match of_state(model, scene, by, e) {
+                Ok(tape) => Watched::OfState { ranges: tape.to(), tape },
+                // The other way to the value also says which symbol is unknown there.
+                Err(UnknownSymbol(_)) => of_motion(model, e, name)?,
+            });
+        }
+        Ok(Self { code: balance, watched: list })
+    }
+}
+
+/// The expression as a function of parameters and the integrated state. It may not mention reactions, nor rates if the
+/// running equations have rates of their own, as printed ones do.
+fn of_state(model: &Model, scene: &Scene, by: &By, e: Expr) -> Result<Tape, UnknownSymbol> {
+    let mut arena = model.arena.clone();
+    let (mut variables, mut steps) = (model.q(), Vec::new());
+    if let Some(distance) = scene.integration.distance {
+        let coordinate = variables[distance.coordinate];
+        let symbol = fresh_symbol(&mut arena, "distance");
+        let (quarter, pi) = (arena.ratio(i64::from(distance.quarter_turns), 2), arena.pi());
+        let origin = arena.mul(quarter, pi);
+        steps.push(Definition { symbol: coordinate, value: arena.add(symbol, origin) });
+        variables[distance.coordinate] = symbol;
+    }
+    let formulation = match by {
+        By::Derived(formulation) | By::Printed { formulation, .. } => Some(*formulation),
+        By::Reduced => None,
+    };
+    let (v, other, values) = if formulation.is_some_and(Formulation::is_in_rates) {
+        (model.q_dot(), model.u(), model.speeds.iter().map(|s| s.definition).collect())
+    } else {
+        (model.u(), model.q_dot(), model.kinematic_equations.rates.clone())
+    };
+    if by.printed_id().is_none() {
+        steps.extend(other.into_iter().zip(values).map(|(symbol, value)| Definition { symbol, value }));
+    }
+    let steps = needed(&arena, &steps, &[e]);
+    Tape::stepwise(&arena, &[model.p(), variables, v].concat(), &steps, &[e])
+}
+
+fn of_motion(model: &Model, e: Expr, name: &str) -> Result<Watched, Error> {
+    let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
+    let needs_reactions = reactions.iter().any(|r| model.arena.mentions(e, *r));
+    let inputs = [model.p(), model.q(), model.q_dot(), model.u(), reactions].concat();
+    Ok(Watched::OfMotion { tape: tape(&model.arena, &inputs, &[e], &format!("`{name}`"))?, needs_reactions })
+}
+
+/// The domain's conditions and the scene's events as functions of the integrated state, in ranges where no reaction is
+/// watched. The scene must have the same ones as the scene that `balance` was made for.
+#[must_use]
+pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'a>> {
+    let Problem { model, scene, .. } = *problem;
+    let conditions = model.domain.iter().map(|condition| {
+        let effect = if scene.integration.domain_stops { Effect::Domain } else { Effect::Record };
+        (format!("{} ({})", condition.name, condition.text), Direction::Falling, effect)
+    });
+    let events = scene.events.iter().map(|event| {
+        let effect = if event.terminal { Effect::Terminal } else { Effect::Record };
+        (event.name.clone(), event.direction, effect)
+    });
+    let watched = conditions.chain(events).zip(&balance.watched);
+    let event = |((name, direction, effect), watched): ((String, Direction, Effect), &'a Watched)| {
+        let (function, ranges) = watch(problem, balance, watched);
+        Event { name, function, ranges, direction, effect }
+    };
+    watched.map(event).collect()
+}
+
+/// A watched expression as a function of (t, y), and in ranges of them.
+fn watch<'a>(
+    problem: &'a Problem<'_>,
+    balance: &'a Balance,
+    watched: &'a Watched,
+) -> (EventFunction<'a>, Option<InRanges<'a>>) {
+    match watched {
+        Watched::OfState { tape, ranges } => {
+            let p = problem.scene.parameters.as_slice();
+            let mut value = of_inputs(tape, p.to_vec());
+            let mut range = of_inputs(ranges, p.iter().map(|p| Enclosure::from_f64(*p)).collect());
+            let components = tape.used().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
+            let ranges = InRanges { function: Box::new(move |_t, y| range(y)), components: Some(components) };
+            (Box::new(move |_t, y| value(y)), Some(ranges))
+        }
+        Watched::OfMotion { tape, needs_reactions } => {
+            let code = balance.code.as_ref().filter(|_| *needs_reactions);
+            (Box::new(along_motion(problem, code, tape)), None)
+        }
+    }
+}
+
+/// Function of a tape's last inputs, with the first ones given.
+fn of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S]) -> S + '_ {
+    let (given, mut scratch) = (inputs.len(), Vec::new());
+    move |rest: &[S]| {
+        inputs.truncate(given);
+        inputs.extend_from_slice(rest);
+        let mut out = [S::int(0)];
+        tape.evaluate_into(&inputs, &mut scratch, &mut out);
+        out[0]
+    }
+}
+
+/// A tape of parameters, q, q̇, u and reactions as a function of (t, y).
+fn along_motion<'a>(
+    problem: &'a Problem<'_>,
+    code: Option<&'a Code>,
+    tape: &'a Tape,
+) -> impl FnMut(f64, &[f64]) -> f64 + 'a {
+    let system = problem.system();
+    let p = problem.scene.parameters.clone();
+    let Lengths { coordinates, speeds, .. } = system.lengths();
+    let reactions = problem.model.reactions.len();
+    let mut dynamics = code.and_then(|code| Dynamics::new(code.system(), &p).ok());
+    let (mut q_dot, mut u, mut scratch) = (vec![0.0; coordinates], vec![0.0; speeds], Vec::new());
+    move |_t: f64, y: &[f64]| {
+        let (variables, v) = y.split_at(coordinates);
+        system.coordinate_rates(&p, variables, v, &mut q_dot);
+        system.generalized_speeds(&p, variables, v, &mut u);
+        let q = problem.coordinates(y);
+        let mut values = [p.as_slice(), &q, &q_dot, &u].concat();
+        match &mut dynamics {
+            // The state has no reaction where the balance is singular: not a number, said by the integrator.
+            Some(balance) => match balance.unknowns(&q, &u) {
+                Ok(x) => values.extend_from_slice(&x[speeds..]),
+                Err(_) => return f64::NAN,
+            },
+            None => values.resize(values.len() + reactions, f64::NAN),
+        }
+        let mut out = [0.0];
+        tape.evaluate_into(&values, &mut scratch, &mut out);
+        out[0]
+    }
+}

@@ -1,0 +1,317 @@
+//! Quantities that are watched along a run beside its state: first integrals, determinants, condition numbers and the
+//! divisors of the kinematic equations.
+//!
+//! Invariant: nothing here can stop a run or a page. A value that does not exist is not a number, and extremes pass
+//! it over.
+
+use crate::code::tape;
+use crate::error::Error;
+use crate::preparation::problem::Problem;
+use std::fmt;
+use tripos_derive::Model;
+use tripos_derive::algebra::Arena;
+use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::print::text;
+use tripos_derive::model::Unit;
+use tripos_derive::prove::{Integral, IntegralKind};
+use tripos_derive::reduce::Ground;
+use tripos_sim::Solution;
+use tripos_traits::larger;
+
+/// A first integral that is watched.
+#[derive(Clone, Debug)]
+pub struct Conserved {
+    /// Kind of the integral, such as energy or a momentum.
+    pub kind: IntegralKind,
+    /// Short title, such as `momentum p_q3`.
+    pub title: String,
+    /// Full names of the function: one function, or it and its negative, may be several quantities.
+    pub names: Vec<String>,
+    /// Its unit.
+    pub unit: String,
+}
+
+impl Conserved {
+    fn new(model: &Model, arena: &Arena, integral: &Integral) -> Self {
+        let unit = match model.unit_of(arena, integral.expression) {
+            Some(unit) if unit == Unit::new(2, 1, -2) => "J".to_owned(),
+            Some(unit) => unit.to_string(),
+            None => "SI".to_owned(),
+        };
+        let kind = integral.kinds[0];
+        Self { kind, title: integral.title(model, arena), names: integral.names(model, arena), unit }
+    }
+
+    /// First of the full names.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.names[0]
+    }
+}
+
+impl fmt::Display for Conserved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.names.join("; "))
+    }
+}
+
+/// Largest change of a first integral along a run.
+#[derive(Clone, Debug)]
+pub struct Drift {
+    /// The integral.
+    pub integral: Conserved,
+    /// Its largest change over the samples, in its unit.
+    pub change: f64,
+}
+
+/// Functions of the state that are watched, as tapes.
+pub struct Watch {
+    /// The first integrals.
+    pub integrals: Vec<Conserved>,
+    /// Divisors of the kinematic equations, as text.
+    pub divisors: Vec<String>,
+    tape: Tape,
+    divided: Tape,
+}
+
+/// Units in the last place of a first integral that its evaluation may be off by.
+const ROUNDINGS: f64 = 64.0;
+
+/// Difference of a first integral from its start, at one instant.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Excursion {
+    /// Time of the difference, s.
+    pub t: f64,
+    /// Absolute change, in the unit of the integral.
+    pub change: f64,
+    /// Change divided by the largest change that the allowed error of one step can cause there.
+    pub ratio: f64,
+}
+
+/// Watched quantities, sample by sample.
+pub struct Course {
+    /// The times, s.
+    pub t: Vec<f64>,
+    /// The values of each first integral.
+    pub integrals: Vec<Vec<f64>>,
+    /// det A of the system A x = b that is solved.
+    pub determinant: Vec<f64>,
+    /// Reciprocal condition number of A with its rows and columns scaled.
+    pub condition: Vec<f64>,
+    /// The absolute value of each divisor of the kinematic equations.
+    pub divisors: Vec<Vec<f64>>,
+}
+
+impl Watch {
+    /// The first integrals of a model, whose terms are in `arena`, and the divisors of its kinematic equations.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if one of them mentions a symbol without a value during a run.
+    pub fn new(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Self, Error> {
+        let divisors = &model.kinematic_equations.divisors;
+        let outputs: Vec<_> = integrals.iter().map(|i| i.expression).chain(divisors.iter().copied()).collect();
+        let inputs = [model.p(), model.q(), model.u()].concat();
+        Ok(Self {
+            integrals: integrals.iter().map(|i| Conserved::new(model, arena, i)).collect(),
+            divisors: divisors.iter().map(|e| text(arena, *e)).collect(),
+            tape: tape(arena, &inputs, &outputs, "what is conserved")?,
+            divided: Self::divided(model, arena, integrals)?,
+        })
+    }
+
+    /// Tape of one product for each integral: its divisors that depend on parameters alone.
+    fn divided(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Tape, Error> {
+        let mut arena = arena.clone();
+        let parameters = model.p();
+        let products: Vec<_> = integrals
+            .iter()
+            .map(|integral| {
+                let state = [model.q(), model.u()].concat();
+                let mut divisors = integral.divisors(&arena);
+                divisors.retain(|e| !state.iter().any(|s| arena.mentions(*e, *s)));
+                arena.product(&divisors)
+            })
+            .collect();
+        tape(&arena, &parameters, &products, "what a first integral divides by")
+    }
+
+    /// True for each integral that exists at these parameters. An integral that divides by a parameter with value 0
+    /// does not.
+    #[must_use]
+    pub fn exist(&self, parameters: &[f64]) -> Vec<bool> {
+        self.divided.evaluate(parameters).into_iter().map(|divisor| divisor != 0.0).collect()
+    }
+
+    /// Watch of a model. Its first integrals are found and proved first.
+    ///
+    /// # Errors
+    /// [`Error`] if the model cannot be derived.
+    pub fn of_model(model: &Model) -> Result<Self, Error> {
+        Self::of_ground(model, &Ground::new(model).map_err(|error| model.diagnose(&error))?)
+    }
+
+    /// Watch of a model whose first integrals are known.
+    ///
+    /// # Errors
+    /// As [`Watch::new`].
+    pub fn of_ground(model: &Model, ground: &Ground) -> Result<Self, Error> {
+        Self::new(model, &ground.arena, &ground.integrals)
+    }
+
+    /// Largest change along a run of each first integral that exists.
+    #[must_use]
+    pub fn drifts(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<Drift> {
+        let exist = self.exist(&problem.shown.parameters);
+        let changes = self.integrals.iter().zip(self.changes(problem, solution)).zip(exist);
+        let drift = |(integral, change): (&Conserved, f64)| Drift { integral: integral.clone(), change };
+        changes.filter(|(_, exists)| *exists).map(|(found, _)| drift(found)).collect()
+    }
+
+    /// The largest change of each first integral over the samples of a solution.
+    #[must_use]
+    pub fn changes(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<f64> {
+        let n = self.integrals.len();
+        let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; n + self.divisors.len()]);
+        let (mut first, mut largest) = (None, vec![0.0; n]);
+        let samples = solution.t.iter().zip(&solution.y).chain([(&solution.t_end, &solution.y_end)]);
+        for (t, y) in samples {
+            let inputs = [problem.shown.parameters.clone(), problem.state(*t, y)].concat();
+            self.tape.evaluate_into(&inputs, &mut scratch, &mut out);
+            let first = first.get_or_insert_with(|| out[..n].to_vec());
+            for ((largest, value), first) in largest.iter_mut().zip(&out).zip(first.iter()) {
+                *largest = larger((value - first).abs(), *largest);
+            }
+        }
+        largest
+    }
+
+    /// The change of one first integral at each sample of a solution.
+    #[must_use]
+    pub fn course(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
+        let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; self.integrals.len() + self.divisors.len()]);
+        let mut value = |(t, y): (&f64, &Vec<f64>)| {
+            let inputs = [problem.shown.parameters.clone(), problem.state(*t, y)].concat();
+            self.tape.evaluate_into(&inputs, &mut scratch, &mut out);
+            out[integral]
+        };
+        let values: Vec<f64> = solution.t.iter().zip(&solution.y).map(&mut value).collect();
+        values.iter().map(|x| x - values[0]).collect()
+    }
+
+    /// For each first integral the instant at which it is furthest from its start by what allowed errors can move it
+    /// there. `allowance` tells the allowed error of a component of (q, u) with its value; at most `samples` states are
+    /// looked at.
+    pub fn worst(
+        &self,
+        problem: &Problem<'_>,
+        solution: &Solution,
+        samples: usize,
+        allowance: &dyn Fn(usize, f64) -> f64,
+    ) -> Vec<Excursion> {
+        let n = self.integrals.len();
+        let mut worst = vec![Excursion::default(); n];
+        let p = &problem.shown.parameters;
+        let mut scratch = Vec::new();
+        let mut value = |state: &[f64]| {
+            let mut out = vec![f64::NAN; n + self.divisors.len()];
+            self.tape.evaluate_into(&[p.as_slice(), state].concat(), &mut scratch, &mut out);
+            out.truncate(n);
+            out
+        };
+        let first = solution.t.first().zip(solution.y.first()).unwrap_or((&solution.t_end, &solution.y_end));
+        let start = value(&problem.state(*first.0, first.1));
+        let every = solution.y.len().div_ceil(samples).max(1);
+        for (t, y) in solution.t.iter().zip(&solution.y).step_by(every).chain([(&solution.t_end, &solution.y_end)]) {
+            let mut state = problem.state(*t, y);
+            let here = value(&state);
+            let terms = self.tape.largest_terms(&[p.as_slice(), &state].concat());
+            let mut allowed = vec![0.0; n];
+            for at in 0..state.len() {
+                let kept = state[at];
+                state[at] += allowance(at, kept);
+                for ((sum, moved), here) in allowed.iter_mut().zip(value(&state)).zip(&here) {
+                    *sum += (moved - here).abs();
+                }
+                state[at] = kept;
+            }
+            for (at, worst) in worst.iter_mut().enumerate() {
+                let change = (here[at] - start[at]).abs();
+                // A value is not known better than to the rounding of what it is the sum of.
+                let rounding = ROUNDINGS * f64::EPSILON * terms[at].max(start[at].abs()).max(1e-290);
+                let ratio = change / allowed[at].max(rounding);
+                // Where an integral has no value nothing is known to be kept.
+                let ratio = if ratio.is_nan() { f64::INFINITY } else { ratio };
+                if ratio > worst.ratio {
+                    *worst = Excursion { t: *t, change, ratio };
+                }
+            }
+        }
+        worst
+    }
+
+    /// The values of each first integral and the absolute value of each divisor, at these states.
+    #[must_use]
+    pub fn along(&self, parameters: &[f64], states: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+        let mut list = vec![Vec::with_capacity(states.len()); self.integrals.len() + self.divisors.len()];
+        let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; list.len()]);
+        for state in states {
+            self.tape.evaluate_into(&[parameters, state].concat(), &mut scratch, &mut out);
+            for (values, value) in list.iter_mut().zip(&out) {
+                values.push(*value);
+            }
+        }
+        let divisors = list.split_off(self.integrals.len());
+        (list, divisors.into_iter().map(|values| values.into_iter().map(f64::abs).collect()).collect())
+    }
+}
+
+impl Course {
+    /// (least value, its time) of what was watched; nothing if no value is a number.
+    #[must_use]
+    pub fn least(&self, values: &[f64]) -> Option<(f64, f64)> {
+        let pairs = values.iter().copied().zip(self.t.iter().copied()).filter(|(x, _)| !x.is_nan());
+        pairs.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// |det A| in units of its value at the start, sample by sample.
+    #[must_use]
+    pub fn relative_determinant(&self) -> Vec<f64> {
+        let start = self.determinant.first().copied().unwrap_or(f64::NAN);
+        self.determinant.iter().map(|det| (det / start).abs()).collect()
+    }
+
+    /// Absolute difference of each sample of a first integral from the first sample.
+    #[must_use]
+    pub fn changes(&self, integral: usize) -> Vec<f64> {
+        let values = &self.integrals[integral];
+        values.iter().map(|x| (x - values[0]).abs()).collect()
+    }
+
+    /// The largest change of each first integral; not a number if a sample has no value.
+    #[must_use]
+    pub fn largest_changes(&self) -> Vec<f64> {
+        (0..self.integrals.len()).map(|at| self.changes(at).into_iter().fold(0.0, larger)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extremes_pass_over_what_has_no_value() {
+        let course = Course {
+            t: vec![0.0, 1.0, 2.0],
+            integrals: vec![vec![1.0, 3.0, 0.5], vec![1.0, f64::NAN, 1.0], vec![2.0; 3]],
+            determinant: vec![-4.0, -1.0, -2.0],
+            condition: vec![f64::NAN, 0.5, 0.25],
+            divisors: vec![vec![f64::NAN; 3]],
+        };
+        assert_eq!(course.least(&course.condition), Some((0.25, 2.0)));
+        assert_eq!(course.least(&course.divisors[0]), None);
+        assert_eq!(course.relative_determinant(), [1.0, 0.25, 0.5]);
+        assert_eq!(course.changes(0), [0.0, 2.0, 0.5]);
+        let changes = course.largest_changes();
+        assert_eq!(format!("{changes:?}"), "[2.0, NaN, 0.0]", "a sample without a value is no change of 0");
+    }
+}

@@ -1,0 +1,190 @@
+//! Objections to a run, which say why its numbers cannot be trusted.
+//!
+//! Every objection comes with its figure. None depends on a clock: the same run gives the same objections.
+
+pub mod comparison;
+pub(super) mod digits;
+pub(super) mod events;
+pub(super) mod invariants;
+pub(super) mod power;
+pub(super) mod reference;
+pub(super) mod residuals;
+pub(super) mod stiffness;
+
+use crate::error::{Error, refused};
+use crate::preparation::problem::Problem;
+use crate::trust::digits::{Digits, FEW};
+use crate::trust::invariants::{Conserved, Excursion, Watch};
+use crate::trust::residuals::{broken, opened};
+use tripos_derive::scene::Solve;
+use tripos_sim::{Solution, Stop};
+
+/// A relative error that leaves no more than three digits.
+const THREE_DIGITS: f64 = 1e-3;
+/// Greatest number of samples of a run at which matrices are checked.
+const MOST_SAMPLES: usize = 400;
+
+/// Objections to a run, each with its figure; `names` are those of the values whose digits are given.
+///
+/// # Errors
+/// [`Error::Request`] if the parameters are not those of the equations.
+pub fn objections(
+    problem: &Problem<'_>,
+    solution: &Solution,
+    watch: Option<&Watch>,
+    energy_drift: Option<f64>,
+    (digits, names): (Option<&Digits>, &[String]),
+) -> Result<Vec<String>, Error> {
+    let mut list: Vec<String> = solution.warnings.iter().map(|w| w.described(&problem.variables())).collect();
+    if solution.stop == Stop::Interrupted {
+        // The run was interrupted, so no judgement is needed.
+        return Ok(list);
+    }
+    list.extend(digits.and_then(|digits| few(digits, names)));
+    list.extend(digits.and_then(|digits| contradicted(digits, &problem.variables())));
+    if let Some(watch) = watch {
+        let worst = worst(problem, solution, watch);
+        list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(said));
+    }
+    if !watch.is_some_and(|watch| watch.integrals.iter().any(|integral| integral.kind.is_energy())) {
+        list.extend(energy_drift.and_then(|drift| energy(problem, solution, drift)));
+    }
+    list.extend(broken(problem, solution));
+    list.extend(opened(problem, solution));
+    list.extend(condition(problem, solution)?);
+    Ok(list)
+}
+
+/// Objection to a run that shows too few digits, with the instant from which on it does.
+fn few(digits: &Digits, names: &[String]) -> Option<String> {
+    let (instant, which) = digits.first_with_few()?;
+    let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
+    if error.is_nan() {
+        return Some(format!("`{name}` has no value at t = {t:.4} s, in this run or in another, {}", digits.by));
+    }
+    let end = digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} are left again"));
+    Some(format!(
+        "fewer than three digits are left from t = {t:.4} s on, where `{name}` may be off by {error:.1e}: so far apart are this run and another, {}{}",
+        digits.by,
+        end.unwrap_or_default()
+    ))
+}
+
+/// Part of a run that is not assessed, in words; `None` if it is assessed to its end.
+fn beyond(digits: &Digits) -> Option<String> {
+    match digits.assessed() {
+        _ if digits.is_complete() => None,
+        Some(t) => Some(format!("beyond t = {t} s")),
+        None => Some("at any instant".to_owned()),
+    }
+}
+
+/// Distance of the ends of two runs that could not go on, relative to the run, up to which they count as one end.
+const ONE_END: f64 = 1e-3;
+
+/// True if the second run could not go on where the first did. Reaching the step limit does not count.
+fn could_not_go_on(digits: &Digits) -> bool {
+    let (t, stop, is_finer) = &digits.second;
+    let start = digits.t.first().copied().unwrap_or(*t);
+    let is_one_end = (digits.t_end - t).abs() <= ONE_END * (digits.t_end - start).abs();
+    // A coarser run may fail by its own errors.
+    *is_finer && stop.is_failure() && !matches!(stop, Stop::StepLimit { .. }) && !is_one_end
+}
+
+/// Note on a run whose second run stopped before its end, for its cost or for an error of its own.
+pub fn unassessed(digits: &Digits) -> Option<String> {
+    let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
+    let why = match digits.second.1 {
+        Stop::StepLimit { .. } => "had cost as much as this one there",
+        _ => "could not go on there",
+    };
+    Some(format!("digits are not assessed {beyond}: a second run ({}) {why}", digits.by))
+}
+
+/// Objection to a run if another run of the same motion cannot follow it to its end.
+fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
+    let beyond = beyond(digits).filter(|_| could_not_go_on(digits))?;
+    let why = digits.second.1.described(names);
+    Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
+}
+
+/// Objection to a run whose energy drifts. It applies where energy is not among the watched first integrals, since
+/// loads work or no integrals were looked for. T + V minus the work done is then constant.
+fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
+    let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
+    let n = system.lengths().coordinates;
+    let potential = |y: &Vec<f64>| system.potential_energy(p, &y[..n]).abs();
+    // The scale is the largest honest kinetic energy. A run that blows up must not raise its own allowance.
+    let start = solution.y.first().unwrap_or(&solution.y_end);
+    let first = (system.kinetic_energy(p, &start[..n], &start[n..]) + system.potential_energy(p, &start[..n])).abs();
+    let scale = solution.y.iter().fold(first, |m, y| m.max(first + potential(y)));
+    let scale = solution.work.iter().fold(scale, |m, work| m.max(first + work.abs()));
+    let what = if solution.work.is_empty() { "total energy" } else { "total energy less the work done" };
+    // Displacements below the absolute tolerance do not matter, as for a body that rests where V is 0.
+    let (end, least) = (&solution.y_end[..n], problem.scene.integration.atol.smallest());
+    let reach = |at: usize| {
+        let mut beside = end.to_vec();
+        beside[at] += least;
+        (system.potential_energy(p, &beside) - system.potential_energy(p, end)).abs()
+    };
+    let nothing = (0..n).map(reach).sum::<f64>();
+    // A run that ended where energy has no value says so by its stop.
+    (drift > (THREE_DIGITS * scale).max(nothing)).then(|| {
+        format!(
+            "{what}, constant in this motion, changed by {drift:.3e} J of {scale:.3e} J: fewer than three digits are left"
+        )
+    })
+}
+
+/// First integral with its largest excursion from its start.
+type Worst<'a> = (&'a Conserved, Excursion);
+
+fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Vec<Worst<'a>> {
+    // The allowed excursion is that of a state with three correct digits.
+    let worst = watch.worst(problem, solution, MOST_SAMPLES, &|_, x| THREE_DIGITS * (1.0 + x.abs()));
+    let list = watch.integrals.iter().zip(worst).zip(watch.exist(&problem.shown.parameters));
+    list.filter(|(_, exists)| *exists).map(|(found, _)| found).collect()
+}
+
+fn said((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
+    let (name, unit) = (integral.name(), &integral.unit);
+    if change.is_nan() {
+        return format!("{name}, constant in this motion, has no value at t = {t:.4} s: do not trust this run");
+    }
+    format!(
+        "{name}, constant in this motion, has changed by {change:.3e} {unit} at t = {t:.4} s: fewer than three digits are left there"
+    )
+}
+
+/// States spread evenly over a run, at most as many as are checked closely.
+fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
+    let every = solution.y.len().div_ceil(MOST_SAMPLES).max(1);
+    solution.t.iter().copied().zip(&solution.y).step_by(every)
+}
+
+/// Objection to a numeric solve whose ill-conditioned matrix loses too many digits.
+fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
+    // Multipliers are found whatever the rank of the constraints is.
+    if problem.solve == Solve::Eliminated || problem.chosen.is_some() {
+        return Ok(None);
+    }
+    let mut dynamics = problem.dynamics().map_err(|error| refused(problem.scene, &error))?;
+    let worst = spread(solution)
+        .map(|(t, y)| {
+            let (q, v) = dynamics.split(y);
+            let (q, v) = (q.to_vec(), v.to_vec());
+            (t, dynamics.reciprocal_condition(&q, &v))
+        })
+        .min_by(|a, b| a.1.total_cmp(&b.1));
+    let Some((t, rcond)) = worst else { return Ok(None) };
+    let lost = f64::EPSILON / rcond.max(f64::MIN_POSITIVE);
+    let asked = problem.scene.integration.rtol.max(problem.scene.integration.atol.smallest());
+    Ok((lost > asked).then(|| {
+        let digits = (-lost.log10()).floor().max(0.0);
+        format!(
+            "the matrix is ill-conditioned at t = {t} s: equilibrated rcond {rcond:.1e}, so the numeric solve leaves {digits} digits there, less than rtol {:e} asks for{}",
+            problem.scene.integration.rtol,
+            if problem.system().has_accelerations() { "; eliminated accelerations lose none of them" } else { "" }
+        )
+    }))
+}

@@ -1,0 +1,172 @@
+//! Reference solutions, against which other runs are measured, and their certification.
+//!
+//! Equations run in twice the precision of a double, compiled or interpreted, eliminated, by DOP853. Their tolerances
+//! are out of reach of doubles. The runs are made by two formulations and at two tolerances. The difference of the runs
+//! is the uncertainty of the reference.
+
+use crate::code::{Code, Ready, code, compiled_code};
+use crate::error::{Error, refused};
+use crate::mechanism::Mechanism;
+use crate::preparation::problem::Problem;
+use tripos_derive::Formulation;
+use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::Distance;
+use tripos_derive::scene::{Scene, Solve};
+use tripos_sim::work_precision::error;
+use tripos_sim::{Eliminated, Lent, Method, Options, Output, RightHandSide, SimError, Solution, integrate};
+use tripos_traits::{DoubleDouble, Real, Scalar, larger};
+
+/// States at given instants, more accurate than any run in doubles.
+pub struct Reference {
+    /// The instants, s.
+    pub times: Vec<f64>,
+    /// Coordinates, then generalized speeds, at each instant.
+    pub states: Vec<Vec<DoubleDouble>>,
+    /// Uncertainty of the states, in the measure of [`error`].
+    pub uncertainty: f64,
+    /// Description of the certification.
+    pub how: String,
+}
+
+/// Tolerances of the run that is kept and of the run that checks it.
+const TOLERANCES: [f64; 2] = [1e-22, 1e-20];
+/// Number of steps after which a reference is given up.
+const MOST_STEPS: u64 = 5_000_000;
+/// Number of states near the start at which the terms of two formulations are compared.
+const STATES: usize = 4;
+
+impl Reference {
+    /// Computes the reference of a scene without its events, at these instants in the order of the run.
+    ///
+    /// # Errors
+    /// [`Error`] if no formulation gets to the last instant.
+    pub fn new(model: &Mechanism, scene: &Scene, times: &[f64]) -> Result<Self, Error> {
+        if !scene.impacts.is_empty() {
+            let help = "take the errors that the run states, or leave the impacts out";
+            return Err(Error::request("references in 32 digits know no impacts", help));
+        }
+        let mut scene = scene.clone();
+        scene.integration.distance = near(model, &scene);
+        let [first, second] = witnesses(model, &scene)?;
+        let names = [&first, &second].map(|witness| witness.by.name()).into_iter().zip(TOLERANCES);
+        let names: Vec<String> = names.map(|(name, rtol)| format!("{name} at {rtol:.0e}")).collect();
+        let kept = first.run(model, &scene, times, TOLERANCES[0])?;
+        let check = second.run(model, &scene, times, TOLERANCES[1])?;
+        let difference = kept.iter().zip(&check).map(|(a, b)| error(a, b)).fold(0.0, larger);
+        let same = first.runs_the_terms_of(&second, model, &scene)?;
+        let more = if same { "; both run the same terms, so that they are one witness at two tolerances" } else { "" };
+        let how = format!(
+            "DOP853 in double-double (32 digits), {}: they differ by {difference:.1e}{more}",
+            names.join(" against ")
+        );
+        Ok(Self { times: times.to_vec(), states: kept, uncertainty: larger(difference, DoubleDouble::EPSILON), how })
+    }
+
+    /// The last state.
+    pub fn end(&self) -> &[DoubleDouble] {
+        self.states.last().map_or(&[], Vec::as_slice)
+    }
+}
+
+/// Equations that a reference is computed from.
+#[derive(Clone)]
+struct Witness {
+    by: By,
+    code: Code,
+}
+
+/// Two formulations, or one twice if the model has only one.
+fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
+    let mut list = Vec::new();
+    for formulation in [Formulation::Lagrange, Formulation::Kane] {
+        let by = By::from(formulation);
+        match code(model, &by, scene.integration.distance, Ready::Solved) {
+            Ok(code) if code.system().has_accelerations() => list.push(Witness { by, code }),
+            Ok(_) | Err(Error::Unsupported(_)) => {}
+            Err(failure) => return Err(failure),
+        }
+    }
+    list.extend(list.first().cloned().filter(|_| list.len() == 1));
+    list.try_into().map_err(|_| {
+        let help = "give a model that Kane's method or Lagrange's equations can be derived for".to_owned();
+        Error::request("nothing is there to certify a reference with".to_owned(), help)
+    })
+}
+
+/// Distance from the singular surface of a scene, if its equations were compiled in that distance.
+fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
+    tripos_derive::mechanics::distances(model).first().copied().or(scene.integration.distance).filter(|distance| {
+        // In 32 digits a distance without generated code keeps enough of them.
+        let is_compiled =
+            |distance| compiled_code(model, &By::from(Formulation::Lagrange), distance, Ready::Solved).is_some();
+        !is_compiled(None) || is_compiled(Some(*distance))
+    })
+}
+
+impl Witness {
+    /// The states of a run at these instants.
+    fn run(&self, model: &Mechanism, scene: &Scene, times: &[f64], rtol: f64) -> Result<Vec<Vec<DoubleDouble>>, Error> {
+        let problem = Problem::new(model, scene, &self.by, &self.code, Some(Solve::Eliminated))?;
+        let (p, y0) = problem.extended_start()?;
+        let system = self.code.extended();
+        let mut rhs = Eliminated::new(system, &p).expect("checked to be eliminated, with the model's parameters");
+        let options = problem.options(&options(rtol));
+        let walk = |t0: f64, t1: f64, y: &[DoubleDouble]| {
+            let rhs = Lent(&mut rhs as &mut dyn RightHandSide<DoubleDouble>);
+            integrate(rhs, (t0, t1), y, &options, &mut [])
+        };
+        let states = along(scene, times, y0, walk)?;
+        Ok(times.iter().zip(&states).map(|(t, y)| problem.extended_state(&p, *t, y)).collect())
+    }
+
+    /// True if two formulations have identical terms: their rates have the same bits near the start.
+    ///
+    /// Different terms for equal rates differ in one of 106 bits of a rate at one of these states. The result is stated
+    /// with a reference, and decides nothing.
+    fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
+        if self.code.system().lengths().state() != other.code.system().lengths().state() {
+            return Ok(false);
+        }
+        let problem = Problem::new(model, scene, &self.by, &self.code, Some(Solve::Eliminated))?;
+        let (p, y0) = problem.extended_start()?;
+        let rates = |witness: &Self, y: &[DoubleDouble]| {
+            let (q, v) = y.split_at(witness.code.system().lengths().coordinates);
+            let (mut q_dot, mut v_dot) = (q.to_vec(), v.to_vec());
+            witness.code.extended().derivative(&p, q, v, &mut q_dot, &mut v_dot);
+            [q_dot, v_dot].concat()
+        };
+        let beside = |k: usize| {
+            let offset =
+                |at: usize| DoubleDouble::ratio(1, 7) * DoubleDouble::from_f64((1 + at + k) as f64).sin_cos().0;
+            y0.iter().enumerate().map(|(at, y)| *y + offset(at)).collect::<Vec<_>>()
+        };
+        Ok((0..STATES).map(beside).all(|y| rates(self, &y) == rates(other, &y)))
+    }
+}
+
+fn options(rtol: f64) -> Options {
+    let method = Method::Dop853;
+    Options { method, step_limit: MOST_STEPS, output: Output::Ends, ..Options::tolerances(rtol, rtol) }
+}
+
+/// Walks from instant to instant. Each is the end of a run, where the solution is as accurate as the tolerance.
+fn along(
+    scene: &Scene,
+    times: &[f64],
+    start: Vec<DoubleDouble>,
+    mut walk: impl FnMut(f64, f64, &[DoubleDouble]) -> Result<Solution<DoubleDouble>, SimError>,
+) -> Result<Vec<Vec<DoubleDouble>>, Error> {
+    let (mut t, mut y) = (scene.span.0, start);
+    let mut states = Vec::new();
+    for &next in times {
+        if next - t != 0.0 {
+            let solution = walk(t, next, &y).map_err(|error| refused(scene, &error))?;
+            if solution.stop.is_failure() {
+                return Err(Error::Stopped(format!("the reference run {solution}")));
+            }
+            (t, y) = (next, solution.y_end);
+        }
+        states.push(y.clone());
+    }
+    Ok(states)
+}

@@ -1,0 +1,104 @@
+//! Residuals of the constraints of a run.
+
+use crate::preparation::problem::Problem;
+use tripos_derive::scene::Loops;
+use tripos_sim::Solution;
+
+/// Relative gap up to which a redundant loop counts as closed. Redundant loops amplify the residuals of the others.
+const MAY_OPEN: f64 = 1e-6;
+/// Relative residual of a constraint that rounding can cause, compared with the sum of its terms.
+const ROUNDING: f64 = 1e-12;
+
+/// Residual of a constraint along a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Residual {
+    /// Name of the constraint in the file, with a prime if it is the rate of a loop.
+    pub name: String,
+    /// Largest residual over the samples, with its sign, in the unit of the constraint.
+    pub largest: f64,
+}
+
+/// Computes the residuals of a problem's constraints over the samples of its solution.
+pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
+    let system = problem.system();
+    let count = system.constraint_count();
+    let mut largest = vec![0.0_f64; count];
+    let mut values = vec![0.0; count];
+    for y in solution.y.iter().chain([&solution.y_end]) {
+        let (q, v) = y.split_at(system.lengths().coordinates);
+        system.constraints(&problem.scene.parameters, q, v, &mut values);
+        for (most, value) in largest.iter_mut().zip(&values) {
+            // A value that is not a number stays.
+            if value.is_nan() || value.abs() > most.abs() {
+                *most = *value;
+            }
+        }
+    }
+    let named = |(at, largest)| Residual { name: system.constraint_name(at).to_owned(), largest };
+    let following = following(problem, solution).into_iter().map(|(residual, _)| residual);
+    largest.into_iter().enumerate().map(named).chain(following).collect()
+}
+
+/// Residuals of the redundant loops, which are not kept closed. Each has its largest gap relative to the sizes of its
+/// terms.
+fn following(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)> {
+    let model = problem.model;
+    if model.closed.is_empty() {
+        return Vec::new();
+    }
+    let loops = Loops::new(model);
+    let mut list: Vec<(Residual, f64)> =
+        model.closed.iter().map(|c| (Residual { name: c.name.clone(), largest: 0.0 }, 0.0)).collect();
+    for y in solution.y.iter().chain([&solution.y_end]) {
+        for ((residual, most), (_, open, part)) in
+            list.iter_mut().zip(loops.following(&problem.scene.parameters, &y[..model.coordinates.len()]))
+        {
+            if part.is_nan() || part > *most {
+                (residual.largest, *most) = (open, part);
+            }
+        }
+    }
+    list
+}
+
+/// Objections to a run in which a redundant loop opens.
+pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item = String> {
+    following(problem, solution).into_iter().filter(|(_, part)| part.is_nan() || *part > MAY_OPEN).map(|(residual, _)| {
+        format!(
+            "the loop `{}`, which is to follow from the others wherever they are closed, opens by {:.1e}: at these values it does \
+             not, or not along the whole way, and this is not the motion of the mechanism",
+            residual.name,
+            residual.largest.abs()
+        )
+    })
+}
+
+/// Objection to a run that could not be kept on its constraints: a residual exceeds its tolerance. Corrections that
+/// only rounding causes do not matter.
+pub fn broken(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
+    let report = solution.projection.as_ref().filter(|_| problem.system().constraint_count() > 0)?;
+    let left = report.singular + report.not_converged;
+    let is_off = || solution.y.iter().chain([&solution.y_end]).any(|y| is_off(problem, y));
+    (left > 0 && is_off()).then(|| {
+        format!(
+            "after {left} steps the state could not be moved back onto the constraints: they are dependent there, or the steps \
+             are far too long"
+        )
+    })
+}
+
+/// True if a constraint's residual at a state exceeds its tolerance, relative to the sum of the sizes of its terms.
+fn is_off(problem: &Problem<'_>, y: &[f64]) -> bool {
+    let (system, p, how) = (problem.system(), &problem.scene.parameters, &problem.scene.integration);
+    let count = system.constraint_count();
+    let (mut values, mut slopes) = (vec![0.0; count], vec![0.0; count * y.len()]);
+    let (q, v) = y.split_at(system.lengths().coordinates);
+    system.constraints(p, q, v, &mut values);
+    system.constraint_slopes(p, q, v, &mut slopes);
+    let allowed = if how.step.is_some() { ROUNDING } else { how.rtol.max(ROUNDING) };
+    values.iter().zip(slopes.chunks_exact(y.len().max(1))).any(|(value, row)| {
+        let size: f64 = row.iter().zip(y).map(|(slope, y)| (slope * y).abs().max(slope.abs())).sum();
+        // A value that is not a number counts as off.
+        value.is_nan() || value.abs() > allowed * size
+    })
+}

@@ -1,0 +1,109 @@
+//! Advice on stiff runs: if stability, not accuracy, limits the steps of an explicit run, an implicit method is
+//! measured.
+//!
+//! A step h of an explicit method is stable up to a certain |h λ|, where λ is an eigenvalue of the Jacobian. If the
+//! steps have that length on average, stability may limit them. The motion itself decides this: Radau's method runs it
+//! at the same tolerances with a fraction of the steps, and either arrives or does not. So the advice is measured, and
+//! a motion that needs its steps gets none.
+
+use crate::error::{Error, refused};
+use crate::options::{method, options_of_ends};
+use crate::preparation::problem::Problem;
+use tripos_derive::scene::QUADRATURE;
+use tripos_sim::{Eliminated, Method, Options, Output, RightHandSide, Solution, Stop};
+
+/// Least number of steps of a run for which the question is asked; shorter runs take no time.
+const MANY_STEPS: u64 = 2_000;
+/// Average |h λ| from which on stability may limit the steps. The bounds along the negative axis are 2.8 (rk4), 3.3
+/// (dopri5), 6.1 (dop853) and more for Taylor's method: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary
+/// Differential Equations*, §IV.2 of volume II.
+const NEAR_BOUND: f64 = 2.0;
+/// Ratio by which the steps of the implicit method must be fewer. The method is given no more.
+const FEWER: u64 = 10;
+/// Ratio by which the cost of the implicit method must be less.
+const CHEAPER: u64 = 2;
+/// Number of states of a run at which the largest eigenvalue is estimated. Below, the iterations that find its
+/// direction and those that measure it.
+const SAMPLES: usize = 20;
+const TURNS: usize = 10;
+const MEASURED: usize = 30;
+
+/// Advice for a run whose steps are limited by stability. `None` if they are not, if this cannot be told without a
+/// Jacobian, or if an implicit method would not be better.
+///
+/// # Errors
+/// [`Error`] if the problem cannot be run as its scene says.
+pub fn advice(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
+    let how = &problem.scene.integration;
+    let is_asked = how.method != QUADRATURE && how.step.is_none() && solution.steps >= MANY_STEPS;
+    if !is_asked || method(&how.method)?.needs_jacobian() || solution.stop == Stop::Interrupted {
+        return Ok(None);
+    }
+    let Some(product) = mean_product(problem, solution).filter(|product| *product > NEAR_BOUND) else {
+        return Ok(None);
+    };
+    let Some((end, implicit)) = measured(problem, solution)? else { return Ok(None) };
+    let done = if solution.stop == Stop::End { String::new() } else { format!(" to t = {} s", solution.t_end) };
+    let arrived = if solution.t_end.total_cmp(&end).is_eq() { String::new() } else { format!(" to t = {end} s") };
+    Ok(Some(format!(
+        "explicit steps are limited by stability here, not by accuracy: {} steps of {}{done}, with |h λ| = {product:.1} on \
+         average; radau5 takes {} at the same tolerances{arrived}",
+        solution.steps, how.method, implicit.steps
+    )))
+}
+
+/// Average over the run of the largest |λ| of the Jacobian times the length of a step: (1/steps) ∫ |λ| dt.
+fn mean_product(problem: &Problem<'_>, solution: &Solution) -> Option<f64> {
+    let mut rhs = Eliminated::new(problem.system(), &problem.scene.parameters)?;
+    let every = solution.y.len().div_ceil(SAMPLES).max(1);
+    let samples = solution.t.iter().zip(&solution.y).step_by(every);
+    let radii: Vec<f64> = samples.filter_map(|(t, y)| spectral_radius(&mut rhs, *t, y)).collect();
+    let step = (solution.t_end - problem.scene.span.0).abs() / solution.steps as f64;
+    (!radii.is_empty()).then(|| step * radii.iter().sum::<f64>() / radii.len() as f64)
+}
+
+/// Largest |λ| of the Jacobian at a state, 1/s, which need not be real. It is the mean growth of a vector under
+/// repeated multiplication by the Jacobian.
+fn spectral_radius(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
+    let n = y.len();
+    // Purely algebraic equations have no rates.
+    if n == 0 {
+        return None;
+    }
+    let mut jacobian = vec![0.0; n * n];
+    rhs.jacobian(t, y, &mut jacobian)?.ok()?;
+    let mut w: Vec<f64> = (0..n).map(|i| 1.0 + i as f64 / 10.0).collect();
+    let mut growth = 0.0;
+    for turn in 0..TURNS + MEASURED {
+        let image: Vec<f64> =
+            jacobian.chunks_exact(n).map(|row| row.iter().zip(&w).map(|(j, w)| j * w).sum()).collect();
+        let length = image.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if !(length.is_finite() && length > 0.0) {
+            return None;
+        }
+        if turn >= TURNS {
+            growth += length.ln();
+        }
+        w = image.into_iter().map(|x| x / length).collect();
+    }
+    Some((growth / MEASURED as f64).exp())
+}
+
+/// Runs the motion by Radau's method. Returns the end of that run with its solution: the end of the given run, or of
+/// the span if the steps were used up. `None` unless it arrives with far fewer steps and less work.
+fn measured(problem: &Problem<'_>, solution: &Solution) -> Result<Option<(f64, Solution)>, Error> {
+    let scene = problem.scene;
+    let is_given_up = matches!(solution.stop, Stop::StepLimit { .. });
+    let end = if is_given_up { scene.span.1 } else { solution.t_end };
+    let options = Options {
+        method: Method::Radau5,
+        step_limit: solution.steps / FEWER,
+        output: Output::Ends,
+        ..options_of_ends(scene)?
+    };
+    let run = problem.integrate_over((scene.span.0, end), &problem.start()?, &options, &mut []);
+    let run = run.map_err(|error| refused(scene, &error))?;
+    // The cost of a Jacobian is counted as that of differences by columns.
+    let spent = run.evaluations + run.jacobians * run.y_end.len() as u64;
+    Ok((run.stop == Stop::End && CHEAPER * spent <= solution.evaluations).then_some((end, run)))
+}
