@@ -9,10 +9,10 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Duration;
 use tripos_derive::Model;
-use tripos_derive::algebra::compare::{Comparer, Engine, Verdict};
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::normal::{Normalizer, Zero};
-use tripos_derive::algebra::parse::parse_free;
+use tripos_derive::algebra::form::normal::{Normalizer, Zero};
+use tripos_derive::algebra::meaning::compare::{Comparer, Engine, Verdict};
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Quantities, Quantity, derive_all};
 

@@ -6,8 +6,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use tripos_derive::algebra::evaluate::{Numeric, Tape};
-use tripos_derive::algebra::parse::parse_free;
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::value::evaluate::{Numeric, Tape};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_models::disk::kane::Kane;
 use tripos_sim::{Direction, Eliminated, Event, InRanges, Lent, Method, Options, Output, integrate};

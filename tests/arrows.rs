@@ -39,7 +39,7 @@ fn derive_depends_on_the_traits_alone() {
 #[test]
 fn no_verdict_reads_a_double_double() {
     for (path, text) in sources("derive/src") {
-        let may = ["derive/src/scene", "derive/src/algebra/evaluate.rs", "derive/src/algebra/exact.rs"];
+        let may = ["derive/src/scene", "derive/src/algebra/value/evaluate.rs", "derive/src/algebra/value/exact.rs"];
         let says = text.contains("DoubleDouble") && !may.iter().any(|place| path.to_string_lossy().contains(place));
         assert!(!says, "{} mentions DoubleDouble", path.display());
     }
@@ -54,7 +54,7 @@ fn the_algebra_knows_no_mechanics() {
 fn formulations_never_import_one_another() {
     let files = Formulation::ALL.map(|formulation| formulation.name().replace('-', "_"));
     for own in &files {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("derive/src/mechanics/{own}.rs"));
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("derive/src/mechanics/formulations/{own}.rs"));
         let text = std::fs::read_to_string(path).unwrap();
         for other in files.iter().filter(|other| *other != own) {
             assert!(!text.contains(&format!("super::{other}")), "{own} imports {other}");
@@ -160,38 +160,38 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
     (
         "files and arguments",
         &[
-            "derive/src/algebra/notation/calls.rs",
-            "derive/src/algebra/notation/kind.rs",
-            "derive/src/algebra/notation/latex/formula.rs",
-            "derive/src/algebra/notation/latex/function.rs",
-            "derive/src/algebra/notation/latex/marks.rs",
-            "derive/src/algebra/notation/latex/symbol.rs",
-            "derive/src/algebra/notation/lexicon.rs",
-            "derive/src/algebra/notation/program.rs",
-            "derive/src/algebra/notation/sympy.rs",
-            "derive/src/algebra/parse.rs",
-            "derive/src/algebra/rational/text.rs",
-            "derive/src/algebra/parse/cursor.rs",
-            "derive/src/algebra/parse/error.rs",
-            "derive/src/algebra/parse/interaction.rs",
-            "derive/src/algebra/parse/velocity.rs",
-            "derive/src/algebra/rational.rs",
+            "derive/src/algebra/text/notation/calls.rs",
+            "derive/src/algebra/text/notation/kind.rs",
+            "derive/src/algebra/text/notation/latex/formula.rs",
+            "derive/src/algebra/text/notation/latex/function.rs",
+            "derive/src/algebra/text/notation/latex/marks.rs",
+            "derive/src/algebra/text/notation/latex/symbol.rs",
+            "derive/src/algebra/text/notation/lexicon.rs",
+            "derive/src/algebra/text/notation/program.rs",
+            "derive/src/algebra/text/notation/sympy.rs",
+            "derive/src/algebra/text/parse.rs",
+            "derive/src/algebra/term/rational/text.rs",
+            "derive/src/algebra/text/parse/cursor.rs",
+            "derive/src/algebra/text/parse/error.rs",
+            "derive/src/algebra/text/parse/interaction.rs",
+            "derive/src/algebra/text/parse/velocity.rs",
+            "derive/src/algebra/term/rational.rs",
             "derive/src/diagnostic.rs",
             "derive/src/diff/row_text.rs",
             "derive/src/diff/systems.rs",
-            "derive/src/mechanics/by.rs",
-            "derive/src/mechanics/quantities/parse.rs",
-            "derive/src/model/domain.rs",
-            "derive/src/model/interactions.rs",
-            "derive/src/model/joints.rs",
-            "derive/src/model/loading.rs",
-            "derive/src/model/loads.rs",
-            "derive/src/model/names.rs",
+            "derive/src/mechanics/origin.rs",
+            "derive/src/mechanics/solutions/quantities/parse.rs",
+            "derive/src/model/reading/domain.rs",
+            "derive/src/model/reactions/interactions.rs",
+            "derive/src/model/bodies/joints.rs",
+            "derive/src/model/reading/reader.rs",
+            "derive/src/model/bodies/loads.rs",
+            "derive/src/model/reading/names.rs",
             "derive/src/model/read_model.rs",
-            "derive/src/model/repeat.rs",
-            "derive/src/model/self_stress.rs",
-            "derive/src/model/shapes.rs",
-            "derive/src/model/speeds.rs",
+            "derive/src/model/reading/repetition.rs",
+            "derive/src/model/reactions/self_stress.rs",
+            "derive/src/model/bodies/shapes.rs",
+            "derive/src/model/constraints/speeds.rs",
             "derive/src/model/units.rs",
             "derive/src/read.rs",
             "derive/src/report/entries.rs",
@@ -235,11 +235,11 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
     (
         "letters, signs and digits",
         &[
-            "derive/src/algebra/print.rs",
-            "derive/src/algebra/print/name.rs",
-            "derive/src/algebra/print/python.rs",
-            "derive/src/algebra/sharing/rebuild.rs",
-            "derive/src/algebra/view.rs",
+            "derive/src/algebra/text/print.rs",
+            "derive/src/algebra/text/print/name.rs",
+            "derive/src/algebra/text/print/python.rs",
+            "derive/src/algebra/form/sharing/rebuild.rs",
+            "derive/src/algebra/text/view.rs",
             "derive/src/report/linear.rs",
             "codegen/src/plan/cost.rs",
             "codegen/src/plan/names.rs",

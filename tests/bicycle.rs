@@ -8,7 +8,7 @@ use std::path::Path;
 use tripos::{Overrides, Scene};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::Rational;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, Solved, derive};
 use tripos_derive::scene::load_state;

@@ -4,7 +4,7 @@
 //! u̇₁ = (6 u₂ u₃ r − u₃² r tan q₂ + 4 g sin q₂)/(5 r), u̇₂ = −2 u₁ u₃/3, u̇₃ = u₁ (u₃ tan q₂ − 2 u₂).
 
 use tripos::{Mechanism, Overrides, Scene};
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, Solved, derive, derive_all};
 use tripos_derive::prove::prove;

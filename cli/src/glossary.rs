@@ -5,8 +5,8 @@
 use crate::words::NAMED;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
-use tripos_derive::algebra::print::{text, whole_text};
-use tripos_derive::algebra::written::glossary;
+use tripos_derive::algebra::text::definitions::glossary;
+use tripos_derive::algebra::text::print::{text, whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// A paragraph that defines every name in the formulas that are shown, each by those before it; empty without names.

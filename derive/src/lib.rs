@@ -1,7 +1,7 @@
 //! From a model file to equations of motion, derived three independent ways.
 //!
 //! ```
-//! use tripos_derive::algebra::print::text;
+//! use tripos_derive::algebra::text::print::text;
 //! use tripos_derive::diagnostic::Source;
 //! use tripos_derive::{Formulation, derive, model};
 //!

@@ -1,7 +1,7 @@
 //! Typed access to a TOML file, collecting every error with its place.
 
-use crate::algebra::interval::{beyond_doubles, lost_constant};
-use crate::algebra::print::text;
+use crate::algebra::text::print::text;
+use crate::algebra::value::interval::{beyond_doubles, lost_constant};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
 use crate::plain::{by_number, called, is_blank, is_forbidden, one_line};

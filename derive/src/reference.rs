@@ -10,7 +10,7 @@ mod compare;
 
 pub use compare::{Compared, compare};
 
-use crate::algebra::parse::ParseError;
+use crate::algebra::text::parse::ParseError;
 use crate::diagnostic::{Source, shown};
 use crate::mechanics::{Formulation, QuantityError};
 use crate::model::text_hash;

@@ -1,10 +1,10 @@
 //! Results made from equations of motion are refused unless they are proved from them.
 
 use std::path::{Path, PathBuf};
-use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::steps::{Definition, needed};
+use tripos_derive::algebra::solve::elimination::Elimination;
+use tripos_derive::algebra::term::steps::{Definition, needed};
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{

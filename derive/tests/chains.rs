@@ -3,11 +3,11 @@
 use crate::chain;
 
 use chain::{by_hand, chain};
-use tripos_derive::algebra::calculus::Substitution;
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::parse::parse_free;
-use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::simplify::cost_of_all;
+use tripos_derive::algebra::form::simplify::cost_of_all;
+use tripos_derive::algebra::term::calculus::Substitution;
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 use tripos_derive::mechanics::{Derivation, Equations, derive_all};
 use tripos_derive::prove::prove;

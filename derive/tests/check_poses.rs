@@ -10,8 +10,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::calculus::Differential;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::term::calculus::Differential;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::check::{Check, check};
 use tripos_derive::model::Model;
 

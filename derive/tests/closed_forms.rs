@@ -3,10 +3,10 @@
 use expect_test::expect;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
-use tripos_derive::algebra::closed::{Branch, Kind, Need, Relation, Solutions, solve};
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::parse::parse_free;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::solve::closed::{Branch, Kind, Need, Relation, Solutions, solve};
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 
 /// A system with its solutions; a, b, c, d are positive, k is anything.

@@ -1,8 +1,8 @@
 //! Rows that combine others, written with angles that are equal only by meaning.
 
-use tripos_derive::algebra::compare::Comparer;
-use tripos_derive::algebra::parse::parse_free;
-use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::algebra::meaning::compare::Comparer;
+use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::rows::{Match, judge};
 

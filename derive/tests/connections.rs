@@ -6,8 +6,8 @@
 use crate::common::read;
 use std::fmt::Write;
 use std::path::Path;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::mechanics::{Derivations, Formulation, derive_all};
 use tripos_derive::model::{Model, ReactionKind};
 use tripos_derive::prove::{Proof, prove};

@@ -7,10 +7,10 @@
 use crate::differences::solved;
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
-use tripos_derive::algebra::compare::{Verdict, Witness};
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::parse::parse_free;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::meaning::compare::{Verdict, Witness};
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Difference, Finding, diff};
 use tripos_derive::mechanics::{Derivations, derive_all};
@@ -459,7 +459,7 @@ fn random_formulas_on_random_curves_are_judged_as_their_values_are() {
         let (x, y) = (arena.symbol("x"), arena.symbol("y"));
         let phi = parse_free(&mut arena, curve).unwrap();
         let [fx, fy] = [x, y].map(|s| {
-            let slope = tripos_derive::algebra::calculus::Differential::partial(s).apply(&mut arena, phi);
+            let slope = tripos_derive::algebra::term::calculus::Differential::partial(s).apply(&mut arena, phi);
             text(&arena, slope)
         });
         let rate = format!("(({fx})*x' + ({fy})*y')");

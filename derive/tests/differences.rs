@@ -1,8 +1,8 @@
 //! Verdicts of `diff` on printed equations.
 
-use tripos_derive::algebra::compare::Verdict;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::meaning::compare::Verdict;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Difference, Finding, Judgement, diff, printed_equations};
 use tripos_derive::mechanics::{Derivations, derive_all};

@@ -1,12 +1,12 @@
 //! Divided differences in floating point: against the plain quotient where it is exact enough, and against the
 //! derivative.
 
-use tripos_derive::algebra::calculus::{Differential, Substitution};
-use tripos_derive::algebra::divided::divided_difference;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::parse::parse_free;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::term::calculus::{Differential, Substitution};
+use tripos_derive::algebra::term::divided::divided_difference;
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Potentials as models have them: powers, roots of both signs of exponent, trigonometric poles, angles with constants.

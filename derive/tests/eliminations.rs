@@ -1,12 +1,12 @@
 //! Accelerations that were solved for at derivation time, against the equations they come from, by meaning.
 
 use std::fmt::Write;
-use tripos_derive::algebra::calculus::{Differential, Substitution};
-use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::simplify::{Simplifier, cost_of_all};
-use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::form::simplify::{Simplifier, cost_of_all};
+use tripos_derive::algebra::solve::elimination::Elimination;
+use tripos_derive::algebra::term::calculus::{Differential, Substitution};
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, Distance, accelerations, distances, in_distance, jacobian};

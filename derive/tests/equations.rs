@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::{Formulation, Model, derive};
 
 /// The entries that are not zero, upper triangle where symmetric.

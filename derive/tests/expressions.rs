@@ -1,7 +1,7 @@
 //! The expression language: precedence, places of errors, limits.
 
 use std::ops::Range;
-use tripos_derive::algebra::parse::parse_free;
+use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::{Arena, Expr, Rational};
 
 fn error(text: &str) -> (Range<usize>, String) {

@@ -8,9 +8,9 @@ use crate::common;
 use common::{edited, errors, read};
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::calculus::Substitution;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::term::calculus::Substitution;
+use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::mechanics::{Derivation, derive, derive_all};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model};
@@ -187,7 +187,7 @@ fn the_power_of_a_potential_in_time_is_its_slope_along_time() {
     let powers: Vec<_> = derivations.list.iter().map(|(_, e)| e.as_ref().unwrap().power).collect();
     let arena = &mut derivations.kinematics.arena;
     let by_hand = "-k*(x - length*sin(w*t))*length*w*cos(w*t)";
-    let by_hand = tripos_derive::algebra::parse::parse_free(arena, by_hand).unwrap();
+    let by_hand = tripos_derive::algebra::text::parse::parse_free(arena, by_hand).unwrap();
     let clock = arena.symbol("t'");
     let mut at_one = Substitution::new(&[(clock, Expr::ONE)]);
     for power in powers {

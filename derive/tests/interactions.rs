@@ -5,9 +5,9 @@
 use crate::common::read;
 use std::fmt::Write;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::parse::parse;
+use tripos_derive::algebra::text::parse::parse;
+use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::model::Model;
 use tripos_derive::prove::prove;

@@ -8,7 +8,7 @@ use crate::common;
 
 use common::{errors, read};
 use expect_test::{Expect, expect};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::mechanics::{Formulation, derive_all};
 use tripos_derive::model::Model;
 

@@ -1,7 +1,7 @@
 //! Solving u = J q' + d for q' brings in no singularities of its own.
 
 use std::path::Path;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::{Formulation, Model, derive, model};
 
 fn singular_where(model: &Model) -> Vec<String> {

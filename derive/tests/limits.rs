@@ -7,7 +7,7 @@ use crate::common;
 use common::{BASE, errors, read};
 use rustix::time::{ClockId, clock_gettime};
 use std::time::Duration;
-use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::mechanics::accelerations;
 use tripos_derive::{Formulation, derive};

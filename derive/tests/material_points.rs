@@ -7,10 +7,10 @@
 
 use crate::common::{edited, errors, read};
 use expect_test::{Expect, expect};
-use tripos_derive::algebra::compare::{Comparer, Verdict};
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::parse::parse_free;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::meaning::compare::{Comparer, Verdict};
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Quantities, Quantity, derive_all, moving_places, rates_to_speeds};
 use tripos_derive::prove::prove;

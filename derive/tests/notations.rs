@@ -4,9 +4,9 @@ use crate::reports;
 
 use reports::{base, edited, load_text};
 use std::path::Path;
-use tripos_derive::algebra::notation::{Notation, Spell, Symbol, Unknown, translate};
-use tripos_derive::algebra::parse::{ParseError, parse_primed};
-use tripos_derive::algebra::print::{latex, text};
+use tripos_derive::algebra::text::notation::{Notation, Spell, Symbol, Unknown, translate};
+use tripos_derive::algebra::text::parse::{ParseError, parse_primed};
+use tripos_derive::algebra::text::print::{latex, text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Finding, diff};
@@ -292,7 +292,11 @@ fn symbols_of_the_paper_stand_for_names_of_the_model() {
         let mut model = base();
         let report = load_text(&text, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
         let report::EntryKind::Equation { printed, .. } = &report.entries[0].kind else { panic!("an equation") };
-        assert_eq!(tripos_derive::algebra::print::text(&model.arena, *printed), "u1 + length*u2*cos(q)", "{notation}");
+        assert_eq!(
+            tripos_derive::algebra::text::print::text(&model.arena, *printed),
+            "u1 + length*u2*cos(q)",
+            "{notation}"
+        );
     }
 }
 

@@ -1,9 +1,9 @@
 //! Energies and momenta of forces that have a potential which is no polynomial, or that depend on velocities
 //! and do no work.
 
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::parse::{parse_free, parse_primed};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::parse::{parse_free, parse_primed};
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{derive_all, speeds_to_rates};

@@ -1,8 +1,8 @@
 //! Statements that `prove` proves, and false ones that it does not.
 
 use tripos_derive::algebra::Arena;
-use tripos_derive::algebra::compare::{Engine, Verdict};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::meaning::compare::{Engine, Verdict};
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivations, derive_all};
 use tripos_derive::prove::{IntegralKind, Proof, prove};

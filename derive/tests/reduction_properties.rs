@@ -4,8 +4,8 @@ use crate::reduced;
 
 use proptest::prelude::*;
 use std::fmt::Write;
-use tripos_derive::algebra::calculus::{Differential, Substitution};
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::term::calculus::{Differential, Substitution};
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model;
 use tripos_derive::reduce::reduce;

@@ -1,13 +1,13 @@
 //! Shared sub-sums and sub-products, against what they were taken out of, by meaning.
 
-use tripos_derive::algebra::calculus::Substitution;
-use tripos_derive::algebra::compare::Comparer;
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::parse::parse_free;
-use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::sharing::{Angles, Products, Reading, is_shared_symbol, share};
-use tripos_derive::algebra::simplify::{Simplifier, cost_of_all};
-use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::form::sharing::{Angles, Products, Reading, is_shared_symbol, share};
+use tripos_derive::algebra::form::simplify::{Simplifier, cost_of_all};
+use tripos_derive::algebra::meaning::compare::Comparer;
+use tripos_derive::algebra::term::calculus::Substitution;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Derivation, accelerations, jacobian};
 use tripos_derive::{Formulation, Model, derive};

@@ -5,7 +5,7 @@
 use crate::common;
 
 use common::{edited, errors, read};
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::mechanics::{Derivation, Solved, derive};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model};

@@ -6,7 +6,7 @@ use crate::common;
 
 use common::{errors, read};
 use expect_test::{Expect, expect};
-use tripos_derive::algebra::compare::Comparer;
+use tripos_derive::algebra::meaning::compare::Comparer;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::model::{Model, Turn};

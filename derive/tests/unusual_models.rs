@@ -5,7 +5,7 @@
 use crate::common;
 
 use common::{BASE, edited, read};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::{Formulation, derive};
 
 fn accepted(model: &str) {

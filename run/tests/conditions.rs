@@ -8,8 +8,8 @@ use std::path::Path;
 use tripos::Mechanism;
 use tripos::studies::steady::{ClosedForm, Conditions, Found, conditions, equilibria};
 use tripos_derive::algebra::Arena;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::parse::parse_free;
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{Asked, load_asked};
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use tripos::studies::identify::{identify, rows, values};
 use tripos::studies::inverse::{Forces, Inverse, moments};
 use tripos::{Error, Mechanism};
-use tripos_derive::algebra::evaluate::Numeric;
+use tripos_derive::algebra::value::evaluate::Numeric;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::Varied;
 use tripos_derive::scene::{Moving, load_motion, load_samples};

@@ -112,16 +112,18 @@ fn jacobis_integral_stands_for_the_energy_of_what_is_driven() {
         let proof = prove(&mechanism, &mut derivations);
         let arena = &derivations.kinematics.arena;
         let list = proof.integrals.iter();
-        list.map(|i| (i.kinds.clone(), tripos_derive::algebra::print::text(arena, i.expression))).collect::<Vec<_>>()
+        list.map(|i| (i.kinds.clone(), tripos_derive::algebra::text::print::text(arena, i.expression)))
+            .collect::<Vec<_>>()
     };
     let driven = of("w*t");
     let [(kinds, formula)] = driven.as_slice() else { panic!("{driven:?}") };
     assert_eq!(kinds.as_slice(), [IntegralKind::Jacobi]);
     let mut arena = tripos_derive::algebra::Arena::new();
-    let e = tripos_derive::algebra::parse::parse_free(&mut arena, formula).unwrap_or_else(|_| panic!("{formula}"));
+    let e =
+        tripos_derive::algebra::text::parse::parse_free(&mut arena, formula).unwrap_or_else(|_| panic!("{formula}"));
     let symbols: Vec<_> = ["m", "R", "w", "g", "th", "u"].map(|name| arena.symbol(name)).to_vec();
-    let tape =
-        tripos_derive::algebra::evaluate::Tape::new(&arena, &symbols, &[e]).unwrap_or_else(|_| panic!("{formula}"));
+    let tape = tripos_derive::algebra::value::evaluate::Tape::new(&arena, &symbols, &[e])
+        .unwrap_or_else(|_| panic!("{formula}"));
     for (th, u) in [(0.3_f64, 1.7_f64), (-2.0, 0.4), (1.1, -3.0)] {
         let (m, r, w, g) = (0.05, 0.05, 16.0, 9.81);
         let truth = m * r * r * (u * u - (w * th.sin()).powi(2)) / 2.0 - m * g * r * th.cos();
@@ -180,9 +182,9 @@ fn a_mass_stays_a_letter_beside_an_input() {
     let entry = |matrix: usize, of: &str, by: usize| letters.matrices[matrix][row(of)][by].text("M");
     let value = |text: &str, mass: f64| {
         let mut arena = tripos_derive::algebra::Arena::new();
-        let e = tripos_derive::algebra::parse::parse_free(&mut arena, text).unwrap_or_else(|_| panic!("{text}"));
+        let e = tripos_derive::algebra::text::parse::parse_free(&mut arena, text).unwrap_or_else(|_| panic!("{text}"));
         let symbol = arena.symbol("M");
-        tripos_derive::algebra::evaluate::Tape::new(&arena, &[symbol], &[e]).unwrap().evaluate(&[mass])[0]
+        tripos_derive::algebra::value::evaluate::Tape::new(&arena, &[symbol], &[e]).unwrap().evaluate(&[mass])[0]
     };
     let (m, l, g) = (0.2, 0.5, 9.81);
     for mass in [0.3, 1.0, 2.5, 40.0] {

@@ -6,9 +6,9 @@ use expect_test::expect;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::process::{Command, Stdio};
-use tripos_derive::algebra::compare::Comparer;
-use tripos_derive::algebra::parse::parse_primed;
-use tripos_derive::algebra::print::typst_name;
+use tripos_derive::algebra::meaning::compare::Comparer;
+use tripos_derive::algebra::text::parse::parse_primed;
+use tripos_derive::algebra::text::print::typst_name;
 use tripos_derive::algebra::{Arena, Expr};
 
 fn derived(model: &str, format: &str) -> String {

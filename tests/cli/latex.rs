@@ -6,10 +6,10 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use tripos_derive::algebra::compare::Comparer;
-use tripos_derive::algebra::notation::{Notation, Spell, Symbol, Unknown, read_symbol, translate};
-use tripos_derive::algebra::parse::parse_primed;
-use tripos_derive::algebra::print::latex_name;
+use tripos_derive::algebra::meaning::compare::Comparer;
+use tripos_derive::algebra::text::notation::{Notation, Spell, Symbol, Unknown, read_symbol, translate};
+use tripos_derive::algebra::text::parse::parse_primed;
+use tripos_derive::algebra::text::print::latex_name;
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Faults of a text that must compile in the body of a document with amsmath: braces, environments and pairs that do

@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::parse::parse_primed;
-use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::parse::parse_primed;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 
 fn derived(model: &str, format: &str) -> String {

@@ -2,8 +2,8 @@
 
 use super::printed::Printed;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::linear::solve;
-use tripos_derive::algebra::parse::parse_primed;
+use tripos_derive::algebra::solve::linear::solve;
+use tripos_derive::algebra::text::parse::parse_primed;
 use tripos_derive::mechanics::Kinematics;
 
 /// λ such that Σ λ · (row of the system) has the entries of this row, its right-hand side left aside; nothing if there

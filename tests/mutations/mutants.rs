@@ -4,7 +4,7 @@ use super::printed::{Printed, System};
 use super::tree::{call, edits, name, number, power, product, quotient, sum, text};
 use crate::support::Random;
 use rustc_hash::FxHashSet;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::view::View;
 
 /// Kind of change to a formula.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

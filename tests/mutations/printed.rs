@@ -2,8 +2,8 @@
 
 use super::tree::tree;
 use std::path::Path;
-use tripos_derive::algebra::linear::LinearForm;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::solve::linear::LinearForm;
+use tripos_derive::algebra::text::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Derivations, Quantities, Quantity, balances, derive_all};
 use tripos_derive::model::Unit;

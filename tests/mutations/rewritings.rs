@@ -3,7 +3,7 @@
 use super::printed::{Printed, System};
 use super::tree::{call, edits_within, minus, name, number, power, product, quotient, sum, text};
 use crate::support::Random;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::view::View;
 
 /// An identity: what a node may be replaced by. `a`, `b` are symbols and `y` an angle to write it with.
 struct Rule {

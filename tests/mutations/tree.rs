@@ -1,8 +1,8 @@
 //! Formulas as trees that can be edited and written down again.
 
 use rustc_hash::FxHashMap;
-use tripos_derive::algebra::print::BUDGET;
-use tripos_derive::algebra::view::{View, view};
+use tripos_derive::algebra::text::print::BUDGET;
+use tripos_derive::algebra::text::view::{View, view};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// The tree of marks of a term, as it would be printed.

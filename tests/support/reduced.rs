@@ -1,7 +1,7 @@
 //! Runs of reduced systems, interpreted, and where they put what a scene wants to see.
 
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::reduce::{Quantity, Reduction};
 use tripos_derive::scene::Scene;
 use tripos_sim::{Failure, Method, Options, Output, integrate};

@@ -14,7 +14,7 @@ use std::time::Instant;
 use tripos_codegen::Extras;
 use tripos_codegen::emit::emit;
 use tripos_codegen::plan::{FormulationPlan, Language, Planner, derivative};
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, Solved};
 use tripos_derive::{Formulation, Model, derive, scene};

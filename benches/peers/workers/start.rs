@@ -6,8 +6,8 @@
 
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::reduce::{Reduction, reduce};
 use tripos_derive::scene::Scene;
 use tripos_traits::{DoubleDouble, Real};

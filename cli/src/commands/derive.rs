@@ -21,9 +21,9 @@ use std::path::Path;
 use tripos::Mechanism;
 use tripos::code::formulation;
 use tripos_derive::Formulation;
-use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::print::{mathml, text};
-use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::algebra::solve::elimination::Elimination;
+use tripos_derive::algebra::text::print::{mathml, text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
     DerivationInSteps, MovingPlace, accelerations, derive_all, derive_in_steps, moving_places,

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
 use tripos::studies::inverse::{Forces, Inverse, moments};
-use tripos_derive::algebra::evaluate::Numeric;
+use tripos_derive::algebra::value::evaluate::Numeric;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::scene::{Given, Motion, Moving, load_motion, load_samples};
 use tripos_traits::DoubleDouble;

@@ -8,7 +8,7 @@ use std::fmt::Write;
 use std::path::Path;
 use tripos::{Mechanism, Reduced};
 use tripos_codegen::plan::{Cost, Costs, costs};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::reduce::Quantity;
 use tripos_derive::scene::Scene;
 

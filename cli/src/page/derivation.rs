@@ -7,10 +7,10 @@ use super::math::{
 };
 use crate::words::NAMED;
 use std::fmt::Write;
-use tripos_derive::algebra::print::{latex, view_of};
-use tripos_derive::algebra::steps::Definition;
-use tripos_derive::algebra::view::View;
-use tripos_derive::algebra::written::glossary;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::definitions::glossary;
+use tripos_derive::algebra::text::print::{latex, view_of};
+use tripos_derive::algebra::text::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};

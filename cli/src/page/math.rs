@@ -2,9 +2,9 @@
 
 use super::html::{count, each, escape};
 use tripos_derive::Model;
-use tripos_derive::algebra::print::{self, mathml_name};
-use tripos_derive::algebra::simplify::cost;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::form::simplify::cost;
+use tripos_derive::algebra::text::print::{self, mathml_name};
+use tripos_derive::algebra::text::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{BalanceName, LineName, QuantityKind, RowName, Stage, VectorName};
 

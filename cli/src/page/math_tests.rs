@@ -4,7 +4,7 @@ use super::math::{Side, formula, lines, said, tuple, vanishing, widest, wrapped}
 use super::tests::unbalanced;
 use super::typeset::typeset;
 use tripos_derive::algebra::Arena;
-use tripos_derive::algebra::parse::parse_free;
+use tripos_derive::algebra::text::parse::parse_free;
 
 #[test]
 fn long_sums_may_stand_on_several_lines() {

@@ -6,7 +6,7 @@ use super::math::{inline, value};
 use super::proof::{integral_name, integral_symbol, zeros};
 use std::fmt::Write;
 use tripos::studies::study::Published;
-use tripos_derive::algebra::compare::Verdict;
+use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::{Consequences, Difference};
 use tripos_derive::prove::Singularity;

@@ -6,7 +6,7 @@ use super::math::{Side, formula, inline, is_short, length, lines, symbol, unread
 use super::typeset::typeset;
 use std::fmt::Write;
 use tripos_codegen::plan::Costs;
-use tripos_derive::algebra::print::{mathml_of, text};
+use tripos_derive::algebra::text::print::{mathml_of, text};
 use tripos_derive::algebra::{Arena, Expr, Node};
 use tripos_derive::reduce::{Omission, Output, Piece, Prose, Quantity};
 

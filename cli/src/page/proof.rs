@@ -5,7 +5,7 @@ use super::derivation::named_terms;
 use super::html::{each, escape, head, part, table, words};
 use super::math::{Side, decimal, inline, is_short, length, said, symbol, unread, vanishing, wrapped};
 use std::fmt::Write;
-use tripos_derive::algebra::compare::{Verdict, Witness};
+use tripos_derive::algebra::meaning::compare::{Verdict, Witness};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Integral, IntegralKind, Pair, Singularity, There};
 use tripos_derive::{Formulation, Model};

@@ -6,7 +6,7 @@ use super::math::inline;
 use super::proof::{integral_name, integral_symbol};
 use super::standing::{self, class};
 use std::fmt::Write;
-use tripos_derive::algebra::compare::Verdict;
+use tripos_derive::algebra::meaning::compare::Verdict;
 
 const HEAD: [&str; 8] = [
     "Equations",

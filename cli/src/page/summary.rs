@@ -12,7 +12,7 @@ use super::verdict::abstract_of_verdict;
 use crate::chart::words::{TARGETS, seconds};
 use std::cmp::Reverse;
 use tripos_derive::Formulation;
-use tripos_derive::algebra::compare::Verdict;
+use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Singularity, There};
 

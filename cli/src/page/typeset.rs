@@ -3,7 +3,7 @@
 //! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do: a reader finds the
 //! printed formula again. What is not a formula is left to be shown as text.
 
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::view::View;
 
 /// Parentheses inside one another beyond this many are shown as text.
 const DEEPEST: usize = 40;
@@ -123,7 +123,7 @@ fn one(mut factors: Vec<View>) -> View {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tripos_derive::algebra::print::mathml_of;
+    use tripos_derive::algebra::text::print::mathml_of;
 
     /// MathML without tags: enough to see the order of what is printed.
     fn plain(text: &str) -> String {

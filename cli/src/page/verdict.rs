@@ -1,7 +1,7 @@
 //! The verdict on a published derivation, in sentences for the abstract.
 
 use super::html::{escape, listed};
-use tripos_derive::algebra::compare::Verdict;
+use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::diff::{Consequences, Difference};
 
 /// Systems that a sentence names.

@@ -5,7 +5,7 @@ use super::rounded;
 use crate::latex::{basis, escape};
 use std::fmt::Write;
 use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, Sketch, Spot, Word};
-use tripos_derive::algebra::print::latex_name;
+use tripos_derive::algebra::text::print::latex_name;
 
 /// Points of a px: letters of 10 points then have the size that their places were found for.
 const SCALE: f64 = 0.7;

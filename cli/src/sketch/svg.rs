@@ -5,7 +5,7 @@ use super::rounded;
 use crate::page::escape;
 use std::fmt::Write;
 use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, Sketch, Spot, Word};
-use tripos_derive::algebra::print::name_parts;
+use tripos_derive::algebra::text::print::name_parts;
 
 /// A file of its own, in light and in dark colours as the system has them.
 pub fn document(sketch: &Sketch) -> String {

@@ -2,8 +2,8 @@
 
 use crate::plot::pretty;
 use tripos::studies::stability::{Findings, Looked, Passed, Variable};
-use tripos_derive::algebra::elimination::divisors;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::solve::elimination::divisors;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::Solve;
 use tripos_derive::{Formulation, Model};

@@ -5,7 +5,7 @@
 
 use crate::plan::{constant_and_factors, led};
 use tripos_derive::algebra::Rational;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::view::View;
 
 /// A formula.
 #[must_use]
@@ -106,8 +106,8 @@ fn power(base: &View, n: i32) -> String {
 mod tests {
     use super::*;
     use tripos_derive::algebra::Arena;
-    use tripos_derive::algebra::parse::parse_primed;
-    use tripos_derive::algebra::view::{Shared, view};
+    use tripos_derive::algebra::text::parse::parse_primed;
+    use tripos_derive::algebra::text::view::{Shared, view};
 
     fn written(formula: &str) -> String {
         let mut arena = Arena::default();

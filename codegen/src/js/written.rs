@@ -2,8 +2,8 @@
 
 use super::LANGUAGE;
 use crate::plan::Planner;
-use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::simplify::Simplifier;
+use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::mechanics::{Derivation, DeriveError, Unsolved, accelerations};

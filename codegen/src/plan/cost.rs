@@ -3,7 +3,7 @@
 use super::form::{constant_and_factors, led};
 use super::program::{Line, Program};
 use std::fmt;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::view::View;
 
 /// Number of operations of a call. A fused product and sum counts as both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -108,8 +108,8 @@ impl fmt::Display for Cost {
 mod tests {
     use super::*;
     use tripos_derive::algebra::Arena;
-    use tripos_derive::algebra::parse::parse_primed;
-    use tripos_derive::algebra::view::{Shared, view};
+    use tripos_derive::algebra::text::parse::parse_primed;
+    use tripos_derive::algebra::text::view::{Shared, view};
 
     fn cost(formula: &str) -> [usize; 3] {
         let mut arena = Arena::default();

@@ -1,6 +1,6 @@
 //! Form of a formula as a computation: the term to write first, and the products and sums that can be fused.
 
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::view::View;
 
 /// The terms of a sum in the order in which they are computed. A product that stands alone at the front goes second,
 /// where it can be fused with what stands before it.

@@ -5,9 +5,9 @@ use super::names::spelled;
 use super::taylor::TaylorPlan;
 use crate::taylor::Recurrences;
 use std::ops::RangeInclusive;
-use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::solve::elimination::Elimination;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{By, Constrained, Divisors, Solved, bare};
 

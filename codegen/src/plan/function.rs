@@ -6,9 +6,9 @@ use super::names::{Language, Variables, type_name};
 use super::parts::Parts;
 use super::program::{Output, Program, program};
 use rustc_hash::FxHashSet;
-use tripos_derive::algebra::sharing::{Reading, is_same, share};
-use tripos_derive::algebra::simplify::Simplifier;
-use tripos_derive::algebra::steps::{Definition, needed};
+use tripos_derive::algebra::form::sharing::{Reading, is_same, share};
+use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::algebra::term::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Model};
 

@@ -6,8 +6,8 @@ use super::formulation::{
 };
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::steps::Definition;
+use tripos_derive::algebra::solve::elimination::Elimination;
+use tripos_derive::algebra::term::steps::Definition;
 
 /// Steps of accelerations up to which q̇ and v̇ are also computed together, as one function.
 const MOST_TOGETHER: usize = 400;

@@ -4,7 +4,7 @@
 //! argument of the generated functions or a name that is in scope there. Which these are, the target states.
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 
 /// The longest name that spells a formula.

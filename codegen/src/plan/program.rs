@@ -5,10 +5,10 @@ use super::form::is_flat;
 use super::names::{Names, Variables, identifier};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
-use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::sharing::is_shared_symbol;
-use tripos_derive::algebra::steps::Definition;
-use tripos_derive::algebra::view::{View, view};
+use tripos_derive::algebra::form::sharing::is_shared_symbol;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::view::{View, view};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
 /// Nodes in one formula above which code generation gives up rather than write megabytes.
@@ -134,7 +134,7 @@ pub struct Output {
 
 /// Orders, shares and names everything that the outputs need. The symbols of `steps` are no inputs: each is
 /// computed after the ones before it, and before what mentions it. Comments state the values that `stated` has for
-/// steps; symbols that [`tripos_derive::algebra::sharing`] introduced get names here.
+/// steps; symbols that [`tripos_derive::algebra::form::sharing`] introduced get names here.
 #[must_use]
 pub fn program(
     arena: &Arena,

@@ -3,7 +3,7 @@
 use super::{Allocator, Argument, Names, Output, Planner, Program, Variables, identifier, program};
 use crate::taylor::{Operand, Recurrences, Rule, Series};
 use rustc_hash::{FxHashMap, FxHashSet};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr, Function as Elementary, Node};
 
 /// Number of which the padded count of convolutions is a multiple: `LANES` of `tripos_traits::series`.

@@ -4,7 +4,7 @@ use crate::plan::{constant_and_factors, is_flat, is_plain_product, led};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::view::View;
 
 /// A formula as an expression of the scalar type `S`.
 pub fn expression(view: &View) -> TokenStream {

@@ -7,7 +7,7 @@
 //! Every form is the same term by the rules of a commutative ring alone. Absent on purpose: trigonometric identities.
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use tripos_derive::algebra::polynomial::multiply;
+use tripos_derive::algebra::form::polynomial::multiply;
 use tripos_derive::algebra::{Arena, Expr, Node, Rational};
 
 /// Products of a sum that is written out, above which it is left as it is.

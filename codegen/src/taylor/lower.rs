@@ -3,8 +3,8 @@
 use super::products::{Atom, Base, Pairs};
 use super::recurrences::{Operand, Recurrences, Rule, Series};
 use rustc_hash::{FxHashMap, FxHashSet};
-use tripos_derive::algebra::calculus::Substitution;
-use tripos_derive::algebra::steps::{Definition, needed};
+use tripos_derive::algebra::term::calculus::Substitution;
+use tripos_derive::algebra::term::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
 /// The recurrences of states whose rates are given in terms of states, parameters and steps, as they stand. `None` if

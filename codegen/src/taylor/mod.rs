@@ -17,8 +17,8 @@ pub use recurrences::{Constant, Operand, Recurrences, Rule, Series};
 pub use tape::Tape;
 
 use tripos_derive::Equations;
-use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::steps::{Definition, needed};
+use tripos_derive::algebra::solve::elimination::Elimination;
+use tripos_derive::algebra::term::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Rounds of improvement. Each form of each expression is tried in each.

@@ -2,7 +2,7 @@
 
 use super::recurrences::{Constant, Operand, Recurrences, Rule};
 use rustc_hash::FxHashMap;
-use tripos_derive::algebra::evaluate::{Numeric, Tape as Values, UnknownSymbol};
+use tripos_derive::algebra::value::evaluate::{Numeric, Tape as Values, UnknownSymbol};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Recurrences with numbers for their weights, ready to be evaluated.

@@ -6,11 +6,11 @@
 //! for a quadratic form −uᵀ D u, by the pivots of D. A. J. van der Schaft, *L2-Gain and Passivity Techniques in
 //! Nonlinear Control*, 3rd edition (2017), § 2.2.
 
-use crate::algebra::calculus::{Gradient, Substitution};
-use crate::algebra::interval::enclose;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::range::never_positive;
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::{Gradient, Substitution};
+use crate::algebra::value::interval::enclose;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::range::never_positive;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::{DeriveError, Kinematics, potential_at_rest, rates_to_speeds};
 use crate::model::{Model, Tie};
@@ -314,7 +314,7 @@ impl<'m> Judge<'m> {
             let values =
                 model.q().into_iter().zip(q.iter().copied()).chain(model.u().into_iter().zip(u.iter().copied()));
             let at: FxHashMap<Expr, f64> = values.collect();
-            enclose(&self.arena, power, &at).is_some_and(crate::algebra::interval::Interval::is_positive)
+            enclose(&self.arena, power, &at).is_some_and(crate::algebra::value::interval::Interval::is_positive)
         };
         Ok(states.iter().find(gives).map(|(q, u)| words(model, q, u)))
     }

@@ -10,8 +10,8 @@
 mod minors;
 mod pose;
 
-use crate::algebra::calculus::Gradient;
-use crate::algebra::print::text;
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, Tie};
 use minors::{Matrix, surfaces};

@@ -1,8 +1,8 @@
 //! Test for terms that depend on parameters alone.
 
 use crate::algebra::Expr;
-use crate::algebra::calculus::Differential;
-use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::mechanics::Quantities;
 
 /// True if a term has the same value in every state.

@@ -4,9 +4,9 @@
 //! Invariant: terms are compared by meaning, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order
 //! of a file are not compared: no number depends on them.
 
-use crate::algebra::compare::Comparer;
-use crate::algebra::print::text;
-use crate::algebra::transfer::Transfer;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::term::transfer::Transfer;
+use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::Turn;
 use crate::model::{Model, Parameter, Place, ReactionKind, Tie};

@@ -8,9 +8,9 @@ use super::ratio::constant_ratio;
 use super::terms::wrong_terms;
 
 use crate::algebra::Expr;
-use crate::algebra::compare::Comparer;
-use crate::algebra::permitted::Holds;
-use crate::algebra::print::text;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::meaning::permitted::Holds;
+use crate::algebra::text::print::text;
 use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
 use crate::report::Names;
 

@@ -1,8 +1,8 @@
 //! One entry of a publication, judged.
 
 use crate::algebra::Expr;
-use crate::algebra::compare::{Verdict, Witness};
-use crate::algebra::permitted::Holds;
+use crate::algebra::meaning::compare::{Verdict, Witness};
+use crate::algebra::meaning::permitted::Holds;
 
 /// Relation of a printed entry to the derived value.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,10 +7,10 @@ use super::claim::Claim;
 use super::finding::{Finding, Judgement};
 
 use crate::algebra::Expr;
-use crate::algebra::calculus::Differential;
-use crate::algebra::compare::Witness;
-use crate::algebra::evaluate::Tape;
-use crate::algebra::print::text;
+use crate::algebra::meaning::compare::Witness;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::text::print::text;
+use crate::algebra::value::evaluate::Tape;
 use crate::model::Model;
 use crate::report::{Entry, EntryKind, Initial, Report};
 

@@ -34,8 +34,8 @@ pub use roots::{Follower, Link, Root};
 pub use scenes::{Setting, diff_scenes};
 
 use crate::algebra::Expr;
-use crate::algebra::compare::Comparer;
-use crate::algebra::written::write_down;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::text::definitions::write_down;
 use crate::mechanics::{Derivations, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;

@@ -2,9 +2,9 @@
 
 use super::declared::{Declaration, declarations};
 use crate::algebra::Expr;
-use crate::algebra::compare::{Comparer, Verdict};
-use crate::algebra::transfer::Transfer;
-use crate::algebra::written::write_down;
+use crate::algebra::meaning::compare::{Comparer, Verdict};
+use crate::algebra::term::transfer::Transfer;
+use crate::algebra::text::definitions::write_down;
 use crate::mechanics::{Derivations, Formulation};
 use crate::model::Model;
 use crate::prove::Proof;

@@ -1,8 +1,8 @@
 //! Solution of a printed system for its motion: its accelerations, its determinant, the rates of first integrals.
 
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::linear::{determinant, solve};
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::linear::{determinant, solve};
+use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{motion_rates, rates_to_speeds};
 use crate::model::Model;

@@ -6,12 +6,12 @@
 
 use super::ordered::Ordered;
 use super::rows::{Row, explained, seen};
-use crate::algebra::compare::Comparer;
-use crate::algebra::linear::{determinant, solve};
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::print::text;
-use crate::algebra::rank::echelon;
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::solve::linear::{determinant, solve};
+use crate::algebra::text::print::text;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::rank::echelon;
 use crate::algebra::{Arena, Expr};
 
 /// Coefficients of the multipliers, derived and printed, in a row that agrees otherwise.

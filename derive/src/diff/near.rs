@@ -3,10 +3,10 @@
 //! x = x₀ + ε (x − x₀) for each variable that stays near the point, and Taylor's series in ε: two formulas are the same
 //! to an order if their series are, whatever terms either has beyond it.
 
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::print::text;
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::text::print::text;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::report::Approximation;

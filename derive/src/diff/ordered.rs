@@ -3,7 +3,7 @@
 use super::claim::Table;
 use super::rows::{Match, Row};
 use crate::algebra::Expr;
-use crate::algebra::linear::LinearForm;
+use crate::algebra::solve::linear::LinearForm;
 use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
 
 /// A system in the order of the derived unknowns: for each row its entries and right-hand side.

@@ -1,9 +1,9 @@
 //! Test for terms that differ by a factor of parameters alone.
 
 use crate::algebra::Expr;
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::compare::Comparer;
-use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::mechanics::{Kinematics, Quantities};
 
 /// a / b, if it depends on parameters only.

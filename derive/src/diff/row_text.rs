@@ -1,7 +1,7 @@
 //! The text of a printed row.
 
-use crate::algebra::notation::Notation;
-use crate::algebra::print::latex_name;
+use crate::algebra::text::notation::Notation;
+use crate::algebra::text::print::latex_name;
 
 /// a·x + b·y = c as transcribed, without its zeros.
 pub fn row_text(entries: &[String], unknowns: &[String], right: &str, notation: Notation) -> String {

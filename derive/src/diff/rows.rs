@@ -4,13 +4,13 @@
 //! explains most entries wins. So a row with one wrong entry is still matched, and that entry is named. The search
 //! itself runs modulo random primes and proves nothing; its result is then proved entry by entry.
 
-use crate::algebra::compare::{Comparer, Engine, Verdict};
-use crate::algebra::linear::solve;
-use crate::algebra::modular::has_roots;
-use crate::algebra::permitted::Holds;
-use crate::algebra::print::text;
-use crate::algebra::rank::{echelon, in_fields};
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
+use crate::algebra::meaning::permitted::Holds;
+use crate::algebra::solve::linear::solve;
+use crate::algebra::text::print::text;
+use crate::algebra::value::modular::has_roots;
+use crate::algebra::value::rank::{echelon, in_fields};
 use crate::algebra::{Arena, Expr, Function, Node};
 
 /// A row of a linear system: entries, then the right-hand side.

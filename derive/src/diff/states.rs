@@ -5,14 +5,14 @@
 //! equation. A statement proved for the other symbols then holds in every state on the constraints, except where a
 //! divisor is 0.
 
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::elementary::single_angles;
-use crate::algebra::linear::LinearForm;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::normal::Normalizer;
-use crate::algebra::permitted::Permitted;
-use crate::algebra::simplify::Simplifier;
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::form::normal::Normalizer;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::meaning::permitted::Permitted;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::elementary::single_angles;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::model::{Model, TIME, Tie};

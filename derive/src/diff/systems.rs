@@ -11,11 +11,11 @@ use super::rows::{Match, Row, RowJudgement, judge};
 use super::terms::wrong_terms;
 
 use crate::algebra::Expr;
-use crate::algebra::compare::Verdict;
-use crate::algebra::linear::solve;
-use crate::algebra::permitted::Holds;
-use crate::algebra::print::text;
-use crate::algebra::rank::rank;
+use crate::algebra::meaning::compare::Verdict;
+use crate::algebra::meaning::permitted::Holds;
+use crate::algebra::solve::linear::solve;
+use crate::algebra::text::print::text;
+use crate::algebra::value::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities, QuantityKind};
 use crate::report::{Entry, Listing, Names, System};
 

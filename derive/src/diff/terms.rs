@@ -4,8 +4,8 @@
 //! list is empty. Each term of the difference belongs to the printed term of which it is a multiple, by a number; a
 //! term that belongs to none is missing.
 
-use crate::algebra::print::text;
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Node, Rational};
 
 /// Most terms that a list names.

@@ -6,11 +6,11 @@
 //! first holds by itself unless motions are constrained.
 
 use super::Flow;
-use crate::algebra::calculus::Substitution;
-use crate::algebra::closed::{Solutions, solve};
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::simplify::Simplifier;
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::closed::{Solutions, solve};
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::model::Model;
 use crate::prove::IntegralKind;

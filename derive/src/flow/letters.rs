@@ -2,11 +2,11 @@
 //! at a state that is given by formulas.
 
 use super::{Flow, Rates};
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::evaluate::{Numeric, Tape};
-use crate::algebra::linear::solve;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::linear::solve;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::evaluate::{Numeric, Tape};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashSet;
 

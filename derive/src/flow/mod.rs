@@ -15,10 +15,10 @@ pub use program::{Program, Rates, Sizes};
 pub use symmetry::Symmetry;
 pub(crate) use symmetry::{candidates, turned};
 
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::simplify::Simplifier;
-use crate::algebra::steps::Definition;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::steps::Definition;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{DeriveError, Equations, Formulation, Kinematics, Solved, derive_with};
 use crate::model::Model;

@@ -2,10 +2,10 @@
 
 use super::Flow;
 use crate::algebra::Expr;
-use crate::algebra::calculus::Differential;
-use crate::algebra::evaluate::{Numeric, Tape, UnknownSymbol};
-use crate::algebra::simplify::Simplifier;
-use crate::algebra::steps::{Definition, fresh_symbol};
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::term::steps::{Definition, fresh_symbol};
+use crate::algebra::value::evaluate::{Numeric, Tape, UnknownSymbol};
 
 /// Numbers of the inputs and results of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,9 +4,9 @@
 //! need be conserved for that: a rolling wheel may be moved on its plane, and the momenta of the plane change.
 
 use super::Flow;
-use crate::algebra::calculus::Differential;
-use crate::algebra::evaluate::Tape;
-use crate::algebra::modular::{ZeroTest, zero_test};
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Kinematics, rates_to_speeds};
 use crate::model::Model;

@@ -6,7 +6,7 @@
 use super::vector::{Frames, Vector};
 use super::{Frame, Point};
 use crate::algebra::Arena;
-use crate::algebra::calculus::Differential;
+use crate::algebra::term::calculus::Differential;
 
 /// Positions of all points, and velocities of all frames and points in the inertial frame.
 pub struct Motion {

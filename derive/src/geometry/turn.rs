@@ -1,9 +1,9 @@
 //! Turns from one frame to another.
 
 use super::components::{Components, row_times, transposed};
-use crate::algebra::calculus::Differential;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 
 /// The turn that leads from a frame to the next.

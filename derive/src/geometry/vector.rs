@@ -7,8 +7,8 @@
 use super::Frame;
 use super::components::{Components, cross_components, row_times, transposed};
 use super::turn::Turn;
-use crate::algebra::calculus::{Differential, Gradient, Substitution};
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;

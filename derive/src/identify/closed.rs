@@ -3,9 +3,9 @@
 
 use super::{Base, Factor, Identification};
 use crate::algebra::Expr;
-use crate::algebra::evaluate::Tape;
+use crate::algebra::value::evaluate::Tape;
 use crate::model::Model;
-use crate::model::closed_poses::{Chance, Poses, reach};
+use crate::model::constraints::closed_poses::{Chance, Poses, reach};
 use nalgebra::{DMatrix, DVector};
 
 /// Number of closed poses, and of states at each: half of these to find the relations, half to confirm them elsewhere.

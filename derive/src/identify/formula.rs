@@ -8,8 +8,8 @@
 use super::Factor;
 use super::letters::{Letters, Powers, STAGES};
 use super::table::{Row, Table};
-use crate::algebra::field::Field;
-use crate::algebra::reconstruct::{rational, solved, surd};
+use crate::algebra::value::field::Field;
+use crate::algebra::value::reconstruct::{rational, solved, surd};
 use crate::algebra::{Arena, Expr, Function};
 use crate::mechanics::Column;
 use crate::model::Unit;

@@ -3,8 +3,8 @@
 //! forces.
 //!
 //! The dependent columns of the regressor Y are found at random states modulo a prime, with all other parameters as
-//! letters. The zero test ([`crate::algebra::modular`]) then proves the relations, and that nothing is left. The rank
-//! proves that no smaller set does: a minor that is not 0 modulo a prime is not 0.
+//! letters. The zero test ([`crate::algebra::value::modular`]) then proves the relations, and that nothing is left. The
+//! rank proves that no smaller set does: a minor that is not 0 modulo a prime is not 0.
 //!
 //! H. Mayeda, K. Yoshida & K. Osuka, "Base parameters of manipulator dynamic models", IEEE Trans. Robotics and
 //! Automation 6 (1990) 312–321; M. Gautier & W. Khalil, "Direct calculation of minimum set of inertial parameters of

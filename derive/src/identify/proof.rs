@@ -2,8 +2,8 @@
 
 use super::{Base, Complete, Factor};
 use crate::algebra::Expr;
-use crate::algebra::modular::{ZeroTest, bounded_zero_test};
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::mechanics::Regressor;
 
 /// Proves two statements in one. Each column is the stated sum of base columns, so that Σ π_k Y_k = Σ π_b Y_b for all

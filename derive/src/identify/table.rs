@@ -1,9 +1,9 @@
 //! Linear relations between columns, in residues.
 
 use super::letters::Letters;
-use crate::algebra::field::Field;
-use crate::algebra::points::Sampler;
-use crate::algebra::reconstruct::{reduced, solved};
+use crate::algebra::value::field::Field;
+use crate::algebra::value::points::Sampler;
+use crate::algebra::value::reconstruct::{reduced, solved};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Column;
 use rustc_hash::FxHashSet;

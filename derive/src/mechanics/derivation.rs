@@ -3,11 +3,11 @@
 use super::budget::check_terms;
 use super::equations::{Equations, complete};
 use super::error::DeriveError;
-use super::formulation::Formulation;
-use super::kinematics::Kinematics;
+use super::formulations::formulation::Formulation;
+use super::motion::kinematics::Kinematics;
 use super::rows::{RowName, Step};
-use crate::algebra::rank::rank;
-use crate::algebra::written::{adopt, write_down, written};
+use crate::algebra::text::definitions::{adopt, write_down, written};
+use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 use rustc_hash::FxHashSet;

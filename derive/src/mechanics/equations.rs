@@ -1,14 +1,14 @@
 //! Equations of motion, by any method.
 
-use super::by::{By, Distance};
 use super::error::DeriveError;
-use super::formulation::{Formulation, MotionVariables};
-use super::kinematics::Kinematics;
+use super::formulations::formulation::{Formulation, MotionVariables};
+use super::motion::kinematics::Kinematics;
+use super::origin::{By, Distance};
 use super::rows::{Embedding, RowName, Rows};
-use crate::algebra::calculus::{Differential, Gradient};
-use crate::algebra::least::Sum;
-use crate::algebra::steps::Definition;
-use crate::algebra::written::written;
+use crate::algebra::solve::least::Sum;
+use crate::algebra::term::calculus::{Differential, Gradient};
+use crate::algebra::term::steps::Definition;
+use crate::algebra::text::definitions::written;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, Tie};
 

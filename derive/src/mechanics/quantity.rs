@@ -1,6 +1,6 @@
 //! Names of derived quantities in report files, as data.
 
-use crate::algebra::parse::{VelocityOf, velocity_name};
+use crate::algebra::text::parse::{VelocityOf, velocity_name};
 use crate::model::Model;
 use std::fmt;
 

@@ -3,7 +3,7 @@
 
 use super::quantity::{QuantityKind, VectorName};
 use crate::algebra::Expr;
-use crate::algebra::least::Sum;
+use crate::algebra::solve::least::Sum;
 use crate::model::Model;
 
 /// The rows of a linear system, as a method of derivation states them. The rest of [`super::Equations`] follows from

@@ -1,6 +1,6 @@
 //! Reasons why accelerations, or other results made from equations of motion, cannot be used.
 
-use crate::algebra::linear::Singular;
+use crate::algebra::solve::linear::Singular;
 use std::fmt;
 
 /// A result that a check did not confirm.

@@ -1,181 +1,116 @@
-//! Constraints between coordinates, which are solved for one coordinate if possible, and constraints between
-//! velocities.
-//!
-//! A coordinate that a constraint is solved for leaves the model. A prescribed coordinate stays, tied by its
-//! constraint, if a potential pushes along it. If its value were put in, the potential would depend on time alone there
-//! and push nothing. The drive of the coordinate would then seem to need no more power than without the potential.
+//! Constraints, and the kinds of motion constraints.
 
-use super::elements::Elements;
-use super::loading::Loading;
-use super::names::{Kind, MOTION, TIME};
-use super::{Constraint, Coordinate, Potential};
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::linear::LinearForm;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::{Arena, Expr};
-use crate::read::Reader;
-use std::ops::Range;
-use toml::de::DeTable;
+use super::Unit;
+use crate::algebra::Expr;
 
-/// A constraint as read, before it is solved.
-pub struct Stated {
-    /// Its name.
+/// A holonomic constraint, solved for one configuration variable.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Its name in the file.
     pub name: String,
     /// The expression that is zero.
     pub equation: Expr,
-    /// The reaction that enforces it.
+    /// The configuration variable that it fixes.
+    pub fixes: String,
+    /// The value of that variable, in the generalized coordinates.
+    pub value: Expr,
+    /// The reaction that enforces it, if it is named.
     pub enforced_by: Option<usize>,
-    /// Byte range of the equation in the file.
-    pub span: Range<usize>,
-    /// True if the equation may follow from others: it then counts as no constraint.
-    pub may_repeat: bool,
 }
 
-impl<'a> Loading<'a> {
-    /// Reads `[constraints]`.
-    pub fn constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<Stated> {
-        let mut stated = Vec::new();
-        for (name, value) in self.section(table, "constraints", &[]) {
-            let entry = self.entry(&name, value, Kind::Constraint, None, "{ equation = \"z = 0\" }");
-            let Some((entry, what)) = entry else { continue };
-            self.reader.allow(entry, "a constraint", &["equation", "enforced_by", "about"]);
-            let enforced_by = self.reader.get(entry, "enforced_by").and_then(|v| {
-                let reaction = self.reader.string(v, "`enforced_by`")?;
-                let known = self.names.expect(&mut self.reader, &reaction, Kind::Reaction);
-                elements.reactions.iter().position(|r| known && r.name == reaction.text)
-            });
-            let Some(value) = self.reader.need(entry, "equation", &what, &name.span) else { continue };
-            let Some(text) = self.reader.string(value, "`equation`") else { continue };
-            let help = "write the equation as \"z = 0\"";
-            let Some((left, (_, right))) = self.split(&text, &["="], help) else { continue };
-            let what = "a constraint";
-            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, MOTION, what);
-            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, MOTION, what);
-            let (Some(left), Some(right)) = (left, right) else { continue };
-            self.know_units_of_velocities();
-            if !self.comparable(left, right, &text.span) {
-                continue;
-            }
-            let equation = self.arena.sub(left, right);
-            stated.push(Stated { name: name.text, equation, enforced_by, span: text.span, may_repeat: false });
-        }
-        stated
-    }
+/// An equation φ(q) = 0 between coordinates that none of them can be solved from, such as that a loop is closed.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// Its name in the file.
+    pub name: String,
+    /// φ(q), which is zero.
+    pub equation: Expr,
+    /// Its unit, in SI.
+    pub unit: Unit,
+    /// True if the file states the constraint between one coordinate and time: it prescribes the coordinate, and closes
+    /// nothing.
+    pub prescribes: bool,
 }
 
-/// Constraints between coordinates, sorted out.
-pub struct Solved {
-    /// Those that were solved for a coordinate.
-    pub constraints: Vec<Constraint>,
-    /// Coordinates that they fix and the time derivatives of these, each with its replacement.
-    pub replacements: Vec<(Expr, Expr)>,
-    /// Those that could not be solved: loops.
-    pub kept: Vec<Stated>,
-    /// Names of constraints that follow from others and may do so.
-    pub repeated: Vec<String>,
-    /// The names of those of the file that are kept and name one coordinate.
-    pub prescribing: Vec<String>,
+/// A component of the velocity at which the material of a body would slip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rolled {
+    /// The body that rolls.
+    pub body: usize,
+    /// The body on which it does; none on the ground.
+    pub against: Option<usize>,
+    /// Point at which they touch.
+    pub point: usize,
+    /// The frame along whose axis the component is.
+    pub frame: usize,
+    /// The axis, from 0.
+    pub axis: usize,
+    /// True if the file states the frame; otherwise it may be another of the mechanism.
+    pub is_stated: bool,
 }
 
-/// Solves the constraints one after the other, in a model with these potentials.
-pub fn solve_all(
-    reader: &mut Reader<'_>,
-    arena: &mut Arena,
-    coordinates: &mut Vec<Coordinate>,
-    potentials: &[Potential],
-    stated: Vec<Stated>,
-) -> Solved {
-    let (mut solved, mut kept, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
-    let mut replacements: Vec<(Expr, Expr)> = Vec::new();
-    let (mut prescribing, every) = (Vec::new(), own(coordinates));
-    for constraint in stated {
-        let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
-        let all = own(coordinates);
-        let mentions = |e: Expr| all.iter().any(|symbol| arena.mentions(e, *symbol));
-        let depends = equation != constraint.equation && constraint.equation != Expr::ZERO;
-        if zero_test(arena, equation) == ZeroTest::Zero {
-            if constraint.may_repeat {
-                repeated.push(constraint.name);
-                continue;
-            }
-            let name = &constraint.name;
-            let (message, help) = if depends {
-                (format!("the constraint `{name}` follows from those before it"), "remove it")
-            } else {
-                let help = "remove it, or state a relation that restricts the coordinates";
-                (format!("the constraint `{name}` is always fulfilled"), help)
-            };
-            reader.error(constraint.span, message, help);
-            continue;
-        }
-        if !mentions(equation) {
-            let name = &constraint.name;
-            let (message, help) = if depends {
-                (format!("the constraint `{name}` contradicts those before it"), "remove one of them")
-            } else if arena.as_number(equation).is_some() {
-                let help = "a holonomic constraint is an equation between coordinates";
-                (format!("the constraint `{name}` is never fulfilled"), help)
-            } else {
-                let help = "a holonomic constraint is an equation between coordinates";
-                (format!("the constraint `{name}` has no coordinate"), help)
-            };
-            reader.error(constraint.span, message, help);
-            continue;
-        }
-        let mut put = Substitution::new(&replacements);
-        let energies: Vec<Expr> = potentials.iter().map(|potential| put.apply(arena, potential.energy)).collect();
-        let Some((at, solution)) = solve_one(arena, coordinates, &energies, equation) else {
-            let named = every.iter().filter(|symbol| arena.mentions(constraint.equation, **symbol)).count();
-            if named == 1 && !constraint.may_repeat {
-                prescribing.push(constraint.name.clone());
-            }
-            kept.push(Stated { equation, ..constraint });
-            continue;
-        };
-        let fixed = coordinates.remove(at);
-        let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
-        let rate = Differential::along(&rates).apply(arena, solution);
-        let mut earlier = Substitution::new(&[(fixed.symbol, solution), (fixed.rate, rate)]);
-        for (_, replacement) in &mut replacements {
-            *replacement = earlier.apply(arena, *replacement);
-        }
-        replacements.extend([(fixed.symbol, solution), (fixed.rate, rate)]);
-        solved.push(Constraint {
-            name: constraint.name,
-            equation: constraint.equation,
-            fixes: fixed.name,
-            value: solution,
-            enforced_by: constraint.enforced_by,
-        });
-    }
-    Solved { constraints: solved, replacements, kept, repeated, prescribing }
+/// Kind of a motion constraint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tie {
+    /// An equation of the file between velocities.
+    Stated,
+    /// Rolling without slip: one component of the velocity at which the body would slip is zero.
+    Rolling(Rolled),
+    /// The time derivative of an equation between coordinates, by its place in [`super::Model::loops`].
+    Loop(usize),
+    /// Rate of time: t' = 1.
+    Clock,
 }
 
-/// Coordinates other than time.
-fn own(coordinates: &[Coordinate]) -> Vec<Expr> {
-    coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
+/// A motion constraint A(q) q̇ + a(q) = 0: what it permits cannot be said by coordinates alone, unless it can be
+/// integrated.
+#[derive(Clone, Debug)]
+pub struct MotionConstraint {
+    /// Its name.
+    pub name: String,
+    /// A(q) q̇ + a(q), which is zero.
+    pub equation: Expr,
+    /// a(q): where it is not zero, the constraint drives the mechanism, and its force works.
+    pub drive: Expr,
+    /// Its unit, in SI: that of a generalized speed.
+    pub unit: Unit,
+    /// The multiplier λ of Lagrange's equations: the constraint adds Aᵀλ to the generalized forces.
+    pub multiplier: Expr,
+    /// Kind of the constraint.
+    pub tie: Tie,
+    /// The reaction that enforces it, if it is named.
+    pub enforced_by: Option<usize>,
 }
 
-/// The last coordinate in which the equation is linear with a constant, nonzero factor, and its value. If the equation
-/// contains time, coordinates that these energies contain are excluded.
-fn solve_one(
-    arena: &mut Arena,
-    coordinates: &[Coordinate],
-    energies: &[Expr],
-    equation: Expr,
-) -> Option<(usize, Expr)> {
-    let is_driven = coordinates.iter().any(|c| c.name == TIME && arena.mentions(equation, c.symbol));
-    // An equation is never solved for time.
-    for (at, coordinate) in coordinates.iter().enumerate().rev().filter(|(_, c)| c.name != TIME) {
-        if is_driven && energies.iter().any(|energy| arena.mentions(*energy, coordinate.symbol)) {
-            continue;
-        }
-        let Ok((factors, rest)) = LinearForm::new(&[coordinate.symbol]).coefficients(arena, equation) else { continue };
-        let constant = !coordinates.iter().any(|c| arena.mentions(factors[0], c.symbol));
-        if constant && zero_test(arena, factors[0]) == ZeroTest::NonZero {
-            let quotient = arena.div(rest, factors[0])?;
-            return Some((at, arena.neg(quotient)));
-        }
-    }
-    None
+/// A constraint that follows from others wherever the loops are closed, though not elsewhere.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DependentConstraint {
+    /// Its name.
+    pub name: String,
+    /// Expression in q and q̇ that is zero, for a constraint between velocities. `None` for one between coordinates,
+    /// which still closes its loop.
+    pub equation: Option<Expr>,
+    /// The constraints that it follows from.
+    pub of: Vec<String>,
+    /// Number of closed poses in which this was found, at the default values.
+    pub poses: usize,
+}
+
+/// Rank of the constraints in the closed poses of one branch, in doubles, at the default values of the parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// A closed pose, by which the branch is known: a value for each generalized coordinate.
+    pub pose: Vec<f64>,
+    /// Number of closed poses in which the rank was found.
+    pub poses: usize,
+    /// Constraints, those that follow from others among them.
+    pub constraints: usize,
+    /// Number of independent constraints.
+    pub rank: usize,
+    /// Smallest residual of an independent row of length 1, from which those before it were projected out.
+    pub independent: f64,
+    /// Largest such residual of a dependent row, if there is one.
+    pub dependent: Option<f64>,
+    /// Number of freedoms of another branch that random poses reached, if it has more, and a pose on that branch.
+    pub larger: Option<(usize, Vec<f64>)>,
 }

@@ -1,7 +1,7 @@
 //! Contacts of bodies that the file states, beside rolling and reactions: friction, and equations that compare two
 //! bodies.
 
-use crate::algebra::parse::VelocityOf;
+use crate::algebra::text::parse::VelocityOf;
 
 /// The velocities, places and bodies that one constraint of the file ties: between these it may act.
 #[derive(Clone, Debug)]

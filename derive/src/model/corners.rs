@@ -1,8 +1,8 @@
 //! Instants at which a drive of a mechanism has a corner or a jump.
 
 use super::Model;
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::evaluate::{Numeric, Tape};
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::evaluate::{Numeric, Tape};
 use crate::algebra::{Expr, Function, Node};
 use rustc_hash::FxHashSet;
 use tripos_traits::Real;
@@ -43,7 +43,7 @@ impl Model {
             coordinates.flat_map(|(_, c)| [c.symbol, c.rate]).chain(self.speeds.iter().map(|s| s.symbol)).collect();
         let signs = self.arena.nodes().filter_map(cornered).filter(|(_, jumps)| *jumps);
         let of_states = signs.filter(|(argument, _)| states.iter().any(|s| self.arena.mentions(*argument, *s)));
-        of_states.map(|(argument, _)| crate::algebra::print::text(&self.arena, argument)).collect()
+        of_states.map(|(argument, _)| crate::algebra::text::print::text(&self.arena, argument)).collect()
     }
 }
 

@@ -2,7 +2,7 @@
 //! state.
 
 use super::{Body, Model, Parameter};
-use crate::algebra::evaluate::Tape;
+use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
 
 /// The default values of parameters, where they have one.

@@ -3,19 +3,19 @@
 //! Invariant: every error is reported once, at its cause. What depends on something that is already
 //! reported fails in silence, so that `None` always means that an error stands in the reader.
 
-use super::constraint::{Solved, Stated, solve_all};
-use super::driven::Binding;
-use super::elements::Elements;
-use super::inputs::Signals;
-use super::jointed::Holding;
-use super::joints::Joints;
-use super::loading::Loading;
-use super::motion_constraints::{Tied, Ties};
-use super::moving::Moving;
-use super::names::{Kind, Names};
-use super::repeat::written_out;
+use super::bodies::elements::Elements;
+use super::bodies::joints::Joints;
+use super::bodies::motion::Moving;
+use super::constraints::configuration::{Solved, Stated, solve_all};
+use super::constraints::joint_frames::Holding;
+use super::constraints::motion::{Tied, Ties};
+use super::input::Binding;
+use super::reading::inputs::Signals;
+use super::reading::names::{Kind, Names};
+use super::reading::reader::Loading;
+use super::reading::repetition::written_out;
 use super::{Compared, Condition, Coordinate, Model, NamedVelocity, Repeated, Rolled};
-use crate::algebra::calculus::Substitution;
+use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
 use crate::read::{Entry, Located, Reader};
@@ -317,7 +317,7 @@ impl<'a> Loading<'a> {
     /// Reports a term that constraints make divide by zero.
     fn report_undefined(&mut self, term: Option<Expr>) {
         if let Some(term) = term {
-            let term = crate::algebra::print::text(&self.arena, term);
+            let term = crate::algebra::text::print::text(&self.arena, term);
             let message = format!("`{term}` divides by zero wherever the constraints hold");
             self.reader.errors.push(Diagnostic::of_file(message, "a constrained variable must not divide"));
         }

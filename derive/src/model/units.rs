@@ -255,7 +255,7 @@ impl fmt::Display for Unit {
 /// Message about units that do not fit, in a line, and advice.
 pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Result<Option<Unit>, (String, String)> {
     let check = "check the units of the parameters and coordinates".to_owned();
-    let show = |e: Expr| shown(&crate::algebra::print::text(arena, e));
+    let show = |e: Expr| shown(&crate::algebra::text::print::text(arena, e));
     let mut units: FxHashMap<Expr, Option<Unit>> = FxHashMap::default();
     for part in arena.reachable(&[e]) {
         let unit = match arena.node(part) {
@@ -342,7 +342,11 @@ mod tests {
             let mut arena = Arena::new();
             let one = arena.integer(1);
             let value = stated.apply(&mut arena, one);
-            Some((text[..stated.end].to_owned(), crate::algebra::print::text(&arena, value), stated.unit.to_string()))
+            Some((
+                text[..stated.end].to_owned(),
+                crate::algebra::text::print::text(&arena, value),
+                stated.unit.to_string(),
+            ))
         };
         let of = |number: &str, value: &str, unit: &str| Some((number.to_owned(), value.to_owned(), unit.to_owned()));
         assert_eq!(known("90 deg"), of("90", "pi/180", "1"));

@@ -2,7 +2,7 @@
 //! frame.
 
 use super::units::Unit;
-use crate::algebra::parse::{VelocityName, VelocityOf};
+use crate::algebra::text::parse::{VelocityName, VelocityOf};
 use crate::algebra::{Arena, Expr};
 use crate::read::Located;
 use std::ops::Range;

@@ -7,10 +7,10 @@
 //! Newton–Euler again.
 
 use super::verdicts::{all, all_equal};
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::compare::{Comparer, Verdict};
-use crate::algebra::linear::solve;
-use crate::algebra::rank::rank;
+use crate::algebra::meaning::compare::{Comparer, Verdict};
+use crate::algebra::solve::linear::solve;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{
     Balance, Derivations, Equations, Formulation, Kinematics, RowName, along_reactions, balances, partial_velocities,
@@ -379,5 +379,5 @@ fn reactions_from(
     };
     let named = model.reactions.iter().zip(values);
     let equations = named.map(|(r, value)| ReactionEquation { name: r.name.clone(), value: value[0] }).collect();
-    (Verdict::Equal(crate::algebra::compare::Engine::NormalForm), equations)
+    (Verdict::Equal(crate::algebra::meaning::compare::Engine::NormalForm), equations)
 }

@@ -5,13 +5,13 @@
 //! those of motion constraints, Aᵀλ, with any λ: a momentum that a constraint changes is not conserved.
 
 use super::kind::IntegralKind;
-use crate::algebra::calculus::{Differential, Gradient};
-use crate::algebra::linear::LinearForm;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::normal::Normalizer;
-use crate::algebra::polynomial::monomial_expr;
-use crate::algebra::relations::relations;
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::normal::Normalizer;
+use crate::algebra::form::polynomial::monomial_expr;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::solve::relations::relations;
+use crate::algebra::term::calculus::{Differential, Gradient};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::{Derivations, Kinematics};
 use crate::model::Model;

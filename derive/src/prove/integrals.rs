@@ -7,16 +7,16 @@ use super::fields::{Field, Lagrangian};
 use super::kind::{IntegralKind, beside};
 use super::motions;
 use super::verdicts::all;
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::compare::{Comparer, Verdict};
-use crate::algebra::elimination::divisors;
-use crate::algebra::linear::LinearForm;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::primitive::primitive;
-use crate::algebra::print::text;
-use crate::algebra::range::never_zero;
-use crate::algebra::rank::rank;
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::meaning::compare::{Comparer, Verdict};
+use crate::algebra::solve::elimination::divisors;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::solve::primitive::primitive;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::text::print::text;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::range::never_zero;
+use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{
     Derivations, Equations, Formulation, Kinematics, motion_rates, potential_at_rest, rates_to_speeds,

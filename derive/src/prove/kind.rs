@@ -1,6 +1,6 @@
 //! Kinds of first integrals, as data. Names in words are made from them, never the other way.
 
-use crate::algebra::print::text;
+use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Node};
 use crate::model::Model;
 

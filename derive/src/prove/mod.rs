@@ -1,7 +1,7 @@
 //! Proofs: that the formulations are equivalent, and what a motion conserves.
 //!
-//! Every statement is an identity between expressions, decided by [`crate::algebra::compare`]. Nothing is integrated,
-//! sampled in floating point or solved for accelerations: one set of equations is shown to be a linear
+//! Every statement is an identity between expressions, decided by [`crate::algebra::meaning::compare`]. Nothing is
+//! integrated, sampled in floating point or solved for accelerations: one set of equations is shown to be a linear
 //! combination of the other, with the multipliers given.
 
 mod equivalence;
@@ -22,8 +22,8 @@ pub use singular::{Place, Singularity, There, singularity, zeros};
 pub(crate) use verdicts::all;
 
 use crate::algebra::Expr;
-use crate::algebra::compare::Comparer;
-use crate::algebra::written::write_down;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::text::definitions::write_down;
 use crate::mechanics::{Derivations, DeriveError, Formulation, LoadDivisor, load_divisors};
 use crate::model::Model;
 

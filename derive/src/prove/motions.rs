@@ -6,10 +6,10 @@
 
 use super::fields::Field;
 use super::kind::{IntegralKind, Pivot};
-use crate::algebra::blocks::solve_blocks;
-use crate::algebra::calculus::Differential;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::rank::independent_rows;
+use crate::algebra::solve::blocks::solve_blocks;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::rank::independent_rows;
 use crate::algebra::{Expr, Rational};
 use crate::geometry::Vector;
 use crate::mechanics::Kinematics;

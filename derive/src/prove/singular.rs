@@ -3,9 +3,9 @@
 //! A statement is made only where it is proved for every real state with positive parameters: by the range of the
 //! determinant's values, or by the determinant with the divisor put to zero. Everything else is open.
 
-use crate::algebra::calculus::Substitution;
-use crate::algebra::linear::determinant;
-use crate::algebra::range::never_zero;
+use crate::algebra::solve::linear::determinant;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::value::range::never_zero;
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::Kinematics;
 use crate::model::Model;
@@ -116,7 +116,7 @@ fn roots(arena: &mut Arena, divisor: Expr) -> Option<Vec<Vec<(Expr, Expr)>>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::print::text;
+    use crate::algebra::text::print::text;
     use crate::diagnostic::Source;
     use crate::mechanics::{Formulation, derive_all};
 
@@ -164,7 +164,7 @@ mass = "m"
     #[test]
     fn nothing_is_said_of_divisors_whose_zeros_are_not_known() {
         let mut arena = Arena::new();
-        let e = crate::algebra::parse::parse_free(&mut arena, "cos(q) - 1/2").unwrap();
+        let e = crate::algebra::text::parse::parse_free(&mut arena, "cos(q) - 1/2").unwrap();
         assert_eq!(roots(&mut arena, e), None);
     }
 }

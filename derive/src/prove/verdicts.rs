@@ -1,8 +1,8 @@
 //! Many verdicts as one.
 
-use crate::algebra::compare::{Comparer, Engine, Verdict};
-use crate::algebra::modular::{ZeroTest, bounded_zero_test};
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::{Arena, Expr};
 
 /// Terms times questions above which one question is asked for all.

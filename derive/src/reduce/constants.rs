@@ -8,9 +8,9 @@ use super::held::Held;
 use super::pivots::Solved;
 use super::prose::Prose;
 use crate::algebra::Expr;
-use crate::algebra::calculus::Substitution;
-use crate::algebra::linear::LinearForm;
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
 
 impl Ground {
     /// Puts the multiples for the momenta; those that carry a mass centre on stay as they are.

@@ -3,10 +3,10 @@
 //! A term may mention a variable and not depend on it: then the derivative is zero by identity, and any value may stand
 //! for the variable. Invariant: a definition mentions only symbols and what is defined before it.
 
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::simplify::Simplifier;
-use crate::algebra::steps::Definition;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::steps::Definition;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
 

@@ -5,7 +5,7 @@
 //! the matrix of the ζ's components at as many pinned states has full rank, ε keeps these at zero, and they are no
 //! states any more (a cross-section and its moving frame: M. Fels & P. J. Olver 1999).
 
-use crate::algebra::calculus::Substitution;
+use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Equations, Solved};
 

@@ -3,11 +3,11 @@
 
 use super::frame::{Frame, Turn};
 use super::reactions::ForceBalance;
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::compare::Comparer;
-use crate::algebra::linear::LinearForm;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::flow::candidates;
 use crate::mechanics::{

@@ -3,8 +3,8 @@
 use super::ground::{Ground, Momentum};
 use super::prose::Prose;
 use crate::algebra::Expr;
-use crate::algebra::calculus::Differential;
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::term::steps::fresh_symbol;
 use crate::model::{Model, Unit};
 use crate::prove::IntegralKind;
 

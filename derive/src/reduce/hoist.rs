@@ -3,9 +3,9 @@
 //! What the start of a motion fixes is computed there once, and not in every call of the equations: 2 u₃ sin q₂ with a
 //! constant u₃ is c sin q₂ with c = 2 u₃.
 
-use crate::algebra::calculus::Substitution;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 

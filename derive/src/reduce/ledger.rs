@@ -7,10 +7,10 @@ use super::prose::{Piece, Prose};
 use super::reduction::Omission;
 use super::slice::{Flow, Variable};
 use crate::algebra::Expr;
-use crate::algebra::calculus::Differential;
-use crate::algebra::modular::{ZeroTest, bounded_zero_test};
-use crate::algebra::print::text;
-use crate::algebra::steps::Definition;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::term::steps::Definition;
+use crate::algebra::text::print::text;
+use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::scene::Scene;
 
 /// Lists everything of the model that the reduced equations omit.

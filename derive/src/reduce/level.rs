@@ -8,8 +8,8 @@ use super::ground::Ground;
 use super::held::Held;
 use super::pivots::{Solved, solve_rows};
 use super::separate::Surface;
-use crate::algebra::simplify::Simplifier;
-use crate::algebra::steps::Definition;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr};
 
 /// Equations on a level set of momenta.

@@ -3,11 +3,11 @@
 
 use super::ground::Ground;
 use super::slice::Flow;
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::divided::divided_difference;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::period::turns;
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::divided::divided_difference;
+use crate::algebra::term::period::turns;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 
 /// (V(b) − V(a))/(b − a) of the potential energy in the one coordinate among the states.

@@ -1,9 +1,9 @@
 //! Rows solved for some of their columns, simple pivots first. Apart from `elimination`: there are fewer rows than
 //! columns, the columns are chosen, and what is divided by is an answer, too.
 
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::range::never_zero;
-use crate::algebra::simplify::{Simplifier, cost};
+use crate::algebra::form::simplify::{Simplifier, cost};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::range::never_zero;
 use crate::algebra::{Arena, Expr};
 
 /// Independent rows in echelon form: row r of pivot (r, c) reads  x_c + Σ entry x_other = right, where the others are

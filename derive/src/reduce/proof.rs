@@ -13,9 +13,9 @@ use super::pivots::solve_rows;
 use super::slice::Flow;
 use super::wanted::Wanted;
 use crate::algebra::Expr;
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::linear::LinearForm;
-use crate::algebra::modular::{ZeroTest, bounded_zero_test};
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::mechanics::Equations;
 
 /// Proof that a reduced system gives the outputs of the whole one.

@@ -1,6 +1,6 @@
 //! Words with formulas among them, as data: plain text prints a formula that a page typesets.
 
-use crate::algebra::print::text;
+use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 
 /// A part of a text: words, a term or an equation.

@@ -4,7 +4,7 @@
 //! divisor is a cosine that the motion may bring to zero.
 
 use super::pivots::solve_rows;
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Equations, Kinematics, along_reactions};
 use crate::model::Model;

@@ -3,8 +3,9 @@
 use super::one_degree::Slope;
 use super::proof::Proof;
 use super::prose::Prose;
-use crate::algebra::steps::Definition;
-use crate::algebra::{Arena, Expr, Rational, print};
+use crate::algebra::term::steps::Definition;
+use crate::algebra::text::print;
+use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::Derivation;
 use crate::model::{Model, Unit, text_hash};
 

@@ -7,8 +7,8 @@
 use super::ground::{Ground, Momentum, Relative};
 use super::wanted::Wanted;
 use crate::algebra::Expr;
-use crate::algebra::calculus::Substitution;
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
 
 impl Ground {
     /// Puts differences for the coordinates and for the speeds that one of these symmetries alone moves together at

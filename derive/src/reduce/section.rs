@@ -5,10 +5,10 @@ use super::ground::Ground;
 use super::pivots::{Solved, solve_rows};
 use super::reduction::Turned;
 use super::wanted::Wanted;
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::elimination::{LinearSystem, eliminate};
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::elimination::{LinearSystem, eliminate};
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 
 impl Ground {

@@ -6,10 +6,10 @@
 
 use super::held::Held;
 use super::pivots::Solved;
-use crate::algebra::calculus::Substitution;
-use crate::algebra::linear::LinearForm;
-use crate::algebra::simplify::Simplifier;
-use crate::algebra::steps::fresh_symbol;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Rational};
 
 /// A singular surface q = k π/2.

@@ -7,11 +7,11 @@ use super::dependence::Dependence;
 use super::ground::Ground;
 use super::level::Level;
 use super::wanted::Wanted;
-use crate::algebra::calculus::{Differential, Substitution};
-use crate::algebra::elimination::{LinearSystem, eliminate};
-use crate::algebra::modular::{ZeroTest, bounded_zero_test};
-use crate::algebra::simplify::cost_of_all;
-use crate::algebra::steps::Definition;
+use crate::algebra::form::simplify::cost_of_all;
+use crate::algebra::solve::elimination::{LinearSystem, eliminate};
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::steps::Definition;
+use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -263,7 +263,7 @@ impl Ground {
             {
                 taken
             }
-            Some(_) => crate::algebra::steps::fresh_symbol(&mut self.arena, "elapsed"),
+            Some(_) => crate::algebra::term::steps::fresh_symbol(&mut self.arena, "elapsed"),
             None => self.arena.symbol("t"),
         }
     }
@@ -285,7 +285,7 @@ impl Ground {
         }
         let rest = Substitution::new(&[(coordinate, Expr::ZERO)]).apply(arena, position);
         let name = arena.symbol_name(coordinate).unwrap_or_default().to_owned();
-        let symbol = crate::algebra::steps::fresh_symbol(arena, &format!("centre_{name}"));
+        let symbol = crate::algebra::term::steps::fresh_symbol(arena, &format!("centre_{name}"));
         let moved = arena.mul(momentum, time);
         let there = arena.add(symbol, moved);
         let difference = arena.sub(there, rest);

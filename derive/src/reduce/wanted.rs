@@ -2,7 +2,7 @@
 
 use super::ground::Ground;
 use crate::algebra::Expr;
-use crate::algebra::calculus::Substitution;
+use crate::algebra::term::calculus::Substitution;
 use crate::mechanics::{DeriveError, rates_to_speeds};
 use crate::scene::Scene;
 

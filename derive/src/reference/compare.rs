@@ -2,8 +2,8 @@
 
 use super::{Reference, ReferenceError, System};
 use crate::algebra::Expr;
-use crate::algebra::compare::{Comparer, Verdict};
-use crate::algebra::parse::parse_primed;
+use crate::algebra::meaning::compare::{Comparer, Verdict};
+use crate::algebra::text::parse::parse_primed;
 use crate::diagnostic::nearest;
 use crate::diff::rows::{Match, Row as Entries, judge};
 use crate::mechanics::{

@@ -3,8 +3,8 @@
 use super::read::{KEYS, Loading};
 use super::{Entry, EntryKind, Initial};
 use crate::algebra::Expr;
-use crate::algebra::evaluate::Tape;
-use crate::algebra::notation::Notation;
+use crate::algebra::text::notation::Notation;
+use crate::algebra::value::evaluate::Tape;
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::read::Located;
 use std::ops::Range;

@@ -4,7 +4,7 @@ use super::entries::Item;
 use super::read::Loading;
 use super::{Listing, System};
 use crate::algebra::Expr;
-use crate::algebra::notation::Notation;
+use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::mechanics::{Formulation, MotionVariables};
 use crate::read::Located;

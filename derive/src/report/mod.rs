@@ -11,7 +11,7 @@
 //! found, before anything is derived.
 //!
 //! ```
-//! use tripos_derive::algebra::compare::Comparer;
+//! use tripos_derive::algebra::meaning::compare::Comparer;
 //! use tripos_derive::diagnostic::Source;
 //! use tripos_derive::mechanics::{Quantities, derive_all};
 //! use tripos_derive::report::{EntryKind, load};
@@ -58,7 +58,7 @@ pub use names::Names;
 pub use read::load;
 
 use crate::algebra::Expr;
-use crate::algebra::notation::Notation;
+use crate::algebra::text::notation::Notation;
 use crate::diagnostic::Source;
 use crate::mechanics::{Formulation, Quantity};
 use std::ops::Range;

@@ -2,7 +2,7 @@
 
 use super::Report;
 use crate::algebra::Expr;
-use crate::algebra::calculus::Substitution;
+use crate::algebra::term::calculus::Substitution;
 use crate::mechanics::Quantities;
 
 /// Symbols of the text with the derived values that they stand for; a symbol without a value has a reason.

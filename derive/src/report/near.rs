@@ -3,7 +3,7 @@
 
 use super::read::Loading;
 use super::{Approximation, PointValue};
-use crate::algebra::notation::Notation;
+use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{nearest, shown};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};

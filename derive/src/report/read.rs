@@ -6,7 +6,7 @@ use super::spelling::notations;
 use super::words::Words;
 use super::{Approximation, Report};
 use crate::algebra::Expr;
-use crate::algebra::notation::Notation;
+use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
 use crate::mechanics::Quantity;
 use crate::model::Model;

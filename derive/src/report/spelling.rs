@@ -1,7 +1,7 @@
 //! Symbols of a publication for the names of a model: those of `[symbols]`, and the usual LaTeX form of a name.
 
-use crate::algebra::notation::{Notation, Spell, Symbol, Unknown, read_symbol};
-use crate::algebra::print::latex_name;
+use crate::algebra::text::notation::{Notation, Spell, Symbol, Unknown, read_symbol};
+use crate::algebra::text::print::latex_name;
 use crate::diagnostic::shown;
 use rustc_hash::FxHashMap;
 

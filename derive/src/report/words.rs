@@ -1,9 +1,9 @@
 //! Meanings of the names in the formulas of a report.
 
 use super::spelling::{Speller, Spellings, Stated};
-use crate::algebra::calculus::Differential;
-use crate::algebra::notation::{Notation, translate};
-use crate::algebra::parse::{ParseError, is_reserved, parse_primed};
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::text::notation::{Notation, translate};
+use crate::algebra::text::parse::{ParseError, is_reserved, parse_primed};
 use crate::algebra::{Arena, Expr, Node};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::model::{Model, TIME};

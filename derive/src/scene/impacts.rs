@@ -5,8 +5,8 @@
 
 use super::places::Places;
 use super::values::{Number, Values};
-use crate::algebra::calculus::Differential;
-use crate::algebra::parse::{InteractionName, VelocityName, VelocityOf, parse_with_quantities};
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::text::parse::{InteractionName, VelocityName, VelocityOf, parse_with_quantities};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::nearest;
 use crate::model::TIME;

@@ -4,7 +4,7 @@ use super::table::{Interpolation, interpolated};
 use super::values::{Number, Values};
 use super::{Scene, load};
 use crate::algebra::Arena;
-use crate::algebra::parse::parse;
+use crate::algebra::text::parse::parse;
 use crate::diagnostic::{Diagnostics, Source, nearest};
 use crate::model::{Binding, Input, Model, StatedUnit, TIME};
 use crate::read::{Located, Reader};

@@ -2,7 +2,7 @@
 
 use super::values::{Number, Values};
 use crate::algebra::Rational;
-use crate::algebra::exact::pi;
+use crate::algebra::value::exact::pi;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mechanics::Distance;
 use toml::de::{DeTable, DeValue};

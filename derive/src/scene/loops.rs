@@ -2,8 +2,8 @@
 
 use super::values::Number;
 use crate::algebra::Expr;
-use crate::algebra::calculus::Gradient;
-use crate::algebra::evaluate::Tape;
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::value::evaluate::Tape;
 use crate::model::Model;
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};

@@ -1,9 +1,9 @@
 //! Motions that are given, whose forces are asked for: at one instant, by formulas of t, or by samples.
 
 use super::values::{Number, Values, extended};
-use crate::algebra::calculus::Differential;
-use crate::algebra::interval::lost_constant;
-use crate::algebra::parse::parse;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::text::parse::parse;
+use crate::algebra::value::interval::lost_constant;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
 use crate::model::{Model, StatedUnit, TIME};

@@ -1,8 +1,8 @@
 //! Positions and velocities that formulas of scenes name: `p(P) @ N [3]`, `v(wheel, P) @ N [1]`, `omega(B) @ N [3]`,
 //! `distance(P, Q)`.
 
-use crate::algebra::calculus::Differential;
-use crate::algebra::parse::{VelocityName, VelocityOf};
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::text::parse::{VelocityName, VelocityOf};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::nearest;
 use crate::geometry::{Frames, Motion, Vector};

@@ -8,8 +8,8 @@
 use super::start::Closed;
 use super::values::{Number, Values, doubles, extended};
 use crate::algebra::Expr;
-use crate::algebra::calculus::Gradient;
-use crate::algebra::evaluate::Tape;
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::value::evaluate::Tape;
 use crate::model::Model;
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;

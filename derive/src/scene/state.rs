@@ -3,7 +3,7 @@
 use super::rates::StatedMotion;
 use super::start::{Closed, Exact, Stated};
 use super::values::{Number, Values, Varied, doubles, extended};
-use crate::algebra::evaluate::Tape;
+use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Model, TIME, Unit};

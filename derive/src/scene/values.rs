@@ -4,11 +4,11 @@
 //! readings.
 
 use super::places::Places;
-use crate::algebra::calculus::Substitution;
-use crate::algebra::evaluate::{Numeric, Tape};
-use crate::algebra::exact::exact_value;
-use crate::algebra::interval::lost_constant;
-use crate::algebra::parse::{InteractionName, VelocityName, parse, parse_with_quantities};
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::text::parse::{InteractionName, VelocityName, parse, parse_with_quantities};
+use crate::algebra::value::evaluate::{Numeric, Tape};
+use crate::algebra::value::exact::exact_value;
+use crate::algebra::value::interval::lost_constant;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::{Model, StatedInteraction, StatedUnit, Unit, is_redundant};

@@ -5,7 +5,7 @@
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model;
 use tripos_derive::reduce::{Omission, Quantity, Reduction, reduce};

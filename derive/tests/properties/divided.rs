@@ -2,10 +2,10 @@
 
 use super::terms::{arena, divides, short_term};
 use proptest::prelude::*;
-use tripos_derive::algebra::calculus::Substitution;
-use tripos_derive::algebra::divided::divided_difference;
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::term::calculus::Substitution;
+use tripos_derive::algebra::term::divided::divided_difference;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]

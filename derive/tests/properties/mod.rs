@@ -11,15 +11,15 @@ use proptest::prelude::*;
 use rewrites::{rewritten, steps};
 use slopes::slope;
 use terms::{SYMBOLS, angle, arena, divided, divides, factor, short_term, sum_of, term, term_with_functions};
-use tripos_derive::algebra::calculus::{Differential, Substitution};
-use tripos_derive::algebra::compare::{Comparer, Verdict};
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
-use tripos_derive::algebra::normal::{Normalizer, Zero};
-use tripos_derive::algebra::parse::parse_free;
-use tripos_derive::algebra::print::text;
-use tripos_derive::algebra::sharing::{Reading, share};
-use tripos_derive::algebra::simplify::{Simplifier, cost};
+use tripos_derive::algebra::form::normal::{Normalizer, Zero};
+use tripos_derive::algebra::form::sharing::{Reading, share};
+use tripos_derive::algebra::form::simplify::{Simplifier, cost};
+use tripos_derive::algebra::meaning::compare::{Comparer, Verdict};
+use tripos_derive::algebra::term::calculus::{Differential, Substitution};
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr, Rational};
 
 /// Fails, naming both sides, unless they mean the same.

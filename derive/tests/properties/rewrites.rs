@@ -2,7 +2,7 @@
 
 use super::terms::{ANGLES, divides};
 use proptest::prelude::*;
-use tripos_derive::algebra::calculus::Substitution;
+use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 
 /// One identity at one place: which rule, which of the places where it fits, and what it is written with.

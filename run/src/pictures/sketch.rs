@@ -28,10 +28,10 @@ mod words;
 pub use drawing::{Label, Mark, Paint, Part, Path, Role, Spot, Word};
 pub use shown::Changed;
 
+use super::view::space::dot;
+use super::view::{Configuration, Form, Pose, Poses, View};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use crate::pictures::view::space::dot;
-use crate::pictures::view::{Configuration, Form, Pose, Poses, View};
 use angles::{Angle, Arcs};
 use camera::Camera;
 use lengths::Length;
@@ -177,8 +177,7 @@ fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     let plane = View::of_poses(subject.mechanism, at, &[&moving])?.plane;
     let angles: Vec<Angle> = (0..subject.q.len()).filter_map(|c| Angle::of(subject, c)).collect();
     let turns = words::turns(subject, &angles);
-    let is_across =
-        |normal: &crate::pictures::view::Triple| turns.iter().all(|axis| dot(*axis, *normal).abs() > 1.0 - 1e-9);
+    let is_across = |normal: &super::view::Triple| turns.iter().all(|axis| dot(*axis, *normal).abs() > 1.0 - 1e-9);
     let plane = plane.filter(is_across);
     subject.is_planar = plane.is_some();
     subject.camera = match plane {

@@ -34,7 +34,7 @@ pub use stated::lengths;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use guessed::Guess;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::scene::Scene;
 
 /// Solids of a mechanism at the parameters of a scene, with size and directions for drawing.

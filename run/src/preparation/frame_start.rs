@@ -6,7 +6,7 @@
 use crate::code::tape;
 use crate::error::Error;
 use nalgebra::{DMatrix, DVector};
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::reduce::Turned;
 use tripos_traits::DoubleDouble;

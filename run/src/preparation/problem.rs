@@ -7,12 +7,12 @@ mod bouncing;
 mod changing;
 mod extended;
 
+use super::near_divisors::near_divisors;
+use super::passage::Chosen;
+use super::reduced::Reduced;
 use crate::code::Code;
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
-use crate::preparation::near_divisors::near_divisors;
-use crate::preparation::passage::Chosen;
-use crate::preparation::reduced::Reduced;
 use tripos_derive::mechanics::{By, InertiaCheck};
 use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve, Stated};
 use tripos_derive::{Formulation, Model};

@@ -1,10 +1,10 @@
 //! Reduced equations of a scene, ready to run: the smallest system that gives all that the scene asks for.
 
+use super::frame_start::turned;
+use super::start::known;
 use crate::code::{Code, Ready, compiled_scene, interpreted_scene, tape};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use crate::preparation::frame_start::turned;
-use crate::preparation::start::known;
 use tripos_codegen::plan::{Costs, costs};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;

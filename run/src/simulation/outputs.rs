@@ -9,7 +9,7 @@ use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::scene::{ENERGIES, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Dynamics, Eliminated, RightHandSide};

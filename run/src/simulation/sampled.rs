@@ -11,12 +11,12 @@
 
 mod windows;
 
+use super::outputs::state_names;
 use crate::code::{Form, Ready, by_or_first, code};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::options::options;
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::state_names;
 use crate::trust::digits::other_side;
 use crate::trust::events::Balance;
 use tripos_derive::diagnostic::nearest;

@@ -1,5 +1,7 @@
 //! Runs of scenes by their own reduced equations or by whole ones, with checks of the results.
 
+use super::outputs::{Shown, state_names};
+use super::run::Run;
 use crate::code::{Code, Ready, by_or_first, code};
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
@@ -8,8 +10,6 @@ use crate::preparation::impacts;
 use crate::preparation::passage::{self, Chosen};
 use crate::preparation::problem::Problem;
 use crate::preparation::reduced::Reduced;
-use crate::simulation::outputs::{Shown, state_names};
-use crate::simulation::run::Run;
 use crate::trust;
 use crate::trust::digits::{Digits, Values, assess};
 use crate::trust::events::{Balance, events};
@@ -18,7 +18,7 @@ use crate::trust::power::accounted;
 use crate::trust::residuals::residuals;
 use crate::trust::stiffness;
 use std::sync::Mutex;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::mechanics::{By, is_reducible, load_divisors};
 use tripos_derive::reduce::Ground;
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};

@@ -3,11 +3,11 @@
 
 pub mod session;
 
+use super::case::{Case, Prepared, Way};
 use crate::error::Error;
 use crate::follow::Progress;
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
-use crate::studies::case::{Case, Prepared, Way};
 use crate::trust::comparison::Compared;
 use crate::trust::invariants::Watch;
 use crate::trust::reference::Reference;

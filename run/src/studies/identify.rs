@@ -1,11 +1,11 @@
 //! Identification in numbers: values of the base parameters, and the regressor at given states.
 //!
 //! [`tripos_derive::identify`] finds the base parameters. Row by row Y_b π_b + rest = tau, where tau = B r is the
-//! generalized force of the inputs r ([`crate::studies::inverse`]).
+//! generalized force of the inputs r ([`super::inverse`]).
 
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::identify::{Factor, Identification};
 use tripos_derive::mechanics::Varied;
 use tripos_derive::scene::Moving;

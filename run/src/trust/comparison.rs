@@ -6,8 +6,8 @@
 use crate::code::stepwise;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::steps::{Definition, needed};
+use tripos_derive::algebra::term::steps::{Definition, needed};
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Expr, Node};
 use tripos_derive::mechanics::derive;
 use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};

@@ -9,9 +9,9 @@
 //! zero has no digits of its own there. At the end, where the number itself is wanted, the error is measured relative
 //! to |value| + s, with s at most 1 in its SI unit.
 
+use super::events::{Balance, events};
 use crate::error::Error;
 use crate::preparation::problem::Problem;
-use crate::trust::events::{Balance, events};
 use rustc_hash::FxHashMap;
 use tripos_derive::scene::{QUADRATURE, Scene};
 use tripos_sim::{Effect, Event, EventRecord, Kind, Options, Output, Second, Solution, Stop, seconds};

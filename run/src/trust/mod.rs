@@ -92,6 +92,7 @@ fn could_not_go_on(digits: &Digits) -> bool {
 }
 
 /// Note on a run whose second run stopped before its end, for its cost or for an error of its own.
+#[must_use]
 pub fn unassessed(digits: &Digits) -> Option<String> {
     let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
     let why = match digits.second.1 {

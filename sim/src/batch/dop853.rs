@@ -1,8 +1,8 @@
 //! A step of DOP853 in every lane at once; each lane has its own step size and its own error.
 //!
-//! The formulae, coefficients and errors are those of [`crate::methods::dop853`], in the same order of operations, so that a
-//! lane takes the steps that a run by itself takes, up to rounding. Invariant: what a lane computes depends on nothing
-//! in another.
+//! The formulae, coefficients and errors are those of [`crate::methods::dop853`], in the same order of operations, so
+//! that a lane takes the steps that a run by itself takes, up to rounding. Invariant: what a lane computes depends on
+//! nothing in another.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 

@@ -1,7 +1,7 @@
 //! Many trajectories of one set of equations, side by side in vector registers, and on all cores.
 //!
 //! Each lane of the registers integrates a trajectory of its own, by DOP853 or by Taylor's method, with the steps that
-//! [`crate::driver::integrate`] would take, up to rounding: own time, step size, error, acceptance. A lane that is done takes
+//! [`crate::integrate`] would take, up to rounding: own time, step size, error, acceptance. A lane that is done takes
 //! the next trajectory at once. The accepted steps of a lane are handed to the watcher of its trajectory, which looks
 //! at events and divisors.
 //!
@@ -108,7 +108,7 @@ pub struct Equations<'a, const N: usize> {
 /// order of the trajectories. A trajectory that fails ends with its reason; the others go on.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense, as for [`crate::driver::integrate`], or the method is not had in lanes;
+/// [`SimError`] if the question makes no sense, as for [`crate::integrate`], or the method is not had in lanes;
 /// [`SimError::Trajectory`] for parameters or a start of the wrong length, or not finite.
 pub fn integrate(
     equations: InLanes<'_>,

@@ -1,9 +1,9 @@
 //! A step of Taylor's method in every lane at once; each lane has its own step size and its own error.
 //!
-//! The order, the choice of steps, the errors and the carried roundings are those of [`crate::methods::taylor`], so that a lane
-//! takes the steps that a run by itself takes, up to rounding. Invariant: `x` has the coefficients at the start of the
-//! step, row k of order k, `next` those at its end; where a lane's highest coefficients are not finite they are zero
-//! from there on, and its `usable` is the order below.
+//! The order, the choice of steps, the errors and the carried roundings are those of [`crate::methods::taylor`], so
+//! that a lane takes the steps that a run by itself takes, up to rounding. Invariant: `x` has the coefficients at the
+//! start of the step, row k of order k, `next` those at its end; where a lane's highest coefficients are not finite
+//! they are zero from there on, and its `usable` is the order below.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -98,7 +98,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Jump of the derivative at the end of the step, as [`crate::methods::taylor`] measures it, in the norm of the test.
+    /// Jump of the derivative at the end of the step, as [`crate::methods::taylor`] measures it, in the norm of the
+    /// test.
     #[inline(always)]
     fn jump(&self, test: &ErrorTest, h: Lanes<N>) -> [f64; N] {
         let n = self.lengths.state();

@@ -1,6 +1,6 @@
 //! Watcher of the steps of one trajectory: of its events, and of the divisors of its equations.
 //!
-//! The watcher is handed the accepted step of its lane, in single numbers, and decides as [`crate::driver::integrate`] does.
+//! The watcher is handed the accepted step of its lane, in single numbers, and decides as [`crate::integrate`] does.
 //! Invariant: it changes no step.
 
 use super::method::{LaneStep, Method};
@@ -16,7 +16,7 @@ use crate::stepper::{DenseStep, Interpolant};
 pub struct Watched<'w> {
     /// The equations in single numbers: their divisors are watched, and nothing else is asked of them on the way.
     pub equations: Box<dyn RightHandSide<f64> + 'w>,
-    /// Its events; they are recorded, or end it, as in [`crate::driver::integrate`].
+    /// Its events; they are recorded, or end it, as in [`crate::integrate`].
     pub events: Vec<Event<'w>>,
 }
 

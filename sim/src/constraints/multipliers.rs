@@ -14,8 +14,8 @@
 
 use tripos_traits::{Lengths, System};
 
-use crate::constraints::correction::Least;
-use crate::constraints::placement::Placement;
+use super::correction::Least;
+use super::placement::Placement;
 use crate::error::Failure;
 use crate::linear::metric::dot;
 use crate::linear::singular::least_singular_value;

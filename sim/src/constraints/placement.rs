@@ -6,7 +6,7 @@
 
 use tripos_traits::System;
 
-use crate::constraints::correction::Correction;
+use super::correction::Correction;
 use crate::rhs;
 
 /// Largest number of iterations; units in the last place that count as on the constraints; ratio of corrections, one

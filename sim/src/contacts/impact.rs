@@ -9,7 +9,7 @@
 //!
 //! Absent on purpose: any knowledge of time, of steps and of models.
 
-use crate::contacts::friction::{Found, Mode, Touch, Trial, Undecided, one_motion};
+use super::friction::{Found, Mode, Touch, Trial, Undecided, one_motion};
 use nalgebra::{DMatrix, DVector};
 
 /// Size below which a number counts as zero, over the largest of its kind.

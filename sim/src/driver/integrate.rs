@@ -2,8 +2,8 @@
 
 use tripos_traits::Real;
 
-use crate::driver::pace::Pace;
-use crate::driver::run::solve;
+use super::pace::Pace;
+use super::run::solve;
 use crate::error::SimError;
 use crate::events::Event;
 use crate::methods::dop853::Dop853;

@@ -1,13 +1,13 @@
 //! The driver: one loop serves every method.
 //!
-//! A method is a [`Stepper`]; which sizes its steps have is decided by [`crate::driver::pace`]. The loop takes a step, lets
+//! A method is a [`Stepper`]; which sizes its steps have is decided by [`super::pace`]. The loop takes a step, lets
 //! the events look at it, records it, and stops at the first reason to.
 
-use crate::driver::doubt::Doubts;
-use crate::driver::pace::{Pace, Verdict};
-use crate::driver::recorder::Recorder;
-use crate::driver::watch::{Events, Watch};
-use crate::driver::work::Work;
+use super::doubt::Doubts;
+use super::pace::{Pace, Verdict};
+use super::recorder::Recorder;
+use super::watch::{Events, Watch};
+use super::work::Work;
 use crate::events::Event;
 use crate::events::corners::Between;
 use crate::events::guard::{Guard, Zero};

@@ -11,7 +11,7 @@
 
 use tripos_traits::{Real, larger};
 
-use crate::events::root::{self, NotANumber};
+use super::root::{self, NotANumber};
 use crate::rhs::RightHandSide;
 use crate::stepper::Interpolant;
 

@@ -6,8 +6,8 @@
 
 use tripos_traits::{Enclosure, Interval};
 
-use crate::events::RangeFunction;
-use crate::events::samples::{Probe, Sign};
+use super::RangeFunction;
+use super::samples::{Probe, Sign};
 use crate::polynomial::Polynomial;
 
 /// The narrowest part, as a fraction of the step.

@@ -2,7 +2,7 @@
 
 use std::iter::once;
 
-use crate::events::root::NotANumber;
+use super::root::NotANumber;
 use crate::stepper::DenseStep;
 
 /// −1, 0 or 1: below, within rounding of, or above zero.

@@ -1,10 +1,10 @@
 //! Search for the zeros of one event function during one step: by ranges where there are any, else by samples.
 
-use crate::events::Kind;
-use crate::events::isolate::{Isolation, Known, Ranges, isolate};
-use crate::events::root::NotANumber;
-use crate::events::samples::{Node, Probe, hidden_extrema, may_dip, sign};
-use crate::events::walk::{Doubt, Findings, Found, LADDER, Memory, walk};
+use super::Kind;
+use super::isolate::{Isolation, Known, Ranges, isolate};
+use super::root::NotANumber;
+use super::samples::{Node, Probe, hidden_extrema, may_dip, sign};
+use super::walk::{Doubt, Findings, Found, LADDER, Memory, walk};
 
 /// The slope at the ends of a step is taken over this fraction of it: the root of ε, below which a
 /// smooth function cannot turn by more than rounding.

@@ -3,9 +3,9 @@
 //! Invariant: `Memory::side` is the side of zero the function was last known to be on, and every
 //! sign change against it is reported exactly once. See [`crate::events`] for the conventions.
 
-use crate::events::Kind;
-use crate::events::root::{self, NotANumber};
-use crate::events::samples::{Node, Probe, Sign, sign};
+use super::Kind;
+use super::root::{self, NotANumber};
+use super::samples::{Node, Probe, Sign, sign};
 
 /// Distances at which to look for the side on which a function leaves zero: 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸ of a step.
 pub(crate) const LADDER: [f64; 3] = [1.0 / 1_048_576.0, 1.0 / 16_384.0, 1.0 / 256.0];

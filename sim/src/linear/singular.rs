@@ -3,7 +3,7 @@
 //! The vectors are turned, two at a time, until all are at right angles: their lengths are then the singular values (M.
 //! R. Hestenes, J. SIAM 6 (1958) 51–90). Small ones are found as exactly as large ones, and nothing is allocated.
 
-use crate::linear::metric::dot;
+use super::metric::dot;
 
 /// Largest number of rounds over all pairs, of which a handful is enough.
 const ROUNDS: usize = 30;

@@ -9,9 +9,9 @@ use std::array::from_fn;
 
 use tripos_traits::Real;
 
+use super::dense::{powers_of, value_of};
+use super::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
 use crate::blocks::{Block, Blocks, Finite, LANES};
-use crate::methods::dense::{powers_of, value_of};
-use crate::methods::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
 use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
 use crate::tolerance::ErrorTest;

@@ -1,6 +1,6 @@
 //! The Dormand–Prince 5(4) pair, the method of MATLAB's `ode45`.
 
-use crate::methods::tableau::Tableau;
+use super::tableau::Tableau;
 
 /// Dormand–Prince 5(4) with the continuous extension of degree 4 that `ode45` uses.
 ///

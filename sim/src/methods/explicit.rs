@@ -6,7 +6,7 @@
 
 use tripos_traits::Real;
 
-use crate::methods::tableau::{Coefficients, Tableau};
+use super::tableau::{Coefficients, Tableau};
 use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
 use crate::tolerance::ErrorTest;

@@ -1,6 +1,6 @@
 //! Step size rules and error norm of each method.
 
-use crate::methods::control::{Earlier, Rules};
+use super::control::{Earlier, Rules};
 use crate::tolerance::Norm;
 use tripos_traits::Method;
 

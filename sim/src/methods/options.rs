@@ -176,7 +176,7 @@ fn check_steps((t0, t1): (f64, f64), options: &Options) -> Result<(), SimError> 
         }
     }
     match options.step {
-        None if crate::methods::method::rules(options.method).is_none() => {
+        None if super::method::rules(options.method).is_none() => {
             Err(SimError::NoStep { method: options.method.name() })
         }
         Some(step) if step.min((t1 - t0).abs()) < crate::rounding::ulp(t0.abs().max(t1.abs())) => {

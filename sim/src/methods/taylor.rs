@@ -11,7 +11,7 @@
 
 use tripos_traits::Real;
 
-use crate::methods::options::{ORDERS, Options};
+use super::options::{ORDERS, Options};
 use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
 use crate::tolerance::ErrorTest;

@@ -11,7 +11,7 @@ use crate::methods::options::{self, Options, Output, Poll};
 use crate::solution::{Solution, Stop};
 use crate::stepper::{DenseStep, Interpolant, same};
 
-/// The motion from y0 = \[q; v\] over `span`, answered like [`crate::driver::integrate`] answers it.
+/// The motion from y0 = \[q; v\] over `span`, answered like [`crate::integrate`] answers it.
 ///
 /// Among the options `output` and `step_limit` matter; method and tolerances do not. Steps are those of the panels:
 /// they count in the result, and [`Output::Steps`] refines them. Events are looked for on them as on steps of a method,

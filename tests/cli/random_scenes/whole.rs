@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use std::path::Path;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::Equations;
 use tripos_derive::scene::{Scene, load};

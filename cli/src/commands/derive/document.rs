@@ -6,11 +6,11 @@
 
 use crate::words::NAMED;
 use tripos_derive::Model;
-use tripos_derive::algebra::elimination::Elimination;
-use tripos_derive::algebra::print::{symbol_view, view_of};
-use tripos_derive::algebra::steps::Definition;
-use tripos_derive::algebra::view::View;
-use tripos_derive::algebra::written::glossary;
+use tripos_derive::algebra::solve::elimination::Elimination;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::definitions::glossary;
+use tripos_derive::algebra::text::print::{symbol_view, view_of};
+use tripos_derive::algebra::text::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
     DerivationInSteps, Equations, LineName, MovingPlace, QuantityKind, Stage, Step, VectorName,

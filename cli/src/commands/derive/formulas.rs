@@ -1,8 +1,8 @@
 //! Formulas in the languages of documents: LaTeX, which Markdown takes as well, and Typst.
 
 use super::document::{Axis, Left, Vector};
-use tripos_derive::algebra::print::{latex_lines, latex_name, latex_of, typst_lines, typst_name, typst_of};
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::print::{latex_lines, latex_name, latex_of, typst_lines, typst_name, typst_of};
+use tripos_derive::algebra::text::view::View;
 use tripos_derive::mechanics::VectorName;
 
 /// A language of formulas.

@@ -9,9 +9,9 @@ use super::Derived;
 use rustc_hash::FxHashSet;
 use serde_json::{Value, json};
 use tripos_derive::Model;
-use tripos_derive::algebra::print::{long_parts, text_of, whole_view};
-use tripos_derive::algebra::steps::Definition;
-use tripos_derive::algebra::view::Shared;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::print::{long_parts, text_of, whole_view};
+use tripos_derive::algebra::text::view::Shared;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, Step};
 

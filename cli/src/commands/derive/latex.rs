@@ -1,15 +1,15 @@
 //! A derivation in LaTeX: a document, or its sections for one.
 //!
 //! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, and what is
-//! printed is read back by [`tripos_derive::algebra::notation`] as the term that it was.
+//! printed is read back by [`tripos_derive::algebra::text::notation`] as the term that it was.
 
 use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
 use super::layout::{Extent, TOO_LONG, entries, extent, lay, raised};
 use crate::latex::escape;
 use std::fmt::Write;
-use tripos_derive::algebra::print::latex_of;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::print::latex_of;
+use tripos_derive::algebra::text::view::View;
 
 /// Columns that a matrix has without asking for more.
 const COLUMNS: usize = 10;

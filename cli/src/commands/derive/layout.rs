@@ -5,8 +5,8 @@
 
 use super::document::{Equation, Left, System};
 use super::formulas::{LATEX, Language};
-use tripos_derive::algebra::print::formula_width;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::print::formula_width;
+use tripos_derive::algebra::text::view::View;
 
 /// Characters of a formula's source after which it is not printed: nobody reads on.
 const LONGEST: usize = 20_000;

@@ -7,8 +7,8 @@ use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
 use super::layout::{Extent, Laid, TOO_LONG, entries, extent, lay, raised};
 use std::fmt::Write;
-use tripos_derive::algebra::print::latex_of;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::print::latex_of;
+use tripos_derive::algebra::text::view::View;
 
 /// Equations of one block: browsers set each block as a whole, and thousands of lines take them long.
 const ROWS: usize = 25;

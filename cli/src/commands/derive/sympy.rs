@@ -14,9 +14,9 @@ use crate::failure::Failure;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt::Write;
 use tripos_derive::Model;
-use tripos_derive::algebra::print::{sympy_of, whole_view};
-use tripos_derive::algebra::steps::Definition;
-use tripos_derive::algebra::view::{Shared, View};
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::print::{sympy_of, whole_view};
+use tripos_derive::algebra::text::view::{Shared, View};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Words that cannot be variables, or that the program uses.

@@ -6,8 +6,8 @@ use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::TYPST;
 use super::layout::{Extent, Laid, TOO_LONG, entries, extent, lay, raised};
 use std::fmt::Write;
-use tripos_derive::algebra::print::typst_of;
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::print::typst_of;
+use tripos_derive::algebra::text::view::View;
 
 /// A document.
 pub fn typst(document: &Document) -> String {

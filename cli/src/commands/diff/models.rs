@@ -13,8 +13,8 @@ use std::fmt::Write;
 use std::path::Path;
 use tripos_codegen::scene_files::{name_beside, scene_files};
 use tripos_derive::Model;
-use tripos_derive::algebra::compare::Verdict;
-use tripos_derive::algebra::print::{text, whole_text};
+use tripos_derive::algebra::meaning::compare::Verdict;
+use tripos_derive::algebra::text::print::{text, whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::diff::{

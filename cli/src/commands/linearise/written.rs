@@ -8,8 +8,8 @@ use std::fmt::Write;
 use tripos::Mechanism;
 use tripos::studies::steady::{About, Entry, Letters, Wide};
 use tripos_derive::algebra::Arena;
-use tripos_derive::algebra::parse::parse_free;
-use tripos_derive::algebra::print::{latex, latex_of, python_of};
+use tripos_derive::algebra::text::parse::parse_free;
+use tripos_derive::algebra::text::print::{latex, latex_of, python_of};
 
 /// The matrices of a system, each entry in words of one notation.
 struct Written {

@@ -3,7 +3,7 @@
 use crate::page::Standing;
 use tripos::studies::study::Study;
 use tripos::{Digits, Run, method_words};
-use tripos_derive::algebra::compare::Verdict;
+use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::scene::Scene;
 use tripos_traits::largest;
 

@@ -9,7 +9,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::view::view;
+use tripos_derive::algebra::text::view::view;
 
 /// The `use` items of the function's file; only those of its `System` if the function itself stands elsewhere.
 pub fn imports(plan: &TaylorPlan<'_>, is_here: bool) -> TokenStream {

@@ -4,11 +4,11 @@
 //! *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6). They are expanded without a division. Rows that
 //! share no column are treated apart: the whole loses rank where one of its parts does.
 
-use crate::algebra::contract::contract;
-use crate::algebra::evaluate::Tape;
-use crate::algebra::print::text;
-use crate::algebra::range::never_zero;
-use crate::algebra::simplify::Simplifier;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::contract::contract;
+use crate::algebra::text::print::text;
+use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::range::never_zero;
 use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::bare;
 use rustc_hash::FxHashSet;

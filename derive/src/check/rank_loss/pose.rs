@@ -1,8 +1,8 @@
 //! Search for poses in which rows lose rank, in doubles.
 
-use crate::algebra::evaluate::Tape;
+use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
-use crate::model::closed_poses::{Poses, reach};
+use crate::model::constraints::closed_poses::{Poses, reach};
 use crate::model::{Model, Unit};
 use nalgebra::DMatrix;
 

@@ -13,7 +13,7 @@ mod vectors;
 
 use super::derived::{arena_of, component, derived, turned};
 use crate::algebra::Expr;
-use crate::algebra::calculus::Differential;
+use crate::algebra::term::calculus::Differential;
 use crate::geometry::Components;
 use crate::mechanics::{Quantities, QuantityKind, Row, VectorName, motion_rates};
 use crate::model::Model;

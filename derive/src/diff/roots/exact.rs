@@ -1,9 +1,9 @@
 //! Exact comparisons of derived and printed terms, counted: after the last allowed one, every answer is no.
 
 use crate::algebra::Expr;
-use crate::algebra::compare::Comparer;
-use crate::algebra::modular::{ZeroTest, zero_test};
-use crate::algebra::permitted::Permitted;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::meaning::permitted::Permitted;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::diff::ratio::constant_ratio;
 use crate::mechanics::{Quantities, QuantityKind};
 

@@ -22,8 +22,8 @@ pub use root::{Follower, Link, Root};
 use super::claim::{Claim, Table};
 use super::finding::{Finding, Judgement};
 use crate::algebra::Arena;
-use crate::algebra::permitted::Permitted;
-use crate::algebra::print::text;
+use crate::algebra::meaning::permitted::Permitted;
+use crate::algebra::text::print::text;
 use crate::mechanics::Quantities;
 use search::{Reason, Search};
 

@@ -3,8 +3,8 @@
 use super::chain::Chain;
 use super::derived::component;
 use crate::algebra::Expr;
-use crate::algebra::calculus::{Differential, Gradient};
-use crate::algebra::linear::LinearForm;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::diff::claim::Table;
 use crate::diff::rows::Row as Entries;
 use crate::mechanics::{BalanceName, Energy, Quantities, QuantityKind, Row, RowName, VectorName};

@@ -7,7 +7,7 @@
 use super::derived::{arena_of, components, difference};
 use super::exact::{Exact, Value};
 use crate::algebra::Expr;
-use crate::algebra::print::text;
+use crate::algebra::text::print::text;
 use crate::geometry::{Components, cross_components};
 use crate::mechanics::{Kinematics, Quantities, QuantityKind, VectorName};
 

@@ -1,7 +1,7 @@
 //! Accelerations of a derived system in which some rows are the printed ones.
 
 use crate::algebra::Expr;
-use crate::algebra::linear::solve;
+use crate::algebra::solve::linear::solve;
 use crate::diff::claim::Table;
 use crate::mechanics::{Kinematics, Quantities};
 use rustc_hash::FxHashMap;

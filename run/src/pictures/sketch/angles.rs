@@ -1,9 +1,9 @@
 //! Arcs of coordinates that turn frames: from the axis at zero to the axis in the drawn pose.
 
-use crate::pictures::sketch::axes::{along_axis, is_drawn};
-use crate::pictures::sketch::drawing::{Mark, Path, Role, Spot, Word, unit};
-use crate::pictures::sketch::sheet::{Sheet, Subject};
-use crate::pictures::sketch::terms::Told;
+use super::axes::{along_axis, is_drawn};
+use super::drawing::{Mark, Path, Role, Spot, Word, unit};
+use super::sheet::{Sheet, Subject};
+use super::terms::Told;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, length, minus, plus, rotated, rotated_back, transposed};
 use std::f64::consts::{PI, TAU};

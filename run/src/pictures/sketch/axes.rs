@@ -1,7 +1,7 @@
 //! Axes of frames with their names, and gravity.
 
-use crate::pictures::sketch::drawing::{Mark, Path, Role, Spot, Word, extent, unit};
-use crate::pictures::sketch::sheet::{Sheet, Subject};
+use super::drawing::{Mark, Path, Role, Spot, Word, extent, unit};
+use super::sheet::{Sheet, Subject};
 use crate::pictures::view::space::{IDENTITY, dot, length, minus, rotated, transposed};
 use crate::pictures::view::{Rotation, Triple};
 

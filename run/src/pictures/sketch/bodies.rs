@@ -1,7 +1,7 @@
 //! Outlines of solids, drawn from back to front.
 
-use crate::pictures::sketch::drawing::{Mark, Path, Role, Spot};
-use crate::pictures::sketch::sheet::{Sheet, Subject};
+use super::drawing::{Mark, Path, Role, Spot};
+use super::sheet::{Sheet, Subject};
 use crate::pictures::view::space::{along, cross, dot, length, minus, plus, product, rotated, transposed, unit};
 use crate::pictures::view::{Form, Place, Quaternion, Rotation, Solid, Triple};
 
@@ -151,7 +151,7 @@ fn faces(subject: &Subject<'_>, at: &Place, size: Triple) -> Vec<Mark> {
 /// A coil from one spot to another.
 fn coil(a: Spot, b: Spot) -> Path {
     let way = [b[0] - a[0], b[1] - a[1]];
-    let across = crate::pictures::sketch::drawing::unit([-way[1], way[0]]);
+    let across = super::drawing::unit([-way[1], way[0]]);
     let at = |t: f64, side: f64| [0, 1].map(|i| a[i] + t * way[i] + side * SPRING.1 * across[i]);
     let (from, to) = (0.14, 0.86);
     let mut spots = vec![a, at(from, 0.0)];
@@ -195,7 +195,7 @@ fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
     if facing.abs() < 0.05 {
         let ends = [at(x.0, y.0), at(x.1, y.1)].map(|end| camera.spot(end));
         let below = camera.seen(normal).map(|c| -c);
-        return Some(crate::pictures::sketch::supports::wall(ends, below));
+        return Some(super::supports::wall(ends, below));
     }
     let corners = [at(x.0, y.0), at(x.1, y.0), at(x.1, y.1), at(x.0, y.1)].map(|corner| camera.spot(corner));
     Some(vec![Mark::solid(Role::Ground, Path::polygon(&corners))])

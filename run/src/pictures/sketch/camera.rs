@@ -1,6 +1,6 @@
 //! Orthographic projection of a mechanism onto the sheet, and the choice of its direction.
 
-use crate::pictures::sketch::drawing::Spot;
+use super::drawing::Spot;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, minus, plus, unit};
 

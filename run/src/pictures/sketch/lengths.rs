@@ -1,9 +1,9 @@
 //! Marks of coordinates that move points. A length is a dimension line along its axis. An arrow shows a coordinate that
 //! is neither such a length nor an angle.
 
-use crate::pictures::sketch::drawing::{Mark, Path, Role, Spot, Word, tip, unit};
-use crate::pictures::sketch::sheet::{Sheet, Subject};
-use crate::pictures::sketch::terms::Told;
+use super::drawing::{Mark, Path, Role, Spot, Word, tip, unit};
+use super::sheet::{Sheet, Subject};
+use super::terms::Told;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{length, minus, plus, transposed};
 

@@ -4,8 +4,8 @@
 //! first, and take the cheapest place. Each then chooses again, twice. Costs are rounded, so that machines whose last
 //! digits differ give the same places.
 
-use crate::pictures::sketch::drawing::{Label, Mark, Path, Role, Spot, Word, unit};
-use tripos_derive::algebra::print::name_parts;
+use super::drawing::{Label, Mark, Path, Role, Spot, Word, unit};
+use tripos_derive::algebra::text::print::name_parts;
 
 /// Distances of a label's box from its anchor in each ring, px, beyond the wished gap.
 const RINGS: [f64; 10] = [0.0, 5.0, 11.0, 18.0, 27.0, 38.0, 52.0, 70.0, 92.0, 118.0];

@@ -1,10 +1,10 @@
 //! Mechanism and pose that are sketched, the camera, and the sheet as drawn so far.
 
+use super::camera::Camera;
+use super::drawing::{Mark, Role, Spot, Word};
+use super::place::Wish;
+use super::terms::Terms;
 use crate::mechanism::Mechanism;
-use crate::pictures::sketch::camera::Camera;
-use crate::pictures::sketch::drawing::{Mark, Role, Spot, Word};
-use crate::pictures::sketch::place::Wish;
-use crate::pictures::sketch::terms::Terms;
 use crate::pictures::view::space::{about, length, minus, product, rotated};
 use crate::pictures::view::{Pose, Poses, Rotation, Triple, View};
 

@@ -1,9 +1,9 @@
 //! Drawn pose: that of a start, with other values for angles and lengths that could not be seen there.
 
+use super::terms::Terms;
 use crate::code::tape;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use crate::pictures::sketch::terms::Terms;
 use crate::pictures::view::space::length;
 use crate::pictures::view::{Configuration, Pose, Poses, View};
 use tripos_derive::diagnostic::Source;

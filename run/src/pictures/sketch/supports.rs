@@ -1,7 +1,7 @@
 //! Ground at joints: pins on their supports, rails, and walls that hold springs.
 
-use crate::pictures::sketch::drawing::{Mark, Path, Role, Spot, unit};
-use crate::pictures::sketch::sheet::{Sheet, Subject};
+use super::drawing::{Mark, Path, Role, Spot, unit};
+use super::sheet::{Sheet, Subject};
 use crate::pictures::view::space::{cross, length, minus};
 use crate::pictures::view::{Form, Triple};
 use tripos_derive::model::ReactionKind;

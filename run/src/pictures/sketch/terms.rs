@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::pictures::view::Links;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 
 /// Relative difference below which two numbers count as equal.
 const SAME: f64 = 1e-9;

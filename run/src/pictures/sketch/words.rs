@@ -1,10 +1,10 @@
 //! Description of a sketch in words, as its caption and for readers who cannot see it.
 
-use crate::pictures::sketch::angles::Angle;
-use crate::pictures::sketch::axes::along_axis;
-use crate::pictures::sketch::lengths::Length;
-use crate::pictures::sketch::sheet::Subject;
-use crate::pictures::sketch::shown::Changed;
+use super::angles::Angle;
+use super::axes::along_axis;
+use super::lengths::Length;
+use super::sheet::Subject;
+use super::shown::Changed;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::dot;
 use crate::pictures::view::{Form, Solid};

@@ -4,15 +4,15 @@
 //! Left out on purpose: torques, potentials that are not forces at points, and the forces in closed contacts of a scene
 //! with impacts.
 
+use super::pose::Pose;
+use super::space::{Triple, length, rotated};
 use crate::code::{Code, Ready, code, stepwise};
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
-use crate::pictures::view::pose::Pose;
-use crate::pictures::view::space::{Triple, length, rotated};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::steps::{Definition, needed};
+use tripos_derive::algebra::term::steps::{Definition, needed};
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::mechanics::Kinematics;
 use tripos_derive::model::{Place, Reaction, ReactionKind};
 use tripos_derive::scene::Scene;

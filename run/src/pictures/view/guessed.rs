@@ -4,18 +4,16 @@
 //! does not matter: a point belongs to every body in which it does not move. Rods join the points that are fixed in a
 //! body. Inertia tells disks and boxes. A body rolls at a point that moves round it at a constant distance.
 
+use super::View;
+use super::inertia::{Homogeneous, homogeneous, principal};
+use super::made::{STRAIGHT, homogeneous_form, rods};
+use super::pose::{Configuration, Pose, Poses};
+use super::solid::{Form, Place, Solid};
+use super::space::{Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed};
+use super::swept;
+use super::values;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use crate::pictures::view::View;
-use crate::pictures::view::inertia::{Homogeneous, homogeneous, principal};
-use crate::pictures::view::made::{STRAIGHT, homogeneous_form, rods};
-use crate::pictures::view::pose::{Configuration, Pose, Poses};
-use crate::pictures::view::solid::{Form, Place, Solid};
-use crate::pictures::view::space::{
-    Rotation, Triple, along, dot, length, minus, plus, product, quaternion, rotated_back, transposed,
-};
-use crate::pictures::view::swept;
-use crate::pictures::view::values;
 use tripos_derive::model::{Body, Place as Of, ReactionKind};
 
 /// Radius of a rod, relative to the size of the mechanism.

@@ -1,6 +1,6 @@
 //! Homogeneous solids with a given mass and given principal moments.
 
-use crate::pictures::view::space::{IDENTITY, Rotation, Triple, product, transposed};
+use super::space::{IDENTITY, Rotation, Triple, product, transposed};
 
 /// Principal moments of a symmetric tensor, ascending, kg m², and the axes that they are about, as columns.
 ///
@@ -27,7 +27,7 @@ pub fn principal(tensor: &Rotation) -> (Triple, Rotation) {
     let columns = transposed(&axes);
     let mut sorted = order.map(|at| columns[at]);
     // Right-handed.
-    if crate::pictures::view::space::dot(crate::pictures::view::space::cross(sorted[0], sorted[1]), sorted[2]) < 0.0 {
+    if super::space::dot(super::space::cross(sorted[0], sorted[1]), sorted[2]) < 0.0 {
         sorted[2] = sorted[2].map(|x| -x);
     }
     (order.map(|at| a[at][at].max(0.0)), transposed(&sorted))

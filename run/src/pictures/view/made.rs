@@ -1,8 +1,8 @@
 //! Forms that represent a body.
 
-use crate::pictures::view::inertia::Homogeneous;
-use crate::pictures::view::solid::{Form, Place};
-use crate::pictures::view::space::{Rotation, Triple, along, dot, length, minus, plus, quaternion, transposed, unit};
+use super::inertia::Homogeneous;
+use super::solid::{Form, Place};
+use super::space::{Rotation, Triple, along, dot, length, minus, plus, quaternion, transposed, unit};
 
 /// Greatest distance of points from the line of a rod, relative to its length.
 pub const STRAIGHT: f64 = 0.15;

@@ -1,10 +1,10 @@
 //! Motion for a view: poses at as many instants as are needed to see no difference from the run.
 
+use super::arrows::{Arrows, Forces};
+use super::pose::{Pose, Poses};
+use super::space::{Quaternion, Triple, length, minus, plus, quaternion};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use crate::pictures::view::arrows::{Arrows, Forces};
-use crate::pictures::view::pose::{Pose, Poses};
-use crate::pictures::view::space::{Quaternion, Triple, length, minus, plus, quaternion};
 use crate::simulation::run::Run;
 use crate::simulation::simulate::simulate;
 use std::f64::consts::FRAC_PI_2;

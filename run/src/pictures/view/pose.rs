@@ -1,11 +1,11 @@
 //! Poses of a mechanism: the attitude of every frame and the position of every point in a configuration.
 
+use super::space::{IDENTITY, Rotation, Triple, about, plus, product, rotated, transposed};
 use crate::code::tape;
 use crate::error::Error;
-use crate::pictures::view::space::{IDENTITY, Rotation, Triple, about, plus, product, rotated, transposed};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::model::Turn;
 
 /// Parameters and coordinates that determine a pose.

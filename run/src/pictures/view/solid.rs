@@ -1,6 +1,6 @@
 //! Solids that represent a mechanism.
 
-use crate::pictures::view::space::{Quaternion, Triple};
+use super::space::{Quaternion, Triple};
 
 /// Drawn solid of a single colour.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,7 +115,7 @@ impl Form {
         match self {
             Self::Sphere { radius, .. } | Self::Rod { radius, .. } => *radius,
             Self::Cylinder { radius, length, .. } => radius.hypot(0.5 * length),
-            Self::Box { size, .. } => 0.5 * crate::pictures::view::space::length(*size),
+            Self::Box { size, .. } => 0.5 * super::space::length(*size),
             Self::Spring { .. } | Self::Ground { .. } => 0.0,
         }
     }

@@ -1,10 +1,10 @@
 //! Solids as the model file states them.
 
+use super::solid::{Form, Place, Solid};
+use super::space::{Rotation, quaternion};
+use super::values;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use crate::pictures::view::solid::{Form, Place, Solid};
-use crate::pictures::view::space::{Rotation, quaternion};
-use crate::pictures::view::values;
 use tripos_derive::algebra::Expr;
 use tripos_derive::model::{Shape, ShapeForm};
 

@@ -1,7 +1,7 @@
 //! Measures of many poses: the greatest distance of points, and the plane in which they stay.
 
-use crate::pictures::view::pose::Pose;
-use crate::pictures::view::space::{IDENTITY, Triple, length, minus};
+use super::pose::Pose;
+use super::space::{IDENTITY, Triple, length, minus};
 
 /// Greatest distance of two of these points at one instant, m, over a selection of the poses.
 pub(super) fn diameter(poses: &[Pose], points: &[usize]) -> f64 {

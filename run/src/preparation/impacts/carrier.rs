@@ -2,11 +2,11 @@
 //!
 //! Values alone decide which contacts close, push and open. Slopes accompany the values and decide nothing.
 
-use crate::preparation::impacts::contacts::Contacts;
-use crate::preparation::impacts::happening::Happening;
-use crate::preparation::impacts::held::Held;
-use crate::preparation::impacts::kept::Kept;
-use crate::preparation::impacts::meeting::After;
+use super::contacts::Contacts;
+use super::happening::Happening;
+use super::held::Held;
+use super::kept::Kept;
+use super::meeting::After;
 use tripos_sim::{RightHandSide, SimError};
 
 /// Function that makes the equations of a run, anew for each use.

@@ -1,8 +1,8 @@
 //! Records of what contacts with friction begin to do.
 
-use crate::preparation::impacts::happening::Happening;
-use crate::preparation::impacts::kept::Kept;
-use crate::preparation::impacts::{Bouncing, values};
+use super::happening::Happening;
+use super::kept::Kept;
+use super::{Bouncing, values};
 use tripos_sim::{EventRecord, Kind, Mode, Solution};
 use tripos_traits::Real;
 

@@ -1,8 +1,8 @@
 //! Checks of a finished part of a run for changes of contacts that it missed.
 
-use crate::preparation::impacts::held::Held;
-use crate::preparation::impacts::kept::Kept;
-use crate::preparation::impacts::{Bouncing, OVERLAP, values};
+use super::held::Held;
+use super::kept::Kept;
+use super::{Bouncing, OVERLAP, values};
 use tripos_sim::{Failure, Mode, Solution, Stop};
 use tripos_traits::Real;
 

@@ -6,8 +6,8 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use tripos_derive::Model;
-use tripos_derive::algebra::calculus::{Differential, Substitution};
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::term::calculus::{Differential, Substitution};
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::scene::{Impact, ImpactLaw};
 use tripos_sim::{Closed, Failure, Mode, Undecided};

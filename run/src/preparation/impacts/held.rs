@@ -5,8 +5,8 @@
 //! the force along the gap with s the sign of the slip, enters the same system. The forces join any equations, as v̇ +
 //! M⁻¹ Wᵀ λ. Each step ends on the contacts, as on any constraint.
 
-use crate::preparation::impacts::contacts::{Contacts, Rates, Response};
-use crate::preparation::impacts::kept::Kept;
+use super::contacts::{Contacts, Rates, Response};
+use super::kept::Kept;
 use nalgebra::DVector;
 use tripos_sim::{Failure, RightHandSide};
 

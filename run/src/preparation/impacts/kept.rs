@@ -1,6 +1,6 @@
 //! Contacts that are held, and the mode of each of them.
 
-use crate::preparation::impacts::contacts::Contacts;
+use super::contacts::Contacts;
 use tripos_sim::Mode;
 
 /// Contacts that are held, each with its mode: it pushes, sticks or slips.

@@ -1,11 +1,11 @@
 //! Impacts of contacts that are closed together, and the contacts that are held afterwards.
 
-use crate::preparation::impacts::checked::NEARLY;
-use crate::preparation::impacts::contacts::Response;
-use crate::preparation::impacts::happening::Happening;
-use crate::preparation::impacts::held::Held;
-use crate::preparation::impacts::kept::{Kept, NONE};
-use crate::preparation::impacts::{Bouncing, NOTHING};
+use super::checked::NEARLY;
+use super::contacts::Response;
+use super::happening::Happening;
+use super::held::Held;
+use super::kept::{Kept, NONE};
+use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
 use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
 

@@ -31,7 +31,7 @@ pub use kept::{Kept, NONE};
 pub use meeting::After;
 pub use said::said;
 
-use crate::preparation::passage::{joined, rest};
+use super::passage::{joined, rest};
 use meeting::Meeting;
 use tripos_sim::{
     Accompanied, Event, EventRecord, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution,

@@ -1,10 +1,10 @@
 //! Modes of contacts with friction: which contacts stick and which slip.
 
-use crate::preparation::impacts::Bouncing;
-use crate::preparation::impacts::NOTHING;
-use crate::preparation::impacts::happening::Happening;
-use crate::preparation::impacts::held::{Free, Held};
-use crate::preparation::impacts::meeting::Met;
+use super::Bouncing;
+use super::NOTHING;
+use super::happening::Happening;
+use super::held::{Free, Held};
+use super::meeting::Met;
 use nalgebra::DVector;
 use tripos_sim::{Failure, Found, Mode, Undecided};
 

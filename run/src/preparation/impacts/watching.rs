@@ -1,10 +1,10 @@
 //! Events at which parts of a run end: gaps that close, forces that no longer push or exceed friction, and slips that
 //! end.
 
-use crate::preparation::impacts::Bouncing;
-use crate::preparation::impacts::happening::Happening;
-use crate::preparation::impacts::held::Held;
-use crate::preparation::impacts::kept::Kept;
+use super::Bouncing;
+use super::happening::Happening;
+use super::held::Held;
+use super::kept::Kept;
 use tripos_sim::{Direction, Effect, Event, InRanges, Mode, SimError};
 use tripos_traits::{Enclosure, Scalar};
 

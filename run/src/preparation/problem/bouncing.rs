@@ -1,8 +1,8 @@
 //! Runs of scenes with contacts.
 
+use super::{Power, Problem};
 use crate::error::Error;
 use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, Kept, LEAST};
-use crate::preparation::problem::{Power, Problem};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{QUADRATURE, Scene};

@@ -1,9 +1,9 @@
 //! Runs by equations in all rates where those in chosen speeds fail.
 
+use super::{Power, Problem};
 use crate::code::Code;
 use crate::error::{Error, refused};
 use crate::preparation::passage::{self, Chosen};
-use crate::preparation::problem::{Power, Problem};
 use tripos_sim::{Event, Options, Solution};
 
 impl<'a> Problem<'a> {

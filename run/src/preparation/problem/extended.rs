@@ -1,7 +1,7 @@
 //! Starts and states in twice the precision of a double.
 
+use super::{ExtendedStart, Origin, Problem};
 use crate::error::Error;
-use crate::preparation::problem::{ExtendedStart, Origin, Problem};
 use crate::preparation::start::speeds;
 use tripos_derive::Formulation;
 use tripos_derive::scene::Stated;

@@ -1,9 +1,9 @@
 //! Windows of a run whose inputs are set from outside, and its errors by comparison with a second run.
 
+use super::{Decision, Sample, SampledRun};
 use crate::code::Form;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
-use crate::simulation::sampled::{Decision, Sample, SampledRun};
 use crate::trust::events::{Balance, events};
 use crate::trust::residuals::{broken, opened};
 use tripos_derive::scene::Scene;

@@ -1,5 +1,6 @@
 //! Whole chart of a scene: the charted span, the reference and the measurements.
 
+use super::{Measurement, Plan, Truth, measure};
 use crate::code::{Ready, code};
 use crate::error::{Error, refused};
 use crate::follow::Progress;
@@ -7,7 +8,6 @@ use crate::mechanism::Mechanism;
 use crate::options::options;
 use crate::preparation::problem::Problem;
 use crate::studies::case::cases;
-use crate::studies::chart::{Measurement, Plan, Truth, measure};
 use crate::trust::comparison::Compared;
 use crate::trust::events::{Balance, events};
 use crate::trust::invariants::Watch;

@@ -4,11 +4,11 @@
 //! ẇ), give u̇. If more coordinates have formulas than there are speeds, the motion must obey the constraints;
 //! otherwise it is refused.
 
-use crate::studies::inverse::least::{Least, doubles};
+use super::least::{Least, doubles};
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::calculus::Gradient;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::term::calculus::Gradient;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::mechanics::motion_rates;
 use tripos_derive::scene::{Formulas, Given, Loops, Motion, Moving};
 use tripos_traits::DoubleDouble;

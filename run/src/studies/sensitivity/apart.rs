@@ -5,11 +5,11 @@
 //! with eight other values of a number, at finer tolerances, and the derivative is a difference of order 4. Its error
 //! comes from the same rule with twice the step, and from the errors of the runs over the step.
 
+use super::difference::CENTRAL;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::simulation::run::Run;
 use crate::simulation::simulate::run_whole;
-use crate::studies::sensitivity::difference::CENTRAL;
 use tripos_derive::mechanics::By;
 use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Nearby, Scene};

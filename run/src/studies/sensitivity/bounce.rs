@@ -1,12 +1,12 @@
 //! Runs with contacts in numbers with slopes.
 
+use super::contacts::{Direction, Wide};
+use super::crossing::Crossed;
+use super::held::{HeldTangents, Told, slopes, values};
+use super::start::Seed;
+use super::way::{Instant, Way, end};
 use crate::preparation::impacts::{Approach, Carrier, Contacts, Crossing, Held, Kept};
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::contacts::{Direction, Wide};
-use crate::studies::sensitivity::crossing::Crossed;
-use crate::studies::sensitivity::held::{HeldTangents, Told, slopes, values};
-use crate::studies::sensitivity::start::Seed;
-use crate::studies::sensitivity::way::{Instant, Way, end};
 use std::cell::RefCell;
 use tripos_sim::{Corner, RightHandSide, SimError, Tangents};
 use tripos_traits::{Flow, Real, Scalar, Series, Tangent};

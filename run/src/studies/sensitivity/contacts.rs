@@ -3,14 +3,14 @@
 //! Impulses and forces follow from a linear system while the set of pushing contacts stays: M a − Wᵀ Λ = 0, and W a + c
 //! = 0 along the rows that push. c is the motion of these rows without them: accelerations, or the parts of velocities
 //! that are to be removed. With a and Λ known, their derivatives follow from those of the residuals, by the same
-//! matrices. Friction of slipping contacts stands in the same system ([`crate::studies::sensitivity::grip`]). The derivatives of the
-//! residuals are differences in 32 digits ([`crate::studies::sensitivity::difference`]), so contacts need no second definition.
+//! matrices. Friction of slipping contacts stands in the same system ([`super::grip`]). The derivatives of the
+//! residuals are differences in 32 digits ([`super::difference`]), so contacts need no second definition.
 
+use super::difference::along;
+use super::grip::Grip;
 use crate::preparation::impacts::{Contacts, Operators};
-use crate::studies::sensitivity::difference::along;
-use crate::studies::sensitivity::grip::Grip;
 use nalgebra::DVector;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_sim::Failure;
 use tripos_traits::{DoubleDouble, Lengths, Scalar, System};
 

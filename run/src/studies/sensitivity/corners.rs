@@ -4,9 +4,9 @@
 //! They do not jump where the instant of a bend moves. All else is refused: jumps at which there is no derivative, and
 //! steps that go across.
 
+use super::start::Seed;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::start::Seed;
 use tripos_sim::{Corner, DIRECTIONS, Options};
 use tripos_traits::Tangent;
 

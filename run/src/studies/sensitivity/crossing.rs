@@ -2,7 +2,7 @@
 //!
 //! At an instant t(p) a motion y⁻(t, p) is taken to y⁺ = R(y⁻, p), from rates f⁻ to f⁺. Slopes at a fixed instant go
 //! from s⁻ to s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp. The instant has the derivative dt/dp = −(g_y s⁻ + g_p)/(g_y
-//! f⁻), where g is zero there: a gap, a force, the margin of friction, or a slip ([`crate::studies::sensitivity::zero`]). M. A. Aizerman & F.
+//! f⁻), where g is zero there: a gap, a force, the margin of friction, or a slip ([`super::zero`]). M. A. Aizerman & F.
 //! R. Gantmakher, "On the stability of periodic motions", *Journal of Applied Mathematics and Mechanics* 22 (1958),
 //! 1065–1078; P. C. Müller, "Calculation of Lyapunov exponents for dynamic systems with discontinuities", *Chaos,
 //! Solitons & Fractals* 5 (1995), 1671–1681. The map is linear in s⁻ and p: forwards it is applied to slopes, and a
@@ -12,12 +12,12 @@
 //! reason is given, where these sets change with the varied number, where contacts that change together do not stay
 //! together, or where contacts close without a velocity.
 
+use super::contacts::{Acting, Change, Direction, SMALL, Wide, Without};
+use super::forces::{Forces, NOTHING, RatesAlong, Varied};
+use super::grip::Grip;
+use super::strike::{Law, Strike, along_rows, strikes};
+use super::zero::{Coming, Zeros};
 use crate::preparation::impacts::{Crossing, Kept, NONE};
-use crate::studies::sensitivity::contacts::{Acting, Change, Direction, SMALL, Wide, Without};
-use crate::studies::sensitivity::forces::{Forces, NOTHING, RatesAlong, Varied};
-use crate::studies::sensitivity::grip::Grip;
-use crate::studies::sensitivity::strike::{Law, Strike, along_rows, strikes};
-use crate::studies::sensitivity::zero::{Coming, Zeros};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
 
@@ -218,7 +218,7 @@ impl<'c> Crossed<'c> {
         let largest = across.changes.iter().map(|change| change.size).fold(0.0, f64::max);
         for (at, (strike, change)) in self.strikes.iter().zip(&across.changes).enumerate() {
             if change.is_apart {
-                return Err(crate::studies::sensitivity::contacts::APART.to_owned());
+                return Err(super::contacts::APART.to_owned());
             }
             let inertia = &strike.operators.inertia;
             let direction = Direction { parameters: varied.parameters, state: &across.before[at] };

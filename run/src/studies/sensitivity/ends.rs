@@ -1,11 +1,11 @@
 //! Derivatives at the end of a run and at its events, and their errors.
 
+use super::corners::corners;
+use super::equations::{Carried, From};
+use super::{Parts, onward};
 use crate::error::Error;
 use crate::options::options;
 use crate::preparation::impacts::Kept;
-use crate::studies::sensitivity::corners::corners;
-use crate::studies::sensitivity::equations::{Carried, From};
-use crate::studies::sensitivity::{Parts, onward};
 use crate::trust::digits::other_side;
 use crate::trust::events::{Balance, events};
 use tripos_derive::scene::Scene;

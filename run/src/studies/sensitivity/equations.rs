@@ -1,17 +1,17 @@
 //! Equations with slopes: the compiled ones, or their tapes in numbers with slopes.
 
+use super::bounce::{Bounced, Parts};
+use super::contacts::Wide;
+use super::corners::corners;
+use super::graze::{self, near};
+use super::start::Seed;
+use super::way::Way;
 use crate::code::{Code, Ready, code, code_of, derivation};
 use crate::error::{Error, refused};
 use crate::interpreted::Interpreted;
 use crate::mechanism::Mechanism;
 use crate::preparation::impacts::Approach;
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::bounce::{Bounced, Parts};
-use crate::studies::sensitivity::contacts::Wide;
-use crate::studies::sensitivity::corners::corners;
-use crate::studies::sensitivity::graze::{self, near};
-use crate::studies::sensitivity::start::Seed;
-use crate::studies::sensitivity::way::Way;
 use crate::trust::power::accounted;
 use std::cell::OnceCell;
 use tripos_derive::mechanics::{By, in_distance};

@@ -1,8 +1,8 @@
 //! Forces of contacts that are held at a state, and their derivatives.
 
+use super::contacts::{Acting, Change, Direction, Wide, Without};
+use super::grip::Grip;
 use crate::preparation::impacts::{Contacts, Kept, Operators};
-use crate::studies::sensitivity::contacts::{Acting, Change, Direction, Wide, Without};
-use crate::studies::sensitivity::grip::Grip;
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
 

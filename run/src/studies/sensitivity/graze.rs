@@ -5,8 +5,8 @@
 //! there is no derivative by a number that changes the gap there. The gap is flat in time there, so the same holds for
 //! a number that changes its velocity. Derivatives by all other numbers go on.
 
-use crate::studies::sensitivity::contacts::{Direction, SMALL, Wide};
-use crate::studies::sensitivity::forces::Varied;
+use super::contacts::{Direction, SMALL, Wide};
+use super::forces::Varied;
 use tripos_sim::Options;
 
 /// Minimum of a gap that cannot be told from zero, in units of the relative tolerance of a run.

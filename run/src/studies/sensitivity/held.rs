@@ -1,15 +1,15 @@
 //! Motions in which contacts are held closed, with slopes.
 //!
-//! Invariant: values are those of [`crate::preparation::impacts::Held`], bit by bit. The slopes of forces follow from the linear
-//! system that gives the forces ([`crate::studies::sensitivity::contacts`]).
+//! Invariant: values are those of [`crate::preparation::impacts::Held`], bit by bit. The slopes of forces follow from
+//! the linear system that gives the forces ([`super::contacts`]).
 
+use super::contacts::{Acting, Change, Direction, Wide, Without};
+use super::grip::Grip;
+use super::start::Seed;
+use super::way::{Way, end};
 use crate::preparation::impacts::Held;
-use crate::studies::sensitivity::contacts::{Acting, Change, Direction, Wide, Without};
-use crate::studies::sensitivity::grip::Grip;
-use crate::studies::sensitivity::start::Seed;
-use crate::studies::sensitivity::way::{Way, end};
 use std::cell::RefCell;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_sim::{Failure, RightHandSide, Tangents};
 use tripos_traits::{Real, Scalar, Tangent};
 

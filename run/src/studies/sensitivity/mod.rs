@@ -125,7 +125,7 @@ impl Sensitivities {
 /// # Errors
 /// [`Error::Input`] for a name that the scene does not have. [`Error::Request`] for equations or a method that cannot
 /// be differentiated, and for a number that moves a jump of the equations at which there is no derivative. Otherwise
-/// those of [`crate::simulation::simulate`].
+/// those of [`crate::simulate`].
 pub fn sensitivities(
     mechanism: &Mechanism,
     scene: &Scene,

@@ -1,18 +1,18 @@
 //! Derivatives of the quantities that a run shows, from those of its states.
 //!
 //! Coordinates, and speeds where these are integrated, have the slopes of the state. Every other quantity is a function
-//! of parameters and state. Its derivative along them is a difference in 32 digits ([`crate::studies::sensitivity::difference`]), which needs
+//! of parameters and state. Its derivative along them is a difference in 32 digits ([`super::difference`]), which needs
 //! no second definition of it.
 
+use super::difference::along;
 use crate::code::{Code, Ready, code, tape};
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use crate::simulation::outputs::state_names;
-use crate::studies::sensitivity::difference::along;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Scene};
 use tripos_sim::Dynamics;

@@ -4,10 +4,10 @@
 //! derivative is a difference of starts in 32 digits, of order 4 in the step. It is right to some 20 digits: in
 //! doubles, to rounding.
 
+use super::difference::{CENTRAL, FORWARD, STEP, difference};
+use super::forces::Varied;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::difference::{CENTRAL, FORWARD, STEP, difference};
-use crate::studies::sensitivity::forces::Varied;
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::model::Unit;
 use tripos_derive::scene::{Impact, Nearby, Scene};

@@ -1,9 +1,9 @@
 //! An impact as a sequence of impulses. Each follows from the velocities before it and the rows that one set of
 //! contacts holds.
 
+use super::forces::NOTHING;
+use super::grip::Grip;
 use crate::preparation::impacts::{Contacts, Crossing, Kept, Operators, Response};
-use crate::studies::sensitivity::forces::NOTHING;
-use crate::studies::sensitivity::grip::Grip;
 use nalgebra::DVector;
 use tripos_sim::{Failure, Share};
 

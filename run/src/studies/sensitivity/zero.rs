@@ -1,9 +1,9 @@
 //! Functions that are zero at an instant at which contacts change, and the derivative of that instant.
 
+use super::contacts::{Direction, SMALL, Wide};
+use super::forces::{Forces, NOTHING, RatesAlong, Varied};
+use super::graze;
 use crate::preparation::impacts::{Crossing, Happening};
-use crate::studies::sensitivity::contacts::{Direction, SMALL, Wide};
-use crate::studies::sensitivity::forces::{Forces, NOTHING, RatesAlong, Varied};
-use crate::studies::sensitivity::graze;
 use tripos_sim::Mode;
 
 /// A function of the state that is zero where a contact changes.

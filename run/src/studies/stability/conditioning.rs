@@ -1,15 +1,15 @@
 //! Errors of each solve along a passage, with condition numbers: the digits that a numeric solve loses, and the reason.
 
+use super::findings::{Findings, Looked, Row, Study, Topic};
+use super::ladder::passage;
 use crate::code::{Ready, code, tape};
 use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
 use crate::preparation::problem::Problem;
 use crate::studies::case::{Case, whole};
 use crate::studies::figure::{Figure, Panel, Scale, Series};
-use crate::studies::stability::findings::{Findings, Looked, Row, Study, Topic};
-use crate::studies::stability::ladder::passage;
 use tripos_derive::Formulation;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_sim::{Dynamics, Options, Output, linear};
 use tripos_traits::{DoubleDouble, Real, Scalar, System, larger};

@@ -1,11 +1,11 @@
 //! Domain of the equations: the conditions that stop a run where its equations no longer describe the motion.
 
+use super::findings::{Findings, Row, Study, Topic};
 use crate::code::{Ready, code};
 use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
 use crate::options::options;
 use crate::preparation::problem::Problem;
-use crate::studies::stability::findings::{Findings, Row, Study, Topic};
 use crate::trust::events::{Balance, events};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;

@@ -1,13 +1,13 @@
 //! Long runs: whether conserved quantities drift for ever or stay bounded, by method; and tolerances finer than
 //! rounding.
 
+use super::findings::{Findings, Row, Study, Topic};
 use crate::code::{Ready, code};
 use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
 use crate::options::instants;
 use crate::preparation::problem::Problem;
 use crate::studies::figure::{Figure, Panel, Scale, Series};
-use crate::studies::stability::findings::{Findings, Row, Study, Topic};
 use crate::trust::invariants::Watch;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;

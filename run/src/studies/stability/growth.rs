@@ -1,12 +1,12 @@
 //! Growth of small errors: the horizon after which no digit is left, predicted and confirmed.
 
+use super::findings::{Findings, Row, Study, Topic};
 use crate::code::{Ready, code};
 use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
 use crate::options::instants;
 use crate::preparation::problem::Problem;
 use crate::studies::figure::{Figure, Panel, Scale, Series};
-use crate::studies::stability::findings::{Findings, Row, Study, Topic};
 use crate::trust::reference::Reference;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;

@@ -1,5 +1,6 @@
 //! Passages near a singular surface: every formulation, solve and method, in the coordinate and in its distance.
 
+use super::findings::{Findings, Passed, Row, Study, Topic, Variable};
 use crate::code::{Ready, code, tape};
 use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
@@ -7,11 +8,10 @@ use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use crate::studies::case::{Case, Way, own, whole};
 use crate::studies::figure::{Cell, Figure, HeatMap};
-use crate::studies::stability::findings::{Findings, Passed, Row, Study, Topic, Variable};
 use crate::trust::comparison::Compared;
 use crate::trust::reference::Reference;
 use tripos_derive::Formulation;
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::text::print::text;
 use tripos_derive::mechanics::By;
 use tripos_derive::mechanics::{Distance, distances};
 use tripos_derive::scene::Scene;

@@ -1,12 +1,12 @@
 //! A mechanism near a steady motion: its linear system, its modes, and its stability.
 
-use crate::studies::steady::Question;
-use crate::studies::steady::control::{Transfer, reached, transfers};
-use crate::studies::steady::dense::Wide;
-use crate::studies::steady::eigen::{Mode, modes};
-use crate::studies::steady::newton::{Steady, Unknowns};
-use crate::studies::steady::quotient::Quotient;
-use crate::studies::steady::verdict::Stability;
+use super::Question;
+use super::control::{Transfer, reached, transfers};
+use super::dense::Wide;
+use super::eigen::{Mode, modes};
+use super::newton::{Steady, Unknowns};
+use super::quotient::Quotient;
+use super::verdict::Stability;
 use crate::{Error, Mechanism};
 use nalgebra::DMatrix;
 use tripos_derive::scene::Asked;
@@ -165,6 +165,6 @@ impl Question {
         let all = self.flow.symmetries.iter().zip(&steady.along).enumerate();
         let all = all.filter(|(at, _)| Some(*at) != self.by_time);
         let all = all.map(|(_, (symmetry, c))| (symmetry.words(model), c.hi()));
-        all.filter(|(_, c)| c.abs() > crate::studies::steady::newton::BALANCED).collect()
+        all.filter(|(_, c)| c.abs() > super::newton::BALANCED).collect()
     }
 }

@@ -1,11 +1,11 @@
 //! A steady motion followed along a number: the crossings of the imaginary axis by eigenvalues, and its end.
 
-use crate::studies::steady::Question;
-use crate::studies::steady::about::About;
-use crate::studies::steady::dense::Wide;
-use crate::studies::steady::eigen::Mode;
-use crate::studies::steady::newton::{Steady, Unknowns};
-use crate::studies::steady::search::{ELSEWHERE, unknowns};
+use super::Question;
+use super::about::About;
+use super::dense::Wide;
+use super::eigen::Mode;
+use super::newton::{Steady, Unknowns};
+use super::search::{ELSEWHERE, unknowns};
 use crate::{Error, Mechanism};
 use tripos_derive::scene::Asked;
 use tripos_traits::{DoubleDouble, Scalar};
@@ -73,7 +73,7 @@ pub struct Course {
 /// Follows a steady motion over values of a number of the state file; `asked` gives the request at a value.
 ///
 /// # Errors
-/// [`Error`] as [`crate::studies::steady::equilibria`], at the first value.
+/// [`Error`] as [`super::equilibria`], at the first value.
 pub fn follow(
     model: &Mechanism,
     asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,

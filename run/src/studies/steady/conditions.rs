@@ -1,12 +1,12 @@
 //! Rest and steady motion in closed form: the terms that must vanish, in letters, and the solutions that exact algebra
 //! finds.
 
-use crate::studies::steady::newton::Steady;
+use super::newton::Steady;
 use crate::{Error, Mechanism};
 use std::f64::consts::TAU;
-use tripos_derive::algebra::closed::{Branch, Kind, Need, Relation, in_factors};
-use tripos_derive::algebra::evaluate::Tape;
-use tripos_derive::algebra::print::{latex, text};
+use tripos_derive::algebra::solve::closed::{Branch, Kind, Need, Relation, in_factors};
+use tripos_derive::algebra::text::print::{latex, text};
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_traits::DoubleDouble;
 
@@ -96,7 +96,7 @@ pub struct ClosedForm {
 /// # Errors
 /// [`Error`] if the model cannot be derived, depends on time, or has no such names.
 pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Error> {
-    let mut flow = crate::studies::steady::steady_flow(model)?;
+    let mut flow = super::steady_flow(model)?;
     let mut balances = vec![flow.balance(model, false)];
     if flow.symmetries.len() > usize::from(flow.by_time(model).is_some()) {
         balances.push(flow.balance(model, true));

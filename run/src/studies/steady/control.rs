@@ -1,9 +1,9 @@
 //! Dimensions of a linear system that inputs reach and outputs show, and its transfer functions.
 
+use super::complex::Complex;
+use super::dense::Wide;
+use super::schur::Schur;
 use crate::Error;
-use crate::studies::steady::complex::Complex;
-use crate::studies::steady::dense::Wide;
-use crate::studies::steady::schur::Schur;
 use nalgebra::DMatrix;
 use tripos_traits::DoubleDouble;
 

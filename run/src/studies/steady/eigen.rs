@@ -8,10 +8,10 @@
 //! VIII; J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965, chapter 2). A quantity that is neither clearly 0
 //! nor clearly different from 0 is reported as undecided.
 
+use super::complex::Complex;
+use super::dense::Wide;
+use super::schur::Schur;
 use crate::Error;
-use crate::studies::steady::complex::Complex;
-use crate::studies::steady::dense::Wide;
-use crate::studies::steady::schur::Schur;
 use nalgebra::DMatrix;
 use tripos_traits::{DoubleDouble, Scalar};
 

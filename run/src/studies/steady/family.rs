@@ -1,9 +1,9 @@
 //! Steady motions beside a steady motion: an eigenvalue of 0 of the linear system tells that there may be some.
 
-use crate::studies::steady::Question;
-use crate::studies::steady::dense::{least, least_moved};
-use crate::studies::steady::newton::{Steady, Unknowns};
-use crate::studies::steady::quotient::Quotient;
+use super::Question;
+use super::dense::{least, least_moved};
+use super::newton::{Steady, Unknowns};
+use super::quotient::Quotient;
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 

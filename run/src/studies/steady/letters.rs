@@ -1,13 +1,13 @@
 //! The linear system near a steady motion with numbers kept as letters, such as the speed of a bicycle.
 
-use crate::studies::steady::Question;
-use crate::studies::steady::about::About;
-use crate::studies::steady::dense::Wide;
-use crate::studies::steady::quotient::pivots;
+use super::Question;
+use super::about::About;
+use super::dense::Wide;
+use super::quotient::pivots;
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::print::{text_of, view_of};
-use tripos_derive::algebra::view::View;
+use tripos_derive::algebra::text::print::{text_of, view_of};
+use tripos_derive::algebra::text::view::View;
 use tripos_derive::flow::{Chosen, InLetters, NotInLetters, Stated};
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;

@@ -1,7 +1,7 @@
 //! A steady motion over two numbers.
 
-use crate::studies::steady::Question;
-use crate::studies::steady::along::{Course, along};
+use super::Question;
+use super::along::{Course, along};
 use crate::{Error, Mechanism};
 use tripos_derive::scene::Asked;
 
@@ -16,7 +16,7 @@ pub struct Map {
 /// request at both.
 ///
 /// # Errors
-/// [`Error`] as [`crate::studies::steady::follow`], if there is no steady motion to begin with at any of the second values.
+/// [`Error`] as [`super::follow`], if there is no steady motion to begin with at any of the second values.
 pub fn map(
     model: &Mechanism,
     asked: &mut dyn FnMut(f64, f64) -> Result<Asked, Error>,

@@ -38,7 +38,7 @@ pub use verdict::Stability;
 
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::Tape;
+use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::flow::{Flow, Program};
 use tripos_derive::prove::IntegralKind;
 use tripos_derive::scene::Asked;

@@ -1,8 +1,8 @@
 //! Newton's method for states that symmetries carry along, with slopes in doubles and residuals in 32 digits: each step
 //! gives some fifteen digits more.
 
-use crate::studies::steady::Question;
-use crate::studies::steady::dense::least;
+use super::Question;
+use super::dense::least;
 use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::Rates;

@@ -1,14 +1,14 @@
 //! States at which the equations of a mechanism are singular by themselves: speeds do not determine the rates of
 //! coordinates, or some speeds have no inertia.
 
+use super::newton::Steady;
 use crate::Error;
 use crate::Mechanism;
-use crate::studies::steady::newton::Steady;
 use nalgebra::DMatrix;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::calculus::Differential;
-use tripos_derive::algebra::evaluate::{Tape, UnknownSymbol};
-use tripos_derive::algebra::print::text;
+use tripos_derive::algebra::term::calculus::Differential;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::value::evaluate::{Tape, UnknownSymbol};
 use tripos_derive::flow::Flow;
 use tripos_traits::DoubleDouble;
 

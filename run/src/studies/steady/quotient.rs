@@ -1,9 +1,9 @@
 //! Linear system near a steady motion, with the loops closed and without the states that symmetries shift.
 
+use super::Question;
+use super::dense::{Wide, least, null_space};
+use super::newton::Steady;
 use crate::Error;
-use crate::studies::steady::Question;
-use crate::studies::steady::dense::{Wide, least, null_space};
-use crate::studies::steady::newton::Steady;
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::Rates;
 use tripos_traits::{DoubleDouble, Scalar};

@@ -4,8 +4,8 @@
 //! Wilkinson, *The Algebraic Eigenvalue Problem*, 1965). Only rotations change A, so that T belongs to a matrix that
 //! differs from A by some 1e-31 of its size.
 
-use crate::studies::steady::complex::Complex;
-use crate::studies::steady::dense::Wide;
+use super::complex::Complex;
+use super::dense::Wide;
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// An entry below the diagonal counts as 0 below this fraction of its neighbours on the diagonal.

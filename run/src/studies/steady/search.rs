@@ -1,8 +1,8 @@
 //! Rest positions and steady motions near a guess, and from other starts.
 
-use crate::studies::steady::Question;
-use crate::studies::steady::about::About;
-use crate::studies::steady::newton::{Steady, Unknowns};
+use super::Question;
+use super::about::About;
+use super::newton::{Steady, Unknowns};
 use crate::{Error, Mechanism};
 use std::f64::consts::{PI, TAU};
 use tripos_derive::scene::Asked;

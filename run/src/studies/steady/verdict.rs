@@ -1,10 +1,10 @@
 //! Stability of a steady motion by its eigenvalues.
 
-use crate::studies::steady::Question;
-use crate::studies::steady::eigen::Mode;
-use crate::studies::steady::newton::Steady;
-use crate::studies::steady::quotient::Quotient;
-use tripos_derive::algebra::modular::{ZeroTest, zero_test};
+use super::Question;
+use super::eigen::Mode;
+use super::newton::Steady;
+use super::quotient::Quotient;
+use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 
 /// Stability of a steady motion by its linear system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,5 +1,7 @@
 //! Blocks of points, each run by one thread.
 
+use super::lanes::{self, Request};
+use super::row::{Ended, Row};
 use crate::code::{Code, Ready, code};
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
@@ -8,8 +10,6 @@ use crate::overrides::Overrides;
 use crate::preparation::problem::Problem;
 use crate::simulation::outputs::Shown;
 use crate::simulation::simulate::{changing_speeds, in_rates, proved};
-use crate::studies::sweep::lanes::{self, Request};
-use crate::studies::sweep::row::{Ended, Row};
 use crate::trust::digits::assess;
 use crate::trust::events::{Balance, events};
 use crate::trust::invariants::Watch;

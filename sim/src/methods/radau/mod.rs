@@ -15,7 +15,7 @@ mod scheme;
 
 use tripos_traits::{Real, larger};
 
-use crate::methods::options::Options;
+use super::options::Options;
 use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
 use crate::tolerance::ErrorTest;

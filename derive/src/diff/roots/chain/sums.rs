@@ -2,7 +2,7 @@
 
 use super::super::derived::{arena_of, components, derived, dot};
 use super::Chain;
-use crate::algebra::calculus::{Differential, Substitution};
+use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
 use crate::geometry::Components;
 use crate::mechanics::{Energy, Quantities, QuantityKind, Row, VectorName};

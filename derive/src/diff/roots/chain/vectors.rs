@@ -3,7 +3,7 @@
 use super::super::derived::{arena_of, components, derived, difference, sum, turned};
 use super::Chain;
 use crate::algebra::Expr;
-use crate::algebra::calculus::Differential;
+use crate::algebra::term::calculus::Differential;
 use crate::geometry::{Components, apply_tensor, cross_components};
 use crate::mechanics::{Quantities, QuantityKind, VectorName};
 

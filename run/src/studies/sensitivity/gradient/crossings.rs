@@ -1,5 +1,6 @@
 //! Impacts and changes of contacts in a backward sweep.
 
+use super::stepped::Part;
 use crate::preparation::impacts::{Contacts, Crossing, Kept};
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::bounce::{meets_no_corner, rates_along};
@@ -7,7 +8,6 @@ use crate::studies::sensitivity::contacts::{Direction, Wide};
 use crate::studies::sensitivity::crossing::Crossed;
 use crate::studies::sensitivity::equations::Equations;
 use crate::studies::sensitivity::forces::Varied;
-use crate::studies::sensitivity::gradient::stepped::Part;
 use crate::studies::sensitivity::way::Ending;
 use tripos_sim::{Corner, Pulled};
 

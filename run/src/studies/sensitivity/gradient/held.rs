@@ -7,13 +7,13 @@
 //! where Aᵀ z₂ = −Eᵀ W M⁻¹ b and z₁ = −M⁻¹ (b + Wᵀ z₂). Each term is one of the tapes run backwards: M x·z of the
 //! kinetic energy, a quadratic form, B x of the motion variables, and W and S of the velocities along the rows.
 
+use super::products::{Products, Tapes};
 use crate::error::{Error, refused};
 use crate::preparation::impacts::{Contacts, Held, Kept, Operators};
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::gradient::products::{Products, Tapes};
 use crate::studies::sensitivity::grip::Grip;
 use nalgebra::DVector;
-use tripos_derive::algebra::evaluate::{Backwards, Tape};
+use tripos_derive::algebra::value::evaluate::{Backwards, Tape};
 use tripos_sim::{Failure, Pulled, RightHandSide, Transposed};
 
 /// Equations of a motion, with the forces of contacts that are held, if any.

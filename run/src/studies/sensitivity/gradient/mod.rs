@@ -19,6 +19,11 @@ mod products;
 mod stepped;
 mod sweep;
 
+use super::apart::{Apart, WORDS};
+use super::equations::{Equations, From};
+use super::shown::Quantities;
+use super::start::Seed;
+use super::{check_equations, jumps};
 use crate::code::{Ready, by_or_first, code};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -27,11 +32,6 @@ use crate::preparation::problem::Problem;
 use crate::simulation::outputs::Shown;
 use crate::simulation::run::Run;
 use crate::simulation::simulate::{changes_speeds, proved, run_by};
-use crate::studies::sensitivity::apart::{Apart, WORDS};
-use crate::studies::sensitivity::equations::{Equations, From};
-use crate::studies::sensitivity::shown::Quantities;
-use crate::studies::sensitivity::start::Seed;
-use crate::studies::sensitivity::{check_equations, jumps};
 use crate::trust::digits::other_side;
 use crate::trust::events::{Balance, events};
 use numbers::{Number, names, numbers};
@@ -109,7 +109,7 @@ impl Gradient {
 ///
 /// # Errors
 /// [`Error::Request`] for a name that the scene does not show, and for equations or a method that cannot be
-/// differentiated; otherwise those of [`crate::simulation::simulate`].
+/// differentiated; otherwise those of [`crate::simulate`].
 pub fn gradient(
     mechanism: &Mechanism,
     scene: &Scene,

@@ -5,8 +5,8 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::evaluate::{Backwards, Tape};
-use tripos_derive::algebra::steps::needed;
+use tripos_derive::algebra::term::steps::needed;
+use tripos_derive::algebra::value::evaluate::{Backwards, Tape};
 use tripos_derive::mechanics::{By, Derivation, Distance, Solved, in_distance};
 use tripos_sim::{Eliminated, Failure, Pulled, RightHandSide, Transposed};
 

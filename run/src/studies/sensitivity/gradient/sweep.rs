@@ -1,14 +1,14 @@
 //! One backward sweep through the steps of a run, and across the changes of contacts between its parts.
 
+use super::crossings::Crossings;
+use super::held::Motion;
+use super::numbers::{Number, moved};
+use super::products::Tapes;
+use super::stepped::{Part, Stepped};
 use crate::error::Error;
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::contacts::Wide;
 use crate::studies::sensitivity::equations::Equations;
-use crate::studies::sensitivity::gradient::crossings::Crossings;
-use crate::studies::sensitivity::gradient::held::Motion;
-use crate::studies::sensitivity::gradient::numbers::{Number, moved};
-use crate::studies::sensitivity::gradient::products::Tapes;
-use crate::studies::sensitivity::gradient::stepped::{Part, Stepped};
 use crate::studies::sensitivity::graze::near;
 use crate::studies::sensitivity::shown::Quantities;
 use crate::studies::sensitivity::way::Ending;

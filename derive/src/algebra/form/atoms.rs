@@ -1,0 +1,115 @@
+//! Sums of symbols that are left alone: a sum of masses is as good as one mass.
+//!
+//! Expanding (m₁ + … + m₂₀) l₁ l₂ cos q to twenty terms and factoring them again finds nothing. It could only where two
+//! sums stand before one and the same rest, as in (a + b) x − a x. So the sums are taken for atoms, and the polynomial
+//! in them tells whether that happens; if it does, they are expanded after all.
+
+use super::polynomial::{Monomial, Polynomial};
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Sums of symbols, and the symbols in them.
+#[derive(Default)]
+pub struct SumAtoms {
+    sums: FxHashSet<Expr>,
+    symbols: FxHashSet<Expr>,
+}
+
+impl SumAtoms {
+    /// The sums of symbols that are factors, with a positive exponent, among these terms.
+    pub fn new(arena: &Arena, parts: &[Expr]) -> Self {
+        let mut found = Self::default();
+        for part in parts {
+            let Node::Product(factors) = arena.node(*part) else { continue };
+            for (base, n) in factors {
+                if let Node::Sum(_, terms) = arena.node(*base)
+                    && *n > 0
+                    && terms.iter().all(|(term, _)| arena.symbol_name(*term).is_some())
+                {
+                    found.sums.insert(*base);
+                    found.symbols.extend(terms.iter().map(|(term, _)| *term));
+                }
+            }
+        }
+        found
+    }
+
+    /// True if there are no sums of symbols.
+    pub fn is_empty(&self) -> bool {
+        self.sums.is_empty()
+    }
+
+    /// True if this term is one of the sums.
+    pub fn contains(&self, e: Expr) -> bool {
+        self.sums.contains(&e)
+    }
+
+    /// True if expanding the sums cannot shorten the polynomial: any two of its terms that differ in the sums or their
+    /// symbols differ in other atoms too. Sines and cosines do not count as such, since they are related.
+    pub fn stay_apart(&self, arena: &Arena, polynomial: &Polynomial) -> bool {
+        let mut seen: FxHashMap<Monomial, Monomial> = FxHashMap::default();
+        polynomial.terms.keys().all(|monomial| {
+            let (mut inside, mut rest) = (Monomial::new(), Monomial::new());
+            for factor in monomial {
+                if self.sums.contains(&factor.0) || self.symbols.contains(&factor.0) {
+                    inside.push(*factor);
+                } else if !is_circular(arena, factor.0) {
+                    rest.push(*factor);
+                }
+            }
+            *seen.entry(rest).or_insert_with(|| inside.clone()) == inside
+        })
+    }
+}
+
+/// True if an atom is a sine or a cosine.
+pub fn is_circular(arena: &Arena, e: Expr) -> bool {
+    matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
+}
+
+/// True if any two terms of a polynomial differ in more than sines and cosines, and none divides by one. Then no
+/// trigonometric identity can join two of them.
+pub fn differ_beside_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
+    let mut seen: FxHashSet<Monomial> = FxHashSet::default();
+    polynomial.terms.keys().all(|monomial| {
+        let divides = monomial.iter().any(|(e, n)| *n < 0 && is_circular(arena, *e));
+        let rest = monomial.iter().copied().filter(|(e, _)| !is_circular(arena, *e)).collect();
+        !divides && seen.insert(rest)
+    })
+}
+
+/// True if `e` is a number times a product of symbols, sums of symbols, and sines and cosines of these, without
+/// divisors. Such a product is as short as it can be.
+pub fn is_plain_product(arena: &Arena, e: Expr) -> bool {
+    let symbol = |e: Expr| arena.symbol_name(e).is_some();
+    let sum_of_symbols = |e: Expr| match arena.node(e) {
+        Node::Sum(_, terms) => terms.iter().all(|(term, _)| symbol(*term)),
+        _ => symbol(e),
+    };
+    let is_plain = |e: Expr| match arena.node(e) {
+        Node::Apply(Function::Sin | Function::Cos, argument) => match arena.node(*argument) {
+            // sin 2q may be shorter as a product.
+            Node::Sum(_, terms) => terms.len() > 1 && sum_of_symbols(*argument),
+            _ => symbol(*argument),
+        },
+        _ => sum_of_symbols(e),
+    };
+    let inner = match arena.node(e) {
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+        _ => e,
+    };
+    match arena.node(inner) {
+        Node::Product(factors) => {
+            let sums = factors.iter().filter(|(base, _)| matches!(arena.node(*base), Node::Sum(..))).count();
+            sums <= 1 && factors.iter().all(|(base, n)| *n > 0 && is_plain(*base))
+        }
+        Node::Symbol(_) | Node::Apply(..) | Node::Named(..) => is_plain(inner),
+        Node::Number(_) | Node::Pi => true,
+        Node::Sum(..) => false,
+    }
+}
+
+/// A polynomial that is one atom.
+pub fn atom(e: Expr) -> Polynomial {
+    Polynomial::monomial(vec![(e, 1)], &Rational::ONE)
+}

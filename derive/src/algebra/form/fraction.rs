@@ -1,0 +1,159 @@
+//! Fractions of polynomials of a [`Ring`], over factored denominators.
+//!
+//! Invariants: the denominator is a product of primitive polynomials that are not constant, single generators among
+//! them, none dividing the numerator; a fraction is zero by meaning iff its numerator is. Two equal
+//! fractions may still have different denominators, since factors are found by trial and not by
+//! factorization.
+
+use super::ring::{Poly, Ring};
+use crate::algebra::Rational;
+use std::rc::Rc;
+
+/// numerator / Π factor^exponent.
+#[derive(Clone, PartialEq, Eq, Default)]
+pub struct Fraction {
+    /// Polynomial above the fraction bar.
+    pub numerator: Poly,
+    /// Denominator: factors and exponents, at least 1.
+    pub denominator: Vec<(Poly, u32)>,
+}
+
+impl Fraction {
+    /// A polynomial.
+    pub fn whole(numerator: Poly) -> Self {
+        Self { numerator, denominator: Vec::new() }
+    }
+
+    /// True if the fraction is 0.
+    pub fn is_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+
+    /// The product; `None` beyond the budget.
+    pub fn mul(&self, ring: &mut Ring, other: &Self) -> Option<Self> {
+        let numerator = ring.mul(&self.numerator, &other.numerator)?;
+        let mut denominator = self.denominator.clone();
+        for (factor, n) in &other.denominator {
+            add_factor(&mut denominator, factor, *n);
+        }
+        let whole = self.denominator.is_empty() && other.denominator.is_empty();
+        let product = Self { numerator, denominator };
+        if whole { Some(product) } else { product.cancelled(ring) }
+    }
+
+    /// Σ k · fraction, over one common denominator.
+    pub fn sum(ring: &mut Ring, parts: &[(&Self, Rational)]) -> Option<Self> {
+        let common = common_denominator(parts.iter().map(|(part, _)| *part));
+        if common.is_empty() {
+            return Some(Self::whole(ring.sum(parts.iter().map(|(part, k)| (&part.numerator, k.clone())))?));
+        }
+        // Parts over the same denominator are added first, so that few products are formed.
+        let mut groups: Vec<Group<'_>> = Vec::new();
+        for (part, k) in parts {
+            match groups.iter_mut().find(|(denominator, _)| *denominator == part.denominator.as_slice()) {
+                Some((_, group)) => group.push((&part.numerator, k.clone())),
+                None => groups.push((&part.denominator, vec![(&part.numerator, k.clone())])),
+            }
+        }
+        let mut numerators = Vec::new();
+        for (denominator, group) in groups {
+            let numerator = ring.sum(group.into_iter())?;
+            numerators.push(raised(ring, &numerator, denominator, &common)?);
+        }
+        let numerator = ring.sum(numerators.iter().map(|n| (n, Rational::ONE)))?;
+        Self { numerator, denominator: common }.cancelled(ring)
+    }
+
+    /// The fraction to a power; `None` beyond the budget, or for a negative power of 0.
+    pub fn pow(&self, ring: &mut Ring, n: i32) -> Option<Self> {
+        let base = if n < 0 { self.inverse(ring)? } else { self.clone() };
+        let n = n.unsigned_abs();
+        let numerator = ring.pow(&base.numerator, n)?;
+        let denominator = base.denominator.into_iter().map(|(factor, k)| (factor, k * n)).collect();
+        Self { numerator, denominator }.cancelled(ring)
+    }
+
+    fn inverse(&self, ring: &mut Ring) -> Option<Self> {
+        if self.is_zero() {
+            return None;
+        }
+        let mut numerator = Poly::constant(&Rational::ONE);
+        for (factor, n) in &self.denominator {
+            let power = ring.pow(factor, *n)?;
+            numerator = ring.mul(&numerator, &power)?;
+        }
+        let (content, mut rest) = self.numerator.split_content();
+        let mut denominator = Vec::new();
+        let common = rest.common_powers();
+        for at in 0..ring.size() {
+            if common.of(at) > 0 {
+                let generator = Ring::variable(at);
+                for _ in 0..common.of(at) {
+                    rest = ring.divide(&rest, &generator)?;
+                }
+                denominator.push((generator, u32::from(common.of(at))));
+            }
+        }
+        let (more, rest) = rest.split_content();
+        if rest.as_constant().is_none() {
+            denominator.push((rest, 1));
+        }
+        let k = content.mul(&more).recip()?;
+        Self { numerator: numerator.scaled(&k), denominator }.cancelled(ring)
+    }
+
+    /// Divides out what numerator and denominator share, as far as trial division finds it.
+    fn cancelled(mut self, ring: &mut Ring) -> Option<Self> {
+        if self.numerator.is_zero() {
+            return Some(Self::default());
+        }
+        for (factor, n) in &mut self.denominator {
+            while *n > 0
+                && let Some(quotient) = ring.divide(&self.numerator, factor)
+            {
+                self.numerator = quotient;
+                *n -= 1;
+            }
+        }
+        self.denominator.retain(|(_, n)| *n > 0);
+        (ring.budget > 0).then_some(self)
+    }
+}
+
+/// Fractions of one denominator: their numerators with coefficients.
+type Group<'a> = (&'a [(Poly, u32)], Vec<(&'a Poly, Rational)>);
+
+/// Numerators of fractions over one denominator that all of them have.
+pub fn over_common_denominator(ring: &mut Ring, list: &[Rc<Fraction>]) -> Option<Vec<Poly>> {
+    let common = common_denominator(list.iter().map(Rc::as_ref));
+    list.iter().map(|part| raised(ring, &part.numerator, &part.denominator, &common)).collect()
+}
+
+fn common_denominator<'a>(list: impl Iterator<Item = &'a Fraction>) -> Vec<(Poly, u32)> {
+    let mut common: Vec<(Poly, u32)> = Vec::new();
+    for (factor, n) in list.flat_map(|part| &part.denominator) {
+        match common.iter_mut().find(|(known, _)| known == factor) {
+            Some((_, most)) => *most = (*most).max(*n),
+            None => common.push((factor.clone(), *n)),
+        }
+    }
+    common
+}
+
+/// A numerator over `denominator` as one over `common`.
+fn raised(ring: &mut Ring, numerator: &Poly, denominator: &[(Poly, u32)], common: &[(Poly, u32)]) -> Option<Poly> {
+    let mut numerator = numerator.clone();
+    for (factor, most) in common {
+        let have = denominator.iter().find(|(known, _)| known == factor).map_or(0, |(_, n)| *n);
+        let missing = ring.pow(factor, most - have)?;
+        numerator = ring.mul(&numerator, &missing)?;
+    }
+    Some(numerator)
+}
+
+fn add_factor(denominator: &mut Vec<(Poly, u32)>, factor: &Poly, n: u32) {
+    match denominator.iter_mut().find(|(known, _)| known == factor) {
+        Some((_, most)) => *most += n,
+        None => denominator.push((factor.clone(), n)),
+    }
+}

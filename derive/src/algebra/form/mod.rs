@@ -1,0 +1,9 @@
+//! Forms of terms: the normal form, and shorter ones.
+
+pub(super) mod atoms;
+pub(super) mod fraction;
+pub mod normal;
+pub mod polynomial;
+pub(super) mod ring;
+pub mod sharing;
+pub mod simplify;

@@ -1,0 +1,311 @@
+//! The normal form: fractions of polynomials over ℚ in symbols, sines and cosines of base angles, and roots.
+//!
+//! Every angle is brought to base angles: expanded to Σ k·atom, each atom divided by the common
+//! denominator of its k, sums and multiples by the addition theorems. Then sin² = 1 − cos² and √x² = x
+//! leave no relation between the generators unless roots or functions without rules occur, so a
+//! fraction is zero by meaning iff its numerator has no terms ([`Normalizer::zero`] says which case it is).
+
+use super::fraction::Fraction;
+use super::polynomial::{Monomial, Polynomial};
+use super::ring::{GENERATORS, Poly, Ring, Square};
+use crate::algebra::term::elementary::angle_atoms;
+use crate::algebra::value::modular::{has_roots, independent};
+use crate::algebra::value::points::is_exponential;
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use num_integer::Integer;
+use rustc_hash::FxHashMap;
+use std::rc::Rc;
+
+/// Answer of the normal form to the question whether an expression is zero.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Zero {
+    /// It is zero: proved.
+    Yes,
+    /// It is not zero: proved, since the generators are independent.
+    No,
+    /// Its form is not zero, but roots or functions without rules may be related in ways unknown here.
+    Unknown,
+    /// It has no normal form within the budget.
+    TooLarge,
+}
+
+/// Brings expressions to their normal form and remembers what it has done.
+pub struct Normalizer {
+    ring: Ring,
+    forms: FxHashMap<Expr, Option<Rc<Fraction>>>,
+    /// Base angles are these fractions of their atoms.
+    parts_of_turn: FxHashMap<Expr, i64>,
+}
+
+impl Default for Normalizer {
+    fn default() -> Self {
+        Self::new(Self::BUDGET)
+    }
+}
+
+impl Normalizer {
+    /// Multiplications of terms that one expression may cost: about a second.
+    pub const BUDGET: u64 = 2_000_000;
+
+    /// With a budget for everything that will be asked of it.
+    #[must_use]
+    pub fn new(budget: u64) -> Self {
+        Self { ring: Ring::new(budget), forms: FxHashMap::default(), parts_of_turn: FxHashMap::default() }
+    }
+
+    /// Sets how many multiplications of terms may still be done.
+    pub fn allow(&mut self, budget: u64) {
+        if self.ring.size() == GENERATORS {
+            self.ring = Ring::new(0);
+            self.forms.clear();
+        }
+        if self.ring.budget == 0 {
+            self.forms.retain(|_, form| form.is_some());
+        }
+        self.ring.budget = budget;
+    }
+
+    /// Tests if `e` is zero by meaning.
+    pub fn zero(&mut self, arena: &mut Arena, e: Expr) -> Zero {
+        match self.fraction(arena, e) {
+            None => Zero::TooLarge,
+            Some(form) if form.is_zero() => Zero::Yes,
+            Some(_) => {
+                let parts = arena.reachable(&[e]);
+                // Exponentials are generators here, and related to one another.
+                let is_power = |part: &Expr| matches!(arena.node(*part), Node::Apply(f, _) if is_exponential(*f));
+                let is_told = independent(arena, &parts) && !has_roots(arena, &parts) && !parts.iter().any(is_power);
+                if is_told { Zero::No } else { Zero::Unknown }
+            }
+        }
+    }
+
+    /// The normal form; `None` if it is too large, or divides by zero.
+    pub fn fraction(&mut self, arena: &mut Arena, e: Expr) -> Option<Rc<Fraction>> {
+        if let Some(done) = self.forms.get(&e) {
+            return done.clone();
+        }
+        let parts = arena.reachable(&[e]);
+        self.refine_angles(arena, &parts);
+        for part in parts {
+            if !self.forms.contains_key(&part) {
+                let form = self.one(arena, part).map(Rc::new);
+                self.forms.insert(part, form);
+            }
+        }
+        self.forms[&e].clone()
+    }
+
+    /// Makes the base angles fine enough for all of these at once.
+    pub fn prepare(&mut self, arena: &Arena, list: &[Expr]) {
+        let parts = arena.reachable(list);
+        self.refine_angles(arena, &parts);
+    }
+
+    /// The ring of all forms so far.
+    pub fn ring(&mut self) -> &mut Ring {
+        &mut self.ring
+    }
+
+    /// Expression that a generator of the ring stands for.
+    #[must_use]
+    pub fn expression_of(&self, generator: usize) -> Expr {
+        self.ring.expression(generator)
+    }
+
+    /// The generators that depend on nothing but these symbols.
+    #[must_use]
+    pub fn generators_in(&self, arena: &Arena, symbols: &[Expr]) -> Vec<usize> {
+        let known = |e: &Expr| arena.symbol_name(*e).is_none() || symbols.contains(e);
+        (0..self.ring.size()).filter(|at| arena.reachable(&[self.ring.expression(*at)]).iter().all(known)).collect()
+    }
+
+    /// Makes base angles fine enough for these terms; forms over coarser ones are forgotten.
+    fn refine_angles(&mut self, arena: &Arena, parts: &[Expr]) {
+        let mut finer = false;
+        for part in parts {
+            if let Node::Apply(Function::Sin | Function::Cos, argument) = arena.node(*part) {
+                for (atom, k) in angle_atoms(arena, *argument) {
+                    let d = k.small().map_or(1, |(_, d)| d);
+                    let known = self.parts_of_turn.get(&atom).copied().unwrap_or(1);
+                    // An angle divided beyond a machine word stays coarse; such a term has no normal form.
+                    let common = (known / known.gcd(&d)).checked_mul(d).unwrap_or(known);
+                    finer |= common != known;
+                    self.parts_of_turn.insert(atom, common);
+                }
+            }
+        }
+        if finer {
+            self.forms.clear();
+            self.ring = Ring::new(self.ring.budget);
+        }
+    }
+
+    fn one(&mut self, arena: &mut Arena, e: Expr) -> Option<Fraction> {
+        match arena.node(e).clone() {
+            Node::Number(value) => Some(Fraction::whole(Poly::constant(&value))),
+            Node::Symbol(_) | Node::Pi => self.free(e),
+            Node::Named(_, term) => self.forms[&term].as_deref().cloned(),
+            Node::Sum(constant, terms) => {
+                let constant = Fraction::whole(Poly::constant(&constant));
+                let forms: Option<Vec<Rc<Fraction>>> = terms.iter().map(|(term, _)| self.forms[term].clone()).collect();
+                let forms = forms?;
+                let coefficients = terms.iter().map(|(_, k)| k.clone());
+                let mut parts: Vec<(&Fraction, Rational)> = forms.iter().map(Rc::as_ref).zip(coefficients).collect();
+                parts.push((&constant, Rational::ONE));
+                Fraction::sum(&mut self.ring, &parts)
+            }
+            Node::Product(factors) => {
+                let mut product = Fraction::whole(Poly::constant(&Rational::ONE));
+                for (base, n) in &factors {
+                    let power = self.forms[base].clone()?.pow(&mut self.ring, *n)?;
+                    product = product.mul(&mut self.ring, &power)?;
+                }
+                Some(product)
+            }
+            Node::Apply(f @ (Function::Sin | Function::Cos), argument) => self.circular(arena, f, argument),
+            Node::Apply(f, argument) => {
+                // Equal arguments must give equal generators.
+                let argument = self.forms[&argument].clone()?;
+                let canonical = self.expression(arena, &argument);
+                let value = arena.apply(f, canonical);
+                match arena.node(value) {
+                    Node::Apply(Function::Sqrt, _) if argument.denominator.is_empty() => {
+                        let radicand = argument.numerator.clone();
+                        let root = self.ring.generator(value, |_| Some(Square::Root(radicand)))?;
+                        Some(Fraction::whole(Ring::variable(root)))
+                    }
+                    Node::Apply(..) => self.free(value),
+                    _ => {
+                        // A value that resolved to a number or to a multiple of another function value.
+                        let (content, rest) = arena.split_content(value);
+                        let rest = if rest == Expr::ONE { None } else { Some(self.free(rest)?) };
+                        let content = Fraction::whole(Poly::constant(&content));
+                        rest.map_or(Some(content.clone()), |rest| content.mul(&mut self.ring, &rest))
+                    }
+                }
+            }
+        }
+    }
+
+    fn free(&mut self, e: Expr) -> Option<Fraction> {
+        let number = self.ring.generator(e, |_| Some(Square::Free))?;
+        Some(Fraction::whole(Ring::variable(number)))
+    }
+
+    /// sin or cos of Σ k·atom by the addition theorems.
+    fn circular(&mut self, arena: &mut Arena, f: Function, argument: Expr) -> Option<Fraction> {
+        let one = Poly::constant(&Rational::ONE);
+        let mut total = (Poly::default(), one);
+        for (atom, k) in self.expanded_angle(arena, argument)? {
+            let mut d = self.parts_of_turn.get(&atom).copied().unwrap_or(1);
+            if *arena.node(atom) == Node::Pi && 12 % d == 0 {
+                d = 12;
+            }
+            let multiple = k.mul(&Rational::integer(d)).to_i64().filter(|n| n.unsigned_abs() <= 64)?;
+            let base = arena.scale(atom, &Rational::fraction(1, d)?);
+            let turn = self.multiple(arena, base, multiple)?;
+            total = self.turned(&total, &turn)?;
+        }
+        Some(Fraction::whole(if f == Function::Sin { total.0 } else { total.1 }))
+    }
+
+    /// The angle as Σ k·atom with atoms that are products, so that equal angles have equal atoms.
+    fn expanded_angle(&mut self, arena: &mut Arena, argument: Expr) -> Option<Vec<(Expr, Rational)>> {
+        let atoms = angle_atoms(arena, argument);
+        let plain = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_) | Node::Number(_) | Node::Pi);
+        if atoms.iter().all(|(atom, _)| plain(atom)) {
+            return Some(atoms);
+        }
+        let form = self.forms[&argument].clone()?;
+        let expanded = self.expression(arena, &form);
+        Some(angle_atoms(arena, expanded))
+    }
+
+    /// (sin, cos) of n times a base angle.
+    fn multiple(&mut self, arena: &mut Arena, base: Expr, n: i64) -> Option<(Poly, Poly)> {
+        let (mut sine, mut cosine) = (arena.sin(base), arena.cos(base));
+        let pi = arena.pi();
+        if base == arena.scale(pi, &Rational::fraction(1, 12)?) {
+            (sine, cosine) = twelfth_of_pi(arena);
+        }
+        let is_generator = |e: Expr| matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _));
+        if !is_generator(sine) || !is_generator(cosine) {
+            // A multiple of π with exact values.
+            let unit = (self.whole(arena, sine)?, self.whole(arena, cosine)?);
+            return self.repeated(&unit, n);
+        }
+        let cosine = self.ring.generator(cosine, |_| Some(Square::Free))?;
+        let sine = self.ring.generator(sine, |_| Some(Square::Sine(cosine)))?;
+        let unit = (Ring::variable(sine), Ring::variable(cosine));
+        self.repeated(&unit, n)
+    }
+
+    /// (sin, cos) of n times an angle.
+    fn repeated(&mut self, unit: &(Poly, Poly), n: i64) -> Option<(Poly, Poly)> {
+        let mut result = (Poly::default(), Poly::constant(&Rational::ONE));
+        for _ in 0..n.unsigned_abs() {
+            result = self.turned(&result, unit)?;
+        }
+        if n < 0 {
+            result.0 = result.0.scaled(&Rational::MINUS_ONE);
+        }
+        Some(result)
+    }
+
+    /// An exact number as a polynomial in roots.
+    fn whole(&mut self, arena: &mut Arena, e: Expr) -> Option<Poly> {
+        for part in arena.reachable(&[e]) {
+            if !self.forms.contains_key(&part) {
+                let form = self.one(arena, part).map(Rc::new);
+                self.forms.insert(part, form);
+            }
+        }
+        let form = self.forms[&e].clone()?;
+        form.denominator.is_empty().then(|| form.numerator.clone())
+    }
+
+    /// (sin, cos) of the sum of two angles.
+    fn turned(&mut self, a: &(Poly, Poly), b: &(Poly, Poly)) -> Option<(Poly, Poly)> {
+        let ring = &mut self.ring;
+        let (sc, cs, cc, ss) =
+            (ring.mul(&a.0, &b.1)?, ring.mul(&a.1, &b.0)?, ring.mul(&a.1, &b.1)?, ring.mul(&a.0, &b.0)?);
+        let sine = ring.sum([(&sc, Rational::ONE), (&cs, Rational::ONE)].into_iter())?;
+        let cosine = ring.sum([(&cc, Rational::ONE), (&ss, Rational::MINUS_ONE)].into_iter())?;
+        Some((sine, cosine))
+    }
+
+    /// A normal form as a term of the arena, expanded.
+    pub fn expression(&self, arena: &mut Arena, form: &Fraction) -> Expr {
+        let above = self.polynomial(&form.numerator).expand(arena);
+        let mut factors = vec![(above, 1)];
+        for (factor, n) in &form.denominator {
+            let factor = self.polynomial(factor).expand(arena);
+            factors.push((factor, -i32::try_from(*n).unwrap_or(i32::MAX)));
+        }
+        arena.try_product(&factors).expect("factors below are not zero")
+    }
+
+    /// The polynomial with terms of the arena as atoms.
+    #[must_use]
+    pub fn polynomial(&self, p: &Poly) -> Polynomial {
+        let mut result = Polynomial::default();
+        for (powers, k) in &p.terms {
+            let mut monomial: Monomial = (0..self.ring.size())
+                .filter(|at| powers.of(*at) > 0)
+                .map(|at| (self.ring.expression(at), i32::from(powers.of(at))))
+                .collect();
+            monomial.sort_unstable_by_key(|(e, _)| *e);
+            result.add_term(monomial, k);
+        }
+        result
+    }
+}
+
+/// sin and cos of π/12: √2 (√3 ∓ 1)/4.
+fn twelfth_of_pi(arena: &mut Arena) -> (Expr, Expr) {
+    let [two, three] = [2, 3].map(|n| arena.integer(n)).map(|n| arena.apply(Function::Sqrt, n));
+    let quarter = arena.ratio(1, 4);
+    let (less, more) = (arena.sub(three, Expr::ONE), arena.add(three, Expr::ONE));
+    [less, more].map(|factor| arena.product(&[two, factor, quarter])).into()
+}

@@ -1,0 +1,190 @@
+//! Laurent polynomials over ℚ in arbitrary atoms: the working form of [`super::simplify`].
+//!
+//! Invariant: no zero coefficients; monomials are sorted by atom and have no zero exponents.
+//! Apart from `ring`, whose generators are numbered and have known squares: here every atom is free and may stand
+//! below.
+
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use std::collections::BTreeMap;
+
+/// Π atom^exponent, sorted by atom; the empty product is 1.
+pub type Monomial = Vec<(Expr, i32)>;
+
+/// Σ coefficient · monomial.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Polynomial {
+    /// Coefficients by monomial.
+    pub terms: BTreeMap<Monomial, Rational>,
+}
+
+impl Polynomial {
+    /// coefficient · monomial.
+    #[must_use]
+    pub fn monomial(monomial: Monomial, coefficient: &Rational) -> Self {
+        let mut result = Self::default();
+        result.add_term(monomial, coefficient);
+        result
+    }
+
+    /// A constant.
+    #[must_use]
+    pub fn constant(value: &Rational) -> Self {
+        Self::monomial(Vec::new(), value)
+    }
+
+    /// Adds coefficient · monomial.
+    pub fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
+        if coefficient.is_zero() {
+            return;
+        }
+        match self.terms.entry(monomial) {
+            std::collections::btree_map::Entry::Vacant(place) => {
+                place.insert(coefficient.clone());
+            }
+            std::collections::btree_map::Entry::Occupied(mut place) => {
+                let sum = place.get().add(coefficient);
+                if sum.is_zero() {
+                    place.remove();
+                } else {
+                    *place.get_mut() = sum;
+                }
+            }
+        }
+    }
+
+    /// Adds k · other.
+    pub fn add_scaled(&mut self, other: &Self, k: &Rational) {
+        for (monomial, coefficient) in &other.terms {
+            self.add_term(monomial.clone(), &coefficient.mul(k));
+        }
+    }
+
+    /// The product, or `None` if it could have more than `limit` terms.
+    #[must_use]
+    pub fn mul(&self, other: &Self, limit: usize) -> Option<Self> {
+        if self.terms.len().saturating_mul(other.terms.len()) > limit {
+            return None;
+        }
+        let mut result = Self::default();
+        for (a, x) in &self.terms {
+            for (b, y) in &other.terms {
+                result.add_term(multiply(a, b), &x.mul(y));
+            }
+        }
+        Some(result)
+    }
+
+    /// The n-th power for n ≥ 0, or any power of a single term; `None` beyond `limit` terms or for
+    /// a negative power of a sum.
+    #[must_use]
+    pub fn pow(&self, n: i32, limit: usize) -> Option<Self> {
+        if let (1, Some((monomial, k))) = (self.terms.len(), self.terms.first_key_value()) {
+            let monomial = monomial.iter().map(|(e, m)| Some((*e, m.checked_mul(n)?))).collect::<Option<_>>()?;
+            return Some(Self::monomial(monomial, &k.pow(n)?));
+        }
+        let mut result = Self::constant(&Rational::ONE);
+        for _ in 0..u32::try_from(n).ok()? {
+            result = result.mul(self, limit)?;
+        }
+        Some(result)
+    }
+
+    /// The sum as an expression, term by term.
+    pub fn expand(&self, arena: &mut Arena) -> Expr {
+        let terms: Vec<_> = self.terms.iter().map(|(m, k)| (monomial_expr(arena, m), k.clone())).collect();
+        arena.linear_combination(&terms)
+    }
+
+    /// Replaces f(x)^k for k ≥ 2 by (1 − g(x)²)^⌊k/2⌋ · f(x)^(k mod 2): pythagoras, always sound.
+    /// `None` beyond `limit` terms.
+    #[must_use]
+    pub fn pythagoras(&self, f: Expr, g: Expr, limit: usize) -> Option<Self> {
+        // Each power becomes as many terms as half its exponent: high powers in many terms are left alone.
+        let halves = self.terms.keys().flatten().filter(|(e, _)| *e == f).map(|(_, n)| n.unsigned_abs() as usize / 2);
+        if halves.sum::<usize>() > 10 * limit {
+            return None;
+        }
+        let mut complement = Self::constant(&Rational::ONE);
+        complement.add_term(vec![(g, 2)], &Rational::MINUS_ONE);
+        let mut result = Self::default();
+        for (monomial, k) in &self.terms {
+            match monomial.iter().position(|(e, n)| *e == f && *n >= 2) {
+                None => result.add_term(monomial.clone(), k),
+                Some(at) => {
+                    let mut rest = monomial.clone();
+                    let n = rest[at].1;
+                    rest[at].1 = n % 2;
+                    rest.retain(|(_, n)| *n != 0);
+                    let power = complement.pow(n / 2, limit)?;
+                    result.add_scaled(&power.mul(&Self::monomial(rest, k), limit)?, &Rational::ONE);
+                }
+            }
+            if result.terms.len() > limit {
+                return None;
+            }
+        }
+        Some(result)
+    }
+
+    /// True if an atom has an exponent of 2 or more in some term.
+    #[must_use]
+    pub fn has_square(&self, atom: Expr) -> bool {
+        self.terms.keys().flatten().any(|(e, n)| *e == atom && *n >= 2)
+    }
+
+    /// True if one of these two atoms has a negative exponent in some term.
+    #[must_use]
+    pub fn divides_by(&self, a: Expr, b: Expr) -> bool {
+        self.terms.keys().flatten().any(|(e, n)| (*e == a || *e == b) && *n < 0)
+    }
+
+    /// The angles whose sine or cosine is among the atoms.
+    #[must_use]
+    pub fn angles(&self, arena: &Arena) -> Vec<Expr> {
+        let mut angles: Vec<Expr> = self
+            .terms
+            .keys()
+            .flatten()
+            .filter_map(|(e, _)| match arena.node(*e) {
+                Node::Apply(Function::Sin | Function::Cos, angle) => Some(*angle),
+                _ => None,
+            })
+            .collect();
+        angles.sort_unstable();
+        angles.dedup();
+        angles
+    }
+}
+
+/// The product of two monomials.
+#[must_use]
+pub fn multiply(a: &[(Expr, i32)], b: &[(Expr, i32)]) -> Monomial {
+    let mut result = Vec::with_capacity(a.len() + b.len());
+    let (mut i, mut j) = (0, 0);
+    while i < a.len() || j < b.len() {
+        match (a.get(i), b.get(j)) {
+            (Some(x), Some(y)) if x.0 == y.0 => {
+                if x.1 + y.1 != 0 {
+                    result.push((x.0, x.1 + y.1));
+                }
+                i += 1;
+                j += 1;
+            }
+            (Some(x), y) if y.is_none_or(|y| x.0 < y.0) => {
+                result.push(*x);
+                i += 1;
+            }
+            (_, Some(y)) => {
+                result.push(*y);
+                j += 1;
+            }
+            (_, None) => unreachable!("one of the two has a factor left"),
+        }
+    }
+    result
+}
+
+/// A monomial as an expression.
+pub fn monomial_expr(arena: &mut Arena, monomial: &Monomial) -> Expr {
+    arena.try_product(monomial).expect("atoms are not zero and exponents small")
+}

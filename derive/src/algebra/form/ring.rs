@@ -1,0 +1,371 @@
+//! Polynomials over ℚ in numbered generators, modulo the squares of sines and square roots.
+//!
+//! Invariant of every [`Poly`] of a [`Ring`]: terms stand in falling lexicographic order, no coefficient is zero, and
+//! no generator that has a known square (sin² = 1 − cos², √x² = x) stands with an exponent above 1.
+//! Over such a ring a polynomial is zero by meaning iff it has no terms, as long as the generators
+//! are otherwise independent; [`super::normal`] says when they are.
+//!
+//! Apart from `polynomial`: falling order and reduction by squares are what makes forms normal and division exact, at a
+//! cost that [`super::simplify`] need not pay.
+//!
+//! Work is counted, not timed: [`Ring::budget`] multiplications of terms, then `None`, the same on
+//! every machine. Absent on purpose: greatest common divisors. Fractions cancel by trial division,
+//! which is exact here, and a zero test needs no more.
+
+use crate::algebra::{Expr, Rational};
+use rustc_hash::FxHashMap;
+use std::cmp::Reverse;
+
+/// Most generators that a ring can have.
+pub const GENERATORS: usize = 64;
+/// Terms of a square root up to which it is looked for.
+const MOST_ROOT_TERMS: usize = 60;
+
+/// Exponents of all generators; the order is lexicographic, and a monomial order.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Powers([u8; GENERATORS]);
+
+impl Powers {
+    /// The monomial 1: all exponents are 0.
+    pub const ONE: Self = Self([0; GENERATORS]);
+
+    /// The exponent of a generator.
+    pub fn of(&self, generator: usize) -> u8 {
+        self.0[generator]
+    }
+
+    fn with(mut self, generator: usize, exponent: u8) -> Self {
+        self.0[generator] = exponent;
+        self
+    }
+
+    /// The product; `None` if an exponent passes 255.
+    fn times(&self, other: &Self) -> Option<Self> {
+        let mut result = *self;
+        for (a, b) in result.0.iter_mut().zip(&other.0) {
+            *a = a.checked_add(*b)?;
+        }
+        Some(result)
+    }
+
+    /// The quotient; `None` if it is no monomial.
+    fn over(&self, other: &Self) -> Option<Self> {
+        let mut result = *self;
+        for (a, b) in result.0.iter_mut().zip(&other.0) {
+            *a = a.checked_sub(*b)?;
+        }
+        Some(result)
+    }
+
+    /// The root, if that is a monomial.
+    pub fn halved(&self) -> Option<Self> {
+        let mut result = *self;
+        for n in &mut result.0 {
+            if *n % 2 == 1 {
+                return None;
+            }
+            *n /= 2;
+        }
+        Some(result)
+    }
+
+    /// The part in these generators, and the rest.
+    pub fn split(&self, generators: &[usize]) -> (Self, Self) {
+        let (mut inside, mut outside) = (Self::ONE, *self);
+        for at in generators {
+            inside.0[*at] = self.0[*at];
+            outside.0[*at] = 0;
+        }
+        (inside, outside)
+    }
+
+    fn common(&self, other: &Self) -> Self {
+        let mut result = *self;
+        for (a, b) in result.0.iter_mut().zip(&other.0) {
+            *a = (*a).min(*b);
+        }
+        result
+    }
+}
+
+/// A polynomial of a [`Ring`].
+#[derive(Clone, PartialEq, Eq, Hash, Default)]
+pub struct Poly {
+    /// Terms, leading term first.
+    pub terms: Vec<(Powers, Rational)>,
+}
+
+impl Poly {
+    /// A constant.
+    pub fn constant(value: &Rational) -> Self {
+        if value.is_zero() { Self::default() } else { Self { terms: vec![(Powers::ONE, value.clone())] } }
+    }
+
+    /// True if the polynomial is 0.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The value, if this is a constant other than 0.
+    pub fn as_constant(&self) -> Option<&Rational> {
+        match self.terms.as_slice() {
+            [(Powers::ONE, k)] => Some(k),
+            _ => None,
+        }
+    }
+
+    /// Times a number other than 0.
+    pub fn scaled(&self, k: &Rational) -> Self {
+        Self { terms: self.terms.iter().map(|(m, c)| (*m, c.mul(k))).collect() }
+    }
+
+    /// content · primitive: integer coefficients without common factor, the first one positive.
+    pub fn split_content(&self) -> (Rational, Self) {
+        let Some((_, first)) = self.terms.first() else { return (Rational::ONE, Self::default()) };
+        let size = self.terms.iter().fold(Rational::ZERO, |g, (_, k)| g.common_content(k));
+        let content = if first.is_negative() { size.neg() } else { size };
+        let inverse = content.recip().expect("a coefficient is not zero");
+        (content, self.scaled(&inverse))
+    }
+
+    /// The monomial that divides every term.
+    pub fn common_powers(&self) -> Powers {
+        let mut terms = self.terms.iter();
+        let first = terms.next().map_or(Powers::ONE, |(m, _)| *m);
+        terms.fold(first, |common, (m, _)| common.common(m))
+    }
+
+    fn mentions(&self, generator: usize) -> bool {
+        self.terms.iter().any(|(m, _)| m.of(generator) > 0)
+    }
+}
+
+/// The square of a generator, where it is known.
+#[derive(Clone)]
+pub enum Square {
+    /// The generator is independent of the others.
+    Free,
+    /// A sine; the number of its cosine.
+    Sine(usize),
+    /// A square root of this polynomial.
+    Root(Poly),
+}
+
+/// The generators of a polynomial ring, and the work it may do.
+#[derive(Clone)]
+pub struct Ring {
+    generators: Vec<(Expr, Square)>,
+    numbers: FxHashMap<Expr, usize>,
+    /// Multiplications of terms that are still allowed.
+    pub budget: u64,
+}
+
+impl Ring {
+    /// A ring without generators.
+    pub fn new(budget: u64) -> Self {
+        Self { generators: Vec::new(), numbers: FxHashMap::default(), budget }
+    }
+
+    /// Expression that a generator stands for.
+    pub fn expression(&self, generator: usize) -> Expr {
+        self.generators[generator].0
+    }
+
+    /// Number of generators.
+    pub fn size(&self) -> usize {
+        self.generators.len()
+    }
+
+    /// The number of a generator, new if there was none; `None` when the ring is full.
+    pub fn generator(&mut self, e: Expr, square: impl FnOnce(&mut Self) -> Option<Square>) -> Option<usize> {
+        if let Some(&number) = self.numbers.get(&e) {
+            return Some(number);
+        }
+        let square = square(self)?;
+        if self.generators.len() == GENERATORS {
+            return None;
+        }
+        self.generators.push((e, square));
+        self.numbers.insert(e, self.generators.len() - 1);
+        Some(self.generators.len() - 1)
+    }
+
+    /// A generator as a polynomial.
+    pub fn variable(generator: usize) -> Poly {
+        Poly { terms: vec![(Powers::ONE.with(generator, 1), Rational::ONE)] }
+    }
+
+    fn spend(&mut self, work: usize) -> Option<()> {
+        let left = self.budget.checked_sub(work as u64);
+        self.budget = left.unwrap_or(0);
+        left.map(|_| ())
+    }
+
+    /// The linear combination Σ k · p; `None` beyond the budget.
+    pub fn sum<'a>(&mut self, parts: impl Iterator<Item = (&'a Poly, Rational)>) -> Option<Poly> {
+        let mut sum: FxHashMap<Powers, Rational> = FxHashMap::default();
+        for (part, k) in parts {
+            self.spend(part.terms.len())?;
+            for (m, c) in &part.terms {
+                collect(&mut sum, *m, c.mul(&k));
+            }
+        }
+        Some(sorted(sum))
+    }
+
+    /// a · b; `None` beyond the budget.
+    pub fn mul(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
+        for (one, other) in [(a, b), (b, a)] {
+            if let Some(k) = one.as_constant() {
+                return Some(other.scaled(k));
+            }
+        }
+        self.spend(a.terms.len().checked_mul(b.terms.len())?)?;
+        let mut product: FxHashMap<Powers, Rational> = FxHashMap::default();
+        for (m, c) in &a.terms {
+            for (n, d) in &b.terms {
+                self.reduce_into(&mut product, m.times(n)?, c.mul(d))?;
+            }
+        }
+        Some(sorted(product))
+    }
+
+    /// Adds a term, with squares replaced by what they are.
+    fn reduce_into(&mut self, sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) -> Option<()> {
+        let mut pending = vec![(powers, k)];
+        while let Some((powers, k)) = pending.pop() {
+            self.spend(1)?;
+            let square = self
+                .generators
+                .iter()
+                .enumerate()
+                .find(|(at, (_, square))| powers.of(*at) > 1 && !matches!(square, Square::Free));
+            match square {
+                None => collect(sum, powers, k),
+                Some((at, (_, square))) => {
+                    let rest = powers.with(at, powers.of(at) - 2);
+                    match square {
+                        Square::Free => unreachable!("a free generator has no known square"),
+                        // sin² = 1 − cos².
+                        Square::Sine(cosine) => {
+                            pending.push((rest.with(*cosine, rest.of(*cosine).checked_add(2)?), k.neg()));
+                            pending.push((rest, k));
+                        }
+                        Square::Root(radicand) => {
+                            let radicand = radicand.clone();
+                            self.spend(radicand.terms.len())?;
+                            for (m, c) in &radicand.terms {
+                                pending.push((rest.times(m)?, k.mul(c)));
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// The power p^n; `None` beyond the budget.
+    pub fn pow(&mut self, p: &Poly, n: u32) -> Option<Poly> {
+        let (mut result, mut power, mut left) = (Poly::constant(&Rational::ONE), p.clone(), n);
+        while left > 0 {
+            if left & 1 == 1 {
+                result = self.mul(&result, &power)?;
+            }
+            left >>= 1;
+            if left > 0 {
+                power = self.mul(&power, &power)?;
+            }
+        }
+        Some(result)
+    }
+
+    /// a / b if that is a polynomial; `None` if it is none or the budget ends.
+    ///
+    /// Over the polynomials without sines those with one are free on {1, sin}, so a / b is one of them
+    /// iff a · b̄ is divisible term by term by the norm b · b̄, which has no sine left.
+    pub fn divide(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
+        let (mut above, mut below) = (a.clone(), b.clone());
+        // Latest first: a root's radicand has only earlier generators.
+        for at in (0..self.generators.len()).rev() {
+            let known_square = !matches!(self.generators[at].1, Square::Free);
+            if known_square && below.mentions(at) {
+                let conjugate = conjugate(&below, at);
+                above = self.mul(&above, &conjugate)?;
+                below = self.mul(&below, &conjugate)?;
+            }
+        }
+        self.divide_plainly(above, &below)
+    }
+
+    /// The polynomial p with p² = `square`, found leading term by leading term. `None` if no polynomial without sines
+    /// and roots has this square.
+    pub fn square_root(&mut self, square: &Poly) -> Option<Poly> {
+        let (lead, k) = square.terms.first()?;
+        let half = lead.halved()?;
+        let first = Poly { terms: vec![(half, root_of(k)?)] };
+        let mut root = first.clone();
+        for _ in 0..MOST_ROOT_TERMS {
+            let whole = self.mul(&root, &root)?;
+            let rest = self.sum([(square, Rational::ONE), (&whole, Rational::MINUS_ONE)].into_iter())?;
+            let Some(next) = rest.terms.first() else { return Some(root) };
+            let next = Poly { terms: vec![next.clone()] };
+            let step = self.divide(&next, &first)?;
+            root = self.sum([(&root, Rational::ONE), (&step, Rational::fraction(1, 2)?)].into_iter())?;
+        }
+        None
+    }
+
+    /// Exact division by a polynomial without known squares, leading term by leading term.
+    fn divide_plainly(&mut self, mut above: Poly, below: &Poly) -> Option<Poly> {
+        let (lead, k) = below.terms.first()?;
+        let inverse = k.recip()?;
+        let mut quotient = Vec::new();
+        while let Some((m, c)) = above.terms.first() {
+            let step = (m.over(lead)?, c.mul(&inverse));
+            self.spend(below.terms.len() + above.terms.len())?;
+            let mut sum: FxHashMap<Powers, Rational> = above.terms.into_iter().collect();
+            for (n, d) in &below.terms {
+                collect(&mut sum, step.0.times(n)?, step.1.mul(d).neg());
+            }
+            above = sorted(sum);
+            quotient.push(step);
+        }
+        Some(Poly { terms: quotient })
+    }
+}
+
+/// The root of a number, if that is rational.
+fn root_of(k: &Rational) -> Option<Rational> {
+    let root = |n: i64| {
+        let near = u64::try_from(n).ok()?.isqrt();
+        let near = i64::try_from(near).ok()?;
+        (near.checked_mul(near)? == n).then_some(near)
+    };
+    let (n, d) = k.small()?;
+    Rational::fraction(root(n)?, root(d)?)
+}
+
+/// The polynomial with one generator's sign changed.
+fn conjugate(p: &Poly, generator: usize) -> Poly {
+    let flip = |(m, k): &(Powers, Rational)| (*m, if m.of(generator) % 2 == 1 { k.neg() } else { k.clone() });
+    Poly { terms: p.terms.iter().map(flip).collect() }
+}
+
+fn collect(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) {
+    match sum.entry(powers) {
+        std::collections::hash_map::Entry::Vacant(place) => {
+            place.insert(k);
+        }
+        std::collections::hash_map::Entry::Occupied(mut place) => {
+            let value = place.get().add(&k);
+            *place.get_mut() = value;
+        }
+    }
+}
+
+fn sorted(sum: FxHashMap<Powers, Rational>) -> Poly {
+    let mut terms: Vec<_> = sum.into_iter().filter(|(_, k)| !k.is_zero()).collect();
+    terms.sort_unstable_by_key(|(m, _)| Reverse(*m));
+    Poly { terms }
+}

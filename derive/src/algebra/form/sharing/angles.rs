@@ -1,0 +1,185 @@
+//! Sines and cosines of sums of angles, from those of their parts where these are there anyway.
+//!
+//! A sine and a cosine cost as much as thirty operations, an addition theorem six. Absent on purpose: any claim about
+//! small angles: the sine of a difference that is nearly zero is then exact to the last digit of 1, not of itself, as
+//! it is in every program that multiplies such products out.
+
+use crate::algebra::term::elementary::angle_atoms;
+use crate::algebra::term::steps::Definition;
+use crate::algebra::text::print::text;
+use crate::algebra::{Arena, Expr, Function, Node};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Addition theorems that are multiplied out at once: opened one in another, their coefficients grow to as many bits as
+/// there are of them, and so many are never shorter.
+const MOST_OPENED: usize = 48;
+
+/// Composition of one angle from two others, which gives its sine and cosine: angle = first + second, or first −
+/// second.
+struct Addition {
+    angle: Expr,
+    first: Expr,
+    second: Expr,
+    minus: bool,
+}
+
+/// Replacement for the sines and cosines of composed angles.
+pub(super) enum Composed {
+    /// A symbol of its own, defined by a step.
+    Named,
+    /// Its addition theorem, to be multiplied out.
+    Open,
+}
+
+/// Rewrites steps and values so that fewer sines and cosines are computed; `None` if that is not possible.
+pub(super) fn compose(
+    arena: &mut Arena,
+    how: &Composed,
+    steps: &[Definition],
+    values: &[Expr],
+) -> Option<(Vec<Definition>, Vec<Expr>)> {
+    let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(values.iter().copied()).collect();
+    let parts = arena.reachable(&roots);
+    let additions = additions(arena, &parts);
+    if additions.is_empty() || (matches!(how, Composed::Open) && additions.len() > MOST_OPENED) {
+        return None;
+    }
+    let mut rewriting = Rewriting { of: FxHashMap::default() };
+    let mut new_steps = Vec::new();
+    for addition in &additions {
+        let [sine, cosine] = rewriting.theorem(arena, addition);
+        for (f, value) in [(Function::Sin, sine), (Function::Cos, cosine)] {
+            let composed = arena.apply(f, addition.angle);
+            let stands = match how {
+                Composed::Open => value,
+                Composed::Named => {
+                    let symbol = arena.symbol(&format!("#{}", text(arena, composed)));
+                    new_steps.push(Definition { symbol, value });
+                    symbol
+                }
+            };
+            rewriting.of.insert(composed, stands);
+        }
+    }
+    for part in parts {
+        rewriting.rewrite(arena, part);
+    }
+    let value = |e: Expr| rewriting.of.get(&e).copied().unwrap_or(e);
+    new_steps.extend(steps.iter().map(|step| Definition { symbol: step.symbol, value: value(step.value) }));
+    Some((new_steps, values.iter().map(|e| value(*e)).collect()))
+}
+
+/// Angles that are sums or differences of two others. Angles with fewest parts come first. If the angles left over need
+/// more sines and cosines than all their parts would, those of the parts are computed instead.
+fn additions(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
+    let mut angles: Vec<Expr> = Vec::new();
+    for part in parts {
+        if let Node::Apply(Function::Sin | Function::Cos, angle) = arena.node(*part)
+            && !angles.contains(angle)
+        {
+            angles.push(*angle);
+        }
+    }
+    // Where one divides by the sine of a difference, its digits count next to zero.
+    let divides = |angle: &Expr| {
+        parts.iter().any(|part| match arena.node(*part) {
+            Node::Product(factors) => factors.iter().any(|(base, n)| {
+                *n < 0 && matches!(arena.node(*base), Node::Apply(Function::Sin | Function::Cos, of) if of == angle)
+            }),
+            _ => false,
+        })
+    };
+    angles.retain(|angle| is_atom(arena, *angle) || !divides(angle));
+    angles.sort_by_key(|angle| (angle_atoms(arena, *angle).len(), *angle));
+    let plain: Vec<Expr> = angles.iter().copied().filter(|a| is_atom(arena, *a)).collect();
+    let mut atoms: Vec<Expr> = angles
+        .iter()
+        .flat_map(|a| angle_atoms(arena, *a))
+        .map(|(atom, _)| atom)
+        .filter(|atom| is_atom(arena, *atom))
+        .collect();
+    atoms.sort_unstable();
+    atoms.dedup();
+    let (few, alone) = composed_of(arena, &angles, &plain);
+    let (all, alone_of_atoms) = composed_of(arena, &angles, &atoms);
+    if plain.len() + alone <= atoms.len() + alone_of_atoms { few } else { all }
+}
+
+fn is_atom(arena: &Arena, angle: Expr) -> bool {
+    matches!(arena.node(angle), Node::Symbol(_))
+}
+
+/// The angles that are sums or differences of two known ones, and the number of angles that are neither known nor such.
+fn composed_of(arena: &mut Arena, angles: &[Expr], there: &[Expr]) -> (Vec<Addition>, usize) {
+    let mut list: Vec<Expr> = there.to_vec();
+    let mut known: FxHashSet<Expr> = there.iter().copied().collect();
+    let (mut additions, mut alone) = (Vec::new(), 0);
+    for angle in angles {
+        if known.contains(angle) {
+            continue;
+        }
+        let found = list.iter().find_map(|first| {
+            let rest = arena.sub(*angle, *first);
+            if known.contains(&rest) {
+                return Some(Addition { angle: *angle, first: *first, second: rest, minus: false });
+            }
+            let rest = arena.neg(rest);
+            known.contains(&rest).then_some(Addition { angle: *angle, first: *first, second: rest, minus: true })
+        });
+        match found {
+            Some(addition) => additions.push(addition),
+            None => alone += 1,
+        }
+        list.push(*angle);
+        known.insert(*angle);
+    }
+    (additions, alone)
+}
+
+/// Terms and what stands for them.
+struct Rewriting {
+    of: FxHashMap<Expr, Expr>,
+}
+
+impl Rewriting {
+    /// sin (a ± b) = sin a cos b ± cos a sin b, cos (a ± b) = cos a cos b ∓ sin a sin b.
+    fn theorem(&self, arena: &mut Arena, addition: &Addition) -> [Expr; 2] {
+        let value = |arena: &mut Arena, f: Function, angle: Expr| {
+            let e = arena.apply(f, angle);
+            self.of.get(&e).copied().unwrap_or(e)
+        };
+        let (sa, ca) = (value(arena, Function::Sin, addition.first), value(arena, Function::Cos, addition.first));
+        let (sb, cb) = (value(arena, Function::Sin, addition.second), value(arena, Function::Cos, addition.second));
+        let (sc, cs, cc, ss) = (arena.mul(sa, cb), arena.mul(ca, sb), arena.mul(ca, cb), arena.mul(sa, sb));
+        if addition.minus { [arena.sub(sc, cs), arena.add(cc, ss)] } else { [arena.add(sc, cs), arena.sub(cc, ss)] }
+    }
+
+    /// Builds a term again from what stands for its operands, which were rewritten before it.
+    fn rewrite(&mut self, arena: &mut Arena, e: Expr) {
+        if self.of.contains_key(&e) || !arena.operands(e).any(|o| self.of.contains_key(&o)) {
+            return;
+        }
+        let of = |e: &Expr| self.of.get(e).copied().unwrap_or(*e);
+        let new = match arena.node(e).clone() {
+            Node::Sum(constant, terms) => {
+                let mut list: Vec<_> = terms.iter().map(|(term, k)| (of(term), k.clone())).collect();
+                list.push((Expr::ONE, constant));
+                arena.linear_combination(&list)
+            }
+            Node::Product(factors) => {
+                let list: Vec<(Expr, i32)> = factors.iter().map(|(base, n)| (of(base), *n)).collect();
+                match arena.try_product(&list) {
+                    Ok(product) => product,
+                    Err(_) => return,
+                }
+            }
+            Node::Apply(f, argument) => {
+                let argument = of(&argument);
+                arena.apply(f, argument)
+            }
+            Node::Named(_, term) => arena.name_again(e, of(&term)),
+            Node::Number(_) | Node::Symbol(_) | Node::Pi => return,
+        };
+        self.of.insert(e, new);
+    }
+}

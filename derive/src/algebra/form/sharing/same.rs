@@ -1,0 +1,51 @@
+//! Proof that shared steps compute what the steps they were made from compute.
+
+use super::Shared;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::{Definition, put_in};
+use crate::algebra::value::points::Drawn;
+use crate::algebra::{Arena, Expr};
+
+/// True if every value, and every step that has the same symbol, is the same function of the inputs as before.
+///
+/// Both are evaluated at a random point modulo a random prime: a difference is overlooked with a probability below the
+/// degree of the terms divided by 2^60. The result is also false if no point was found at which all of them have a
+/// value.
+#[must_use]
+pub fn is_same(arena: &mut Arena, steps: &[Definition], values: &[Expr], shared: &Shared) -> bool {
+    let symbols: Vec<Expr> = shared.steps.iter().map(|step| step.symbol).collect();
+    let kept: Vec<Expr> = steps.iter().map(|step| step.symbol).filter(|symbol| symbols.contains(symbol)).collect();
+    let mut terms = Vec::with_capacity(2 * (kept.len() + values.len()));
+    for (steps, values) in [(steps, values), (&shared.steps, &shared.values)] {
+        let mut put = Substitution::default();
+        put_in(arena, &mut put, steps);
+        terms.extend(put.all(arena, &kept));
+        terms.extend(put.all(arena, values));
+    }
+    let (before, after) = terms.split_at(kept.len() + values.len());
+    before == after
+        || Drawn::new(arena, &terms).is_some_and(|(_, residues)| residues[..before.len()] == residues[after.len()..])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::form::sharing::{Reading, share};
+    use crate::algebra::form::simplify::Simplifier;
+    use crate::algebra::text::parse::parse_free;
+
+    #[test]
+    fn what_sharing_makes_is_the_same_and_another_value_is_not() {
+        for reading in Reading::ALL {
+            let mut arena = Arena::new();
+            let values = ["a*b*sin(q + p) + a*c*sin(q + p)", "(a*b + a*c)^2 - sin(q)^2"]
+                .map(|text| parse_free(&mut arena, text).unwrap());
+            let Some(mut shared) = share(&mut arena, &mut Simplifier::default(), reading, &[], &values) else {
+                continue;
+            };
+            assert!(is_same(&mut arena, &[], &values, &shared), "{reading:?}");
+            shared.values[1] = arena.add(shared.values[1], Expr::ONE);
+            assert!(!is_same(&mut arena, &[], &values, &shared), "{reading:?}");
+        }
+    }
+}

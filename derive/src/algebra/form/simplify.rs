@@ -1,0 +1,394 @@
+//! Shorter forms of the same meaning, for people and for generated code.
+//!
+//! An expression is expanded to a Laurent polynomial in its atoms, squares of sines or cosines are
+//! traded by sin² + cos² = 1 where that leaves fewer terms, and the result is factored again,
+//! Horner-fashion. Where it divides by sums, the normal form over one denominator is a candidate too. The shortest of
+//! the candidates wins and a tie keeps the input, so the result is never longer. What would expand beyond
+//! [`Simplifier::LIMIT`] terms, or has more than [`Simplifier::PARTS`] to begin with, is returned as it was.
+
+use super::atoms::{SumAtoms, atom, differ_beside_angles, is_circular, is_plain_product};
+use super::normal::Normalizer;
+use super::polynomial::{Monomial, Polynomial, monomial_expr};
+use crate::algebra::term::elementary::angle_atoms;
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
+
+/// Simplifies expressions and remembers what it has done.
+#[derive(Clone, Default)]
+pub struct Simplifier {
+    memo: FxHashMap<Expr, Expr>,
+}
+
+impl Simplifier {
+    /// Terms in an expanded polynomial above which an expression is left alone.
+    pub const LIMIT: usize = 600;
+    /// Multiplications of terms that bringing an expression over one denominator may cost.
+    pub const FRACTION_BUDGET: u64 = 50_000;
+    /// The most multiplications for bringing multiple angles and sums of angles to single ones.
+    pub const ANGLE_BUDGET: u64 = 5_000;
+    /// Different terms in an expression above which it is not even looked at.
+    pub const PARTS: usize = 5000;
+
+    /// The shortest known form of `e`.
+    pub fn simplify(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        if let Some(&done) = self.memo.get(&e) {
+            return done;
+        }
+        if is_plain_product(arena, e) {
+            return e;
+        }
+        let result = self.shortest(arena, e);
+        self.memo.insert(e, result);
+        self.memo.insert(result, result);
+        result
+    }
+
+    fn shortest(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        let Some(expanded) = self.expanded(arena, e) else { return e };
+        let reduced = reduce(arena, &expanded);
+        if reduced.terms.is_empty() {
+            return Expr::ZERO;
+        }
+        let fraction = if divides_by_sums(arena, &reduced) {
+            as_fraction(arena, e, Self::FRACTION_BUDGET)
+        } else if mixes_angles(arena, &reduced) && !differ_beside_angles(arena, &reduced) {
+            as_fraction(arena, e, Self::ANGLE_BUDGET)
+        } else {
+            None
+        };
+        let mut best = (cost(arena, e), e);
+        let both = [&reduced, &expanded];
+        for polynomial in &both[..if reduced == expanded { 1 } else { 2 }] {
+            for candidate in [factor(arena, &polynomial.terms), common_factor_only(arena, polynomial)] {
+                let candidate = (cost(arena, candidate), candidate);
+                if candidate.0 < best.0 {
+                    best = candidate;
+                }
+            }
+        }
+        match fraction {
+            Some(fraction) if fraction == Expr::ZERO || cost(arena, fraction) < best.0 => fraction,
+            _ => best.1,
+        }
+    }
+
+    /// `e` as a Laurent polynomial in symbols, function values and inverse sums; `None` beyond the limit.
+    pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
+        let parts = arena.shown(&[e]);
+        if parts.len() > Self::PARTS {
+            return None;
+        }
+        self.polynomial_over(arena, &parts, &SumAtoms::default())
+    }
+
+    /// The term multiplied out, but sums of symbols stay together where no term is lost by that.
+    fn expanded(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
+        let parts = arena.shown(&[e]);
+        if parts.len() > Self::PARTS {
+            return None;
+        }
+        let sums = SumAtoms::new(arena, &parts);
+        if !sums.is_empty()
+            && let Some(polynomial) = self.polynomial_over(arena, &parts, &sums)
+            && sums.stay_apart(arena, &polynomial)
+        {
+            return Some(polynomial);
+        }
+        self.polynomial_over(arena, &parts, &SumAtoms::default())
+    }
+
+    /// The last of `parts`, which are all that it is built from, as a Laurent polynomial in symbols, function values,
+    /// inverse sums and the sums taken for atoms; `None` beyond the limit.
+    fn polynomial_over(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<Polynomial> {
+        let mut forms: FxHashMap<Expr, Polynomial> = FxHashMap::default();
+        for &part in parts {
+            let form = match arena.node(part).clone() {
+                _ if sums.contains(part) => atom(part),
+                Node::Number(value) => Polynomial::constant(&value),
+                Node::Symbol(_) | Node::Pi | Node::Named(..) => atom(part),
+                Node::Sum(constant, terms) => {
+                    let mut sum = Polynomial::constant(&constant);
+                    for (term, k) in &terms {
+                        sum.add_scaled(&forms[term], k);
+                    }
+                    sum
+                }
+                Node::Product(factors) => {
+                    let mut product = Polynomial::constant(&Rational::ONE);
+                    for (base, n) in &factors {
+                        let power = if *n < 0 && forms[base].terms.len() != 1 {
+                            self.inverse_power(arena, &forms[base], *n)?
+                        } else {
+                            forms[base].pow(*n, Self::LIMIT)?
+                        };
+                        product = product.mul(&power, Self::LIMIT)?;
+                    }
+                    product
+                }
+                Node::Apply(f, argument) => {
+                    let argument = self.shorten(arena, &forms[&argument]);
+                    let value = arena.apply(f, argument);
+                    as_monomials(arena, value)
+                }
+            };
+            if form.terms.len() > Self::LIMIT {
+                return None;
+            }
+            forms.insert(part, form);
+        }
+        forms.remove(parts.last()?)
+    }
+
+    fn shorten(&mut self, arena: &mut Arena, polynomial: &Polynomial) -> Expr {
+        let e = polynomial.expand(arena);
+        if let Some(&done) = self.memo.get(&e) {
+            return done;
+        }
+        let reduced = reduce(arena, polynomial);
+        let factored = factor(arena, &reduced.terms);
+        let result = if cost(arena, factored) < cost(arena, e) { factored } else { e };
+        self.memo.insert(e, result);
+        result
+    }
+
+    /// A negative power of a sum: the simplified sum becomes an atom.
+    fn inverse_power(&mut self, arena: &mut Arena, base: &Polynomial, n: i32) -> Option<Polynomial> {
+        let base = self.shorten(arena, base);
+        // A divisor that is zero after all: nothing to simplify, the caller's zero test will tell.
+        let power = arena.pow(base, n).ok()?;
+        Some(as_monomials(arena, power))
+    }
+}
+
+/// True if a sum of several terms divides by a sum: then one fraction bar may do for all.
+fn divides_by_sums(arena: &Arena, polynomial: &Polynomial) -> bool {
+    let inverse_sum = |(e, n): &(Expr, i32)| *n < 0 && matches!(arena.node(*e), Node::Sum(..));
+    polynomial.terms.len() > 1 && polynomial.terms.keys().flatten().any(inverse_sum)
+}
+
+/// True if an angle occurs both by itself and in a multiple or a sum: sin 2q beside sin q may cancel.
+fn mixes_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
+    let mut seen: BTreeMap<Expr, Expr> = BTreeMap::new();
+    polynomial
+        .angles(arena)
+        .into_iter()
+        .any(|angle| angle_atoms(arena, angle).into_iter().any(|(atom, _)| *seen.entry(atom).or_insert(angle) != angle))
+}
+
+/// The normal form, its numerator and the factors of its denominator each in short form.
+fn as_fraction(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
+    let mut normalizer = Normalizer::new(budget);
+    let form = normalizer.fraction(arena, e)?;
+    let short = |arena: &mut Arena, p: &Polynomial| {
+        let reduced = reduce(arena, p);
+        factor(arena, &reduced.terms)
+    };
+    let mut factors = vec![(short(arena, &normalizer.polynomial(&form.numerator)), 1)];
+    for (below, n) in &form.denominator {
+        let below = short(arena, &normalizer.polynomial(below));
+        factors.push((below, -i32::try_from(*n).ok()?));
+    }
+    arena.try_product(&factors).ok()
+}
+
+/// Reads an expression as a sum of monomials in whatever its factors are, without expanding.
+fn as_monomials(arena: &Arena, e: Expr) -> Polynomial {
+    let monomial = |e: Expr| match arena.node(e) {
+        Node::Product(factors) => factors.to_vec(),
+        _ => vec![(e, 1)],
+    };
+    match arena.node(e) {
+        Node::Number(value) => Polynomial::constant(value),
+        Node::Sum(constant, terms) => {
+            let mut sum = Polynomial::constant(constant);
+            for (term, k) in terms {
+                sum.add_term(monomial(*term), k);
+            }
+            sum
+        }
+        _ => Polynomial::monomial(monomial(e), &Rational::ONE),
+    }
+}
+
+/// Trades sin² or cos² where it leaves a shorter polynomial, angle by angle. A polynomial that is
+/// zero by sin² + cos² = 1 reduces to no terms.
+fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
+    let mut best = polynomial.clone();
+    if !polynomial.terms.keys().flatten().any(|(e, n)| *n >= 2 && is_circular(arena, *e)) {
+        return best;
+    }
+    let mut canonical = polynomial.clone();
+    for angle in polynomial.angles(arena) {
+        let (sine, cosine) = (arena.apply(Function::Sin, angle), arena.apply(Function::Cos, angle));
+        for (from, to) in [(sine, cosine), (cosine, sine)] {
+            if best.has_square(from)
+                && let Some(traded) = best.pythagoras(from, to, Simplifier::LIMIT)
+                && size(arena, &traded) < size(arena, &best)
+                && (traded.terms.len() < best.terms.len() || !best.divides_by(from, to))
+            {
+                best = traded;
+            }
+        }
+        if canonical.has_square(sine)
+            && let Some(traded) = canonical.pythagoras(sine, cosine, Simplifier::LIMIT)
+        {
+            canonical = traded;
+        }
+    }
+    if canonical.terms.len() < best.terms.len() { canonical } else { best }
+}
+
+/// Terms, then sines and cosines: what trading squares should lessen.
+fn size(arena: &Arena, polynomial: &Polynomial) -> (usize, usize) {
+    let circular: std::collections::BTreeSet<Expr> =
+        polynomial.terms.keys().flatten().map(|(e, _)| *e).filter(|e| is_circular(arena, *e)).collect();
+    (polynomial.terms.len(), circular.len())
+}
+
+/// Factors a sum of monomials: common factors out, then the atom that most terms share, again and again.
+fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
+    let polynomial = Polynomial { terms: terms.clone() };
+    let (monomial, content, rest) = extract_common(&polynomial);
+    let inner = if rest.terms.len() < 2 {
+        rest.expand(arena)
+    } else if let Some((atom, positive)) = most_shared(&rest) {
+        let shares = |m: &Monomial| m.iter().any(|(e, n)| *e == atom && (*n > 0) == positive);
+        let (with, without): (BTreeMap<_, _>, BTreeMap<_, _>) = rest.terms.into_iter().partition(|(m, _)| shares(m));
+        let (with, without) = (factor(arena, &with), factor(arena, &without));
+        arena.add(with, without)
+    } else {
+        rest.expand(arena)
+    };
+    join(arena, &monomial, &content, inner)
+}
+
+fn common_factor_only(arena: &mut Arena, polynomial: &Polynomial) -> Expr {
+    let (monomial, content, rest) = extract_common(polynomial);
+    let inner = rest.expand(arena);
+    join(arena, &monomial, &content, inner)
+}
+
+fn join(arena: &mut Arena, monomial: &Monomial, content: &Rational, inner: Expr) -> Expr {
+    let outer = monomial_expr(arena, monomial);
+    let product = arena.mul(outer, inner);
+    arena.scale(product, content)
+}
+
+/// polynomial = monomial · content · rest, with nothing common left in the rest.
+fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
+    let Some(first) = polynomial.terms.keys().next() else {
+        return (Vec::new(), Rational::ONE, Polynomial::default());
+    };
+    let mut common = first.clone();
+    let mut content = Rational::ZERO;
+    for (monomial, k) in &polynomial.terms {
+        content = content.common_content(k);
+        for (atom, n) in &mut common {
+            let m = monomial.iter().find(|(e, _)| e == atom).map_or(0, |(_, m)| *m);
+            // The part of the exponent that both share, from zero outwards.
+            *n = if *n > 0 { (*n).min(m).max(0) } else { (*n).max(m).min(0) };
+        }
+    }
+    common.retain(|(_, n)| *n != 0);
+    let negative = polynomial.terms.values().next().is_some_and(Rational::is_negative);
+    let content = if negative { content.neg() } else { content };
+    let inverse = content.recip().unwrap_or(Rational::ONE);
+    let mut rest = Polynomial::default();
+    for (monomial, k) in &polynomial.terms {
+        let mut left: Monomial = monomial
+            .iter()
+            .map(|(e, n)| (*e, n - common.iter().find(|(c, _)| c == e).map_or(0, |(_, m)| *m)))
+            .collect();
+        left.retain(|(_, n)| *n != 0);
+        rest.add_term(left, &k.mul(&inverse));
+    }
+    (common, content, rest)
+}
+
+/// The atom (and the sign of its exponent) in most terms, if in two at least; the first such in order.
+fn most_shared(polynomial: &Polynomial) -> Option<(Expr, bool)> {
+    let mut counts: BTreeMap<(Expr, bool), usize> = BTreeMap::new();
+    for (atom, n) in polynomial.terms.keys().flatten() {
+        *counts.entry((*atom, *n > 0)).or_default() += 1;
+    }
+    let most = counts.values().copied().max().filter(|most| *most >= 2)?;
+    counts.into_iter().find(|(_, count)| *count == most).map(|(key, _)| key)
+}
+
+/// Operations in an expression, each shared term counted once, what has a name not at all: what "shorter" means here.
+#[must_use]
+pub fn cost(arena: &Arena, e: Expr) -> usize {
+    cost_of_all(arena, &[e])
+}
+
+/// Operations in several expressions together.
+#[must_use]
+pub fn cost_of_all(arena: &Arena, list: &[Expr]) -> usize {
+    arena
+        .shown(list)
+        .into_iter()
+        .map(|part| match arena.node(part) {
+            Node::Number(_) | Node::Symbol(_) | Node::Pi | Node::Named(..) => 0,
+            Node::Sum(constant, terms) => {
+                let plain = Rational::ONE;
+                let scaled = terms.iter().filter(|(_, k)| *k != plain && *k != Rational::MINUS_ONE).count();
+                terms.len() + scaled - usize::from(constant.is_zero())
+            }
+            Node::Product(factors) => {
+                let exponents: u32 = factors.iter().map(|(_, n)| n.unsigned_abs()).sum();
+                exponents as usize - usize::from(factors.iter().all(|(_, n)| *n > 0))
+            }
+            Node::Apply(..) => 4,
+        })
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::text::parse::parse_free;
+    use crate::algebra::text::print::text;
+
+    fn simplified(input: &str) -> String {
+        let mut arena = Arena::new();
+        for name in ["M", "R", "g", "q1", "q2", "u1", "u2", "u3"] {
+            arena.symbol(name);
+        }
+        let e = parse_free(&mut arena, input).unwrap();
+        let e = Simplifier::default().simplify(&mut arena, e);
+        text(&arena, e)
+    }
+
+    #[test]
+    fn short_forms_are_what_a_person_would_write() {
+        for (input, expected) in [
+            ("cos(q1)^2*M + M*sin(q1)^2", "M"),
+            ("M*R^2/4 + M*R^2*tan(q2)^2", "M*R^2*(1 + 4*tan(q2)^2)/4"),
+            ("R*u1*u2*(1 + tan(q2)^2) + R*u1*u2", "R*u1*u2*(2 + tan(q2)^2)"),
+            ("sin(q1)*(sin(q1)*u1 + cos(q1)*u2) + cos(q1)*(cos(q1)*u1 - sin(q1)*u2)", "u1"),
+            ("1/cos(q1)^2 - tan(q1)^2", "1"),
+            ("(u1 + u2)^2 - u1^2 - u2^2 - 2*u1*u2", "0"),
+            ("u1/(u1 + u2) + u2/(u1 + u2)", "1"),
+            ("1/(u1 - u2) - 1/(u1 + u2) - 2*u2/(u1^2 - u2^2)", "0"),
+            ("(u1^2 - u2^2)/(u1 - u2) + u2", "u1 + 2*u2"),
+            ("u1/(1 + tan(q1)^2) - u1*cos(q1)^2", "0"),
+            ("(u1 + u2)*M - u1*M", "M*u2"),
+            ("(u1 + u2)*sin(q1)^2 + u1*cos(q1)^2", "u1 + u2*sin(q1)^2"),
+            ("M*((u1 + u2)*R*cos(q1) - (u1 + u2)*g*R)", "M*R*(cos(q1) - g)*(u1 + u2)"),
+            ("R*sin(q1 - q2) - R*(sin(q1)*cos(q2) - cos(q1)*sin(q2)) + M", "M"),
+            ("M*g*sin(q1) + R*u1*(2*sin(q1)*cos(q1) - sin(2*q1))", "M*g*sin(q1)"),
+        ] {
+            assert_eq!(simplified(input), expected, "{input}");
+        }
+    }
+
+    #[test]
+    fn a_product_of_forty_sums_is_left_alone() {
+        let text: Vec<String> = (0..40).map(|i| format!("(a{i} + b{i})")).collect();
+        let text = text.join("*");
+        let mut arena = Arena::new();
+        let e = parse_free(&mut arena, &text).unwrap();
+        assert_eq!(Simplifier::default().simplify(&mut arena, e), e);
+    }
+}

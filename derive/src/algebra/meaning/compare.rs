@@ -1,0 +1,437 @@
+//! Equality of meaning: one question, three answers.
+//!
+//! ```
+//! use tripos_derive::algebra::{Arena, parse::parse_free};
+//! use tripos_derive::algebra::meaning::compare::{Comparer, Verdict};
+//!
+//! let mut arena = Arena::new();
+//! let a = parse_free(&mut arena, "1 + tan(q)^2").unwrap();
+//! let b = parse_free(&mut arena, "sec(q)^2").unwrap();
+//! assert!(matches!(Comparer::default().compare(&mut arena, a, b), Verdict::Equal(_)));
+//! ```
+//!
+//! A [`Comparer`] asks it of all states, or of permitted ones ([`super::permitted`]): on constraints, and in a domain.
+//!
+//! Two engines stand behind it. [`crate::algebra::value::modular`] evaluates exactly at random points of random prime
+//! fields: one value other than zero proves that the sides differ. Where it sees zeros only,
+//! [`crate::algebra::form::normal`] proves equality; what is too large for it is equal with the error bound of the
+//! first. Floating point decides nothing: it only finds a state that shows a difference which is proved already. Where
+//! roots or functions without rules occur, a difference counts only if a real state proves it, by intervals rounded
+//! outwards (module `interval`): √x² is x for some x and not for others.
+
+use super::permitted::{Holds, Permitted, View};
+use super::signs::Signs;
+use super::witness::{Asked, witness};
+use crate::algebra::form::normal::{Normalizer, Zero};
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::elementary::angle_atoms;
+use crate::algebra::text::print::text;
+use crate::algebra::value::modular::{ZeroTest, bounded_zero_test, has_roots, zero_test};
+use crate::algebra::value::points::is_exponential;
+use crate::algebra::{Arena, Expr, Function, Node};
+use std::fmt;
+
+pub use super::witness::Witness;
+
+/// Proof of an equality.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Engine {
+    /// The difference has the normal form 0.
+    NormalForm,
+    /// The difference is 0 at random points of random prime fields; wrong with a probability below 2^−exponent.
+    Modular {
+        /// The exponent of the bound.
+        exponent: f64,
+    },
+}
+
+impl fmt::Display for Engine {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NormalForm => f.write_str("normal form"),
+            Self::Modular { exponent } => {
+                write!(f, "modular, error below 2^-{}", exponent.floor().min(9999.0))
+            }
+        }
+    }
+}
+
+/// The answer to "do these two mean the same?".
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The two terms are equal; with the proof.
+    Equal(Engine),
+    /// The two terms differ; with a state that shows it.
+    Different(Witness),
+    /// The question is not decided; with the reason.
+    Undecided(String),
+}
+
+impl Verdict {
+    /// True if the two terms are equal.
+    #[must_use]
+    pub fn is_equal(&self) -> bool {
+        matches!(self, Self::Equal(_))
+    }
+}
+
+/// Multiplications of terms that the angles of one question may cost.
+const ANGLES: u64 = 100_000;
+
+/// Answer of exact algebra about a difference.
+#[derive(Clone, Copy)]
+enum Answer {
+    Zero(Engine),
+    NonZero,
+    Unknown,
+    /// The two engines contradict each other.
+    Disputed,
+}
+
+/// Compares terms of one arena and remembers their normal forms.
+pub struct Comparer {
+    normalizer: Normalizer,
+    /// Budget left for all normal forms together: many large questions must not add up to hours.
+    budget: u64,
+    permitted: Permitted,
+}
+
+impl Default for Comparer {
+    fn default() -> Self {
+        Self::within(Permitted::default())
+    }
+}
+
+impl Comparer {
+    /// Compares in permitted states only: equal terms are equal in all of them, and different terms differ in at least
+    /// one.
+    #[must_use]
+    pub fn within(permitted: Permitted) -> Self {
+        Self { normalizer: Normalizer::default(), budget: 10 * Normalizer::BUDGET, permitted }
+    }
+
+    /// The permitted states.
+    pub fn permitted(&mut self) -> &mut Permitted {
+        &mut self.permitted
+    }
+
+    /// Compares two terms by meaning: are they equal wherever both have values, in permitted states?
+    pub fn compare(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> Verdict {
+        self.compare_where(arena, left, right).0
+    }
+
+    /// [`Self::compare`], and for an equality where it holds.
+    pub fn compare_where(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Verdict, Holds) {
+        let (everywhere, difference) = self.settle(arena, left, right);
+        if let Answer::Zero(engine) = everywhere {
+            return (Verdict::Equal(engine), Holds::EVERYWHERE);
+        }
+        if self.permitted.is_everything() {
+            let signs = Signs::default();
+            let defined = arena.restrictions().to_vec();
+            let shown_symbols = symbols_in(arena, &[left, right, difference]).into_iter().map(|s| (s, s)).collect();
+            let sides = [left, right, difference];
+            let asked = Asked { sides, defined, positive: &[], signs: &signs, shown: shown_symbols };
+            return (shown(arena, &asked, everywhere), Holds::EVERYWHERE);
+        }
+        let verdict = self.where_permitted(arena, left, right, everywhere);
+        match verdict {
+            Ok((engine, holds)) => (Verdict::Equal(engine), holds),
+            Err(verdict) => (verdict, Holds::EVERYWHERE),
+        }
+    }
+
+    /// Two sides that are not equal everywhere, in permitted states.
+    fn where_permitted(
+        &mut self,
+        arena: &mut Arena,
+        left: Expr,
+        right: Expr,
+        everywhere: Answer,
+    ) -> Result<(Engine, Holds), Verdict> {
+        let Some(views) = self.permitted.views(arena, left, right) else {
+            return Err(Verdict::Undecided("it divides by what the constraints make zero".to_owned()));
+        };
+        let difference = arena.sub(left, right);
+        let (mut answer, mut sides) = (everywhere, [left, right, difference]);
+        for View { holds, sides: (left, right) } in views {
+            let (found, difference) = self.settle(arena, left, right);
+            if let Answer::Zero(engine) = found {
+                return Ok((engine, holds));
+            }
+            (answer, sides) = (found, [left, right, difference]);
+        }
+        if let Some(why) = self.permitted.open() {
+            return Err(Verdict::Undecided(why.to_owned()));
+        }
+        let defined = arena.restrictions().to_vec();
+        let defined = defined.into_iter().map(|e| self.permitted.put(arena, e)).collect();
+        // With what occurs, what it depends on: a state tells by itself that it is permitted.
+        let mentioned = symbols_in(arena, &[left, right]);
+        let values: Vec<Expr> = mentioned.iter().map(|s| self.permitted.put(arena, *s)).collect();
+        let free = if self.permitted.is_told() { symbols_in(arena, &values) } else { Vec::new() };
+        let mut all = [mentioned, free].concat();
+        all.sort_unstable();
+        all.dedup();
+        let shown_symbols = all.into_iter().map(|s| (s, self.permitted.put(arena, s))).collect();
+        let (positive, signs) = (self.permitted.free_conditions(), self.permitted.free_signs());
+        Err(shown(arena, &Asked { sides, defined, positive, signs, shown: shown_symbols }, answer))
+    }
+
+    /// Answer of exact algebra about left − right, and that difference.
+    fn settle(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Answer, Expr) {
+        let difference = arena.sub(left, right);
+        if difference == Expr::ZERO {
+            return (Answer::Zero(Engine::NormalForm), difference);
+        }
+        let difference = self.with_plain_angles(arena, difference);
+        let (zero, exponent) = bounded_zero_test(arena, difference);
+        if zero == ZeroTest::NonZero {
+            return (Answer::NonZero, difference);
+        }
+        let granted = self.budget.min(Normalizer::BUDGET);
+        self.normalizer.allow(granted);
+        let form = self.normalizer.zero(arena, difference);
+        self.budget -= granted - self.normalizer.ring().budget;
+        let answer = match (form, zero) {
+            (Zero::Yes, _) => Answer::Zero(Engine::NormalForm),
+            (Zero::No, ZeroTest::Zero) => Answer::Disputed,
+            (Zero::No, _) => Answer::NonZero,
+            (_, ZeroTest::Zero) => Answer::Zero(Engine::Modular { exponent }),
+            _ => Answer::Unknown,
+        };
+        (answer, difference)
+    }
+
+    /// Compares a term with zero, by meaning.
+    pub fn is_zero(&mut self, arena: &mut Arena, e: Expr) -> Verdict {
+        self.compare(arena, e, Expr::ZERO)
+    }
+
+    /// Angles such as (a + b)² written as sums of products, so that equal angles are equal terms.
+    ///
+    /// This is allowed whatever else has been spent: without it there is no answer, and angles are short.
+    pub(crate) fn with_plain_angles(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        self.normalizer.allow(ANGLES);
+        let mut pairs = Vec::new();
+        for part in arena.reachable(&[e]) {
+            let Node::Apply(f @ (Function::Sin | Function::Cos), argument) = *arena.node(part) else { continue };
+            let is_plain = |atom: &Expr| matches!(arena.node(*atom), Node::Symbol(_) | Node::Number(_) | Node::Pi);
+            if angle_atoms(arena, argument).iter().all(|(atom, _)| is_plain(atom)) {
+                continue;
+            }
+            if let Some(form) = self.normalizer.fraction(arena, argument) {
+                let expanded = self.normalizer.expression(arena, &form);
+                pairs.push((part, arena.apply(f, expanded)));
+            }
+        }
+        if pairs.is_empty() { e } else { Substitution::new(&pairs).apply(arena, e) }
+    }
+}
+
+/// The symbols that terms mention.
+fn symbols_in(arena: &Arena, terms: &[Expr]) -> Vec<Expr> {
+    arena.reachable(terms).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect()
+}
+
+/// Why nothing was decided.
+fn reason(arena: &Arena, difference: Expr) -> String {
+    let parts = arena.reachable(&[difference]);
+    let divisors = parts.iter().flat_map(|p| match arena.node(*p) {
+        Node::Product(factors) => factors.iter().filter(|(_, n)| *n < 0).map(|(base, _)| *base).collect(),
+        _ => Vec::new(),
+    });
+    for divisor in divisors {
+        if zero_test(arena, divisor) == ZeroTest::Zero {
+            return format!("it divides by {}, which is zero everywhere", text(arena, divisor));
+        }
+    }
+    let opaque = parts.iter().find_map(|p| match arena.node(*p) {
+        Node::Apply(Function::Sin | Function::Cos | Function::Sqrt | Function::Abs | Function::Sign, _) => None,
+        Node::Apply(f, _) if !is_exponential(*f) => Some(f.name()),
+        _ => None,
+    });
+    match opaque {
+        Some(name) => format!("`{name}` has no exact rules here"),
+        None if has_roots(arena, &parts) => "its square roots or absolute values cannot be told apart".to_owned(),
+        None => "no point was found where both sides have exact values, or the numbers are too large".to_owned(),
+    }
+}
+
+/// A difference, shown at a state.
+fn shown(arena: &Arena, asked: &Asked<'_>, zero: Answer) -> Verdict {
+    let roots = has_roots(arena, &arena.reachable(&[asked.sides[2]]));
+    if let Answer::Disputed = zero {
+        return Verdict::Undecided("the two engines disagree: a defect of the program, please report it".to_owned());
+    }
+    match (witness(arena, asked), zero) {
+        (Some((witness, true)), _) => Verdict::Different(witness),
+        (Some((witness, false)), Answer::NonZero) if !roots => Verdict::Different(witness),
+        // What exact arithmetic cannot reach, only a real state settles: its interval excludes 0.
+        (_, Answer::Unknown) => Verdict::Undecided(reason(arena, asked.sides[2])),
+        (Some(_), _) => Verdict::Undecided("the sides differ formally, but at no real state that was tried".to_owned()),
+        (None, _) => {
+            Verdict::Undecided("no state was found where both sides have finite values that differ".to_owned())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::text::parse::parse_free;
+
+    fn compare(left: &str, right: &str) -> Verdict {
+        let mut arena = Arena::new();
+        let positive = arena.symbol("M");
+        arena.assume_positive(positive);
+        let left = parse_free(&mut arena, left).unwrap();
+        let right = parse_free(&mut arena, right).unwrap();
+        Comparer::default().compare(&mut arena, left, right)
+    }
+
+    #[test]
+    fn identities_are_proved_by_the_normal_form() {
+        for (left, right) in [
+            ("sin(q)^2", "1 - cos(q)^2"),
+            ("tan(q)*cot(q)", "1"),
+            ("sec(q)^2 - tan(q)^2", "csc(q)^2 - cot(q)^2"),
+            ("sin(3*q)", "3*sin(q) - 4*sin(q)^3"),
+            ("sin(a + b - c)", "sin(a)*cos(b - c) + cos(a)*sin(b - c)"),
+            ("cos(q/3)^3", "(3*cos(q/3) + cos(q))/4"),
+            ("tan(q/2)", "sin(q)/(1 + cos(q))"),
+            ("(a^2 - b^2)/(a - b)", "a + b"),
+            ("1/(a - b) - 1/(a + b)", "2*b/(a^2 - b^2)"),
+            ("1/(1 + tan(q)^2)", "cos(q)^2"),
+            ("sin(q)/(1 - cos(q))", "(1 + cos(q))/sin(q)"),
+            ("sqrt(a)*sqrt(a)", "a"),
+            ("1/(sqrt(a) - 1)", "(sqrt(a) + 1)/(a - 1)"),
+            ("sin((a + b)^2)", "sin(a^2 + 2*a*b + b^2)"),
+            ("sin(q + pi/4)*sqrt(2)", "sin(q) + cos(q)"),
+            ("9223372036854775807*a*9223372036854775807", "a*9223372036854775807^2"),
+        ] {
+            assert_eq!(compare(left, right), Verdict::Equal(Engine::NormalForm), "{left} = {right}");
+        }
+    }
+
+    #[test]
+    fn differences_come_with_a_state() {
+        for (left, right) in [
+            ("sin(q)^2", "1 - cos(q)"),
+            ("tan(q/2)", "sin(q)/(1 - cos(q))"),
+            ("sqrt(x^2)", "x"),
+            ("abs(x)", "x"),
+            ("sin((a + b)^2)", "sin(a^2 + a*b + b^2)"),
+            ("cos(q)", "sqrt(1 - sin(q)^2)"),
+            ("a", "a + b/10^40"),
+            ("sin(q + pi/4)", "sin(q + pi/3)"),
+        ] {
+            let verdict = compare(left, right);
+            let Verdict::Different(witness) = verdict else { panic!("{left} = {right}: {verdict:?}") };
+            assert!(witness.difference != 0.0 && !witness.at.is_empty(), "{left} = {right}: {witness:?}");
+        }
+    }
+
+    /// Sign patterns that random points rarely meet, roots of numbers, multiples of π/12, rounding.
+    #[test]
+    fn roots_deceive_neither_way() {
+        let product = |n: usize| (0..n).map(|i| format!("(abs(x{i}) - x{i})")).collect::<Vec<_>>().join("*");
+        for n in 1..9 {
+            assert!(!compare(&product(n), "0").is_equal(), "{n} factors");
+        }
+        for (left, right) in [
+            ("sqrt(6 + 4*sqrt(2))", "-2 - sqrt(2)"),
+            ("x*sqrt(11 + 6*sqrt(2))", "-x*(3 + sqrt(2))"),
+            ("cos(pi/12)", "-sqrt(2 + sqrt(3))/2"),
+        ] {
+            assert!(matches!(compare(left, right), Verdict::Different(_)), "{left} = {right}");
+        }
+        for (left, right) in [
+            ("sin(pi/12)*cos(pi/12)", "1/4"),
+            ("16*sin(pi/12)^4 + 1", "16*sin(pi/12)^2"),
+            ("sin(q + pi/12)*sin(5*pi/12)", "(cos(q - pi/3) - cos(q + pi/2))/2"),
+            ("sin(5*pi/12)", "cos(pi/12)"),
+        ] {
+            assert!(compare(left, right).is_equal(), "{left} = {right}: {:?}", compare(left, right));
+        }
+        for (left, right) in [
+            ("sqrt(x^4 + 2*x^2 + 1)", "x^2 + 1"),
+            ("sqrt(M^3*a + 2*M^2*a + M*a)", "sqrt(M)*sqrt(a)*(1 + M)"),
+            ("10^20*(sqrt(x^4 + 2*x^2 + 1) - x^2 - 1) + x", "x"),
+        ] {
+            assert!(!matches!(compare(left, right), Verdict::Different(_)), "{left} = {right}");
+        }
+    }
+
+    #[test]
+    fn a_square_of_many_sines_does_not_fill_memory() {
+        let product: Vec<String> = (0..28).map(|i| format!("sin(p{}*q{})", i % 4, i / 4)).collect();
+        let product = product.join("*");
+        let (left, right) =
+            (format!("({product} + 1)^2*(a + b)"), format!("({product} + 1)^2*a + b*({product} + 1)^2"));
+        assert!(compare(&left, &right).is_equal());
+    }
+
+    #[test]
+    fn positive_symbols_are_their_own_roots() {
+        assert!(compare("sqrt(M^2*a)", "M*sqrt(a)").is_equal());
+        assert!(compare("sqrt(M^3)/M", "sqrt(M)").is_equal());
+        assert!(compare("abs(M)", "M").is_equal());
+        // (1 + M)² has a positive root too, which only the real numbers know.
+        assert!(!matches!(compare("sqrt((1 + M)^2)", "1 + M"), Verdict::Different(_)));
+        // Nor does rounding, where 10^17 cancels.
+        let verdict = compare("sqrt((1 + M)^2)", "1 + M + 10^17*cos(q)^2 + 10^17*sin(q)^2 - 10^17");
+        assert!(!matches!(verdict, Verdict::Different(_)), "{verdict:?}");
+    }
+
+    #[test]
+    fn what_is_too_large_to_expand_is_equal_within_a_bound() {
+        let sums: Vec<String> = (0..40).map(|i| format!("(a{i} + b{i}*sin(q)^2)")).collect();
+        let other: Vec<String> = (0..40).map(|i| format!("(a{i} + b{i} - b{i}*cos(q)^2)")).collect();
+        let verdict = compare(&sums.join("*"), &other.join("*"));
+        let Verdict::Equal(Engine::Modular { exponent }) = verdict else { panic!("{verdict:?}") };
+        assert!(exponent > 80.0 && exponent < 250.0, "{exponent}");
+        let wrong = other.join("*").replacen("cos(q)", "cos(2*q)", 1);
+        assert!(matches!(compare(&sums.join("*"), &wrong), Verdict::Different(_)));
+    }
+
+    #[test]
+    fn angles_are_compared_whatever_was_spent_before() {
+        let mut arena = Arena::new();
+        let [left, right] =
+            ["sin((a + b)^2)", "sin(a^2 + 2*a*b + b^2)"].map(|text| parse_free(&mut arena, text).unwrap());
+        let mut spent = Comparer { budget: 0, ..Comparer::default() };
+        assert!(spent.compare(&mut arena, left, right).is_equal());
+    }
+
+    #[test]
+    fn functions_without_rules_leave_it_open_and_say_so() {
+        let Verdict::Undecided(why) = compare("log(a) + log(b)", "log(a*b)") else { panic!("no rules for log") };
+        assert!(why.contains("`log`"), "{why}");
+        assert!(compare("exp(a)*exp(b)", "exp(a + b)").is_equal());
+        assert!(compare("cosh(a)^2 - sinh(a)^2", "1").is_equal());
+        assert!(matches!(compare("exp(a)*exp(b)", "exp(a - b)"), Verdict::Different(_)));
+        let Verdict::Undecided(why) = compare("1/(sin(q)^2 + cos(q)^2 - 1)", "a") else { panic!("it has no value") };
+        assert!(why.contains("zero everywhere"), "{why}");
+        assert!(compare("exp(a + b)*sin(q)^2", "exp(b + a)*(1 - cos(q)^2)").is_equal());
+    }
+
+    /// A term that has cancelled still restricts the domain of the whole expression.
+    #[test]
+    fn no_witness_is_outside_the_domain_of_what_was_written() {
+        let judged = |left: &str, right: &str| {
+            let mut arena = Arena::new();
+            let (a, b) = (parse_free(&mut arena, left).unwrap(), parse_free(&mut arena, right).unwrap());
+            Comparer::default().compare(&mut arena, a, b)
+        };
+        for text in ["log(w) - (log(w) + abs(w) - w)", "sqrt(w)^2 - abs(w)", "0*acos(w - 2) + abs(w) - w"] {
+            assert!(!matches!(judged(text, "0"), Verdict::Different(_)), "{text}: {:?}", judged(text, "0"));
+        }
+        // The same without the logarithm is different, and so is what differs inside its domain.
+        assert!(matches!(judged("abs(w) - w", "0"), Verdict::Different(_)));
+        let Verdict::Different(witness) = judged("log(w) - log(w) + 2*w", "w") else { panic!("2 w is not w") };
+        assert!(witness.at.len() == 1 && witness.at[0].1 > 0.0, "{witness:?}");
+        let Verdict::Different(witness) = judged("log(v) - log(v) + 2*w", "w") else { panic!("2 w is not w") };
+        assert_eq!(witness.at.len(), 1, "{witness:?}");
+    }
+}

@@ -1,0 +1,6 @@
+//! Decisions on the meaning of terms: equality, signs, permitted states.
+
+pub mod compare;
+pub mod permitted;
+pub(crate) mod signs;
+pub(super) mod witness;

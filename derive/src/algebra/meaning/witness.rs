@@ -1,0 +1,123 @@
+//! States at which two sides differ, for people to type in.
+
+use super::signs::{Bounds, Signs};
+use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::field::Generator;
+use crate::algebra::value::interval::{Interval, enclose};
+use crate::algebra::{Arena, Expr};
+use rustc_hash::FxHashMap;
+
+/// A state where two sides have different values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness {
+    /// The symbols that occur, with their values.
+    pub at: Vec<(String, f64)>,
+    /// The left side there.
+    pub left: f64,
+    /// The right side there.
+    pub right: f64,
+    /// Left − right, evaluated as one expression.
+    pub difference: f64,
+}
+
+/// Number of states tried for a witness.
+const STATES: usize = 100;
+/// Number of states tried where conditions exclude many.
+const STATES_WITH_CONDITIONS: usize = 2000;
+
+/// Requirements on a witness.
+#[derive(Clone, Debug)]
+pub struct Asked<'a> {
+    /// Left, right, and their difference.
+    pub sides: [Expr; 3],
+    /// Terms that must have a value.
+    pub defined: Vec<Expr>,
+    /// Terms that must be positive.
+    pub positive: &'a [Expr],
+    /// Known signs of terms.
+    pub signs: &'a Signs,
+    /// Symbols shown in a state, with their values in the symbols that the sides are written in.
+    pub shown: Vec<(Expr, Expr)>,
+}
+
+/// A state where the sides differ, and whether that is proved by an interval of the difference that excludes 0. What
+/// was written has a value there, also what has cancelled.
+pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
+    let symbols_of = |roots: &[Expr]| {
+        let parts = arena.reachable(roots).into_iter();
+        parts.filter(|e| arena.symbol_name(*e).is_some()).collect::<Vec<_>>()
+    };
+    let values_shown: Vec<Expr> = asked.shown.iter().map(|(_, value)| *value).collect();
+    let mut symbols = symbols_of(&[&asked.sides, values_shown.as_slice()].concat());
+    let mut generator = Generator(symbols.len() as u64);
+    // A condition of what does not occur excludes no value of what does.
+    let positive: Vec<Expr> = asked.positive.iter().copied().filter(|e| mentions_any(arena, *e, &symbols)).collect();
+    let others = [asked.defined.as_slice(), &positive].concat();
+    symbols.extend(symbols_of(&others).into_iter().filter(|s| symbols.binary_search(s).is_err()).collect::<Vec<_>>());
+    let outputs = [&asked.sides, positive.as_slice(), values_shown.as_slice(), asked.defined.as_slice()].concat();
+    let tape = Tape::new(arena, &symbols, &outputs).ok()?;
+    let (after, count) = (3 + positive.len(), asked.shown.len());
+    let states = if positive.is_empty() { STATES } else { STATES_WITH_CONDITIONS };
+    // Ranked by whether the difference is proved, then by the share of the sides that it makes.
+    let mut best: Option<((bool, f64), Witness)> = None;
+    for _ in 0..states {
+        let values: Vec<f64> = symbols.iter().map(|s| value_of(arena, asked.signs, *s, &mut generator)).collect();
+        let found = tape.evaluate(&values);
+        let (left, right, difference) = (found[0], found[1], found[2]);
+        if found.iter().any(|x| !x.is_finite()) || difference == 0.0 || found[3..after].iter().any(|x| *x <= 0.0) {
+            continue;
+        }
+        let at: FxHashMap<Expr, f64> = symbols.iter().copied().zip(values).collect();
+        let is_inside = |e: &Expr| enclose(arena, *e, &at).is_some_and(Interval::is_positive);
+        if !positive.iter().all(is_inside) {
+            continue;
+        }
+        let proved = enclose(arena, asked.sides[2], &at).is_some_and(Interval::excludes_zero);
+        let share = difference.abs() / left.abs().max(right.abs()).max(f64::MIN_POSITIVE);
+        if best.as_ref().is_none_or(|(most, _)| (proved, share) > *most) {
+            let names = asked.shown.iter().filter_map(|(s, _)| arena.symbol_name(*s)).map(str::to_owned);
+            let at = names.zip(found[after..after + count].iter().copied()).collect();
+            best = Some(((proved, share), Witness { at, left, right, difference }));
+        }
+        // A difference that anyone can see.
+        if proved && share > 0.05 {
+            break;
+        }
+    }
+    best.map(|((proved, _), witness)| (witness, proved))
+}
+
+/// A value for a symbol: within its bounds where there are some.
+fn value_of(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generator) -> f64 {
+    let plain = handy_number(generator, arena.is_positive(symbol));
+    let Some(Bounds { low, high, .. }) = signs.bounds_of(symbol) else { return plain };
+    let number = |e: &Option<Expr>| {
+        let e = (*e)?;
+        Tape::new(arena, &[], &[e]).ok().map(|tape| tape.evaluate(&[])[0])
+    };
+    let (low, high) = (number(low), number(high));
+    if low.is_none_or(|low| plain > low) && high.is_none_or(|high| plain < high) {
+        return plain;
+    }
+    // Between both bounds, or as far from the one as the number is from 0.
+    match (low, high) {
+        (Some(low), Some(high)) => low + (high - low) * (plain.abs() / LARGEST),
+        (Some(low), None) => low + plain.abs(),
+        (None, Some(high)) => high - plain.abs(),
+        (None, None) => plain,
+    }
+}
+
+/// True if a term mentions one of these symbols, which are sorted.
+fn mentions_any(arena: &Arena, e: Expr, symbols: &[Expr]) -> bool {
+    arena.reachable(&[e]).iter().any(|part| symbols.binary_search(part).is_ok())
+}
+
+/// Above every number that people are asked to type.
+const LARGEST: f64 = 3.2;
+
+/// A number with two decimals, away from 0: people will type it.
+fn handy_number(generator: &mut Generator, positive: bool) -> f64 {
+    let size = (20 + generator.next() % 280) as f64 / 100.0;
+    if positive || generator.next().is_multiple_of(2) { size } else { -size }
+}

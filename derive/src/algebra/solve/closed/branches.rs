@@ -1,0 +1,341 @@
+//! The search for solutions: products split, unknowns solved for, what is found put back.
+
+use super::factors::Factors;
+use super::relation::{Isolated, Kind, Need, Relation};
+use super::work::Work;
+use super::{MOST_BRANCHES, MOST_STEPS, Solutions};
+use crate::algebra::form::ring::Poly;
+use crate::algebra::{Expr, Function, Node, Rational};
+
+/// A system on the way to its solutions.
+#[derive(Clone, Default)]
+pub(super) struct Case {
+    rows: Vec<Expr>,
+    pub(super) relations: Vec<Relation>,
+    pub(super) needs: Vec<Need>,
+    pub(super) divided: Vec<Expr>,
+    /// Factors that are not 0: they were split off, or divided by.
+    excluded: Vec<Expr>,
+}
+
+/// A row of a case, without what is not 0.
+pub(super) struct Row {
+    pub(super) whole: Expr,
+    /// Factors with unknowns; none where the row has no form in factors.
+    factors: Vec<Expr>,
+}
+
+/// A row of the system and the way it is solved for an unknown.
+struct Choice {
+    row: usize,
+    isolated: Isolated,
+    /// Factors of the divisor that contain unknowns.
+    open: Vec<Expr>,
+}
+
+/// Order of preference among ways to solve a row; the least is best. In turn: false if the unknown is among those asked
+/// for; true if the divisor may be 0; degree of the roots; place of the unknown; size of the row.
+type Rank = (bool, bool, u8, usize, usize);
+
+pub struct Search<'w, 'a> {
+    pub(super) work: &'w mut Work<'a>,
+    pub(super) rows: Vec<Expr>,
+    divisors: Vec<Expr>,
+    pub(super) found: Solutions,
+}
+
+impl<'w, 'a> Search<'w, 'a> {
+    pub fn new(work: &'w mut Work<'a>, equations: &[Expr], divisors: &[Expr]) -> Self {
+        let (mut rows, mut below, mut found) = (Vec::new(), divisors.to_vec(), Solutions::default());
+        for equation in equations {
+            match work.fraction(*equation) {
+                None => found.too_large += 1,
+                Some((above, factors)) => {
+                    if !above.is_zero() {
+                        rows.push(work.term(&above));
+                    }
+                    below.extend(factors.iter().map(|(factor, _)| work.term(factor)));
+                }
+            }
+        }
+        let mut search = Self { work, rows, divisors: Vec::new(), found };
+        search.divisors = search.open_factors(&below);
+        search
+    }
+
+    /// All branches.
+    pub fn run(mut self) -> Solutions {
+        self.reduce();
+        self.found.equations = self.rows.clone().into_iter().map(|row| self.shown(row)).collect();
+        self.found.divided_by = self.divisors.clone().into_iter().map(|e| self.work.short(e)).collect();
+        if self.found.too_large > 0 {
+            self.found.is_cut = true;
+            return self.found;
+        }
+        let mut open = vec![Case { rows: self.rows.clone(), excluded: self.divisors.clone(), ..Case::default() }];
+        let mut steps = 0;
+        while let Some(case) = open.pop() {
+            steps += 1;
+            let is_last = steps > MOST_STEPS || self.found.branches.len() >= MOST_BRANCHES;
+            if is_last {
+                self.found.is_cut = true;
+                break;
+            }
+            let next = self.step(case);
+            open.extend(next.into_iter().rev());
+        }
+        self.without_special_cases();
+        self.found
+    }
+
+    /// Rows less multiples of others, where that leaves fewer terms.
+    fn reduce(&mut self) {
+        let mut forms: Vec<Option<Poly>> =
+            self.rows.clone().into_iter().map(|row| self.work.fraction(row).map(|f| f.0)).collect();
+        let pairs: Vec<(usize, usize)> =
+            (0..forms.len()).flat_map(|i| (0..forms.len()).map(move |j| (i, j))).filter(|(i, j)| i != j).collect();
+        for _ in 0..forms.len() {
+            let mut changed = false;
+            for (i, j) in &pairs {
+                let (Some(a), Some(b)) = (&forms[*i], &forms[*j]) else { continue };
+                if let Some(less) = self.less(a, b) {
+                    (forms[*i], changed) = (Some(less), true);
+                }
+            }
+            if !changed {
+                break;
+            }
+        }
+        for (row, form) in self.rows.iter_mut().zip(&forms) {
+            if let Some(form) = form {
+                *row = self.work.term(form);
+            }
+        }
+        self.rows.retain(|row| *row != Expr::ZERO);
+    }
+
+    /// a − k b, where it has fewer terms than a.
+    fn less(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
+        for (powers, k) in &b.terms {
+            let Some((_, c)) = a.terms.iter().find(|(other, _)| other == powers) else { continue };
+            let factor = c.mul(&k.recip()?).neg();
+            let sum = self.work.normalizer.ring().sum([(a, Rational::ONE), (b, factor)].into_iter())?;
+            if sum.terms.len() < a.terms.len() {
+                return Some(sum);
+            }
+        }
+        None
+    }
+
+    /// A row in factors, each in short form.
+    pub(super) fn shown(&mut self, row: Expr) -> Expr {
+        let Some(factors) = self.work.factors(row) else { return row };
+        let mut list = Vec::new();
+        for (e, n) in factors.known.into_iter().chain(factors.unknown) {
+            let is_negative = self.work.arena.as_number(e).is_some_and(Rational::is_negative);
+            let e = if is_negative { self.work.arena.neg(e) } else { e };
+            list.push((self.work.short(e), n));
+        }
+        self.work.arena.try_product(&list).unwrap_or(row)
+    }
+
+    /// The factors of terms that mention unknowns, each once.
+    fn open_factors(&mut self, terms: &[Expr]) -> Vec<Expr> {
+        let mut list = Vec::new();
+        for term in terms {
+            let factors = match self.work.factors(*term) {
+                Some(Factors { unknown, .. }) => unknown.into_iter().map(|(e, _)| e).collect(),
+                None => vec![*term],
+            };
+            list.extend(factors.into_iter().filter(|e| !self.work.unknowns_in(*e).is_empty()));
+        }
+        list.sort_unstable();
+        list.dedup();
+        list
+    }
+
+    /// Cases that follow from one step of a case; empty if it has no solution or was added to the solutions found.
+    fn step(&mut self, mut case: Case) -> Vec<Case> {
+        let Some(rows) = self.rows_of(&mut case) else { return Vec::new() };
+        let choice = self.choice(&case, &rows);
+        let product = self.most_shared(&rows);
+        match (choice, product) {
+            (Some(choice), None) => self.solved(&case, &rows, choice),
+            (Some(choice), _) if choice.open.is_empty() => self.solved(&case, &rows, choice),
+            (_, Some(factor)) => {
+                let holds = |row: &&Row| row.factors.contains(&factor);
+                let mut zero = case.clone();
+                zero.rows = rows.iter().filter(|row| !holds(row)).map(|row| row.whole).chain([factor]).collect();
+                let mut other = case;
+                other.rows = Vec::new();
+                for row in &rows {
+                    let rest: Vec<Expr> = row.factors.iter().copied().filter(|e| *e != factor).collect();
+                    let whole = if row.factors.is_empty() { row.whole } else { self.work.arena.product(&rest) };
+                    other.rows.push(whole);
+                }
+                other.excluded.push(factor);
+                vec![zero, other]
+            }
+            (None, None) => match self.without_root(&rows) {
+                Some(rows) => vec![Case { rows, ..case }],
+                None => {
+                    self.leaf(&case, &rows);
+                    Vec::new()
+                }
+            },
+        }
+    }
+
+    /// The rows of a case in factors, without those that vanish and what is not 0; nothing if one cannot vanish.
+    fn rows_of(&mut self, case: &mut Case) -> Option<Vec<Row>> {
+        let mut excluded = Vec::new();
+        for e in &case.excluded {
+            if self.work.is_zero(*e) {
+                return None;
+            }
+            excluded.push(*e);
+        }
+        case.excluded = self.open_factors(&excluded);
+        let mut rows: Vec<Row> = Vec::new();
+        for whole in case.rows.clone() {
+            let Some(factors) = self.work.factors(whole) else {
+                rows.push(Row { whole, factors: Vec::new() });
+                continue;
+            };
+            if factors.known.is_empty() {
+                continue;
+            }
+            let known: Vec<Expr> = factors.known.iter().map(|(e, _)| *e).collect();
+            let doubtful: Vec<Expr> = known.into_iter().filter(|e| !self.work.sign(*e).is_strict()).collect();
+            if factors.unknown.is_empty() {
+                if doubtful.is_empty() {
+                    return None;
+                }
+                rows.push(Row { whole: self.work.arena.product(&doubtful), factors: Vec::new() });
+                continue;
+            }
+            let left: Vec<Expr> =
+                factors.unknown.iter().map(|(e, _)| *e).filter(|e| !case.excluded.contains(e)).collect();
+            // What has one sign wherever it has a value is no factor that vanishes.
+            let left: Vec<Expr> = left.into_iter().filter(|e| !self.work.sign(*e).is_strict()).collect();
+            if left.is_empty() {
+                return None;
+            }
+            case.divided.extend(doubtful);
+            let whole = self.work.arena.product(&left);
+            if !rows.iter().any(|row| row.whole == whole) {
+                rows.push(Row { whole, factors: left });
+            }
+        }
+        Some(rows)
+    }
+
+    /// The rows with one of them rid of a root; what does not solve it is found when solutions are put back.
+    fn without_root(&mut self, rows: &[Row]) -> Option<Vec<Expr>> {
+        let (at, norm) = rows.iter().enumerate().find_map(|(at, row)| {
+            let [factor] = row.factors.as_slice() else { return None };
+            Some((at, self.work.without_root(*factor)?))
+        })?;
+        Some(rows.iter().enumerate().map(|(k, row)| if k == at { norm } else { row.whole }).collect())
+    }
+
+    /// The factor that most rows have that are products; of those the shortest.
+    fn most_shared(&mut self, rows: &[Row]) -> Option<Expr> {
+        let products = rows.iter().filter(|row| row.factors.len() > 1);
+        let factors: Vec<Expr> = products.flat_map(|row| row.factors.iter().copied()).collect();
+        let count = |e: &Expr| rows.iter().filter(|row| row.factors.contains(e)).count();
+        let size = |e: &Expr| self.work.arena.reachable(&[*e]).len();
+        factors.into_iter().min_by_key(|e| (std::cmp::Reverse(count(e)), size(e), *e))
+    }
+
+    /// The best way to solve one of the rows that are no products.
+    fn choice(&mut self, case: &Case, rows: &[Row]) -> Option<Choice> {
+        let mut best: Option<(Rank, Choice)> = None;
+        for (at, row) in rows.iter().enumerate() {
+            let [factor] = row.factors.as_slice() else { continue };
+            for x in self.work.unknowns_in(*factor) {
+                if case.relations.iter().any(|known| known.unknown == x) {
+                    continue;
+                }
+                let Some(isolated) = self.work.isolated(*factor, x) else { continue };
+                let is_alone = rows.iter().enumerate().all(|(k, r)| k == at || !self.work.arena.mentions(r.whole, x));
+                if !is_alone && isolated.solutions.iter().any(|s| self.leaves_open(&s.relations)) {
+                    continue;
+                }
+                let divisor: Vec<Expr> = isolated.divisor.into_iter().collect();
+                let open: Vec<Expr> =
+                    self.open_factors(&divisor).into_iter().filter(|e| !case.excluded.contains(e)).collect();
+                let open: Vec<Expr> = open.into_iter().filter(|e| !self.work.sign(*e).is_strict()).collect();
+                // In what is left of an unknown that is told already, nothing is told of another.
+                let is_told = |e: Expr| case.relations.iter().any(|r| self.work.arena.mentions(e, r.unknown));
+                if isolated.solutions.iter().flat_map(|s| &s.relations).any(|r| is_told(r.value)) {
+                    continue;
+                }
+                // What is divided by is 0 here.
+                let is_zero = |r: &Row| !r.factors.is_empty() && r.factors.iter().all(|e| open.contains(e));
+                if rows.iter().any(is_zero) {
+                    continue;
+                }
+                let place = self.work.unknowns.iter().position(|known| *known == x).unwrap_or(usize::MAX);
+                let size = self.work.arena.reachable(&[*factor]).len();
+                let rank = (place >= self.work.asked, !open.is_empty(), isolated.degree, place, size);
+                if best.as_ref().is_none_or(|(least, _)| rank < *least) {
+                    best = Some((rank, Choice { row: at, isolated, open }));
+                }
+            }
+        }
+        best.map(|(_, choice)| choice)
+    }
+
+    /// True if relations give a sine or a cosine in terms of sines or cosines of other unknowns. Such a relation, put
+    /// into other rows, does not help to solve them.
+    fn leaves_open(&mut self, relations: &[Relation]) -> bool {
+        let keeps_tangents = self.work.keeps_tangents;
+        let is_circular = |relation: &&Relation| match relation.kind {
+            Kind::Sine | Kind::Cosine => true,
+            Kind::Tangent => !keeps_tangents,
+            Kind::Value | Kind::Square => false,
+        };
+        relations.iter().filter(is_circular).any(|relation| {
+            let parts = self.work.arena.reachable(&[relation.value]);
+            let circular = parts.into_iter().filter(|e| is_function(self.work, *e));
+            circular.collect::<Vec<_>>().into_iter().any(|e| !self.work.unknowns_in(e).is_empty())
+        })
+    }
+
+    /// The cases that solving a row gives: one a solution, and one where what is divided by is 0.
+    fn solved(&mut self, case: &Case, rows: &[Row], choice: Choice) -> Vec<Case> {
+        let mut list = Vec::new();
+        for solution in choice.isolated.solutions {
+            let mut next = case.clone();
+            next.divided.extend(choice.isolated.divisor);
+            next.excluded.extend(&choice.open);
+            next.needs.extend(&solution.needs);
+            let others = rows.iter().enumerate().filter(|(at, _)| *at != choice.row).map(|(_, row)| row.whole);
+            let put = |work: &mut Work, terms: &[Expr]| -> Option<Vec<Expr>> {
+                terms.iter().map(|e| work.put_all(&solution.relations, *e)).collect()
+            };
+            let (rows, excluded) = (put(self.work, &others.collect::<Vec<_>>()), put(self.work, &next.excluded));
+            next.relations.extend(&solution.relations);
+            match (rows, excluded) {
+                (Some(rows), Some(excluded)) => {
+                    (next.rows, next.excluded) = (rows, excluded);
+                    list.push(next);
+                }
+                _ => self.found.is_cut = true,
+            }
+        }
+        if !choice.open.is_empty() {
+            let mut zero = case.clone();
+            zero.rows = rows.iter().map(|row| row.whole).collect();
+            zero.rows.push(self.work.arena.product(&choice.open));
+            list.push(zero);
+        }
+        list
+    }
+}
+
+/// True if a term is a sine or a cosine.
+fn is_function(work: &Work, e: Expr) -> bool {
+    matches!(work.arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
+}

@@ -1,0 +1,136 @@
+//! Ends of a search: what was found is put back into the equations as they were given.
+
+use super::branches::{Case, Row, Search};
+use super::relation::{Branch, Kind, Need, Relation};
+use super::work::Work;
+use crate::algebra::Expr;
+
+impl Search<'_, '_> {
+    /// A case that nothing more is solved of, put back into the equations as they were given.
+    pub(super) fn leaf(&mut self, case: &Case, rows: &[Row]) {
+        if self.work.normalizer.ring().budget == 0 {
+            self.found.is_cut = true;
+            return;
+        }
+        let mut left: Vec<Expr> = rows.iter().map(|row| row.whole).collect();
+        let mut case = case.clone();
+        for row in self.rows.clone() {
+            let Some(value) = self.work.put_all(&case.relations, row) else {
+                self.found.is_cut = true;
+                return;
+            };
+            if self.work.comparer.is_zero(self.work.arena, value).is_equal() || self.follows(value, &left) {
+                continue;
+            }
+            if self.work.sign(value).is_strict() {
+                return;
+            }
+            match self.by_sign(value) {
+                Some(need) => case.needs.push(need),
+                None => left.push(value),
+            }
+        }
+        if let Some(branch) = self.told(&case, &left)
+            && !self.found.branches.contains(&branch)
+        {
+            self.found.branches.push(branch);
+        }
+    }
+
+    /// Sign condition under which a term with √p² vanishes: the root is p or −p, which then must not be negative.
+    /// `None` if the term vanishes with neither.
+    fn by_sign(&mut self, value: Expr) -> Option<Need> {
+        let (p, [plus, minus]) = self.work.split_root(value)?;
+        let mut vanishes = |e: Expr| self.work.comparer.is_zero(self.work.arena, e).is_equal();
+        let (plus, minus) = (vanishes(plus), vanishes(minus));
+        if plus { Some(Need::NotNegative(p)) } else { minus.then(|| Need::NotNegative(self.work.arena.neg(p))) }
+    }
+
+    /// True if the numerator of a term is a multiple of that of one that must vanish.
+    fn follows(&mut self, value: Expr, left: &[Expr]) -> bool {
+        let Some((value, _)) = self.work.fraction(value) else { return false };
+        left.iter().any(|e| {
+            let Some((divisor, _)) = self.work.fraction(*e) else { return false };
+            self.work.normalizer.ring().divide(&value, &divisor).is_some()
+        })
+    }
+
+    /// The branch that a case shows to the reader. Each value is free of the unknowns that were solved for after it,
+    /// and needs that always hold are left out. `None` if a need cannot hold, a divisor is 0, or the budget ends.
+    fn told(&mut self, case: &Case, left: &[Expr]) -> Option<Branch> {
+        let mut branch = Branch::default();
+        for (at, relation) in case.relations.iter().enumerate() {
+            let value = self.work.put_all(&case.relations[at + 1..], relation.value)?;
+            let value = self.work.neat(value);
+            // tan is 0 where sin is.
+            let kind = if (relation.kind, value) == (Kind::Tangent, Expr::ZERO) { Kind::Sine } else { relation.kind };
+            branch.solved.push(Relation { kind, value, ..*relation });
+        }
+        let mut needs = Vec::new();
+        for need in &case.needs {
+            let term = self.work.put_all(&case.relations, need.term())?;
+            let term = if let Need::NotNegative(_) = need { self.work.sign_part(term) } else { term };
+            needs.push(need.of(self.work.neat(term)));
+        }
+        branch.needs = self.work.needed(&needs)?;
+        for divisor in &case.divided {
+            let divisor = self.work.put_all(&case.relations, *divisor)?;
+            let factors = self.work.factors(divisor)?;
+            if factors.known.is_empty() {
+                return None;
+            }
+            for (e, _) in factors.known.into_iter().chain(factors.unknown) {
+                let e = self.work.short(e);
+                if !self.work.sign(e).is_strict() && !branch.divided_by.contains(&e) {
+                    branch.divided_by.push(e);
+                }
+            }
+        }
+        branch.left = left.iter().map(|e| self.shown(*e)).collect();
+        Some(branch)
+    }
+
+    /// Leaves out branches that others hold already.
+    pub(super) fn without_special_cases(&mut self) {
+        let all = std::mem::take(&mut self.found.branches);
+        let mut kept = vec![true; all.len()];
+        for at in 0..all.len() {
+            kept[at] = !(0..all.len()).any(|other| other != at && kept[other] && self.is_within(&all[at], &all[other]));
+        }
+        let kept = all.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(branch, _)| branch);
+        self.found.branches = kept.collect();
+    }
+
+    /// True if one branch is proved to be a special case of another, `wider`: all relations of `wider` hold with the
+    /// solutions of `branch` put in, its needs are met, and its divisors are nowhere 0.
+    fn is_within(&mut self, branch: &Branch, wider: &Branch) -> bool {
+        if wider.solved.len() >= branch.solved.len() {
+            return false;
+        }
+        let residual = |work: &mut Work, relation: &Relation| {
+            let arena = &mut *work.arena;
+            let told = match relation.kind {
+                Kind::Value => relation.unknown,
+                Kind::Square => arena.square(relation.unknown),
+                Kind::Sine => arena.sin(relation.angle),
+                Kind::Cosine => arena.cos(relation.angle),
+                Kind::Tangent => return None,
+            };
+            Some(arena.sub(told, relation.value))
+        };
+        let vanishes = |work: &mut Work, e: Expr| {
+            work.put_all(&branch.solved, e).is_some_and(|e| work.comparer.is_zero(work.arena, e).is_equal())
+        };
+        let told: Vec<Option<Expr>> = wider.solved.iter().map(|relation| residual(self.work, relation)).collect();
+        told.into_iter().all(|e| e.is_some_and(|e| vanishes(self.work, e)))
+            && wider.left.iter().all(|e| branch.left.contains(e) || vanishes(self.work, *e))
+            && wider.needs.iter().all(|need| {
+                let Some(term) = self.work.put_all(&branch.solved, need.term()) else { return false };
+                self.work.needed(&[need.of(term)]).is_some_and(|open| open.iter().all(|n| branch.needs.contains(n)))
+            })
+            && wider.divided_by.iter().all(|e| {
+                let divisor = self.work.put_all(&branch.solved, *e);
+                divisor.is_some_and(|e| self.work.sign(e).is_strict())
+            })
+    }
+}

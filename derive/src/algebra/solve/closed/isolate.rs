@@ -1,0 +1,235 @@
+//! One factor of an equation solved for one unknown.
+
+use super::relation::{Isolated, Kind, Need, Relation, Solution};
+use super::work::{Role, Work};
+use crate::algebra::form::ring::Poly;
+use crate::algebra::meaning::signs::Sign;
+use crate::algebra::{Expr, Function, Rational};
+
+/// y with a y² + b y + d = 0, or b y + d = 0 where a is 0; what is divided by, and what must not be negative.
+struct Roots {
+    values: Vec<Expr>,
+    divisor: Expr,
+    root: Option<Expr>,
+    degree: u8,
+}
+
+impl Work<'_> {
+    /// A factor, a polynomial, solved for an unknown, if it is of a kind that is.
+    pub fn isolated(&mut self, factor: Expr, x: Expr) -> Option<Isolated> {
+        let (p, _) = self.fraction(factor)?;
+        if let Some(found) = self.by_waves(&p, x) {
+            return Some(found);
+        }
+        let generators = self.generators_of(&p, x);
+        let roles: Vec<Role> = generators
+            .iter()
+            .map(|at| self.normalizer.expression_of(*at))
+            .collect::<Vec<_>>()
+            .into_iter()
+            .map(|e| self.role(e, x))
+            .collect();
+        match (roles.as_slice(), generators.as_slice()) {
+            ([Role::Plain], [at]) => self.plain(&p, *at, x),
+            ([Role::Cosine(angle)], [at]) => self.circular(&p, *at, (x, *angle), Kind::Cosine),
+            ([Role::Sine(angle)], [at]) => self.circular(&p, *at, (x, *angle), Kind::Sine),
+            ([Role::Sine(a), Role::Cosine(b)], [sine, cosine]) if a == b => self.both(&p, [*sine, *cosine], (x, *a)),
+            ([Role::Cosine(b), Role::Sine(a)], [cosine, sine]) if a == b => self.both(&p, [*sine, *cosine], (x, *a)),
+            _ => None,
+        }
+    }
+
+    /// The coefficients of a polynomial in a generator, that of power 0 first, and the step between powers: 2 where
+    /// only even powers occur, else 1. `None` if the degree is above 2 steps.
+    fn powers(&mut self, p: &Poly, at: usize) -> Option<(Vec<Expr>, usize)> {
+        let list = Self::coefficients(p, &[at]);
+        let powers: Vec<usize> = list.keys().map(|powers| usize::from(powers.of(at))).collect();
+        let step = if powers.iter().all(|n| n % 2 == 0) { 2 } else { 1 };
+        let most = powers.iter().max()? / step;
+        if most > 2 {
+            return None;
+        }
+        let mut coefficients = vec![Expr::ZERO; 3];
+        for (n, c) in powers.into_iter().zip(list.values()) {
+            coefficients[n / step] = self.term(c);
+        }
+        Some((coefficients, step))
+    }
+
+    /// The roots of a polynomial of degree 2 at most.
+    fn roots(&mut self, coefficients: &[Expr]) -> Option<Roots> {
+        let [d, b, a] = *coefficients else { return None };
+        if a == Expr::ZERO {
+            let minus = self.arena.neg(d);
+            return Some(Roots { values: vec![self.quotient(minus, b)?], divisor: b, root: None, degree: 0 });
+        }
+        let two = self.arena.integer(2);
+        if b == Expr::ZERO {
+            let minus = self.arena.neg(d);
+            let square = self.quotient(minus, a)?;
+            let root = self.root_of(square);
+            let other = self.arena.neg(root);
+            return Some(Roots { values: vec![root, other], divisor: a, root: Some(square), degree: 1 });
+        }
+        // (−b ± √(b² − 4 a d))/(2 a).
+        let squared = self.arena.square(b);
+        let product = self.arena.mul(a, d);
+        let under = self.arena.linear_combination(&[(squared, Rational::ONE), (product, Rational::integer(-4))]);
+        let under = self.short(under);
+        let root = self.root_of(under);
+        let below = self.arena.mul(two, a);
+        let mut values = Vec::new();
+        for sign in [Rational::ONE, Rational::MINUS_ONE] {
+            let above = self.arena.linear_combination(&[(b, Rational::MINUS_ONE), (root, sign)]);
+            let value = self.arena.div(above, below)?;
+            values.push(self.short(value));
+        }
+        Some(Roots { values, divisor: a, root: Some(under), degree: 1 })
+    }
+
+    fn plain(&mut self, p: &Poly, at: usize, x: Expr) -> Option<Isolated> {
+        let (coefficients, step) = self.powers(p, at)?;
+        // Of a x² + d the square is told, not two roots.
+        if step == 2 {
+            let Roots { values, divisor, root, degree } = self.roots(&coefficients)?;
+            let solutions = values.into_iter().filter_map(|value| {
+                let solution = Solution {
+                    relations: vec![Relation { unknown: x, kind: Kind::Square, angle: x, value }],
+                    needs: root.iter().map(|e| Need::NotNegative(*e)).chain([Need::NotNegative(value)]).collect(),
+                };
+                self.possible(solution)
+            });
+            return Some(Isolated { solutions: solutions.collect(), divisor: Some(divisor), degree });
+        }
+        let Roots { values, divisor, root, degree } = self.roots(&coefficients)?;
+        let solutions = values.into_iter().filter_map(|value| {
+            let needs = root.iter().map(|e| Need::NotNegative(*e)).collect();
+            self.possible(Solution { relations: vec![Relation::value(x, value)], needs })
+        });
+        Some(Isolated { solutions: solutions.collect(), divisor: Some(divisor), degree })
+    }
+
+    /// A polynomial in the sine alone, or the cosine alone.
+    fn circular(&mut self, p: &Poly, at: usize, (x, angle): (Expr, Expr), kind: Kind) -> Option<Isolated> {
+        let list = Self::coefficients(p, &[at]);
+        let mut coefficients = vec![Expr::ZERO; 3];
+        for (powers, c) in &list {
+            *coefficients.get_mut(usize::from(powers.of(at)))? = self.term(c);
+        }
+        self.of_function(&coefficients, (x, angle), kind)
+    }
+
+    fn of_function(&mut self, coefficients: &[Expr], (x, angle): (Expr, Expr), kind: Kind) -> Option<Isolated> {
+        let Roots { values, mut divisor, root, degree } = self.roots(coefficients)?;
+        // angle = k x.
+        let factor = self.arena.div(angle, x)?;
+        let mut solutions = Vec::new();
+        for value in values {
+            let needs: Vec<Need> = root.iter().map(|e| Need::NotNegative(*e)).collect();
+            let Some(quarters) = Self::quarter_turns(kind, value) else {
+                let relations = vec![Relation { unknown: x, kind, angle, value }];
+                let needs = needs.into_iter().chain([Need::Unit(value)]).collect();
+                solutions.extend(self.possible(Solution { relations, needs }));
+                continue;
+            };
+            divisor = self.arena.mul(divisor, factor);
+            for quarter in quarters {
+                let pi = self.arena.pi();
+                let turn = self.arena.scale(pi, &Rational::fraction(*quarter, 2)?);
+                let value = self.arena.div(turn, factor)?;
+                solutions.extend(
+                    self.possible(Solution { relations: vec![Relation::value(x, value)], needs: needs.clone() }),
+                );
+            }
+        }
+        Some(Isolated { solutions, divisor: Some(divisor), degree })
+    }
+
+    /// The angles, in quarters of a turn, where a sine or a cosine is −1, 0 or 1.
+    fn quarter_turns(kind: Kind, value: Expr) -> Option<&'static [i64]> {
+        match (kind, value) {
+            (Kind::Sine, Expr::ZERO) => Some(&[0, 2]),
+            (Kind::Sine, Expr::ONE) => Some(&[1]),
+            (Kind::Sine, Expr::MINUS_ONE) => Some(&[-1]),
+            (Kind::Cosine, Expr::ZERO) => Some(&[1, -1]),
+            (Kind::Cosine, Expr::ONE) => Some(&[0]),
+            (Kind::Cosine, Expr::MINUS_ONE) => Some(&[2]),
+            _ => None,
+        }
+    }
+
+    /// b sin + a cos + d = 0, or b sin + A₂ cos² + A₀ = 0.
+    fn both(&mut self, p: &Poly, [sine, cosine]: [usize; 2], of: (Expr, Expr)) -> Option<Isolated> {
+        let [mut a, mut b, mut d, mut square] = [Expr::ZERO; 4];
+        for (powers, c) in Self::coefficients(p, &[sine, cosine]) {
+            let place = match (powers.of(sine), powers.of(cosine)) {
+                (0, 0) => &mut d,
+                (0, 1) => &mut a,
+                (1, 0) => &mut b,
+                (0, 2) => &mut square,
+                _ => return None,
+            };
+            *place = self.term(&c);
+        }
+        if square != Expr::ZERO {
+            // cos² = 1 − sin².
+            let (sum, minus) = (self.arena.add(d, square), self.arena.neg(square));
+            return if a == Expr::ZERO { self.of_function(&[sum, b, minus], of, Kind::Sine) } else { None };
+        }
+        let relation = |kind: Kind, value: Expr| Relation { unknown: of.0, kind, angle: of.1, value };
+        if d == Expr::ZERO {
+            let minus = self.arena.neg(a);
+            let value = self.quotient(minus, b)?;
+            let relations = vec![relation(Kind::Tangent, value)];
+            let solutions = vec![Solution { relations, needs: Vec::new() }];
+            return Some(Isolated { solutions, divisor: Some(b), degree: 0 });
+        }
+        // With r² = a² + b² and R = √(r² − d²): cos = (−a d ∓ b R)/r², sin = (−b d ± a R)/r².
+        let [aa, bb, dd] = [a, b, d].map(|e| self.arena.square(e));
+        let length = self.arena.add(aa, bb);
+        let under = self.arena.sub(length, dd);
+        let under = self.short(under);
+        let root = self.arena.apply(Function::Sqrt, under);
+        let mut solutions = Vec::new();
+        for sign in [Rational::ONE, Rational::MINUS_ONE] {
+            let [ad, bd, ar, br] = [(a, d), (b, d), (a, root), (b, root)].map(|(x, y)| self.arena.mul(x, y));
+            let cos = self.arena.linear_combination(&[(ad, Rational::MINUS_ONE), (br, sign.neg())]);
+            let sin = self.arena.linear_combination(&[(bd, Rational::MINUS_ONE), (ar, sign)]);
+            let (cos, sin) = (self.quotient(cos, length)?, self.quotient(sin, length)?);
+            let relations = vec![relation(Kind::Sine, sin), relation(Kind::Cosine, cos)];
+            solutions.extend(self.possible(Solution { relations, needs: vec![Need::NotNegative(under)] }));
+        }
+        Some(Isolated { solutions, divisor: Some(length), degree: 2 })
+    }
+
+    /// A solution without what is needed anyway; none if what it needs cannot be.
+    fn possible(&mut self, solution: Solution) -> Option<Solution> {
+        let needs = self.needed(&solution.needs)?;
+        Some(Solution { needs, ..solution })
+    }
+
+    /// Those of these needs that do not always hold; `None` if one can never hold.
+    pub fn needed(&mut self, needs: &[Need]) -> Option<Vec<Need>> {
+        let mut list: Vec<Need> = Vec::new();
+        for need in needs {
+            let holds = match *need {
+                Need::NotNegative(e) => match self.sign(e) {
+                    Sign::Positive | Sign::NotNegative => Some(true),
+                    Sign::Negative => Some(false),
+                    _ => None,
+                },
+                Need::Unit(e) => self.arena.as_number(e).map(|value| {
+                    let value = if value.is_negative() { value.neg() } else { value.clone() };
+                    !Rational::ONE.add(&value.neg()).is_negative()
+                }),
+            };
+            match holds {
+                Some(true) => {}
+                Some(false) => return None,
+                None if list.contains(need) => {}
+                None => list.push(*need),
+            }
+        }
+        Some(list)
+    }
+}

@@ -1,0 +1,81 @@
+//! Substitution of relations, which give an unknown, its square or its sine, cosine or tangent, into terms.
+
+use super::relation::{Kind, Relation};
+use super::work::Work;
+use crate::algebra::form::polynomial::Polynomial;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::{Expr, Function, Node, Rational};
+
+impl Work<'_> {
+    /// A term with a relation put in, as far as the relation determines it. The sign of a square root, or of the cosine
+    /// beside a sine, stays open: the unknown or the function remains to the power 1. `None` if something is then
+    /// divided by 0, or beyond the budget.
+    pub fn put(&mut self, relation: &Relation, e: Expr) -> Option<Expr> {
+        if !self.arena.mentions(e, relation.unknown) {
+            return Some(e);
+        }
+        if relation.kind == Kind::Value {
+            let mut put = Substitution::new(&[(relation.unknown, relation.value)]);
+            let value = put.apply(self.arena, e);
+            return put.undefined.is_none().then_some(value);
+        }
+        let (above, below) = self.fraction(e)?;
+        let above = self.normalizer.polynomial(&above);
+        let mut factors = vec![(self.rewritten(relation, &above)?, 1)];
+        for (factor, n) in below {
+            let factor = self.normalizer.polynomial(&factor);
+            let factor = self.rewritten(relation, &factor)?;
+            factors.push((factor, -i32::try_from(n).ok()?));
+        }
+        self.arena.try_product(&factors).ok()
+    }
+
+    /// A polynomial with a relation put into each of its terms.
+    fn rewritten(&mut self, relation: &Relation, p: &Polynomial) -> Option<Expr> {
+        let Relation { kind, angle, value, .. } = *relation;
+        let square = self.arena.square(value);
+        let (sine, cosine) = (self.arena.apply(Function::Sin, angle), self.arena.apply(Function::Cos, angle));
+        // sin² + cos² = 1.
+        let complement = self.arena.sub(Expr::ONE, square);
+        let secant = self.arena.add(Expr::ONE, square);
+        let mut terms: Vec<(Expr, Rational)> = Vec::new();
+        for (monomial, k) in &p.terms {
+            let mut factors: Vec<(Expr, i32)> = Vec::new();
+            let mut cosines = 0;
+            for (atom, n) in monomial {
+                match kind {
+                    Kind::Square if *atom == angle => factors.extend([(value, n / 2), (angle, n % 2)]),
+                    Kind::Cosine if *atom == cosine => factors.push((value, *n)),
+                    Kind::Sine if *atom == sine => factors.push((value, *n)),
+                    Kind::Sine if *atom == cosine => factors.extend([(complement, n / 2), (cosine, n % 2)]),
+                    Kind::Tangent if *atom == sine => {
+                        factors.push((value, *n));
+                        cosines += n;
+                    }
+                    Kind::Tangent if *atom == cosine => cosines += n,
+                    _ => factors.push((self.inside(relation, *atom)?, *n)),
+                }
+            }
+            // 1 + tan² = 1/cos².
+            factors.extend([(secant, -(cosines / 2)), (cosine, cosines % 2)]);
+            terms.push((self.arena.try_product(&factors).ok()?, k.clone()));
+        }
+        Some(self.arena.linear_combination(&terms))
+    }
+
+    /// A function value with a relation put into its argument, such as the root of a square that the relation gives;
+    /// other atoms are returned unchanged.
+    fn inside(&mut self, relation: &Relation, atom: Expr) -> Option<Expr> {
+        let Node::Apply(f, argument) = *self.arena.node(atom) else { return Some(atom) };
+        if !self.arena.mentions(argument, relation.unknown) || matches!(f, Function::Sin | Function::Cos) {
+            return Some(atom);
+        }
+        let argument = self.put(relation, argument)?;
+        Some(self.arena.apply(f, argument))
+    }
+
+    /// A term with several relations put in, one after the other.
+    pub fn put_all(&mut self, relations: &[Relation], e: Expr) -> Option<Expr> {
+        relations.iter().try_fold(e, |e, relation| self.put(relation, e))
+    }
+}

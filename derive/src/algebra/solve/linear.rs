@@ -1,0 +1,256 @@
+//! Linearity: coefficients of given symbols, and exact solution of linear systems.
+
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr, Function, Node};
+
+/// An expression that is not linear in the stated symbols.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct NotLinear {
+    /// The symbol in which it is not linear.
+    pub symbol: Expr,
+    /// The derivative, which should not depend on the symbols and does; or the whole expression.
+    pub coefficient: Expr,
+}
+
+/// Extracts linear coefficients of many expressions in the same symbols.
+pub struct LinearForm {
+    symbols: Vec<Expr>,
+    gradient: Gradient,
+    partials: Vec<Differential>,
+    at_zero: Substitution,
+}
+
+impl LinearForm {
+    /// In these symbols.
+    #[must_use]
+    pub fn new(symbols: &[Expr]) -> Self {
+        let zeros: Vec<_> = symbols.iter().map(|s| (*s, Expr::ZERO)).collect();
+        Self {
+            symbols: symbols.to_vec(),
+            gradient: Gradient::new(symbols),
+            partials: symbols.iter().map(|s| Differential::partial(*s)).collect(),
+            at_zero: Substitution::new(&zeros),
+        }
+    }
+
+    /// e = Σ coefficient_i · symbol_i + rest: the coefficients, then the rest.
+    ///
+    /// # Errors
+    /// [`NotLinear`] if a coefficient depends on one of the symbols by meaning.
+    pub fn coefficients(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
+        let parts = arena.reachable(&[e]);
+        if !self.symbols.iter().any(|s| parts.binary_search(s).is_ok()) {
+            return Ok((vec![Expr::ZERO; self.symbols.len()], e));
+        }
+        if let Some(form) = self.linear_by_form(arena, e, &parts) {
+            return Ok(form);
+        }
+        self.linear_by_meaning(arena, e)
+    }
+
+    /// Coefficients of the symbols, and the rest, of an expression whose derivatives mention none of the symbols. Such
+    /// an expression is linear by form and needs no further proof. `None` if it is not, or if it contains a sign
+    /// function, which jumps and has no derivative.
+    fn linear_by_form(&mut self, arena: &mut Arena, e: Expr, parts: &[Expr]) -> Option<(Vec<Expr>, Expr)> {
+        if parts.iter().any(|part| matches!(arena.node(*part), Node::Apply(Function::Sign, _))) {
+            return None;
+        }
+        let mut coefficients = vec![Expr::ZERO; self.symbols.len()];
+        let slopes = self.gradient.apply(arena, e);
+        for (at, slope) in slopes.iter() {
+            coefficients[*at] = *slope;
+        }
+        let rest = self.at_zero.apply(arena, e);
+        let left = arena.reachable(&[&coefficients[..], &[rest]].concat());
+        let mentioned = self.symbols.iter().any(|s| left.binary_search(s).is_ok());
+        (!mentioned).then_some((coefficients, rest))
+    }
+
+    fn linear_by_meaning(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
+        let mut coefficients = Vec::with_capacity(self.symbols.len());
+        for at in 0..self.symbols.len() {
+            let slope = self.partials[at].apply(arena, e);
+            for other in 0..self.symbols.len() {
+                let second = self.partials[other].apply(arena, slope);
+                if zero_test(arena, second) != ZeroTest::Zero {
+                    return Err(NotLinear { symbol: self.symbols[at], coefficient: slope });
+                }
+            }
+            // |u| has no second derivative and still is not linear: its slope sign(u) is not its slope at 0.
+            let at_zero = self.at_zero.apply(arena, slope);
+            let change = arena.sub(slope, at_zero);
+            if zero_test(arena, change) != ZeroTest::Zero {
+                return Err(NotLinear { symbol: self.symbols[at], coefficient: slope });
+            }
+            coefficients.push(at_zero);
+        }
+        let rest = self.at_zero.apply(arena, e);
+        // The decisive question: does the linear form mean the same? Jumps such as sign(u) have no slope.
+        let mut terms: Vec<Expr> = coefficients.iter().zip(&self.symbols).map(|(c, s)| arena.mul(*c, *s)).collect();
+        terms.push(rest);
+        let form = arena.sum(&terms);
+        let difference = arena.sub(e, form);
+        let left = arena.reachable(&[&coefficients[..], &[rest]].concat());
+        let mentioned = self.symbols.iter().find(|s| left.binary_search(s).is_ok());
+        if mentioned.is_some() || zero_test(arena, difference) != ZeroTest::Zero {
+            let symbol = mentioned.copied().unwrap_or(self.symbols[0]);
+            return Err(NotLinear { symbol, coefficient: e });
+        }
+        Ok((coefficients, rest))
+    }
+}
+
+/// A linear system whose matrix has no full rank.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Singular {
+    /// Number of independent rows.
+    pub rank: usize,
+    /// The first row that depends on the ones before it.
+    pub row: usize,
+}
+
+/// Solves A x = b for several right-hand sides (the columns of `b`), A square, exactly.
+///
+/// Gaussian elimination; a pivot is taken only where it is proved not to be zero by meaning, plain
+/// numbers first, short terms next, so that divisors stay simple. Entries are simplified as they
+/// are formed. The solution and the pivots that it was divided by are returned.
+///
+/// # Errors
+/// [`Singular`] if A is singular identically.
+pub fn solve(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    a: &[Vec<Expr>],
+    b: &[Vec<Expr>],
+) -> Result<(Vec<Vec<Expr>>, Vec<Expr>), Singular> {
+    let n = a.len();
+    let mut rows: Vec<Vec<Expr>> = a.iter().zip(b).map(|(l, r)| [l.as_slice(), r].concat()).collect();
+    let (mut pivots, mut used, mut order) = (Vec::new(), vec![false; n], Vec::new());
+    for _ in 0..n {
+        let Some((row, column)) = best_pivot(arena, &rows, &used, &order, n) else {
+            let row = (0..n).find(|r| !used[*r]).unwrap_or(n);
+            return Err(Singular { rank: order.len(), row });
+        };
+        used[row] = true;
+        order.push((row, column));
+        let pivot = rows[row][column];
+        pivots.push(pivot);
+        for entry in &mut rows[row] {
+            let quotient = arena.div(*entry, pivot).expect("a pivot is not zero");
+            *entry = simplifier.simplify(arena, quotient);
+        }
+        let pivot_row = rows[row].clone();
+        for (other, target) in rows.iter_mut().enumerate() {
+            let factor = target[column];
+            if other == row || factor == Expr::ZERO {
+                continue;
+            }
+            for (entry, &p) in target.iter_mut().zip(&pivot_row) {
+                let product = arena.mul(factor, p);
+                let difference = arena.sub(*entry, product);
+                *entry = simplifier.simplify(arena, difference);
+            }
+        }
+    }
+    let mut x = vec![Vec::new(); n];
+    for (row, column) in order {
+        x[column] = rows[row][n..].to_vec();
+    }
+    Ok((x, pivots))
+}
+
+/// The determinant of a square matrix, simplified; 0 if it is singular identically.
+///
+/// Elimination with simple pivots, as in [`solve`]; what they divide by cancels again.
+pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>]) -> Expr {
+    let n = a.len();
+    let mut rows = a.to_vec();
+    let (mut used, mut order, mut product) = (vec![false; n], Vec::new(), Expr::ONE);
+    for _ in 0..n {
+        let Some((row, column)) = best_pivot(arena, &rows, &used, &order, n) else { return Expr::ZERO };
+        used[row] = true;
+        order.push((row, column));
+        let pivot = rows[row].clone();
+        product = arena.mul(product, pivot[column]);
+        for (at, target) in rows.iter_mut().enumerate().filter(|(at, _)| !used[*at]) {
+            debug_assert_ne!(at, row, "the pivot row is used");
+            let factor = target[column];
+            if factor == Expr::ZERO {
+                continue;
+            }
+            let factor = arena.div(factor, pivot[column]).expect("a pivot is not zero");
+            for (entry, &p) in target.iter_mut().zip(&pivot) {
+                let share = arena.mul(factor, p);
+                let difference = arena.sub(*entry, share);
+                *entry = simplifier.simplify(arena, difference);
+            }
+        }
+    }
+    let product = simplifier.simplify(arena, product);
+    if is_odd(&order) { arena.neg(product) } else { product }
+}
+
+/// True if the (row, column) pairs make an odd permutation.
+fn is_odd(order: &[(usize, usize)]) -> bool {
+    let inversions = |list: Vec<usize>| {
+        (0..list.len()).map(|i| list[i + 1..].iter().filter(|later| **later < list[i]).count()).sum::<usize>()
+    };
+    let rows = inversions(order.iter().map(|(r, _)| *r).collect());
+    let columns = inversions(order.iter().map(|(_, c)| *c).collect());
+    (rows + columns) % 2 == 1
+}
+
+/// The (row, column) of the simplest entry that is proved not to be zero.
+fn best_pivot(
+    arena: &Arena,
+    rows: &[Vec<Expr>],
+    used: &[bool],
+    order: &[(usize, usize)],
+    n: usize,
+) -> Option<(usize, usize)> {
+    let mut best: Option<(usize, usize, usize)> = None;
+    for (r, row) in rows.iter().enumerate().filter(|(r, _)| !used[*r]) {
+        for (c, &entry) in row[..n].iter().enumerate() {
+            if order.iter().any(|(_, column)| *column == c) || entry == Expr::ZERO {
+                continue;
+            }
+            let cost = if arena.as_number(entry).is_some() { 0 } else { arena.reachable(&[entry]).len() };
+            if best.is_none_or(|(least, _, _)| cost < least) && zero_test(arena, entry) != ZeroTest::Zero {
+                best = Some((cost, r, c));
+            }
+        }
+    }
+    best.map(|(_, r, c)| (r, c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::text::parse::parse_free;
+
+    fn form(text: &str) -> Result<(Vec<Expr>, Expr), NotLinear> {
+        let mut arena = Arena::new();
+        let symbols = ["u", "v"].map(|name| arena.symbol(name));
+        let e = parse_free(&mut arena, text).unwrap();
+        LinearForm::new(&symbols).coefficients(&mut arena, e)
+    }
+
+    #[test]
+    fn what_is_linear_by_form_or_by_meaning_has_coefficients() {
+        for text in
+            ["m*u*sin(q) + (u - v)*g + 1", "u*(cos(u)^2 + sin(u)^2)", "(u + v)^2 - u^2 - 2*u*v - v^2 + u", "sign(q)*u"]
+        {
+            assert!(form(text).is_ok(), "{text}");
+        }
+    }
+
+    /// A jump has no slope, and what has the slope 1 everywhere else is not linear for that.
+    #[test]
+    fn what_bends_or_jumps_has_none() {
+        for text in ["u*v", "sin(u)", "u + sign(u)", "abs(u)", "m*u/(1 + v^2)"] {
+            assert!(form(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! Equations solved: linear systems, least squares, relations, closed forms, antiderivatives.
+
+pub mod blocks;
+pub mod closed;
+pub mod elimination;
+pub mod least;
+pub mod linear;
+pub mod primitive;
+pub mod relations;

@@ -1,0 +1,48 @@
+//! Transposed products with a Jacobian: Σ weight · ∂e/∂x for many x at the cost of one e.
+//!
+//! Named terms are processed from the last to the first, as in the reverse mode of automatic differentiation:
+//! A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd edition (2008), §3.2. Each passes its own weight, the sum of
+//! the contributions of all terms that mention it, on to the terms that it mentions. The work grows with the number of
+//! names, not with that number times the number of variables.
+
+use super::calculus::Gradient;
+use crate::algebra::{Arena, Expr};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Σ weight · ∂e/∂x over the (e, weight), one entry for each variable x. The weight of a named term is called after it,
+/// with `letter` before its name.
+pub fn transposed_product(arena: &mut Arena, pairs: &[(Expr, Expr)], variables: &[Expr], letter: &str) -> Vec<Expr> {
+    let roots: Vec<Expr> = pairs.iter().map(|(e, _)| *e).collect();
+    let mut varying: FxHashSet<Expr> = variables.iter().copied().collect();
+    let mut named: Vec<Expr> = Vec::new();
+    for e in arena.reachable(&roots) {
+        if arena.operands(e).any(|operand| varying.contains(&operand)) {
+            varying.insert(e);
+            if arena.behind(e).is_some() {
+                named.push(e);
+            }
+        }
+    }
+    let ends: Vec<Expr> = named.iter().chain(variables).copied().collect();
+    let mut gradient = Gradient::new(&ends);
+    let mut weights: FxHashMap<Expr, Vec<Expr>> = FxHashMap::default();
+    let mut spread = |arena: &mut Arena, weights: &mut FxHashMap<Expr, Vec<Expr>>, e: Expr, weight: Expr| {
+        for (at, slope) in gradient.apply(arena, e).iter() {
+            let share = arena.mul(*slope, weight);
+            weights.entry(ends[*at]).or_default().push(share);
+        }
+    };
+    for (e, weight) in pairs {
+        spread(arena, &mut weights, *e, *weight);
+    }
+    for e in named.iter().rev() {
+        let Some(shares) = weights.remove(e) else { continue };
+        let sum = arena.sum(&shares);
+        let wanted = format!("{letter}_{}", arena.name_of(*e).unwrap_or_default());
+        let weight = arena.name(sum, &wanted);
+        if let Some(term) = arena.behind(*e).filter(|_| weight != Expr::ZERO) {
+            spread(arena, &mut weights, term, weight);
+        }
+    }
+    variables.iter().map(|x| weights.remove(x).map_or(Expr::ZERO, |shares| arena.sum(&shares))).collect()
+}

@@ -1,0 +1,219 @@
+//! Sums, products and powers in canonical form: like terms collected, powers of one base merged.
+
+use crate::algebra::{Arena, Expr, Function, Node, PowerError, Rational};
+
+impl Arena {
+    /// Adds `scale · e` to a sum under construction.
+    fn accumulate(&self, e: Expr, scale: &Rational, constant: &mut Rational, terms: &mut Vec<(Expr, Rational)>) {
+        match self.node(e) {
+            Node::Number(value) => *constant = constant.add(&value.mul(scale)),
+            Node::Sum(c, inner) => {
+                *constant = constant.add(&c.mul(scale));
+                terms.extend(inner.iter().map(|(term, k)| (*term, k.mul(scale))));
+            }
+            _ => terms.push((e, scale.clone())),
+        }
+    }
+
+    fn finish_sum(&mut self, constant: Rational, mut terms: Vec<(Expr, Rational)>) -> Expr {
+        terms.sort_by_key(|(term, _)| *term);
+        let mut merged: Vec<(Expr, Rational)> = Vec::with_capacity(terms.len());
+        for (term, k) in terms {
+            match merged.last_mut() {
+                Some((last, sum)) if *last == term => *sum = sum.add(&k),
+                _ => merged.push((term, k)),
+            }
+        }
+        merged.retain(|(_, k)| !k.is_zero());
+        match merged.as_slice() {
+            [] => self.number(constant),
+            [(term, k)] if constant.is_zero() && k.is_one() => *term,
+            _ => self.intern(Node::Sum(constant, merged.into())),
+        }
+    }
+
+    /// Sum of many terms, in time linear (but for sorting) in their number.
+    pub fn sum(&mut self, terms: &[Expr]) -> Expr {
+        let (mut constant, mut collected) = (Rational::ZERO, Vec::with_capacity(terms.len()));
+        for &e in terms {
+            self.accumulate(e, &Rational::ONE, &mut constant, &mut collected);
+        }
+        self.finish_sum(constant, collected)
+    }
+
+    /// The linear combination Σ k · e.
+    pub fn linear_combination(&mut self, terms: &[(Expr, Rational)]) -> Expr {
+        let (mut constant, mut collected) = (Rational::ZERO, Vec::with_capacity(terms.len()));
+        for (e, k) in terms {
+            self.accumulate(*e, k, &mut constant, &mut collected);
+        }
+        self.finish_sum(constant, collected)
+    }
+
+    /// The sum a + b.
+    pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
+        match (a, b) {
+            (Expr::ZERO, x) | (x, Expr::ZERO) => x,
+            _ => self.sum(&[a, b]),
+        }
+    }
+
+    /// The difference a − b.
+    pub fn sub(&mut self, a: Expr, b: Expr) -> Expr {
+        if a == b {
+            return Expr::ZERO;
+        }
+        self.linear_combination(&[(a, Rational::ONE), (b, Rational::MINUS_ONE)])
+    }
+
+    /// The negative −a.
+    pub fn neg(&mut self, a: Expr) -> Expr {
+        self.scale(a, &Rational::MINUS_ONE)
+    }
+
+    /// k · a for a number k.
+    pub fn scale(&mut self, a: Expr, k: &Rational) -> Expr {
+        if k.is_one() {
+            return a;
+        }
+        self.linear_combination(&[(a, k.clone())])
+    }
+
+    /// Splits a sum into its rational content, with the sign of its first term, and a primitive sum.
+    /// Other terms have content 1.
+    pub fn split_content(&mut self, e: Expr) -> (Rational, Expr) {
+        let content = match self.node(e) {
+            Node::Number(value) => return (value.clone(), Expr::ONE),
+            // Most sums have integer coefficients, and 1 among them.
+            Node::Sum(constant, terms)
+                if terms[0].1.is_one() && constant.is_integer() && terms.iter().all(|(_, k)| k.is_integer()) =>
+            {
+                return (Rational::ONE, e);
+            }
+            Node::Sum(constant, terms) => {
+                let all = terms.iter().fold(constant.clone(), |g, (_, k)| g.common_content(k));
+                let all = if all.is_negative() { all.neg() } else { all };
+                if terms[0].1.is_negative() { all.neg() } else { all }
+            }
+            _ => return (Rational::ONE, e),
+        };
+        let inverse = content.recip().expect("the content of a non-zero sum is not zero");
+        (content, self.scale(e, &inverse))
+    }
+
+    /// Adds `e^n` to a product under construction.
+    fn accumulate_power(
+        &mut self,
+        e: Expr,
+        n: i32,
+        coefficient: &mut Rational,
+        factors: &mut Vec<(Expr, i64)>,
+    ) -> Result<(), PowerError> {
+        let (content, primitive) = self.split_content(e);
+        if content.is_zero() && n < 0 {
+            return Err(PowerError::DivisionByZero);
+        }
+        *coefficient = coefficient.mul(&content.pow(n).ok_or(PowerError::TooLarge)?);
+        match self.node(primitive) {
+            Node::Number(_) => {}
+            Node::Product(inner) => {
+                factors.extend(inner.iter().map(|(base, k)| (*base, i64::from(*k) * i64::from(n))));
+            }
+            _ => factors.push((primitive, i64::from(n))),
+        }
+        Ok(())
+    }
+
+    fn finish_product(&mut self, coefficient: &Rational, mut factors: Vec<(Expr, i64)>) -> Result<Expr, PowerError> {
+        if coefficient.is_zero() {
+            return Ok(Expr::ZERO);
+        }
+        factors.sort_by_key(|(base, _)| *base);
+        let mut merged: Vec<(Expr, i64)> = Vec::with_capacity(factors.len());
+        for (base, n) in factors {
+            match merged.last_mut() {
+                Some((last, sum)) if *last == base => *sum += n,
+                _ => merged.push((base, n)),
+            }
+        }
+        // root: sqrt(x)^2 = x.  Sound where x >= 0, which sqrt asks for anyway.
+        let root = merged
+            .iter()
+            .position(|&(base, n)| matches!(self.node(base), Node::Apply(Function::Sqrt, _)) && !(0..=1).contains(&n));
+        if let Some(at) = root {
+            let (base, n) = merged.remove(at);
+            let Node::Apply(_, argument) = *self.node(base) else { unreachable!("found as a square root") };
+            let half = i32::try_from(n.div_euclid(2)).map_err(|_| PowerError::TooLarge)?;
+            let mut scale = coefficient.clone();
+            self.accumulate_power(argument, half, &mut scale, &mut merged)?;
+            if n.rem_euclid(2) == 1 {
+                merged.push((base, 1));
+            }
+            return self.finish_product(&scale, merged);
+        }
+        let mut result = Vec::with_capacity(merged.len());
+        for (base, n) in merged.into_iter().filter(|(_, n)| *n != 0) {
+            let n = i32::try_from(n).ok().filter(|n| n.abs() <= Self::MAX_EXPONENT).ok_or(PowerError::TooLarge)?;
+            result.push((base, n));
+        }
+        let monomial = match result.as_slice() {
+            [] => return Ok(self.number(coefficient.clone())),
+            [(base, 1)] => *base,
+            _ => self.intern(Node::Product(result.into())),
+        };
+        Ok(self.scale(monomial, coefficient))
+    }
+
+    /// Π base^exponent.
+    ///
+    /// # Errors
+    /// [`PowerError`] for a negative power of the literal 0 or for sizes beyond the limits.
+    pub fn try_product(&mut self, factors: &[(Expr, i32)]) -> Result<Expr, PowerError> {
+        let (mut coefficient, mut collected) = (Rational::ONE, Vec::with_capacity(factors.len()));
+        for &(e, n) in factors {
+            if n != 0 {
+                self.accumulate_power(e, n, &mut coefficient, &mut collected)?;
+            }
+        }
+        self.finish_product(&coefficient, collected)
+    }
+
+    /// The product a · b.
+    ///
+    /// # Panics
+    /// If an exponent passes [`Self::MAX_EXPONENT`]: the parser keeps input far below it.
+    pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
+        match (a, b) {
+            (Expr::ZERO, _) | (_, Expr::ZERO) => Expr::ZERO,
+            (Expr::ONE, x) | (x, Expr::ONE) => x,
+            _ => self.try_product(&[(a, 1), (b, 1)]).expect("exponents far below the limit"),
+        }
+    }
+
+    /// Product of many factors.
+    ///
+    /// # Panics
+    /// As [`Self::mul`].
+    pub fn product(&mut self, factors: &[Expr]) -> Expr {
+        let powers: Vec<(Expr, i32)> = factors.iter().map(|e| (*e, 1)).collect();
+        self.try_product(&powers).expect("exponents far below the limit")
+    }
+
+    /// a / b, or `None` if b is the literal 0. Whether b is zero *by meaning* is the caller's question.
+    pub fn div(&mut self, a: Expr, b: Expr) -> Option<Expr> {
+        self.try_product(&[(a, 1), (b, -1)]).ok()
+    }
+
+    /// e to the power n.
+    ///
+    /// # Errors
+    /// [`PowerError`] as for [`Self::try_product`].
+    pub fn pow(&mut self, e: Expr, n: i32) -> Result<Expr, PowerError> {
+        self.try_product(&[(e, n)])
+    }
+
+    /// The square e².
+    pub fn square(&mut self, e: Expr) -> Expr {
+        self.mul(e, e)
+    }
+}

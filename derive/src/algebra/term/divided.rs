@@ -1,0 +1,230 @@
+//! Divided differences: (e(b) − e(a))/(b − a) as a term in which that subtraction does not occur.
+//!
+//! Each function has a rule by which its divided difference follows from those of its operands, so one loop over the
+//! shared graph gives that of any term, as for a derivative. At b = a each rule becomes the rule of the derivative, so
+//! that the term is valid there too.
+//!
+//! Absent on purpose: a function sinc z = sin z/z in the store. The rules of sine and cosine need it, and nothing else
+//! does; as a function it would have to be known to every pass over terms, to both zero tests (to which sin z/z is an
+//! ordinary quotient, and sinc z an atom without rules) and to the recurrences of Taylor coefficients. So its values
+//! are inputs of the term, given by name beside it: who evaluates the term knows how to take sin z/z at z = 0.
+
+use super::calculus::{Differential, Substitution};
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use rustc_hash::FxHashMap;
+
+/// A divided difference, and what it needs.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Divided {
+    /// The term; it mentions the symbols below.
+    pub value: Expr,
+    /// (symbol, z): the symbol stands for sinc z = sin z/z, 1 at z = 0. Each z is k (b − a)/2, in radians, once up to
+    /// its sign.
+    pub sincs: Vec<(Expr, Expr)>,
+}
+
+/// e\[a, b\] = (e(b) − e(a))/(b − a) of `e` as a function of the symbol `x`, valid also at a = b, where it is de/dx.
+///
+/// Nothing is subtracted but what the derivative itself subtracts. The unit is that of de/dx. By name of rule:
+/// constant 0; x ↦ 1; sum: term by term; product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\]; inverse:
+/// −f\[a, b\]/(f(a) f(b)); power: by halves, f²ⁿ\[a, b\] = fⁿ\[a, b\] (fⁿ(a) + fⁿ(b)); root: f\[a, b\]/(√f(a) + √f(b)),
+/// and odd powers of √f by these; sine: sin(k x + c)\[a, b\] = k sinc(k (b − a)/2) cos(k (a + b)/2 + c), cosine
+/// likewise with −sin.
+///
+/// `None` where x stands in an argument of sine or cosine that is not linear in x by form, or in another function (exp,
+/// asin,
+/// |x| …); or where a divisor becomes the literal 0 at a or b.
+///
+/// L. M. Milne-Thomson, *The Calculus of Finite Differences* (1933), ch. I; the rules are those of Leibniz and
+/// Steffensen.
+///
+/// ```
+/// use tripos_derive::algebra::{Arena, divided::divided_difference, parse::parse_free, print::text};
+///
+/// let arena = &mut Arena::new();
+/// let [x, a, b] = ["x", "a", "b"].map(|name| arena.symbol(name));
+/// let e = parse_free(arena, "x^2 + 3*x").unwrap();
+/// let divided = divided_difference(arena, e, x, a, b).unwrap();
+/// assert_eq!(text(arena, divided.value), "3 + a + b");
+/// ```
+pub fn divided_difference(arena: &mut Arena, e: Expr, x: Expr, a: Expr, b: Expr) -> Option<Divided> {
+    let mut rules = Rules {
+        x,
+        ends: [a, b],
+        at: [Substitution::new(&[(x, a)]), Substitution::new(&[(x, b)])],
+        slope: Differential::partial(x),
+        map: FxHashMap::from_iter([(x, Expr::ONE)]),
+        sincs: Vec::new(),
+    };
+    for part in arena.reachable(&[e]) {
+        if part != x {
+            let difference = rules.one(arena, part)?;
+            rules.map.insert(part, difference);
+        }
+    }
+    let defined = rules.at.iter().all(|at| at.undefined.is_none());
+    defined.then(|| Divided { value: rules.map[&e], sincs: rules.sincs })
+}
+
+/// Divided differences of the operands so far, and their values at both ends, while a term is taken apart.
+struct Rules {
+    x: Expr,
+    ends: [Expr; 2],
+    /// Values at a and at b.
+    at: [Substitution; 2],
+    slope: Differential,
+    map: FxHashMap<Expr, Expr>,
+    sincs: Vec<(Expr, Expr)>,
+}
+
+/// A function at both ends, and its divided difference.
+#[derive(Clone, Copy)]
+struct Pair {
+    at_a: Expr,
+    at_b: Expr,
+    difference: Expr,
+}
+
+impl Rules {
+    fn one(&mut self, arena: &mut Arena, e: Expr) -> Option<Expr> {
+        if arena.operands(e).all(|operand| self.map[&operand] == Expr::ZERO) {
+            return Some(Expr::ZERO);
+        }
+        match arena.node(e).clone() {
+            Node::Number(_) | Node::Symbol(_) | Node::Pi => Some(Expr::ZERO),
+            Node::Named(_, term) => Some(self.map[&term]),
+            Node::Sum(_, terms) => {
+                let terms: Vec<_> = terms.iter().map(|(term, k)| (self.map[term], k.clone())).collect();
+                Some(arena.linear_combination(&terms))
+            }
+            Node::Product(factors) => self.product(arena, &factors),
+            Node::Apply(Function::Sqrt, argument) => {
+                let Pair { at_a, at_b, difference } = self.pair(arena, argument);
+                let roots = [at_a, at_b].map(|value| arena.apply(Function::Sqrt, value));
+                let sum = arena.add(roots[0], roots[1]);
+                arena.div(difference, sum)
+            }
+            Node::Apply(f @ (Function::Sin | Function::Cos), argument) => self.circular(arena, f, argument),
+            Node::Apply(..) => None,
+        }
+    }
+
+    fn pair(&mut self, arena: &mut Arena, e: Expr) -> Pair {
+        let [at_a, at_b] = self.at.each_mut().map(|at| at.apply(arena, e));
+        Pair { at_a, at_b, difference: self.map[&e] }
+    }
+
+    /// Π fᵢ: Σᵢ (Π_{j<i} fⱼ(a)) fᵢ\[a, b\] (Π_{j>i} fⱼ(b)).
+    fn product(&mut self, arena: &mut Arena, factors: &[(Expr, i32)]) -> Option<Expr> {
+        let (content, powers) = roots_joined(arena, factors);
+        let mut whole = Pair { at_a: Expr::ONE, at_b: Expr::ONE, difference: Expr::ZERO };
+        for (base, n) in powers {
+            let base = self.pair(arena, base);
+            let factor = power(arena, base, n)?;
+            whole = times(arena, whole, factor)?;
+        }
+        Some(arena.scale(whole.difference, &content))
+    }
+
+    /// k sinc(k (b − a)/2) cos(k (a + b)/2 + c), or −sin for the cosine.
+    fn circular(&mut self, arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
+        let k = self.slope.apply(arena, argument);
+        if arena.mentions(k, self.x) {
+            return None;
+        }
+        let Pair { at_a, at_b, .. } = self.pair(arena, argument);
+        let half = Rational::fraction(1, 2)?;
+        let middle = arena.linear_combination(&[(at_a, half.clone()), (at_b, half.clone())]);
+        let outer = if f == Function::Sin {
+            arena.cos(middle)
+        } else {
+            let sine = arena.sin(middle);
+            arena.neg(sine)
+        };
+        let width = arena.sub(self.ends[1], self.ends[0]);
+        let z = arena.mul(k, width);
+        let z = arena.scale(z, &half);
+        let sinc = self.sinc(arena, z);
+        Some(arena.product(&[k, sinc, outer]))
+    }
+
+    /// The symbol for sinc z, which is even.
+    fn sinc(&mut self, arena: &mut Arena, z: Expr) -> Expr {
+        let opposite = arena.neg(z);
+        if z == opposite {
+            return Expr::ONE;
+        }
+        if let Some((symbol, _)) = self.sincs.iter().find(|(_, known)| *known == z || *known == opposite) {
+            return *symbol;
+        }
+        // One of so many names is free.
+        let names = 1..=arena.symbol_names().len() + 1;
+        let free = names.map(|i| format!("sinc{i}")).find(|name| arena.find_symbol(name).is_none());
+        let symbol = arena.symbol(&free.unwrap_or_default());
+        self.sincs.push((symbol, z));
+        symbol
+    }
+}
+
+/// (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\].
+fn times(arena: &mut Arena, f: Pair, g: Pair) -> Option<Pair> {
+    let mut product = |factors: &[(Expr, i32)]| arena.try_product(factors).ok();
+    let first = product(&[(f.difference, 1), (g.at_b, 1)])?;
+    let second = product(&[(f.at_a, 1), (g.difference, 1)])?;
+    let (at_a, at_b) = (product(&[(f.at_a, 1), (g.at_a, 1)])?, product(&[(f.at_b, 1), (g.at_b, 1)])?);
+    Some(Pair { at_a, at_b, difference: arena.add(first, second) })
+}
+
+/// fⁿ for n ≠ 0: by the binary digits of |n|, so that nothing cancels where f changes its sign between a and b, and
+/// that the term grows with the number of digits only.
+fn power(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
+    let size = n.unsigned_abs();
+    let mut result = f;
+    for digit in (0..size.checked_ilog2()?).rev() {
+        let sum = arena.add(result.at_a, result.at_b);
+        result = Pair {
+            at_a: arena.pow(result.at_a, 2).ok()?,
+            at_b: arena.pow(result.at_b, 2).ok()?,
+            difference: arena.try_product(&[(result.difference, 1), (sum, 1)]).ok()?,
+        };
+        if size >> digit & 1 == 1 {
+            result = times(arena, result, f)?;
+        }
+    }
+    if n > 0 {
+        return Some(result);
+    }
+    let quotient = arena.try_product(&[(result.difference, 1), (result.at_a, -1), (result.at_b, -1)]).ok()?;
+    Some(Pair {
+        at_a: arena.pow(result.at_a, -1).ok()?,
+        at_b: arena.pow(result.at_b, -1).ok()?,
+        difference: arena.neg(quotient),
+    })
+}
+
+/// The factors with √g gⁿ as (√g)²ⁿ⁺¹, and a number that is left over. As a product of √g and 1/g its divided
+/// difference would subtract what is nearly equal where g(b) is far above g(a).
+fn roots_joined(arena: &mut Arena, factors: &[(Expr, i32)]) -> (Rational, Vec<(Expr, i32)>) {
+    let mut powers = factors.to_vec();
+    let mut content = Rational::ONE;
+    for at in 0..powers.len() {
+        let Node::Apply(Function::Sqrt, argument) = *arena.node(powers[at].0) else { continue };
+        let (scale, primitive) = arena.split_content(argument);
+        let inner = match arena.node(primitive) {
+            Node::Product(inner) => inner.to_vec(),
+            _ => vec![(primitive, 1)],
+        };
+        let exponent = |base: Expr| powers.iter().find(|(other, _)| *other == base).map_or(0, |(_, n)| *n);
+        let n = exponent(inner[0].0) / inner[0].1;
+        let whole = n != 0 && inner.iter().all(|(base, k)| exponent(*base) == n * k);
+        if let Some(rest) = scale.pow(-n).filter(|_| whole && powers[at].1 == 1) {
+            content = content.mul(&rest);
+            powers[at].1 = 2 * n + 1;
+            for (_, n) in powers.iter_mut().filter(|(base, _)| inner.iter().any(|(other, _)| other == base)) {
+                *n = 0;
+            }
+        }
+    }
+    powers.retain(|(_, n)| *n != 0);
+    (content, powers)
+}

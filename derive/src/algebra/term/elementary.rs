@@ -1,0 +1,292 @@
+//! Exact values and symmetries of the elementary functions.
+//!
+//! Every rule here keeps the meaning everywhere the function is defined; what holds only somewhere
+//! is left alone.
+
+use super::calculus::Substitution;
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use num_rational::BigRational;
+
+impl Arena {
+    /// f(argument), with values at 0 and multiples of π/2 and the symmetries of even and odd
+    /// functions resolved.
+    pub fn apply(&mut self, f: Function, argument: Expr) -> Expr {
+        canonical(self, f, argument)
+    }
+
+    /// The plain node f(argument), nothing resolved.
+    fn intern_apply(&mut self, f: Function, argument: Expr) -> Expr {
+        self.intern(Node::Apply(f, argument))
+    }
+
+    /// The sine of e, an angle in radians.
+    pub fn sin(&mut self, e: Expr) -> Expr {
+        self.apply(Function::Sin, e)
+    }
+
+    /// The cosine of e, an angle in radians.
+    pub fn cos(&mut self, e: Expr) -> Expr {
+        self.apply(Function::Cos, e)
+    }
+}
+
+/// f(argument) in canonical form.
+fn canonical(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
+    match f {
+        Function::Sin | Function::Cos => circular(arena, f, argument),
+        Function::Sqrt => square_root(arena, argument),
+        // odd: f(−x) = −f(x), even: f(−x) = f(x); both fix the value at 0.
+        Function::Asin | Function::Atan | Function::Sinh | Function::Tanh | Function::Sign => {
+            if argument == Expr::ZERO {
+                return Expr::ZERO;
+            }
+            if f == Function::Sign
+                && let Some(value) = arena.as_number(argument)
+            {
+                return if value.is_negative() { Expr::MINUS_ONE } else { Expr::ONE };
+            }
+            let (positive, flipped) = with_positive_sign(arena, argument);
+            let value = arena.intern_apply(f, positive);
+            if flipped { arena.neg(value) } else { value }
+        }
+        Function::Cosh | Function::Abs => {
+            if let (Function::Abs, Some(value)) = (f, arena.as_number(argument)) {
+                let value = if value.is_negative() { value.neg() } else { value.clone() };
+                return arena.number(value);
+            }
+            let (positive, _) = with_positive_sign(arena, argument);
+            if f == Function::Cosh && positive == Expr::ZERO {
+                return Expr::ONE;
+            }
+            arena.intern_apply(f, positive)
+        }
+        Function::Exp if argument == Expr::ZERO => Expr::ONE,
+        Function::Log | Function::Acos if argument == Expr::ONE => Expr::ZERO,
+        _ => arena.intern_apply(f, argument),
+    }
+}
+
+/// (|e|, whether the sign was flipped): the first coefficient is made positive.
+fn with_positive_sign(arena: &mut Arena, e: Expr) -> (Expr, bool) {
+    let negative = match arena.node(e) {
+        Node::Number(value) => value.is_negative(),
+        Node::Sum(_, terms) => terms[0].1.is_negative(),
+        _ => false,
+    };
+    if negative { (arena.neg(e), true) } else { (e, false) }
+}
+
+/// Splits off the multiple of π: argument = turns·π + rest.
+pub fn split_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
+    let pi = arena.pi();
+    if argument == pi {
+        return (Rational::ONE, Expr::ZERO);
+    }
+    let turns = match arena.node(argument) {
+        Node::Sum(_, terms) => terms.iter().find(|(term, _)| *term == pi).map(|(_, k)| k.clone()),
+        _ => None,
+    };
+    match turns {
+        Some(turns) => {
+            let rest = arena.linear_combination(&[(argument, Rational::ONE), (pi, turns.neg())]);
+            (turns, rest)
+        }
+        None => (Rational::ZERO, argument),
+    }
+}
+
+/// Multiples of π beyond this are taken less whole turns, which a double of them would not know any more.
+const MANY_TURNS: f64 = 1e6;
+
+/// A multiple of π less whole turns, from 0 to 2.
+fn less_whole_turns(turns: &Rational) -> Rational {
+    let halves = turns.to_big() / BigRational::from_integer(2.into());
+    turns.add(&Rational::from_big(halves.floor()).mul(&Rational::integer(-2)))
+}
+
+/// Inverse functions in one angle, and multiples of one, up to which its sine is algebraic.
+const MOST_INVERSE: usize = 2;
+const MOST_MULTIPLE: i64 = 4;
+
+/// The sine or cosine of an angle that contains whole multiples of an asin, acos or atan. The result is algebraic in
+/// the argument of that function: sin(atan x) = x/√(1 + x²). `None` if the angle contains no such function.
+fn of_inverse(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
+    let is_inverse =
+        |e: Expr| matches!(arena.node(e), Node::Apply(Function::Asin | Function::Acos | Function::Atan, _));
+    let atoms = match arena.node(argument) {
+        Node::Apply(..) => vec![(argument, Rational::ONE)],
+        Node::Sum(_, terms) => terms.to_vec(),
+        _ => return None,
+    };
+    let mut inverse = atoms.into_iter().filter(|(atom, _)| is_inverse(*atom)).collect::<Vec<_>>();
+    let (atom, k) = inverse.pop().filter(|_| inverse.len() < MOST_INVERSE)?;
+    let times = k.to_i64().filter(|times| times.abs() <= MOST_MULTIPLE)?;
+    let Node::Apply(inverse, x) = *arena.node(atom) else { return None };
+    let own = sine_and_cosine(arena, inverse, x);
+    let rest = arena.linear_combination(&[(argument, Rational::ONE), (atom, k.neg())]);
+    let mut angle = (arena.sin(rest), arena.cos(rest));
+    for _ in 0..times.abs() {
+        let sine = if times < 0 { arena.neg(own.0) } else { own.0 };
+        let products = [(angle.0, own.1), (angle.1, sine), (angle.1, own.1), (angle.0, sine)];
+        let [sc, cs, cc, ss] = products.map(|(a, b)| arena.mul(a, b));
+        angle = (arena.add(sc, cs), arena.sub(cc, ss));
+    }
+    Some(if f == Function::Sin { angle.0 } else { angle.1 })
+}
+
+/// (sine, cosine) of asin x, acos x or atan x.
+fn sine_and_cosine(arena: &mut Arena, inverse: Function, x: Expr) -> (Expr, Expr) {
+    let square = arena.square(x);
+    if inverse == Function::Atan {
+        let sum = arena.add(Expr::ONE, square);
+        let root = arena.apply(Function::Sqrt, sum);
+        let cosine = arena.div(Expr::ONE, root).expect("1 + x² is not the number 0");
+        return (arena.mul(x, cosine), cosine);
+    }
+    let left = arena.sub(Expr::ONE, square);
+    let root = arena.apply(Function::Sqrt, left);
+    if inverse == Function::Asin { (x, root) } else { (root, x) }
+}
+
+fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
+    if let Some(value) = of_inverse(arena, f, argument) {
+        return value;
+    }
+    let (mut turns, rest) = split_pi(arena, argument);
+    let mut argument = argument;
+    if turns.to_f64().abs() > MANY_TURNS {
+        turns = less_whole_turns(&turns);
+        let pi = arena.pi();
+        argument = arena.linear_combination(&[(rest, Rational::ONE), (pi, turns.clone())]);
+    }
+    // Quarter turns: sin(x + k π/2) runs through sin, cos, −sin, −cos.
+    let quarters = turns.mul(&Rational::integer(2));
+    let Some(k) = quarters.to_i64() else {
+        if rest == Expr::ZERO
+            && let Some(value) = special_angle(arena, f, &turns)
+        {
+            return value;
+        }
+        let (positive, flipped) = with_positive_sign(arena, argument);
+        let value = arena.intern_apply(f, positive);
+        return if flipped && f == Function::Sin { arena.neg(value) } else { value };
+    };
+    let k = (k.rem_euclid(4) + i64::from(f == Function::Cos)) % 4;
+    let (positive, flipped) = with_positive_sign(arena, rest);
+    let value = match (k % 2, positive == Expr::ZERO) {
+        (0, true) => Expr::ZERO,
+        (_, true) => Expr::ONE,
+        (0, false) => arena.intern_apply(Function::Sin, positive),
+        (_, false) => arena.intern_apply(Function::Cos, positive),
+    };
+    let negative = (k >= 2) ^ (flipped && k % 2 == 0);
+    if negative { arena.neg(value) } else { value }
+}
+
+/// Exact sine or cosine of a multiple of π/6 or π/4.
+fn special_angle(arena: &mut Arena, f: Function, turns: &Rational) -> Option<Expr> {
+    let twelfths = turns.mul(&Rational::integer(12)).to_i64()?;
+    let shift = if f == Function::Cos { 6 } else { 0 };
+    let k = (twelfths.rem_euclid(24) + shift) % 24;
+    let (quadrant_sign, k) = if k >= 12 { (-1, k - 12) } else { (1, k) };
+    // sin is symmetric about π/2.
+    let squared = match k.min(12 - k) {
+        2 => return Some(arena.ratio(quadrant_sign, 2)),
+        3 => 2,
+        4 => 3,
+        _ => return None,
+    };
+    let radicand = arena.integer(squared);
+    let root = arena.apply(Function::Sqrt, radicand);
+    Some(arena.scale(root, &Rational::fraction(quadrant_sign, 2)?))
+}
+
+fn square_root(arena: &mut Arena, argument: Expr) -> Expr {
+    if let Some(value) = arena.as_number(argument)
+        && let Some(root) = exact_root(value)
+    {
+        return arena.number(root);
+    }
+    // Squares of what is stated to be positive come out: √(M² x) = M √x.
+    let (content, factors) = match arena.node(argument) {
+        Node::Product(factors) => (Rational::ONE, factors.to_vec()),
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => match arena.node(terms[0].0) {
+            Node::Product(factors) => (terms[0].1.clone(), factors.to_vec()),
+            _ => (terms[0].1.clone(), vec![(terms[0].0, 1)]),
+        },
+        _ => return arena.intern_apply(Function::Sqrt, argument),
+    };
+    let halved = |(base, n): &(Expr, i32)| (*base, if arena.is_positive(*base) { n.div_euclid(2) } else { 0 });
+    let mut outside: Vec<(Expr, i32)> = factors.iter().map(halved).filter(|(_, n)| *n != 0).collect();
+    let mut inside: Vec<(Expr, i32)> = outside.iter().map(|(base, n)| (*base, -2 * n)).collect();
+    if let Some(root) = exact_root(&content) {
+        let root = arena.number(root);
+        outside.push((root, 1));
+        inside.push((root, -2));
+    }
+    inside.push((argument, 1));
+    let inside = arena.try_product(&inside).expect("positive symbols and numbers are not zero");
+    let root = if inside == Expr::ONE { Expr::ONE } else { arena.intern_apply(Function::Sqrt, inside) };
+    outside.push((root, 1));
+    arena.try_product(&outside).expect("positive symbols and numbers are not zero")
+}
+
+/// √value if value is the square of a rational.
+fn exact_root(value: &Rational) -> Option<Rational> {
+    if value.is_negative() {
+        return None;
+    }
+    let big = value.to_big();
+    let root = num_rational::BigRational::new(big.numer().sqrt(), big.denom().sqrt());
+    (&root * &root == big).then(|| Rational::from_big(root))
+}
+
+/// An angle as Σ k·atom, atoms being neither numbers nor sums; a constant counts as the atom 1.
+pub fn angle_atoms(arena: &Arena, argument: Expr) -> Vec<(Expr, Rational)> {
+    match arena.node(argument) {
+        Node::Sum(constant, terms) => {
+            let mut atoms = terms.to_vec();
+            if !constant.is_zero() {
+                atoms.push((Expr::ONE, constant.clone()));
+            }
+            atoms
+        }
+        Node::Number(value) => vec![(Expr::ONE, value.clone())],
+        _ => vec![(argument, Rational::ONE)],
+    }
+}
+
+/// Multiples of an angle up to which sines and cosines of them are written by those of the angle.
+const MOST_TURNS: u64 = 16;
+
+/// A term in which sines and cosines of sums and of whole multiples of angles are written by those of the angles.
+pub fn single_angles(arena: &mut Arena, e: Expr) -> Expr {
+    let mut put = Substitution::default();
+    for part in arena.reachable(&[e]) {
+        let Node::Apply(f @ (Function::Sin | Function::Cos), argument) = *arena.node(part) else { continue };
+        let inner = put.apply(arena, argument);
+        let (mut sine, mut cosine) = (Expr::ZERO, Expr::ONE);
+        for (atom, k) in angle_atoms(arena, inner) {
+            let whole = k.to_i64().filter(|n| n.unsigned_abs() <= MOST_TURNS);
+            let (angle, times) = match whole {
+                Some(n) => (atom, n),
+                None => (arena.scale(atom, &k), 1),
+            };
+            let (mut s, c) = (arena.sin(angle), arena.cos(angle));
+            if times < 0 {
+                s = arena.neg(s);
+            }
+            for _ in 0..times.unsigned_abs() {
+                (sine, cosine) = turned(arena, (sine, cosine), (s, c));
+            }
+        }
+        put.set(part, if f == Function::Sin { sine } else { cosine });
+    }
+    put.apply(arena, e)
+}
+
+/// (sin, cos) of the sum of two angles.
+fn turned(arena: &mut Arena, a: (Expr, Expr), b: (Expr, Expr)) -> (Expr, Expr) {
+    let (sc, cs, cc, ss) = (arena.mul(a.0, b.1), arena.mul(a.1, b.0), arena.mul(a.1, b.1), arena.mul(a.0, b.0));
+    (arena.add(sc, cs), arena.sub(cc, ss))
+}

@@ -1,0 +1,16 @@
+//! Terms: rational numbers, the store of expressions, and what makes new terms from old ones.
+
+pub mod adjoint;
+pub mod arena;
+pub mod calculus;
+pub(super) mod construct;
+pub mod contract;
+pub mod divided;
+pub(crate) mod elementary;
+pub mod fold;
+pub mod named;
+pub mod period;
+pub(super) mod rational;
+pub mod steps;
+pub(super) mod structure;
+pub(crate) mod transfer;

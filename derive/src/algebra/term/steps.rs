@@ -1,0 +1,55 @@
+//! Values computed step by step: each has a symbol, by which later ones mention it.
+
+use super::calculus::Substitution;
+use crate::algebra::{Arena, Expr};
+use rustc_hash::FxHashSet;
+
+/// A symbol and its value in symbols that are defined before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Definition {
+    /// The symbol.
+    pub symbol: Expr,
+    /// Its value.
+    pub value: Expr,
+}
+
+/// The steps that these expressions need, in order.
+#[must_use]
+pub fn needed(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -> Vec<Definition> {
+    let mut wanted: FxHashSet<Expr> = arena.reachable(expressions).into_iter().collect();
+    let mut list: Vec<Definition> = Vec::new();
+    for step in steps.iter().rev() {
+        if wanted.contains(&step.symbol) {
+            wanted.extend(arena.reachable(&[step.value]));
+            list.push(*step);
+        }
+    }
+    list.reverse();
+    list
+}
+
+/// Gives each step's symbol its value in a substitution, with the steps before it put in, each under a name: nothing is
+/// written out.
+pub fn put_in(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
+    for step in steps {
+        let value = put.apply(arena, step.value);
+        let value = arena.name(value, "step");
+        put.set(step.symbol, value);
+    }
+}
+
+/// A new symbol called `wanted`, or one like it if that name is taken. In a part of a document
+/// ([`crate::algebra::text::definitions`]) the part's name is appended.
+pub fn fresh_symbol(arena: &mut Arena, wanted: &str) -> Expr {
+    let wanted = arena.names.in_part(wanted);
+    unused_symbol(arena, &wanted)
+}
+
+/// A new symbol of this name, with underscores behind it if there is one already.
+pub(in crate::algebra) fn unused_symbol(arena: &mut Arena, wanted: &str) -> Expr {
+    let mut name = wanted.to_owned();
+    while arena.find_symbol(&name).is_some() {
+        name.push('_');
+    }
+    arena.symbol(&name)
+}

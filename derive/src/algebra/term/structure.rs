@@ -1,0 +1,43 @@
+//! Structure of terms as a number: the same in every arena, whatever was built there before.
+
+use crate::algebra::{Arena, Expr, Node};
+use rustc_hash::FxHashMap;
+
+/// A number for the structure of each of these terms, which stand operands first. Equal structures have equal numbers
+/// in any arena, and different structures hardly ever do. It serves for orders that must not depend on when terms were
+/// built; no decision on equality may rest on it.
+pub(in crate::algebra) fn structures(arena: &Arena, terms: &[Expr]) -> FxHashMap<Expr, u64> {
+    let mut known: FxHashMap<Expr, u64> = FxHashMap::default();
+    for e in terms {
+        let number = match arena.node(*e) {
+            Node::Number(value) => text(1, &value.to_string()),
+            Node::Symbol(_) => text(2, arena.symbol_name(*e).unwrap_or_default()),
+            Node::Pi => mixed(3, 0),
+            // Sums and products stand in the order of the arena: what is made of their parts must not.
+            Node::Sum(constant, terms) => {
+                let parts = terms.iter().map(|(term, k)| mixed(known[term], text(4, &k.to_string())));
+                mixed(text(5, &constant.to_string()), parts.fold(0, u64::wrapping_add))
+            }
+            Node::Product(factors) => {
+                let parts = factors.iter().map(|(base, n)| mixed(known[base], text(6, &n.to_string())));
+                mixed(7, parts.fold(0, u64::wrapping_add))
+            }
+            Node::Apply(f, argument) => mixed(text(8, f.name()), known[argument]),
+            Node::Named(_, term) => mixed(9, known[term]),
+        };
+        known.insert(*e, number);
+    }
+    known
+}
+
+/// Two numbers as one (the last step of SplitMix64).
+fn mixed(a: u64, b: u64) -> u64 {
+    let mut x = a.rotate_left(23) ^ b.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
+}
+
+fn text(kind: u64, words: &str) -> u64 {
+    words.bytes().fold(mixed(kind, 0), |sum, byte| mixed(sum, u64::from(byte)))
+}

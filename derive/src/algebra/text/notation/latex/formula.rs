@@ -1,0 +1,374 @@
+//! Sums and products of LaTeX: adjacent operands make a product.
+
+use super::marks::Mark;
+use super::symbol::Cursor;
+use crate::algebra::text::notation::lexicon::{function, is_letter, latex_function};
+use crate::algebra::text::notation::plain::Plain;
+use crate::algebra::text::notation::refusal::{unknown, wrong};
+use crate::algebra::text::notation::spell::Spell;
+use crate::algebra::text::notation::symbol::Symbol;
+use crate::algebra::text::parse::ParseError;
+use std::ops::Range;
+
+/// Letters on either side of one within which a word is looked for that they make.
+const LONGEST_WORD: usize = 60;
+
+/// A formula, read from its left to its right.
+pub(super) struct Formula<'a, 's> {
+    pub(super) cursor: Cursor<'a>,
+    pub(super) spell: &'s mut dyn Spell,
+    pub(super) out: Plain,
+}
+
+/// Kind of mark in front of the next operand.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Before {
+    /// Nothing, or an operator.
+    Nothing,
+    /// An operand.
+    Operand,
+    /// An operand that a slash divides by.
+    Divisor,
+}
+
+impl Formula<'_, '_> {
+    pub(super) fn whole(mut self) -> Result<Plain, ParseError> {
+        self.sum()?;
+        if self.cursor.peek().is_none() {
+            return Ok(self.out);
+        }
+        let (span, what) = (self.cursor.here(), self.name_of_mark());
+        let help = match self.cursor.peek() {
+            Some(Mark::Char('=')) => "a formula has no `=`: write what stands behind it",
+            Some(Mark::Char(',')) => "only min, max and atan2 have several arguments",
+            Some(Mark::Char('^')) => "write one exponent, in braces",
+            Some(Mark::Char('_' | '\'')) => "subscripts and primes stand at symbols only",
+            _ => "nothing is open that this could close",
+        };
+        Err(wrong(span, format!("unexpected `{what}`"), help))
+    }
+
+    /// The next mark as it is written.
+    fn name_of_mark(&self) -> String {
+        match self.cursor.peek() {
+            Some(Mark::Number(text)) => text.clone(),
+            Some(Mark::Letter(c) | Mark::Char(c)) => c.to_string(),
+            Some(Mark::Command(name)) => format!("\\{name}"),
+            None => String::new(),
+        }
+    }
+
+    /// Everything up to what is not part of a sum.
+    pub(super) fn sum(&mut self) -> Result<(), ParseError> {
+        self.cursor.enter()?;
+        let (mut before, mut slash) = (Before::Nothing, false);
+        while self.cursor.peek().is_some() {
+            if let Some(sign) = self.operator() {
+                if before == Before::Nothing && matches!(sign, "*" | "/") {
+                    let message = format!("unexpected `{}`", self.name_of_mark());
+                    return Err(wrong(self.cursor.here(), message, "an operand is missing here"));
+                }
+                self.out.push(sign, self.cursor.here());
+                self.cursor.at += 1;
+                (before, slash) = (Before::Nothing, sign == "/");
+                continue;
+            }
+            if !self.operand(before)? {
+                break;
+            }
+            before = if slash { Before::Divisor } else { Before::Operand };
+        }
+        self.cursor.depth -= 1;
+        Ok(())
+    }
+
+    /// The operator that is next.
+    fn operator(&self) -> Option<&'static str> {
+        match self.cursor.peek()? {
+            Mark::Char('+') => Some("+"),
+            Mark::Char('-') => Some("-"),
+            Mark::Char('*') => Some("*"),
+            Mark::Char('/') => Some("/"),
+            Mark::Command(name) => match name.as_str() {
+                "cdot" | "times" | "ast" => Some("*"),
+                "div" => Some("/"),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// An operand with its power, and the sign of the product in front of it; false if none begins here.
+    fn operand(&mut self, before: Before) -> Result<bool, ParseError> {
+        let place = self.cursor.here();
+        match self.cursor.peek() {
+            Some(Mark::Number(_)) if before != Before::Nothing => {
+                let help = "write a subscript in braces, as in q_{12}, and a product with \\cdot, as in 2 \\cdot 3";
+                return Err(wrong(place, "a number stands behind a factor", help));
+            }
+            None | Some(Mark::Char(')' | ']' | '}' | ',' | '=' | '^' | '_' | '\'')) => return Ok(false),
+            Some(Mark::Command(name)) if matches!(name.as_str(), "rvert" | "}") => return Ok(false),
+            _ => {}
+        }
+        match before {
+            Before::Nothing => {}
+            Before::Operand => self.out.push("*", place),
+            Before::Divisor => {
+                let help = "write \\frac{…}{…}, or put \\cdot in front of what the slash does not divide by";
+                return Err(wrong(place, "does the slash divide by this, too?", help));
+            }
+        }
+        self.factor()?;
+        self.power()?;
+        Ok(true)
+    }
+
+    /// Character that closes the parenthesis opened by the next mark: `(`, `[` or `\\{`; `None` if the mark opens none.
+    pub(super) fn closer(&self) -> Option<char> {
+        match self.cursor.peek()? {
+            Mark::Char('(') => Some(')'),
+            Mark::Char('[') => Some(']'),
+            Mark::Command(name) if name == "{" => Some('}'),
+            _ => None,
+        }
+    }
+
+    /// One factor without its power.
+    pub(super) fn factor(&mut self) -> Result<(), ParseError> {
+        self.cursor.enter()?;
+        self.one_factor()?;
+        self.cursor.depth -= 1;
+        Ok(())
+    }
+
+    fn one_factor(&mut self) -> Result<(), ParseError> {
+        let first = self.cursor.at;
+        let place = self.cursor.here();
+        if let Some(end) = self.closer() {
+            return self.parenthesized(end);
+        }
+        match self.cursor.peek() {
+            Some(Mark::Number(digits)) => {
+                self.out.push(digits, place);
+                self.cursor.at += 1;
+                return Ok(());
+            }
+            Some(Mark::Command(name)) => match name.as_str() {
+                "lvert" | "vert" => return self.absolute(name == "lvert"),
+                "sqrt" => return self.root(),
+                "frac" | "tfrac" | "dfrac" => return self.fraction(),
+                name => {
+                    if let Some(function) = latex_function(name) {
+                        return self.function(function);
+                    }
+                }
+            },
+            Some(Mark::Char('|')) => return self.absolute(false),
+            _ => {}
+        }
+        let before = self.cursor.clone();
+        let spell = &mut *self.spell;
+        if let Some((symbol, place)) = self.cursor.symbol(&|symbol| spell.knows(symbol))? {
+            if let Some(function) =
+                function(&symbol.base).filter(|_| symbol.still() == symbol.base && symbol.base.len() > 1)
+            {
+                self.cursor = before;
+                return self.roman_function(function);
+            }
+            return self.name(&symbol, place, first);
+        }
+        self.cursor = before;
+        if self.cursor.takes('{') {
+            return self.group(&place);
+        }
+        Err(self.odd())
+    }
+
+    /// Error for a mark that stands where an operand should.
+    fn odd(&self) -> ParseError {
+        let (place, what) = (self.cursor.here(), self.name_of_mark());
+        match self.cursor.peek() {
+            Some(Mark::Command(name)) => {
+                let help = match name.as_str() {
+                    "partial" => {
+                        "derivatives are by time, of symbols: \\dot{q}_1; name a partial derivative by its quantity"
+                    }
+                    "begin" | "end" => "give the formula alone, without its environment",
+                    "sum" | "prod" | "int" => "write out what it stands for",
+                    "label" | "tag" | "ref" => "leave out labels and numbers of equations",
+                    "dots" | "ldots" | "cdots" => "write out what the dots stand for",
+                    "pm" | "mp" => "give each sign an entry of its own",
+                    name if is_letter(name) => "write an operand here",
+                    _ => {
+                        "known are symbols, \\frac, \\sqrt, \\cdot, \\left( \\right), \\dot and functions such as \\sin; \
+                          a symbol of the paper's own is declared in [symbols]"
+                    }
+                };
+                wrong(place, format!("`\\{name}` is not known"), help)
+            }
+            None => wrong(place, "the expression ends too early", "an operand is missing here"),
+            _ => wrong(place, format!("unexpected `{what}`"), "an operand is missing here"),
+        }
+    }
+
+    /// The name of a symbol whose first mark has this number.
+    fn name(&mut self, symbol: &Symbol, place: Range<usize>, first: usize) -> Result<(), ParseError> {
+        if symbol.base == "\\pi" && symbol.still() == "\\pi" && symbol.dots == 0 && !self.spell.knows(symbol) {
+            self.out.push("pi", place);
+            return Ok(());
+        }
+        let run = self.run(first);
+        let name = self.spell.latex(symbol, &run).map_err(|why| unknown(place.clone(), why))?;
+        self.out.push(&name, place);
+        Ok(())
+    }
+
+    /// The letters and digits around the mark of this number, if they are several: `den` is d e n.
+    fn run(&self, first: usize) -> String {
+        let part = |at: usize| match &self.cursor.list[at].mark {
+            Mark::Letter(c) => Some(c.to_string()),
+            Mark::Number(digits) => Some(digits.clone()),
+            _ => None,
+        };
+        let touches = |at: usize| self.cursor.list[at - 1].span.end == self.cursor.list[at].span.start;
+        let mut start = first;
+        while start > first.saturating_sub(LONGEST_WORD) && touches(start) && part(start - 1).is_some() {
+            start -= 1;
+        }
+        let mut run = String::new();
+        for at in start..self.cursor.list.len().min(first + LONGEST_WORD) {
+            let Some(part) = part(at).filter(|_| at == start || touches(at)) else { break };
+            run += &part;
+        }
+        if run.len() > 1 { run } else { String::new() }
+    }
+
+    /// The power of what was read last, if one follows.
+    fn power(&mut self) -> Result<(), ParseError> {
+        let place = self.cursor.here();
+        if !self.cursor.takes('^') {
+            return Ok(());
+        }
+        self.out.push_all(&["^", "("], &place);
+        self.argument("an exponent")?;
+        self.out.push(")", place);
+        if self.cursor.peek() == Some(&Mark::Char('^')) {
+            let help = "write one exponent, in braces; (x^{2})^{3} for a power of a power";
+            return Err(wrong(self.cursor.here(), "a second exponent", help));
+        }
+        Ok(())
+    }
+
+    /// Reads the argument of a command: a group, or one factor without braces.
+    pub(super) fn argument(&mut self, what: &str) -> Result<(), ParseError> {
+        let place = self.cursor.here();
+        if self.cursor.takes('{') {
+            return self.braced(&place);
+        }
+        match self.cursor.peek() {
+            Some(Mark::Number(digits)) if digits.len() > 1 => {
+                let help = format!("write it in braces: {{{digits}}}");
+                Err(wrong(place, format!("is `{digits}` all of {what}?"), &help))
+            }
+            Some(Mark::Number(_) | Mark::Letter(_) | Mark::Command(_)) => self.factor(),
+            _ => Err(wrong(place, format!("{what} is missing here"), "write it in braces")),
+        }
+    }
+
+    /// The rest of a group whose brace was at `open`.
+    fn braced(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
+        self.sum()?;
+        if self.cursor.takes('}') {
+            return Ok(());
+        }
+        if self.cursor.peek().is_some() {
+            let message = format!("unexpected `{}`", self.name_of_mark());
+            return Err(wrong(self.cursor.here(), message, "this group ends with `}`"));
+        }
+        Err(wrong(open.clone(), "this `{` is never closed", "add `}`"))
+    }
+
+    /// A group that is a factor.
+    fn group(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
+        self.out.push("(", open.clone());
+        self.braced(open)?;
+        self.out.push(")", open.clone());
+        Ok(())
+    }
+
+    /// A sum between what opens, which is next, and what closes.
+    pub(super) fn parenthesized(&mut self, end: char) -> Result<(), ParseError> {
+        let open = self.cursor.here();
+        self.cursor.at += 1;
+        self.out.push("(", open.clone());
+        self.sum()?;
+        while self.cursor.peek() == Some(&Mark::Char(',')) {
+            self.out.push(",", self.cursor.here());
+            self.cursor.at += 1;
+            self.sum()?;
+        }
+        let close = self.cursor.here();
+        let closed = if end == '}' {
+            let closed = matches!(self.cursor.peek(), Some(Mark::Command(name)) if name == "}");
+            self.cursor.at += usize::from(closed);
+            closed
+        } else {
+            self.cursor.takes(end)
+        };
+        if closed {
+            self.out.push(")", close);
+            return Ok(());
+        }
+        if self.cursor.peek().is_some() {
+            let message = format!("unexpected `{}`", self.name_of_mark());
+            return Err(wrong(close, message, &format!("`{end}` is due here: it closes what is open")));
+        }
+        let message = "what is opened here is never closed";
+        Err(wrong(open, message, &format!("add `{end}`")))
+    }
+
+    /// |…|, whose first bar is next.
+    fn absolute(&mut self, is_left: bool) -> Result<(), ParseError> {
+        let open = self.cursor.here();
+        self.cursor.at += 1;
+        self.out.push_all(&["abs", "("], &open);
+        let first = self.cursor.at;
+        let end = self
+            .closing_bar(first, is_left)
+            .ok_or_else(|| wrong(open.clone(), "this bar is never closed", "write \\left| … \\right|"))?;
+        // What stands between the bars is a formula of its own.
+        let list = &self.cursor.list[first..end];
+        let limit = self.cursor.list[end].span.start;
+        let inner = Cursor { list, at: 0, depth: self.cursor.depth, end: limit };
+        let outer = std::mem::replace(&mut self.cursor, inner);
+        self.sum()?;
+        let rest = self.cursor.peek().is_some().then(|| (self.cursor.here(), self.name_of_mark()));
+        self.cursor = outer;
+        if let Some((place, what)) = rest {
+            return Err(wrong(place, format!("unexpected `{what}`"), "nothing is open that this could close"));
+        }
+        self.cursor.at = end + 1;
+        self.out.push(")", self.cursor.list[end].span.clone());
+        Ok(())
+    }
+
+    /// The bar that closes: of \left and \right the one of the same depth, of plain bars the next.
+    fn closing_bar(&self, first: usize, is_left: bool) -> Option<usize> {
+        let mut open = 0_usize;
+        for (at, placed) in self.cursor.list.iter().enumerate().skip(first) {
+            match &placed.mark {
+                Mark::Command(name) if is_left && name == "lvert" => open += 1,
+                Mark::Command(name) if is_left && name == "rvert" => {
+                    if open == 0 {
+                        return Some(at);
+                    }
+                    open -= 1;
+                }
+                Mark::Char('|') if !is_left => return Some(at),
+                Mark::Command(name) if !is_left && name == "vert" => return Some(at),
+                _ => {}
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,167 @@
+//! Fractions, roots and functions of LaTeX, and where the argument of a function without parentheses ends.
+
+use super::formula::Formula;
+use super::marks::Mark;
+use crate::algebra::text::notation::lexicon::function;
+use crate::algebra::text::notation::refusal::wrong;
+use crate::algebra::text::parse::ParseError;
+use std::ops::Range;
+
+impl Formula<'_, '_> {
+    /// \frac, which is next.
+    pub(super) fn fraction(&mut self) -> Result<(), ParseError> {
+        let place = self.cursor.here();
+        self.cursor.at += 1;
+        self.out.push_all(&["(", "("], &place);
+        // \frac12: one digit above, the other below.
+        if let Some(Mark::Number(digits)) = self.cursor.peek()
+            && digits.len() == 2
+            && digits.bytes().all(|b| b.is_ascii_digit())
+        {
+            let both = self.cursor.here();
+            self.out.push(&digits[..1], both.clone());
+            self.out.push_all(&[")", "/", "("], &place);
+            self.out.push(&digits[1..], both);
+            self.cursor.at += 1;
+        } else {
+            self.argument("the numerator")?;
+            self.out.push_all(&[")", "/", "("], &place);
+            self.argument("the denominator")?;
+        }
+        self.out.push_all(&[")", ")"], &place);
+        Ok(())
+    }
+
+    /// \sqrt, which is next.
+    pub(super) fn root(&mut self) -> Result<(), ParseError> {
+        let place = self.cursor.here();
+        self.cursor.at += 1;
+        if self.cursor.peek() == Some(&Mark::Char('[')) {
+            return Err(wrong(self.cursor.here(), "only square roots are known", "write \\sqrt{…}"));
+        }
+        self.out.push_all(&["sqrt", "("], &place);
+        self.argument("what the root is of")?;
+        self.out.push(")", place);
+        Ok(())
+    }
+
+    /// A function in roman type, such as \operatorname{sgn}, which is next.
+    pub(super) fn roman_function(&mut self, name: &str) -> Result<(), ParseError> {
+        let first = self.cursor.at;
+        self.cursor.symbol(&|_| false)?;
+        let place = self.cursor.since(first);
+        self.applied(name, &place)
+    }
+
+    /// A function that is a command, which is next.
+    pub(super) fn function(&mut self, name: &str) -> Result<(), ParseError> {
+        let place = self.cursor.here();
+        self.cursor.at += 1;
+        self.applied(name, &place)
+    }
+
+    /// A function that has been read, with its power and its argument, which are next.
+    fn applied(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
+        let power = self.power_of_function()?;
+        self.out.push(name, place.clone());
+        if let Some(end) = self.closer() {
+            self.parenthesized(end)?;
+        } else {
+            self.out.push("(", place.clone());
+            if self.cursor.peek() == Some(&Mark::Char('{')) {
+                self.argument("an argument")?;
+            } else {
+                self.bare_argument(name, place)?;
+            }
+            self.out.push(")", place.clone());
+        }
+        if let Some((digits, at)) = power {
+            self.out.push("^", at.clone());
+            self.out.push(&digits, at);
+        }
+        Ok(())
+    }
+
+    /// The power between a function and its argument: a whole number.
+    fn power_of_function(&mut self) -> Result<Option<(String, Range<usize>)>, ParseError> {
+        let first = self.cursor.at;
+        if !self.cursor.takes('^') {
+            return Ok(None);
+        }
+        let braced = self.cursor.takes('{');
+        let power = match self.cursor.peek() {
+            Some(Mark::Number(digits)) if braced || digits.len() == 1 => Some((digits.clone(), self.cursor.here())),
+            _ => None,
+        };
+        self.cursor.at += 1;
+        let closed = !braced || self.cursor.takes('}');
+        match power.filter(|_| closed) {
+            Some(power) => Ok(Some(power)),
+            None => {
+                while braced && !closed && self.cursor.peek().is_some() && !self.cursor.takes('}') {
+                    self.cursor.at += 1;
+                }
+                let help = "write \\sin^{2} x for a power, \\arcsin x for an inverse, \\csc x or \\frac{1}{\\sin x} for a quotient";
+                Err(wrong(self.cursor.since(first), "the power of a function is a whole number", help))
+            }
+        }
+    }
+
+    /// An argument without parentheses: numbers, then one symbol, root or fraction.
+    fn bare_argument(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
+        let first = self.cursor.at;
+        let is_number = |mark: Option<&Mark>| matches!(mark, Some(Mark::Number(_)));
+        let is_pi = |mark: Option<&Mark>| matches!(mark, Some(Mark::Command(name)) if name == "pi");
+        let mut only_numbers = true;
+        loop {
+            let mark = self.cursor.peek();
+            let begins = matches!(mark, Some(Mark::Number(_) | Mark::Letter(_) | Mark::Command(_)));
+            if !begins {
+                break;
+            }
+            if self.cursor.at > first {
+                self.out.push("*", self.cursor.here());
+            }
+            let number = is_number(mark) || is_pi(mark);
+            self.factor()?;
+            only_numbers &= number;
+            if !number || is_number(self.cursor.peek()) {
+                break;
+            }
+            // A symbol may follow a number: \sin 2 q.
+            let goes_on = matches!(self.cursor.peek(), Some(Mark::Letter(_)));
+            if !(goes_on || self.begins_symbol()) {
+                break;
+            }
+        }
+        if self.cursor.at == first {
+            let help = format!("write \\{name}(…)");
+            return Err(wrong(place.clone(), format!("`{name}` needs an argument"), &help));
+        }
+        self.end_of_argument(name, only_numbers)
+    }
+
+    /// True if a symbol comes next; the name of a function is none.
+    fn begins_symbol(&mut self) -> bool {
+        let before = self.cursor.clone();
+        let found = self.cursor.symbol(&|_| false);
+        self.cursor = before;
+        matches!(found, Ok(Some((symbol, _))) if symbol.base.len() == 1 || function(&symbol.base).is_none())
+    }
+
+    /// Refuses what could belong to the argument or not.
+    fn end_of_argument(&mut self, name: &str, only_numbers: bool) -> Result<(), ParseError> {
+        let apart = self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart);
+        let open = match self.cursor.peek() {
+            Some(Mark::Char('^' | '/') | Mark::Number(_) | Mark::Letter(_)) => true,
+            Some(Mark::Char('(' | '[' | '{')) => only_numbers || !apart,
+            Some(Mark::Command(_)) => self.begins_symbol(),
+            _ => false,
+        };
+        if open {
+            let help = format!("write \\{name}(…) with its argument in parentheses");
+            return Err(wrong(self.cursor.here(), format!("does the argument of `{name}` go on here?"), &help));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,162 @@
+//! A text of LaTeX as marks: numbers, letters, commands and single characters; what only spaces or aligns is dropped.
+
+use crate::algebra::text::notation::refusal::{found, wrong};
+use crate::algebra::text::parse::ParseError;
+use std::ops::Range;
+
+/// A mark of a formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Mark {
+    /// Digits, perhaps with a point.
+    Number(String),
+    /// A letter.
+    Letter(char),
+    /// A command without its backslash.
+    Command(String),
+    /// Any other character.
+    Char(char),
+}
+
+/// A mark and where it stands.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    pub(super) mark: Mark,
+    pub(super) span: Range<usize>,
+    /// True if printed space stands in front of it.
+    pub(super) apart: bool,
+}
+
+/// Commands that only make space that is printed.
+const SPACES: [&str; 8] = [",", ";", ":", " ", "quad", "qquad", "thinspace", "medspace"];
+/// Commands that change the look, and what surrounds whole formulas.
+const LOOKS: [&str; 24] = [
+    "!",
+    "\\",
+    "displaystyle",
+    "textstyle",
+    "nonumber",
+    "notag",
+    "limits",
+    "big",
+    "Big",
+    "bigg",
+    "Bigg",
+    "bigl",
+    "Bigl",
+    "biggl",
+    "Biggl",
+    "bigr",
+    "Bigr",
+    "biggr",
+    "Biggr",
+    "middle",
+    "[",
+    "]",
+    "(",
+    ")",
+];
+
+/// The marks of a text.
+pub(super) fn marks(text: &str) -> Result<Vec<Placed>, ParseError> {
+    let (mut list, mut at, mut apart, mut side) = (Vec::new(), 0, false, None);
+    while let Some(c) = text[at..].chars().next() {
+        let start = at;
+        at += c.len_utf8();
+        let mark = match c {
+            _ if c.is_whitespace() => continue,
+            '~' => {
+                apart = true;
+                continue;
+            }
+            '&' | '$' => continue,
+            '%' => {
+                at = text[at..].find('\n').map_or(text.len(), |end| at + end);
+                continue;
+            }
+            '\\' => {
+                let name = command(text, at);
+                at += name.len();
+                if SPACES.contains(&name) {
+                    apart = true;
+                    continue;
+                }
+                if LOOKS.contains(&name) {
+                    continue;
+                }
+                if let "left" | "right" = name {
+                    side = Some(if name == "left" { "lvert" } else { "rvert" });
+                    continue;
+                }
+                if name.is_empty() {
+                    return Err(wrong(start..at, "a command has no name", "remove the backslash"));
+                }
+                Mark::Command(name.to_owned())
+            }
+            '0'..='9' | '.' => {
+                at = start + number(&text[start..]);
+                Mark::Number(text[start..at].to_owned())
+            }
+            '|' if side.is_some() => Mark::Command(side.unwrap_or_default().to_owned()),
+            'a'..='z' | 'A'..='Z' => Mark::Letter(c),
+            '−' | '–' => Mark::Char('-'),
+            _ if c.is_ascii() => Mark::Char(c),
+            _ => {
+                let (shown, span) = found(text, start);
+                let message = format!("unexpected `{shown}`");
+                return Err(wrong(
+                    span,
+                    message,
+                    "write it as LaTeX does: \\theta for a Greek letter, \\cdot for a product",
+                ));
+            }
+        };
+        side = None;
+        list.push(Placed { mark, span: start..at, apart });
+        apart = false;
+    }
+    without_stop(&mut list);
+    Ok(without_supports(list))
+}
+
+/// The name of the command behind a backslash: letters, or one character.
+fn command(text: &str, at: usize) -> &str {
+    let rest = &text[at..];
+    let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+    let length = if letters > 0 { letters } else { rest.chars().next().map_or(0, char::len_utf8) };
+    &rest[..length]
+}
+
+/// Length, in bytes, of the number at the start of a text.
+fn number(text: &str) -> usize {
+    let mut points = 0;
+    let inside = |c: char| {
+        points += usize::from(c == '.');
+        !(c.is_ascii_digit() || (c == '.' && points < 2))
+    };
+    text.find(inside).unwrap_or(text.len())
+}
+
+/// The marks without `{}` in front of a sign: it only makes room.
+fn without_supports(list: Vec<Placed>) -> Vec<Placed> {
+    let is = |at: usize, c: char| list.get(at).is_some_and(|placed| placed.mark == Mark::Char(c));
+    let is_support = |at: usize| is(at, '{') && is(at + 1, '}') && (is(at + 2, '+') || is(at + 2, '-'));
+    let dropped: Vec<bool> = (0..list.len()).map(|at| is_support(at) || (at > 0 && is_support(at - 1))).collect();
+    list.into_iter().zip(dropped).filter(|(_, dropped)| !dropped).map(|(placed, _)| placed).collect()
+}
+
+/// A formula of a text ends in the text's punctuation.
+fn without_stop(list: &mut Vec<Placed>) {
+    let Some(last) = list.last_mut() else { return };
+    match &mut last.mark {
+        Mark::Char(',' | ';') => {
+            list.pop();
+        }
+        Mark::Number(digits) if digits == "." => {
+            list.pop();
+        }
+        Mark::Number(digits) if digits.ends_with('.') => {
+            digits.pop();
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,19 @@
+//! Formulas in LaTeX.
+
+mod formula;
+mod function;
+mod marks;
+mod symbol;
+
+pub use symbol::read_symbol;
+
+use super::plain::Plain;
+use super::spell::Spell;
+use crate::algebra::text::parse::ParseError;
+
+/// A formula of LaTeX's math mode in the language of model files.
+pub(super) fn translate(text: &str, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
+    let list = marks::marks(text)?;
+    let cursor = symbol::Cursor { list: &list, at: 0, depth: 0, end: text.len() };
+    formula::Formula { cursor, spell, out: Plain::new() }.whole()
+}

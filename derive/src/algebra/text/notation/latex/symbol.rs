@@ -1,0 +1,220 @@
+//! Symbols of LaTeX: a letter with its subscript, what it bears on top, and its dots.
+
+use super::marks::{Mark, Placed, marks};
+use crate::algebra::text::notation::lexicon::is_letter;
+use crate::algebra::text::notation::refusal::wrong;
+use crate::algebra::text::notation::symbol::Symbol;
+use crate::algebra::text::parse::{MAX_DEPTH, ParseError};
+use std::ops::Range;
+
+/// The symbol that a whole text is, if it is one: a mark on top belongs to it.
+#[must_use]
+pub fn read_symbol(text: &str) -> Option<Symbol> {
+    let list = marks(text).ok()?;
+    let mut cursor = Cursor { list: &list, at: 0, depth: 0, end: text.len() };
+    let (symbol, _) = cursor.symbol(&|_| true).ok()??;
+    (cursor.at == list.len()).then_some(symbol)
+}
+
+/// Type faces that do not change what a letter means.
+const UPRIGHT: [&str; 9] =
+    ["mathrm", "text", "textrm", "mathit", "textit", "mathnormal", "operatorname", "mathsf", "mbox"];
+/// Accents and type faces that make another symbol of a letter.
+const ACCENTS: [&str; 15] = [
+    "mathbf",
+    "boldsymbol",
+    "bm",
+    "vec",
+    "hat",
+    "bar",
+    "tilde",
+    "mathcal",
+    "mathbb",
+    "overline",
+    "underline",
+    "widehat",
+    "widetilde",
+    "check",
+    "breve",
+];
+/// Commands that differentiate, with how often.
+const DOTS: [(&str, usize); 3] = [("dot", 1), ("ddot", 2), ("dddot", 3)];
+
+/// A place among marks.
+#[derive(Clone)]
+pub(super) struct Cursor<'a> {
+    pub(super) list: &'a [Placed],
+    pub(super) at: usize,
+    pub(super) depth: usize,
+    /// Place where the text ends, in bytes.
+    pub(super) end: usize,
+}
+
+impl<'a> Cursor<'a> {
+    pub(super) fn peek(&self) -> Option<&'a Mark> {
+        self.list.get(self.at).map(|placed| &placed.mark)
+    }
+
+    /// The place of the next mark, or the end of the text.
+    pub(super) fn here(&self) -> Range<usize> {
+        self.list.get(self.at).map_or(self.end..self.end, |placed| placed.span.clone())
+    }
+
+    /// From the mark with this number to the one before the next.
+    pub(super) fn since(&self, first: usize) -> Range<usize> {
+        let start = self.list.get(first).map_or(self.end, |placed| placed.span.start);
+        let last = self.list[..self.at.min(self.list.len())].last().map_or(start, |placed| placed.span.end);
+        start..last.max(start)
+    }
+
+    pub(super) fn takes(&mut self, c: char) -> bool {
+        let found = self.peek() == Some(&Mark::Char(c));
+        self.at += usize::from(found);
+        found
+    }
+
+    pub(super) fn enter(&mut self) -> Result<(), ParseError> {
+        self.depth += 1;
+        if self.depth > MAX_DEPTH {
+            return Err(wrong(self.here(), format!("nesting deeper than {MAX_DEPTH}"), "split the expression"));
+        }
+        Ok(())
+    }
+
+    /// A symbol if one begins here, with its place; a mark on top belongs to it if `knows` says so.
+    pub(super) fn symbol(
+        &mut self,
+        knows: &dyn Fn(&Symbol) -> bool,
+    ) -> Result<Option<(Symbol, Range<usize>)>, ParseError> {
+        let first = self.at;
+        self.enter()?;
+        let base = self.base(knows)?;
+        self.depth -= 1;
+        let Some(mut symbol) = base else {
+            self.at = first;
+            return Ok(None);
+        };
+        loop {
+            match self.peek() {
+                Some(Mark::Char('\'')) => {
+                    self.at += 1;
+                    symbol.dots += 1;
+                }
+                Some(Mark::Char('_')) if symbol.subscript.is_empty() => {
+                    self.at += 1;
+                    symbol.subscript = self.script()?;
+                }
+                Some(Mark::Char('^')) if symbol.mark.is_empty() => {
+                    let before = self.at;
+                    self.at += 1;
+                    let text = self.script()?;
+                    let primes = text.matches("\\prime").count();
+                    let primes_only = primes > 0 && text.len() == primes * "\\prime".len();
+                    let mut marked = Symbol { mark: text, ..symbol.clone() };
+                    // I^B_{11}: what stands below belongs to the symbol that is asked for.
+                    if !primes_only && marked.subscript.is_empty() && self.takes('_') {
+                        marked.subscript = self.script()?;
+                    }
+                    if primes_only {
+                        symbol.dots += primes;
+                    } else if knows(&marked) {
+                        symbol = marked;
+                    } else {
+                        self.at = before;
+                        break;
+                    }
+                }
+                _ => break,
+            }
+        }
+        Ok(Some((symbol, self.since(first))))
+    }
+
+    /// The letter of a symbol, in whatever braces, accents and dots.
+    fn base(&mut self, knows: &dyn Fn(&Symbol) -> bool) -> Result<Option<Symbol>, ParseError> {
+        let Some(mark) = self.peek() else { return Ok(None) };
+        self.at += 1;
+        match mark {
+            Mark::Letter(c) => Ok(Some(Symbol::plain(*c))),
+            Mark::Command(name) if is_letter(name) => Ok(Some(Symbol::plain(format!("\\{name}")))),
+            Mark::Command(name) if UPRIGHT.contains(&name.as_str()) => {
+                let word = self.script()?;
+                Ok(Some(Symbol::plain(word)))
+            }
+            Mark::Command(name) if ACCENTS.contains(&name.as_str()) => {
+                let inner = self.symbol(knows)?;
+                let accented =
+                    |(inner, _): (Symbol, _)| Symbol { base: format!("\\{name}{{{}}}", inner.base), ..inner };
+                Ok(inner.map(accented))
+            }
+            Mark::Command(name) => {
+                let Some((_, dots)) = DOTS.iter().find(|(n, _)| n == name) else { return Ok(None) };
+                let place = self.since(self.at - 1);
+                let Some((inner, _)) = self.symbol_without_scripts(knows)? else {
+                    let message = format!("`\\{name}` stands on no symbol");
+                    return Err(wrong(
+                        place,
+                        message,
+                        "write the derivatives of single symbols: \\dot{q}_1 + \\dot{q}_2",
+                    ));
+                };
+                Ok(Some(Symbol { dots: inner.dots + dots, ..inner }))
+            }
+            Mark::Char('{') => {
+                let inner = self.symbol(knows)?;
+                Ok(inner.filter(|_| self.takes('}')).map(|(symbol, _)| symbol))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// Reads the symbol under an accent: a braced symbol, or one letter. `None` if neither comes next.
+    fn symbol_without_scripts(
+        &mut self,
+        knows: &dyn Fn(&Symbol) -> bool,
+    ) -> Result<Option<(Symbol, Range<usize>)>, ParseError> {
+        self.enter()?;
+        let (first, base) = (self.at, self.base(knows)?);
+        self.depth -= 1;
+        Ok(base.map(|symbol| (symbol, self.since(first))))
+    }
+
+    /// Reads a subscript or superscript as text, without braces, spaces and upright type faces.
+    fn script(&mut self) -> Result<String, ParseError> {
+        let (mut text, mut open) = (String::new(), 0_usize);
+        let first = self.at;
+        loop {
+            let Some(mark) = self.peek() else {
+                let place = self.since(first.saturating_sub(1));
+                return Err(wrong(place, "this script never ends", "write it in braces, as in q_{12}"));
+            };
+            // Unbraced, one digit only is below or above.
+            if let (Mark::Number(digits), 0) = (mark, open)
+                && digits.len() > 1
+            {
+                let help = format!("write it in braces: {{{digits}}}; without them only {} is meant", &digits[..1]);
+                return Err(wrong(self.here(), format!("is `{digits}` all below or above?"), &help));
+            }
+            self.at += 1;
+            match mark {
+                Mark::Char('{') => open += 1,
+                Mark::Char('}') if open == 0 => {
+                    let help = "write it in braces, as in q_{12}";
+                    return Err(wrong(self.since(self.at - 1), "a script is missing in front of `}`", help));
+                }
+                Mark::Char('}') => open -= 1,
+                Mark::Char(c) | Mark::Letter(c) => text.push(*c),
+                Mark::Number(digits) => text.push_str(digits),
+                Mark::Command(name) if UPRIGHT.contains(&name.as_str()) => continue,
+                Mark::Command(name) if name == "_" => text.push('_'),
+                Mark::Command(name) => {
+                    text.push('\\');
+                    text.push_str(name);
+                }
+            }
+            if open == 0 {
+                return Ok(text);
+            }
+        }
+    }
+}

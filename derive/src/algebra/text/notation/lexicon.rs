@@ -1,0 +1,125 @@
+//! Names of functions and constants, in LaTeX and in programs.
+
+use super::kind::Notation;
+use crate::algebra::text::parse::is_reserved;
+
+/// Commands of LaTeX that are functions.
+const LATEX: [(&str, &str); 17] = [
+    ("sin", "sin"),
+    ("cos", "cos"),
+    ("tan", "tan"),
+    ("sec", "sec"),
+    ("csc", "csc"),
+    ("cot", "cot"),
+    ("sinh", "sinh"),
+    ("cosh", "cosh"),
+    ("tanh", "tanh"),
+    ("arcsin", "asin"),
+    ("arccos", "acos"),
+    ("arctan", "atan"),
+    ("exp", "exp"),
+    ("ln", "log"),
+    ("log", "log"),
+    ("min", "min"),
+    ("max", "max"),
+];
+
+/// Greek letters and letter-like commands of LaTeX.
+const LETTERS: [&str; 43] = [
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "vartheta",
+    "iota",
+    "kappa",
+    "varkappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "pi",
+    "varpi",
+    "rho",
+    "varrho",
+    "sigma",
+    "varsigma",
+    "tau",
+    "upsilon",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "Gamma",
+    "Delta",
+    "Theta",
+    "Lambda",
+    "Xi",
+    "Pi",
+    "Sigma",
+    "Upsilon",
+    "Phi",
+    "Psi",
+    "Omega",
+    "ell",
+    "hbar",
+];
+
+/// Functions of programs that are called otherwise here.
+const RENAMED: [(&str, &str); 13] = [
+    ("fabs", "abs"),
+    ("Abs", "abs"),
+    ("fmin", "min"),
+    ("fmax", "max"),
+    ("Min", "min"),
+    ("Max", "max"),
+    ("arcsin", "asin"),
+    ("arccos", "acos"),
+    ("arctan", "atan"),
+    ("arctan2", "atan2"),
+    ("ln", "log"),
+    ("sgn", "sign"),
+    ("minimum", "min"),
+];
+
+/// Modules and namespaces in front of functions.
+const MODULES: [&str; 8] = ["sp", "sympy", "sm", "np", "numpy", "math", "std", "me"];
+
+/// The function that a command of LaTeX is.
+pub(super) fn latex_function(command: &str) -> Option<&'static str> {
+    LATEX.iter().find(|(name, _)| *name == command).map(|(_, function)| *function)
+}
+
+/// True if a command of LaTeX is a letter.
+pub(super) fn is_letter(command: &str) -> bool {
+    LETTERS.contains(&command)
+}
+
+/// The function that a word, in roman type or in a program, is.
+pub(super) fn function(word: &str) -> Option<&str> {
+    let renamed = RENAMED.iter().find(|(name, _)| *name == word).map_or(word, |(_, function)| *function);
+    let is_function = is_reserved(renamed) && renamed != "pi";
+    (is_function || ["min", "max", "atan2"].contains(&renamed)).then_some(renamed)
+}
+
+/// The word without the module in front of it.
+pub(super) fn without_module(word: &str) -> &str {
+    let split = word.split_once("::").or_else(|| word.split_once('.'));
+    split.filter(|(module, _)| MODULES.contains(module)).map_or(word, |(_, name)| name)
+}
+
+/// Tokens, in the language of model files, of a constant of a program; `None` if the word is no constant.
+pub(super) fn constant(word: &str, notation: Notation) -> Option<&'static [&'static str]> {
+    match (word, notation) {
+        ("pi", Notation::Python | Notation::Matlab) | ("M_PI", Notation::C) => Some(&["pi"]),
+        ("M_PI_2", Notation::C) => Some(&["(", "pi", "/", "2", ")"]),
+        ("M_PI_4", Notation::C) => Some(&["(", "pi", "/", "4", ")"]),
+        _ => None,
+    }
+}

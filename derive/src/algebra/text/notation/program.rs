@@ -1,0 +1,281 @@
+//! Formulas of programs: Python with what `SymPy` prints, MATLAB, C.
+
+use super::calls::Calls;
+use super::kind::Notation;
+use super::lexicon::{constant, function, without_module};
+use super::plain::Plain;
+use super::quotient::refuse_whole_quotients;
+use super::refusal::{found, unknown, wrong};
+use super::spell::Spell;
+use crate::algebra::text::parse::ParseError;
+use std::ops::Range;
+
+/// Characters in which the index of a variable ends.
+const LONGEST_INDEX: usize = 40;
+
+/// A formula of a program in the language of model files.
+pub(super) fn translate(text: &str, notation: Notation, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
+    let program =
+        Program { text, notation, at: 0, out: Plain::new(), calls: Calls::default(), power: vec![false], spell };
+    program.whole()
+}
+
+/// A formula, read from its left to its right.
+pub(super) struct Program<'a, 's> {
+    pub(super) text: &'a str,
+    pub(super) notation: Notation,
+    pub(super) at: usize,
+    pub(super) out: Plain,
+    pub(super) calls: Calls,
+    /// For each open parenthesis, and outside of all: whether an exponent is being read.
+    power: Vec<bool>,
+    pub(super) spell: &'s mut dyn Spell,
+}
+
+impl Program<'_, '_> {
+    fn whole(mut self) -> Result<Plain, ParseError> {
+        loop {
+            self.skip();
+            let Some(c) = self.text[self.at..].chars().next() else { break };
+            match c {
+                '0'..='9' => self.number(),
+                '.' if self.rest(1).starts_with(|c: char| c.is_ascii_digit()) => self.number(),
+                'a'..='z' | 'A'..='Z' | '_' => self.named()?,
+                ';' if matches!(self.notation, Notation::Matlab | Notation::C) => {
+                    self.at += 1;
+                    self.skip();
+                    if self.at < self.text.len() {
+                        let help = "give the right side of one assignment";
+                        return Err(wrong(self.at..self.text.len(), "more than one statement", help));
+                    }
+                }
+                _ => self.operator(c)?,
+            }
+        }
+        if self.notation == Notation::C {
+            refuse_whole_quotients(&self.out)?;
+        }
+        Ok(self.out)
+    }
+
+    /// The text from so many bytes on.
+    pub(super) fn rest(&self, from: usize) -> &str {
+        self.text.get(self.at + from..).unwrap_or_default()
+    }
+
+    /// Goes over space, comments and the marks of lines that go on.
+    pub(super) fn skip(&mut self) {
+        loop {
+            let rest = self.rest(0);
+            let space = rest.len() - rest.trim_start().len();
+            let line = rest.find('\n').unwrap_or(rest.len());
+            let length = match self.notation {
+                _ if space > 0 => space,
+                Notation::Matlab if rest.starts_with('%') || rest.starts_with("...") => line,
+                Notation::Python if rest.starts_with('#') => line,
+                Notation::C if rest.starts_with("//") => line,
+                Notation::C if rest.starts_with("/*") => rest.find("*/").map_or(rest.len(), |end| end + 2),
+                Notation::C | Notation::Python if rest.starts_with("\\\n") => 2,
+                _ => return,
+            };
+            self.at += length;
+        }
+    }
+
+    fn number(&mut self) {
+        let start = self.at;
+        let bytes = self.text.as_bytes();
+        let digits = |mut at: usize| {
+            while bytes.get(at).is_some_and(|b| b.is_ascii_digit() || *b == b'.') {
+                at += 1;
+            }
+            at
+        };
+        self.at = digits(start);
+        if matches!(bytes.get(self.at), Some(b'e' | b'E')) {
+            let sign = usize::from(matches!(bytes.get(self.at + 1), Some(b'+' | b'-')));
+            let end = digits(self.at + 1 + sign);
+            self.at = if end > self.at + 1 + sign { end } else { self.at };
+        }
+        let mut end = self.at;
+        // 2.*x is 2 .* x, and 2...  goes on in the next line.
+        if self.notation == Notation::Matlab {
+            let after = self.rest(0).starts_with(['*', '/', '^']) && self.text[start..end].ends_with('.');
+            let dots = self.text[start..end].find("...").map(|dots| start + dots);
+            end = dots.unwrap_or(end - usize::from(after));
+            self.at = end;
+        }
+        if self.notation == Notation::C && self.rest(0).starts_with(['f', 'F', 'l', 'L']) {
+            self.at += 1;
+        }
+        self.out.push(&self.text[start..end], start..self.at);
+    }
+
+    /// A name with what belongs to it: modules, members, indices.
+    pub(super) fn word(&mut self) -> (String, Range<usize>) {
+        let start = self.at;
+        loop {
+            let length = self.rest(0).find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+            self.at += length.unwrap_or(self.rest(0).len());
+            let begins = |skip: usize| self.rest(skip).starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+            let step = match self.rest(0) {
+                rest if rest.starts_with(".diff(") => break,
+                rest if rest.starts_with('.') && begins(1) => 1,
+                rest if self.notation == Notation::C
+                    && (rest.starts_with("::") || rest.starts_with("->"))
+                    && begins(2) =>
+                {
+                    2
+                }
+                _ => break,
+            };
+            self.at += step;
+        }
+        (self.text[start..self.at].replace("->", "."), start..self.at)
+    }
+
+    fn named(&mut self) -> Result<(), ParseError> {
+        let (whole, place) = self.word();
+        let word = without_module(&whole).to_owned();
+        if let Some(tokens) = constant(&word, self.notation) {
+            self.out.push_all(tokens, &place);
+            return Ok(());
+        }
+        self.skip();
+        if self.rest(0).starts_with('(') && self.call(&word, &place)? {
+            return Ok(());
+        }
+        let name = self.indexed(word);
+        let name = self.spell.variable(&name).map_err(|why| unknown(place.start..self.at, why))?;
+        let place = place.start..self.at;
+        let name = self.differentiated(name)?;
+        self.out.push(&name, place);
+        Ok(())
+    }
+
+    /// A name with the indices that follow it: z(6) of MATLAB, z[5] of others.
+    fn indexed(&mut self, word: String) -> String {
+        let (open, close) = if self.notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
+        let near = self.rest(0).get(..LONGEST_INDEX).unwrap_or(self.rest(0));
+        let inside =
+            near.strip_prefix(open).and_then(|rest| rest.split_once(close)).map(|(inside, _)| inside.to_owned());
+        let Some(inside) = inside else { return word };
+        let index = inside.replace(' ', "");
+        if index.is_empty() || !index.split(',').all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit())) {
+            return word;
+        }
+        self.at += inside.len() + 2;
+        format!("{word}{open}{index}{close}")
+    }
+
+    fn operator(&mut self, c: char) -> Result<(), ParseError> {
+        let rest = self.rest(0);
+        let matlab = self.notation == Notation::Matlab;
+        let (token, length) = match c {
+            '.' if matlab && rest[1..].starts_with(['*', '/', '^']) => (&rest[1..2], 2),
+            '*' if rest.starts_with("**") && self.notation == Notation::Python => ("^", 2),
+            '/' if rest.starts_with("//") => return Err(self.odd(c)),
+            '^' if !matlab => return Err(self.odd(c)),
+            '+' | '-' | '*' | '/' | '^' | '(' | ')' | ',' => (&rest[..1], 1),
+            _ => return Err(self.odd(c)),
+        };
+        let token = token.to_owned();
+        let place = self.at..self.at + length;
+        if token == "^" {
+            self.one_power(&place)?;
+        } else if matches!(token.as_str(), "+" | "-" | "*" | "/") && self.ends_operand() {
+            self.leave_power();
+        }
+        self.at += length;
+        match token.as_str() {
+            "(" => {
+                self.power.push(false);
+                self.calls.open(&mut self.out, &["("], &place);
+            }
+            ")" if self.calls.is_open() => {
+                self.power.pop();
+                self.calls.close(&mut self.out, &place)?;
+            }
+            "," => {
+                self.leave_power();
+                self.calls.comma(&mut self.out, &place)?;
+            }
+            token => self.out.push(token, place),
+        }
+        Ok(())
+    }
+
+    /// Opens a call whose parenthesis is next.
+    pub(super) fn enter_call(&mut self) {
+        self.at += 1;
+        self.power.push(false);
+    }
+
+    fn leave_power(&mut self) {
+        if let Some(power) = self.power.last_mut() {
+            *power = false;
+        }
+    }
+
+    /// True if the last token read ends an operand.
+    fn ends_operand(&self) -> bool {
+        let last = self.out.tokens().next_back().map(|(token, _)| token);
+        last.is_some_and(|token| !matches!(token, "+" | "-" | "*" | "/" | "^" | "(" | ","))
+    }
+
+    /// MATLAB reads powers of powers from the left, others from the right.
+    fn one_power(&mut self, place: &Range<usize>) -> Result<(), ParseError> {
+        let Some(power) = self.power.last_mut() else { return Ok(()) };
+        if std::mem::replace(power, true) && self.notation == Notation::Matlab {
+            let help = "MATLAB reads a^b^c as (a^b)^c: write the parentheses";
+            return Err(wrong(place.clone(), "a power of a power", help));
+        }
+        Ok(())
+    }
+
+    /// A character that has no place in a formula of this notation.
+    fn odd(&self, c: char) -> ParseError {
+        let (mut shown, mut span) = found(self.text, self.at);
+        let help = match (self.notation, c) {
+            (Notation::C, '^') => "in C this is no power: pow(x, 2)",
+            (Notation::Python, '^') => "in Python this is no power: x**2",
+            (Notation::Python, '/') => {
+                (shown, span) = ("//".to_owned(), self.at..self.at + 2);
+                "this divides down to a whole number: write `/`"
+            }
+            (Notation::Matlab, '\'') => {
+                "in MATLAB this transposes: a rate has a name of its own, which [symbols] declares, as in q1d = \"q1'\""
+            }
+            (_, '\'') => "a rate has a name of its own, which [symbols] declares, as in q1d = \"q1'\"",
+            (Notation::Matlab, '\\') => "write a quotient with `/`; a system of equations is a [[system]]",
+            (_, '=') => "give the right side of an assignment alone",
+            (_, '[' | ']' | '{' | '}') => "give each component an entry of its own",
+            (_, '<' | '>' | '?' | '!' | '&' | '|' | '~') => "a formula has no conditions",
+            _ => "allowed are numbers, names, + - * / ( ), powers and functions such as sin(q1)",
+        };
+        wrong(span, format!("unexpected `{shown}`"), help)
+    }
+
+    /// Opens a function, whose parenthesis is next; false if the word is none.
+    fn call(&mut self, word: &str, place: &Range<usize>) -> Result<bool, ParseError> {
+        if self.notation == Notation::C && word == "abs" {
+            let help = "in C this rounds to a whole number: fabs(x)";
+            return Err(wrong(place.clone(), "unexpected `abs`", help));
+        }
+        if let Some(name) = self.derivative(word)? {
+            self.out.push(&name, place.start..self.at);
+            return Ok(true);
+        }
+        if self.calls.rewritten(&mut self.out, word, self.notation, place) {
+            self.enter_call();
+            return Ok(true);
+        }
+        let Some(name) = function(word) else { return Ok(false) };
+        let name = name.to_owned();
+        self.out.push(&name, place.clone());
+        let open = self.at..self.at + 1;
+        self.enter_call();
+        self.calls.open(&mut self.out, &["("], &open);
+        Ok(true)
+    }
+}

@@ -1,0 +1,54 @@
+//! Quotients of whole numbers, which C rounds towards zero.
+
+use super::plain::Plain;
+use super::refusal::wrong;
+use crate::algebra::text::parse::ParseError;
+use std::ops::Range;
+
+/// State of one level of parentheses while it is read.
+#[derive(Default)]
+struct Level {
+    /// True if a term before the current one is not a whole number.
+    is_real: bool,
+    /// True if the current term is whole so far; `None` if it has not begun.
+    term: Option<bool>,
+    /// The slash that the next operand is below.
+    slash: Option<Range<usize>>,
+}
+
+/// Refuses a quotient of which both parts are whole numbers: `1/2` is 0.
+pub(super) fn refuse_whole_quotients(plain: &Plain) -> Result<(), ParseError> {
+    let mut levels = vec![Level::default()];
+    for (token, place) in plain.tokens() {
+        let Some(level) = levels.last_mut() else { return Ok(()) };
+        match token {
+            "(" => levels.push(Level::default()),
+            ")" => {
+                let inner = levels.pop().unwrap_or_default();
+                let Some(outer) = levels.last_mut() else { return Ok(()) };
+                operand(outer, !inner.is_real && inner.term != Some(false))?;
+            }
+            "/" => level.slash = Some(place.clone()),
+            // Powers and what has several arguments are real.
+            "^" => level.term = Some(false),
+            "," => *level = Level { is_real: true, ..Level::default() },
+            "+" | "-" => {
+                level.is_real |= level.term == Some(false);
+                level.term = None;
+            }
+            "*" => {}
+            number => operand(level, number.bytes().all(|b| b.is_ascii_digit()))?,
+        }
+    }
+    Ok(())
+}
+
+/// Takes an operand into the term of a level.
+fn operand(level: &mut Level, is_whole: bool) -> Result<(), ParseError> {
+    if let Some(slash) = level.slash.take().filter(|_| is_whole && level.term == Some(true)) {
+        let help = "C rounds quotients of whole numbers towards zero, 1/2 is 0: write 1.0/2 if that is printed";
+        return Err(wrong(slash, "a quotient of whole numbers", help));
+    }
+    level.term = Some(is_whole && level.term != Some(false));
+    Ok(())
+}

@@ -1,0 +1,88 @@
+//! Functions of time as `SymPy` prints them: `q(t)`, `q(t).diff(t)`, `Derivative(q(t), (t, 2))`.
+
+use super::kind::Notation;
+use super::lexicon::without_module;
+use super::program::Program;
+use super::refusal::{unknown, wrong};
+use crate::algebra::text::parse::ParseError;
+
+impl Program<'_, '_> {
+    /// `Derivative(q(t), t)` and `Derivative(q(t), (t, 2))` of `SymPy`, whose parenthesis is next, as q' and q''.
+    pub(super) fn derivative(&mut self, word: &str) -> Result<Option<String>, ParseError> {
+        if self.notation != Notation::Python || !matches!(word, "Derivative" | "diff") {
+            return Ok(None);
+        }
+        self.at += 1;
+        self.skip();
+        let (name, place) = self.word();
+        let name = without_module(&name).to_owned();
+        self.of_time();
+        let name = self.spell.variable(&name).map_err(|why| unknown(place, why))?;
+        let primes = self.times()?;
+        Ok(Some(name + &"'".repeat(primes)))
+    }
+
+    /// A name with what `SymPy` appends: the time that a symbol depends on, and `.diff(t)`.
+    pub(super) fn differentiated(&mut self, name: String) -> Result<String, ParseError> {
+        if self.notation != Notation::Python {
+            return Ok(name);
+        }
+        self.of_time();
+        if !self.rest(0).starts_with(".diff(") {
+            return Ok(name);
+        }
+        let begin = self.at;
+        self.at += ".diff(".len();
+        let inside = self.rest(0);
+        let Some(end) = inside.find(')') else { return Err(self.not_by_time(begin)) };
+        let arguments = inside[..end].replace(' ', "");
+        self.at += end + 1;
+        let primes = match arguments.as_str() {
+            "t" => 1,
+            "t,2" | "t,t" => 2,
+            _ => return Err(self.not_by_time(begin)),
+        };
+        Ok(name + &"'".repeat(primes))
+    }
+
+    /// Goes over `(t)`.
+    fn of_time(&mut self) {
+        for written in ["(t)", "( t )"] {
+            if self.rest(0).starts_with(written) {
+                self.at += written.len();
+            }
+        }
+    }
+
+    /// `, t)`, `, t, t)`, `, t, 2)` or `, (t, 2))`: how often by time.
+    fn times(&mut self) -> Result<usize, ParseError> {
+        let begin = self.at;
+        // No parenthesis is open in it but that around (t, 2).
+        let mut depth = 1_usize;
+        let end = self.rest(0).char_indices().find_map(|(at, c)| {
+            match c {
+                '(' => depth += 1,
+                ')' => depth -= 1,
+                _ => {}
+            }
+            (depth == 0).then_some(at)
+        });
+        let Some(end) = end else { return Err(self.not_by_time(begin)) };
+        let inside = self.rest(0)[..end].replace([' ', '(', ')'], "");
+        self.at += end + 1;
+        match inside.as_str() {
+            ",t" => Ok(1),
+            ",t,2" | ",t,t" => Ok(2),
+            _ => Err(self.not_by_time(begin)),
+        }
+    }
+
+    fn not_by_time(&self, begin: usize) -> ParseError {
+        let place = begin..self.at.max(begin);
+        wrong(
+            place,
+            "this is not a derivative of one symbol by time",
+            "write Derivative(q(t), t) or Derivative(q(t), (t, 2))",
+        )
+    }
+}

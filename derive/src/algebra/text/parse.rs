@@ -1,0 +1,512 @@
+//! Infix text to expressions: `-R*u2*tan(q2) + u4*cos(q1)`, `q1'` for a time derivative, `^` for powers.
+//!
+//! Decimals are exact (`0.1` is 1/10). Sums and products are read in loops, so their length is
+//! unlimited; nesting is limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as
+//! quotients of sine and cosine. Where the reader of a file knows velocities, `v(P) @ A [1]` is an operand.
+
+mod cursor;
+mod domain;
+mod error;
+mod interaction;
+mod number;
+mod size;
+mod velocity;
+
+pub use error::ParseError;
+pub use interaction::InteractionName;
+pub use velocity::{VelocityName, VelocityOf, canonical as velocity_name};
+
+use crate::algebra::{Arena, Expr, Function, Node, PowerError, Rational};
+use domain::{is_outside, is_partial};
+use error::error;
+use number::decimal;
+use rustc_hash::FxHashSet;
+use size::{below_of, largest_number};
+
+/// The deepest nesting of parentheses and functions that is read.
+pub const MAX_DEPTH: usize = 200;
+
+/// Largest cost of exact arithmetic in one expression, in squared bits: about a second.
+const MAX_WORK: u64 = 50_000_000_000;
+
+/// Looks up a name: returns its term, or the reason why it has none, as (message, help).
+pub type Resolve<'a> = dyn FnMut(&mut Arena, &str) -> Result<Expr, (String, Option<String>)> + 'a;
+
+/// Looks up a component of a velocity: returns its term, or the reason why it has none, as (message, help).
+pub type ResolveVelocity<'a> = dyn FnMut(&mut Arena, &VelocityName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
+
+/// Looks up a component of a force or torque between bodies: returns its term, or the reason why it has none, as
+/// (message, help).
+pub type ResolveInteraction<'a> =
+    dyn FnMut(&mut Arena, &InteractionName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
+
+/// Reads one expression; names are looked up by `resolve`.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse(arena: &mut Arena, text: &str, resolve: &mut Resolve<'_>) -> Result<Expr, ParseError> {
+    parse_primed(arena, text, 1, resolve)
+}
+
+/// Reads a formula in which names may end in up to `primes` primes: a published equation has second derivatives,
+/// `q1''`.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse_primed(
+    arena: &mut Arena,
+    text: &str,
+    primes: usize,
+    resolve: &mut Resolve<'_>,
+) -> Result<Expr, ParseError> {
+    Parser { primes, ..Parser::new(arena, text, resolve) }.whole()
+}
+
+/// Reads one expression that may name components of velocities, and of forces and torques between bodies. These are
+/// looked up by `velocity` and `interaction`.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse_with_quantities<'a>(
+    arena: &mut Arena,
+    text: &str,
+    resolve: &mut Resolve<'a>,
+    velocity: &mut ResolveVelocity<'a>,
+    interaction: &mut ResolveInteraction<'a>,
+) -> Result<Expr, ParseError> {
+    let (velocity, interaction) = (Some(velocity), Some(interaction));
+    Parser { velocity, interaction, ..Parser::new(arena, text, resolve) }.whole()
+}
+
+/// Reads one expression in which every name is a symbol, declared as it appears.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse_free(arena: &mut Arena, text: &str) -> Result<Expr, ParseError> {
+    parse(arena, text, &mut |arena, name| Ok(arena.symbol(name)))
+}
+
+/// True if `name` is a function or constant of the expression language.
+#[must_use]
+pub fn is_reserved(name: &str) -> bool {
+    name == "pi" || is_function(name)
+}
+
+/// Functions of several arguments; where they are not called they are names like others.
+const OF_SEVERAL: [&str; 3] = ["min", "max", "atan2"];
+
+fn is_function(name: &str) -> bool {
+    ["tan", "sec", "csc", "cot"].contains(&name) || Function::ALL.iter().any(|(_, n)| *n == name)
+}
+
+struct Parser<'a, 'b> {
+    arena: &'a mut Arena,
+    text: &'a str,
+    at: usize,
+    depth: usize,
+    work: u64,
+    /// The most primes that a name may end in.
+    primes: usize,
+    /// Functions that have no real value for every argument, as they were written.
+    partial: Vec<Expr>,
+    resolve: &'a mut Resolve<'b>,
+    velocity: Option<&'a mut ResolveVelocity<'b>>,
+    interaction: Option<&'a mut ResolveInteraction<'b>>,
+}
+
+impl<'a, 'b> Parser<'a, 'b> {
+    fn new(arena: &'a mut Arena, text: &'a str, resolve: &'a mut Resolve<'b>) -> Self {
+        let (velocity, interaction) = (None, None);
+        Self { arena, text, at: 0, depth: 0, work: 0, primes: 1, partial: Vec::new(), resolve, velocity, interaction }
+    }
+}
+
+impl Parser<'_, '_> {
+    fn whole(mut self) -> Result<Expr, ParseError> {
+        self.skip_space();
+        if self.at == self.text.len() {
+            let help = "write 0 if nothing is meant";
+            return Err(error(0..self.text.len(), "the expression is empty", Some(help)));
+        }
+        let e = self.sum()?;
+        if self.at < self.text.len() {
+            return Err(ParseError::unexpected(self.text, self.at, self.primes));
+        }
+        // log(w) − log(w) + w is w, but only where there is a logarithm of w.
+        let partial = std::mem::take(&mut self.partial);
+        if !partial.is_empty() {
+            let kept = self.arena.reachable(&[e]);
+            partial.into_iter().filter(|part| !kept.contains(part)).for_each(|part| self.arena.restrict(part));
+        }
+        Ok(e)
+    }
+
+    fn peek(&self) -> Option<u8> {
+        self.text.as_bytes().get(self.at).copied()
+    }
+
+    fn skip_space(&mut self) {
+        while self.peek().is_some_and(|b| b.is_ascii_whitespace()) {
+            self.at += 1;
+        }
+    }
+
+    fn take(&mut self, byte: u8) -> bool {
+        let found = self.peek() == Some(byte);
+        if found {
+            self.at += 1;
+            self.skip_space();
+        }
+        found
+    }
+
+    /// Counts what it costs to add or multiply numbers of so many bits.
+    fn spend(&mut self, bits: u64, start: usize) -> Result<(), ParseError> {
+        self.work = self.work.saturating_add(bits.saturating_mul(bits));
+        if self.work <= MAX_WORK {
+            return Ok(());
+        }
+        let help = "write shorter numbers, or fewer different fractions";
+        Err(error(start..self.at, "the numbers in this expression grow too large", Some(help)))
+    }
+
+    fn sum(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        let mut terms = Vec::new();
+        let mut sign = Rational::ONE;
+        let mut denominators = FxHashSet::default();
+        let mut common = 0;
+        loop {
+            let term = self.term()?;
+            let (above, below) = largest_number(self.arena, term);
+            // Different denominators multiply; numerators hardly grow.
+            if below > 1 && denominators.insert(below_of(self.arena, term)) {
+                common += below;
+            }
+            self.spend(common + above, start)?;
+            terms.push((term, sign));
+            sign = match self.peek() {
+                Some(b'+') => Rational::ONE,
+                Some(b'-') => Rational::MINUS_ONE,
+                _ => break,
+            };
+            self.at += 1;
+            self.skip_space();
+        }
+        Ok(if terms.len() == 1 { terms[0].0 } else { self.arena.linear_combination(&terms) })
+    }
+
+    fn term(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        let mut factors = vec![(self.signed()?, 1)];
+        let (above, below) = largest_number(self.arena, factors[0].0);
+        let mut bits = (above - 1) + (below - 1);
+        loop {
+            let exponent = match self.peek() {
+                Some(b'*') if self.text.as_bytes().get(self.at + 1) == Some(&b'*') => {
+                    self.at += 1;
+                    return Err(ParseError::unexpected(self.text, self.at, self.primes));
+                }
+                Some(b'*') => 1,
+                Some(b'/') => -1,
+                _ => break,
+            };
+            self.at += 1;
+            self.skip_space();
+            let operand = self.at;
+            let factor = self.signed()?;
+            if exponent < 0 && factor == Expr::ZERO {
+                return Err(error(operand..self.at, "division by zero", Some("this divisor is zero")));
+            }
+            factors.push((factor, exponent));
+            let (above, below) = largest_number(self.arena, factor);
+            bits += (above - 1) + (below - 1);
+            self.spend(bits, start)?;
+        }
+        if factors.len() == 1 {
+            return Ok(factors[0].0);
+        }
+        let product = self.arena.try_product(&factors).and_then(|e| self.within_limits(e));
+        product.map_err(|e| ParseError::power(start..self.at, e))
+    }
+
+    /// Refuses a product with an exponent beyond what may be written.
+    fn within_limits(&self, e: Expr) -> Result<Expr, PowerError> {
+        let product = match self.arena.node(e) {
+            Node::Sum(_, terms) if terms.len() == 1 => terms[0].0,
+            _ => e,
+        };
+        match self.arena.node(product) {
+            Node::Product(factors) if factors.iter().any(|(_, n)| n.abs() > Arena::MAX_WRITTEN_EXPONENT) => {
+                Err(PowerError::TooLarge)
+            }
+            _ => Ok(e),
+        }
+    }
+
+    /// Any number of signs, then a power: −x² is −(x²).
+    fn signed(&mut self) -> Result<Expr, ParseError> {
+        let mut negative = false;
+        loop {
+            match self.peek() {
+                Some(b'-') => negative = !negative,
+                Some(b'+') => {}
+                _ => break,
+            }
+            self.at += 1;
+            self.skip_space();
+        }
+        let e = self.power()?;
+        Ok(if negative { self.arena.neg(e) } else { e })
+    }
+
+    fn power(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        let base = self.primary()?;
+        if !self.take(b'^') {
+            return Ok(base);
+        }
+        let from = self.at;
+        self.enter(from)?;
+        let exponent = self.signed()?;
+        self.depth -= 1;
+        let halves = self.arena.as_number(exponent).map(|n| n.mul(&Rational::integer(2)));
+        let Some(halves) = halves.filter(Rational::is_integer) else {
+            let help = "an exponent is a number, whole or half: x^2, x^-1, x^(1/2)";
+            return Err(error(from..self.at, "this exponent is not a whole or half number", Some(help)));
+        };
+        let too_large = |parser: &Self| ParseError::power(start..parser.at, PowerError::TooLarge);
+        let halves = halves.to_i64().and_then(|n| i32::try_from(n).ok()).ok_or_else(|| too_large(self))?;
+        let (base, n) = if halves % 2 == 0 {
+            (base, halves / 2)
+        } else {
+            (self.checked_apply(Function::Sqrt, base, start)?, halves)
+        };
+        if n == 0 {
+            return Ok(Expr::ONE);
+        }
+        self.arena.pow(base, n).and_then(|e| self.within_limits(e)).map_err(|e| ParseError::power(start..self.at, e))
+    }
+
+    fn enter(&mut self, start: usize) -> Result<(), ParseError> {
+        self.depth += 1;
+        if self.depth > MAX_DEPTH {
+            let message = format!("nesting deeper than {MAX_DEPTH}");
+            return Err(error(start..start + 1, message, Some("split the expression")));
+        }
+        Ok(())
+    }
+
+    fn parenthesized(&mut self, open: usize) -> Result<Expr, ParseError> {
+        self.enter(open)?;
+        let e = self.sum()?;
+        self.depth -= 1;
+        if !self.take(b')') {
+            if self.at < self.text.len() {
+                return Err(ParseError::unexpected(self.text, self.at, self.primes));
+            }
+            return Err(error(open..open + 1, "this `(` is never closed", Some("add `)`")));
+        }
+        Ok(e)
+    }
+
+    fn primary(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        match self.peek() {
+            Some(b'(') => {
+                self.take(b'(');
+                self.parenthesized(start)
+            }
+            Some(b'0'..=b'9' | b'.') => self.number(),
+            Some(b'a'..=b'z' | b'A'..=b'Z' | b'_') => self.named(),
+            _ => Err(ParseError::unexpected(self.text, self.at, self.primes)),
+        }
+    }
+
+    fn number(&mut self) -> Result<Expr, ParseError> {
+        let (value, end) = decimal(self.text, self.at)?;
+        self.at = end;
+        self.skip_space();
+        Ok(self.arena.number(value))
+    }
+
+    fn named(&mut self) -> Result<Expr, ParseError> {
+        let start = self.at;
+        let name_end = self.text[start..]
+            .find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
+            .map_or(self.text.len(), |length| start + length);
+        let primes = self.text[name_end..].bytes().take_while(|b| *b == b'\'').count();
+        let end = name_end + primes;
+        let text = self.text;
+        let name = &text[start..end];
+        self.at = end;
+        self.skip_space();
+        let called = self.peek() == Some(b'(');
+        if is_function(name) {
+            if !called {
+                let help = format!("write {name}(…)");
+                return Err(error(start..end, format!("`{name}` needs an argument in parentheses"), Some(&help)));
+            }
+            let open = self.at;
+            self.take(b'(');
+            let argument = self.parenthesized(open)?;
+            return self.function(name, argument, start);
+        }
+        if called && name == "distance" && self.velocity.is_some() {
+            return self.distance(start);
+        }
+        if called && OF_SEVERAL.contains(&name) {
+            return self.of_several(name, start);
+        }
+        if called && velocity::is_velocity(name) && self.velocity.is_some() {
+            return self.component(name, start);
+        }
+        if called && interaction::is_interaction(name) && self.interaction.is_some() {
+            return self.interaction(name, start);
+        }
+        if called {
+            let help = format!("write `{name}` alone if it depends on time, `{name}*(…)` for a product");
+            return Err(error(start..end, format!("`{name}` is not a function"), Some(&help)));
+        }
+        if primes > self.primes && self.primes > 1 {
+            let message = format!("this name has more than {} primes", self.primes);
+            return Err(error(start..end, message, Some("q1'' is the second derivative; there is no third here")));
+        }
+        if primes > self.primes {
+            let help = "one prime only: second derivatives are derived, not stated";
+            return Err(error(start..end, format!("`{name}` has more than one prime"), Some(help)));
+        }
+        if name == "pi" {
+            return Ok(self.arena.pi());
+        }
+        (self.resolve)(self.arena, name).map_err(|(message, help)| ParseError { span: start..end, message, help })
+    }
+
+    /// A component of a velocity, whose `v` or `omega` was at `start`.
+    fn component(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
+        let (name, end) = VelocityName::read(word, self.text, self.at)?;
+        self.at = end;
+        let resolve = self.velocity.as_mut().expect("asked before");
+        resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
+    }
+
+    /// A component of what bodies exert on one another, whose `force` or `torque` was at `start`.
+    fn interaction(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
+        let (name, end) = InteractionName::read(word, self.text, self.at)?;
+        self.at = end;
+        let resolve = self.interaction.as_mut().expect("asked before");
+        resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
+    }
+
+    /// The distance of two points, whose `distance` was at `start`.
+    fn distance(&mut self, start: usize) -> Result<Expr, ParseError> {
+        let (ends, end) = VelocityName::ends(self.text, self.at)?;
+        self.at = end;
+        let resolve = self.velocity.as_mut().expect("asked before");
+        let mut squares = Vec::new();
+        for pair in ends {
+            let mut places = [Expr::ZERO; 2];
+            for (place, name) in places.iter_mut().zip(&pair) {
+                *place = resolve(self.arena, name).map_err(|(message, help)| ParseError {
+                    span: start..end,
+                    message,
+                    help,
+                })?;
+            }
+            let way = self.arena.sub(places[1], places[0]);
+            squares.push(self.arena.square(way));
+        }
+        let square = self.arena.sum(&squares);
+        Ok(self.arena.apply(Function::Sqrt, square))
+    }
+
+    /// A function of several arguments: the least, the greatest, or the angle of a direction, by functions of one.
+    fn of_several(&mut self, name: &str, start: usize) -> Result<Expr, ParseError> {
+        let open = self.at;
+        self.take(b'(');
+        self.enter(open)?;
+        let mut arguments = vec![self.sum()?];
+        while self.take(b',') {
+            arguments.push(self.sum()?);
+        }
+        self.depth -= 1;
+        if !self.take(b')') {
+            if self.at < self.text.len() {
+                return Err(ParseError::unexpected(self.text, self.at, self.primes));
+            }
+            return Err(error(open..open + 1, "this `(` is never closed", Some("add `)`")));
+        }
+        if name == "atan2" {
+            let &[y, x] = arguments.as_slice() else {
+                return Err(error(start..self.at, "`atan2` takes two arguments", Some("write atan2(y, x)")));
+            };
+            return self.direction(y, x, start);
+        }
+        if arguments.len() < 2 {
+            let help = format!("write {name}(a, b)");
+            return Err(error(start..self.at, format!("`{name}` takes two arguments or more"), Some(&help)));
+        }
+        let half = Rational::fraction(1, 2).expect("not zero");
+        let mut result = arguments[0];
+        for argument in &arguments[1..] {
+            // (a + b ± |a − b|)/2.
+            let apart = self.arena.sub(result, *argument);
+            let apart = self.arena.apply(Function::Abs, apart);
+            let both = self.arena.add(result, *argument);
+            let sum = if name == "max" { self.arena.add(both, apart) } else { self.arena.sub(both, apart) };
+            result = self.arena.scale(sum, &half);
+        }
+        Ok(result)
+    }
+
+    /// The angle of (x, y) from the first axis, 2 arctan(y/(x + √(x² + y²))): not on the negative half of that axis.
+    fn direction(&mut self, y: Expr, x: Expr, start: usize) -> Result<Expr, ParseError> {
+        let squares = [self.arena.square(x), self.arena.square(y)];
+        let square = self.arena.sum(&squares);
+        let length = self.arena.apply(Function::Sqrt, square);
+        let below = self.arena.add(x, length);
+        let quotient = self.arena.div(y, below).filter(|_| below != Expr::ZERO).ok_or_else(|| {
+            error(start..self.at, "atan2 has no value here", Some("it is undefined along the negative first axis"))
+        })?;
+        let half = self.arena.apply(Function::Atan, quotient);
+        Ok(self.arena.scale(half, &Rational::integer(2)))
+    }
+
+    fn function(&mut self, name: &str, argument: Expr, start: usize) -> Result<Expr, ParseError> {
+        let quotient = |parser: &mut Self, above: Expr, below: Expr| {
+            parser.arena.div(above, below).ok_or_else(|| {
+                let message = format!("{name} has no value here");
+                error(start..parser.at, message, Some("it divides by zero at this constant angle"))
+            })
+        };
+        match name {
+            "tan" | "cot" | "sec" | "csc" => {
+                let (sine, cosine) = (self.arena.sin(argument), self.arena.cos(argument));
+                match name {
+                    "tan" => quotient(self, sine, cosine),
+                    "cot" => quotient(self, cosine, sine),
+                    "sec" => quotient(self, Expr::ONE, cosine),
+                    _ => quotient(self, Expr::ONE, sine),
+                }
+            }
+            _ => {
+                let (f, _) = *Function::ALL.iter().find(|(_, n)| *n == name).expect("is_function said so");
+                self.checked_apply(f, argument, start)
+            }
+        }
+    }
+
+    /// f(argument), refused for constants outside the function's domain.
+    fn checked_apply(&mut self, f: Function, argument: Expr, start: usize) -> Result<Expr, ParseError> {
+        if is_outside(self.arena, f, argument) {
+            let shown = crate::diagnostic::shown(&super::print::text(self.arena, argument));
+            let message = format!("{}({shown}) is not a real number", f.name());
+            return Err(error(start..self.at, message, Some("the argument is outside the function's domain")));
+        }
+        let e = self.arena.apply(f, argument);
+        if is_partial(f) && self.arena.as_number(argument).is_none() {
+            self.partial.push(e);
+        }
+        Ok(e)
+    }
+}

@@ -1,0 +1,36 @@
+//! Domains of functions: the arguments for which they have real values.
+
+use crate::algebra::value::evaluate::Tape;
+use crate::algebra::{Arena, Expr, Function, Rational};
+
+/// True if a function has no real value for some arguments.
+pub(super) fn is_partial(f: Function) -> bool {
+    matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos)
+}
+
+/// True if an argument lies outside the domain of a function: exactly for plain numbers, to rounding for other
+/// constants. False for an argument that mentions a symbol.
+pub(super) fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
+    if !is_partial(f) {
+        return false;
+    }
+    if let Some(value) = arena.as_number(argument) {
+        let size = if value.is_negative() { value.neg() } else { value.clone() };
+        return match f {
+            Function::Sqrt => value.is_negative(),
+            Function::Log => value.is_negative() || value.is_zero(),
+            _ => size > Rational::ONE,
+        };
+    }
+    // What mentions a symbol may have any value.
+    let Ok(tape) = Tape::new(arena, &[], &[argument]) else { return false };
+    let value = tape.evaluate(&[])[0];
+    match f {
+        Function::Sqrt => value < -ROUNDING,
+        Function::Log => value <= 0.0,
+        _ => value.abs() > 1.0 + ROUNDING,
+    }
+}
+
+/// Rounding error allowed in the value of a constant such as sin(1)^2 + cos(1)^2.
+const ROUNDING: f64 = 1e-12;

@@ -1,0 +1,273 @@
+//! Expressions as people write them, in text (which parses back to the same term), LaTeX, Typst and `MathML`; and as
+//! Python reads them.
+//!
+//! Printing for people stops at [`BUDGET`] nodes, since nobody reads further; [`whole_text`] is for programs.
+
+mod latex;
+mod lines;
+mod mathml;
+mod name;
+mod parts;
+mod python;
+mod typst;
+
+pub use latex::latex_name;
+pub use lines::{formula_width, latex_lines, mathml_pieces, typst_lines};
+pub use mathml::mathml_name;
+pub use name::name_parts;
+pub use parts::long_parts;
+pub use typst::typst_name;
+
+use super::view::{Shared, View, view};
+use crate::algebra::{Arena, Expr};
+use latex::write_latex;
+use mathml::write_mathml;
+use name::twin;
+use python::{NUMPY, SYMPY};
+use rustc_hash::FxHashMap;
+use typst::write_typst;
+
+/// Nodes after which a print is cut short with the number of operations left unsaid.
+pub const BUDGET: usize = 20_000;
+
+/// Plain text in the language of model files.
+#[must_use]
+pub fn text(arena: &Arena, e: Expr) -> String {
+    text_of(&view_of(arena, e))
+}
+
+/// [`text`] of marks that come from elsewhere.
+#[must_use]
+pub fn text_of(view: &View) -> String {
+    let mut out = String::new();
+    write_text(view, &mut out);
+    out
+}
+
+/// Python, with the functions of `NumPy` as `np.sin`.
+#[must_use]
+pub fn python_of(view: &View) -> String {
+    let mut out = String::new();
+    write_line(view, &NUMPY, &mut out);
+    out
+}
+
+/// Python, with the functions and numbers of `SymPy` as `sp.sin`: quotients of whole numbers stay exact.
+#[must_use]
+pub fn sympy_of(view: &View) -> String {
+    let mut out = String::new();
+    write_line(view, &SYMPY, &mut out);
+    out
+}
+
+/// [`text`] for programs that read it on: cut only beyond two million nodes, where a shared term has grown out of hand.
+#[must_use]
+pub fn whole_text(arena: &Arena, e: Expr) -> String {
+    let mut out = String::new();
+    write_text(&whole_view(arena, e, &FxHashMap::default()), &mut out);
+    out
+}
+
+/// The marks of a term, cut only where [`whole_text`] is. Terms in `shared`, other than `e` itself, are shown by their
+/// names.
+#[must_use]
+pub fn whole_view(arena: &Arena, e: Expr, shared: &Shared) -> View {
+    view(arena, e, shared, 100 * BUDGET)
+}
+
+/// LaTeX, for math mode.
+#[must_use]
+pub fn latex(arena: &Arena, e: Expr) -> String {
+    latex_of(&view_of(arena, e))
+}
+
+/// [`latex`] of marks that come from elsewhere.
+#[must_use]
+pub fn latex_of(view: &View) -> String {
+    let mut out = String::new();
+    write_latex(view, &mut out);
+    out
+}
+
+/// Typst, for math mode, of marks that come from elsewhere.
+#[must_use]
+pub fn typst_of(view: &View) -> String {
+    let mut out = String::new();
+    write_typst(view, &mut out);
+    out
+}
+
+/// Presentation `MathML`: one `mrow` element, to be put inside `math`.
+#[must_use]
+pub fn mathml(arena: &Arena, e: Expr) -> String {
+    mathml_of(&view_of(arena, e))
+}
+
+/// [`mathml`] of marks that come from elsewhere.
+#[must_use]
+pub fn mathml_of(view: &View) -> String {
+    let mut out = String::from("<mrow>");
+    write_mathml(view, &mut out);
+    out.push_str("</mrow>");
+    out
+}
+
+/// The marks of a term, as far as people read; symbols that would look alike with subscripts are told apart.
+#[must_use]
+pub fn view_of(arena: &Arena, e: Expr) -> View {
+    told_apart(arena, view(arena, e, &FxHashMap::default(), BUDGET))
+}
+
+/// The marks of a symbol of this name, told apart from one that would look like it.
+#[must_use]
+pub fn symbol_view(arena: &Arena, name: &str) -> View {
+    let looks_like_another = twin(name).is_some_and(|other| arena.find_symbol(&other).is_some());
+    if looks_like_another { View::Word(name.to_owned()) } else { View::Name(name.to_owned()) }
+}
+
+fn told_apart(arena: &Arena, view: View) -> View {
+    let boxed = |part: Box<View>| Box::new(told_apart(arena, *part));
+    match view {
+        View::Name(name) => symbol_view(arena, &name),
+        View::Sum(terms) => View::Sum(terms.into_iter().map(|(sign, term)| (sign, told_apart(arena, term))).collect()),
+        View::Product(factors) => View::Product(factors.into_iter().map(|factor| told_apart(arena, factor)).collect()),
+        View::Fraction(above, below) => View::Fraction(boxed(above), boxed(below)),
+        View::Power(base, n) => View::Power(boxed(base), n),
+        View::Call(name, argument) => View::Call(name, boxed(argument)),
+        View::Root(argument) => View::Root(boxed(argument)),
+        other => other,
+    }
+}
+
+/// Spelling of marks in which languages on one line differ.
+struct Spelling {
+    pi: &'static str,
+    power: &'static str,
+    /// A function, by its name in model files.
+    function: fn(&'static str) -> String,
+    /// Function that makes a number of two whole ones, for a language in which `/` would round.
+    quotient: Option<&'static str>,
+}
+
+/// The language of model files.
+const TEXT: Spelling = Spelling { pi: "pi", power: "^", function: str::to_owned, quotient: None };
+
+fn write_text(view: &View, out: &mut String) {
+    write_line(view, &TEXT, out);
+}
+
+fn write_line(view: &View, spelling: &Spelling, out: &mut String) {
+    let part = |view: &View, needs_parentheses: bool, out: &mut String| {
+        out.push_str(if needs_parentheses { "(" } else { "" });
+        write_line(view, spelling, out);
+        out.push_str(if needs_parentheses { ")" } else { "" });
+    };
+    match view {
+        View::Number(text) | View::Name(text) | View::Word(text) | View::Shared(text) => out.push_str(text),
+        View::Pi => out.push_str(spelling.pi),
+        View::Sum(terms) => {
+            for (at, (negative, term)) in terms.iter().enumerate() {
+                out.push_str(match (at, negative) {
+                    (0, false) => "",
+                    (0, true) => "-",
+                    (_, false) => " + ",
+                    (_, true) => " - ",
+                });
+                part(term, term.is_loose(), out);
+            }
+        }
+        View::Product(factors) => {
+            for (at, factor) in factors.iter().enumerate() {
+                if at > 0 {
+                    out.push('*');
+                }
+                part(factor, factor.is_loose() || matches!(factor, View::Fraction(..)), out);
+            }
+        }
+        View::Fraction(above, below) => {
+            if let (Some(quotient), View::Number(above), View::Number(below)) = (spelling.quotient, &**above, &**below)
+            {
+                out.extend([quotient, "(", above, ", ", below, ")"]);
+                return;
+            }
+            part(above, above.is_loose(), out);
+            out.push('/');
+            part(below, below.is_loose() || matches!(**below, View::Product(_)), out);
+        }
+        View::Power(base, n) => {
+            let plain = matches!(
+                **base,
+                View::Name(_)
+                    | View::Word(_)
+                    | View::Shared(_)
+                    | View::Call(..)
+                    | View::Root(_)
+                    | View::Number(_)
+                    | View::Pi
+            );
+            part(base, !plain, out);
+            out.push_str(spelling.power);
+            out.push_str(&n.to_string());
+        }
+        View::Call(name, argument) => {
+            out.push_str(&(spelling.function)(name));
+            part(argument, true, out);
+        }
+        View::Root(argument) => {
+            out.push_str(&(spelling.function)("sqrt"));
+            part(argument, true, out);
+        }
+        View::Cut => out.push('…'),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::text::parse::parse_free;
+
+    fn sample() -> Arena {
+        let mut arena = Arena::new();
+        for name in ["M", "R", "g", "q1", "q2", "u1", "u2", "u3"] {
+            arena.symbol(name);
+        }
+        arena
+    }
+
+    #[test]
+    fn formulas_read_as_written_by_hand() {
+        let mut arena = sample();
+        for (input, expected) in [
+            ("-R*u2*tan(q2) + u1*cos(q1)", "u1*cos(q1) - R*u2*tan(q2)"),
+            ("M*R^2/4", "M*R^2/4"),
+            ("u2/cos(q2)", "u2/cos(q2)"),
+            ("3*u1*u3 - 2*tan(q2)*u1*u2", "3*u1*u3 - 2*u1*u2*tan(q2)"),
+            ("(1 + 4*sin(q2)^2)/(2*R*(1 + M))", "(1 + 4*sin(q2)^2)/(2*R*(1 + M))"),
+            ("-x", "-x"),
+            ("1/2", "1/2"),
+            ("cos(q2)/sin(q2)", "1/tan(q2)"),
+        ] {
+            let e = parse_free(&mut arena, input).unwrap();
+            let printed = text(&arena, e);
+            assert_eq!(parse_free(&mut arena, &printed).unwrap(), e, "{printed} parses back");
+            assert_eq!(printed, expected);
+        }
+    }
+
+    #[test]
+    fn symbols_that_would_look_alike_are_told_apart() {
+        let mut arena = Arena::new();
+        let e = parse_free(&mut arena, "l1*l_1*m_p^2").unwrap();
+        assert_eq!(latex(&arena, e), "l_{1} \\, \\mathrm{l\\_1} \\, m_{p}^{2}");
+        assert!(mathml(&arena, e).contains("<mi>l_1</mi>"));
+        assert_eq!(text(&arena, e), "l1*l_1*m_p^2");
+    }
+
+    #[test]
+    fn latex_and_mathml_carry_dots_subscripts_and_fractions() {
+        let mut arena = sample();
+        let e = parse_free(&mut arena, "M*R^2*q1'*sin(q2)^2/4").unwrap();
+        assert_eq!(latex(&arena, e), "\\frac{M \\, R^{2} \\, \\dot{q}_{1} \\, \\sin^{2} q_{2}}{4}");
+        assert!(mathml(&arena, e).contains("<mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover>"));
+    }
+}

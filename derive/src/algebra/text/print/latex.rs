@@ -1,0 +1,124 @@
+//! LaTeX, for math mode.
+
+use super::name::{GREEK, split_name};
+use crate::algebra::text::view::View;
+use std::fmt::Write;
+
+/// A symbol's name in LaTeX, `q1'` as `\dot{q}_{1}`.
+#[must_use]
+pub fn latex_name(name: &str) -> String {
+    let (letters, subscript, primes) = split_name(name);
+    let letters = match GREEK.iter().find(|(n, _)| *n == letters) {
+        Some((greek, _)) => format!("\\{greek}"),
+        None if letters.len() > 1 => format!("\\mathrm{{{}}}", letters.replace('_', "\\_")),
+        None => letters.to_owned(),
+    };
+    let dotted = dotted(letters, primes);
+    if subscript.is_empty() { dotted } else { format!("{dotted}_{{{}}}", subscript.replace('_', "\\_")) }
+}
+
+/// A symbol's name as one word.
+fn latex_word(name: &str) -> String {
+    let stem = name.trim_end_matches('\'');
+    dotted(format!("\\mathrm{{{}}}", stem.replace('_', "\\_")), name.len() - stem.len())
+}
+
+fn dotted(letters: String, dots: usize) -> String {
+    match dots {
+        0 => letters,
+        1 => format!("\\dot{{{letters}}}"),
+        _ => format!("\\ddot{{{letters}}}"),
+    }
+}
+
+/// Appends an expression.
+pub(super) fn write_latex(view: &View, out: &mut String) {
+    match view {
+        View::Number(text) | View::Shared(text) => out.push_str(text),
+        View::Name(name) => out.push_str(&latex_name(name)),
+        View::Word(name) => out.push_str(&latex_word(name)),
+        View::Pi => out.push_str("\\pi"),
+        View::Sum(terms) => {
+            for (at, (negative, term)) in terms.iter().enumerate() {
+                out.push_str(match (at, negative) {
+                    (0, false) => "",
+                    (0, true) => "-",
+                    (_, false) => " + ",
+                    (_, true) => " - ",
+                });
+                latex_factor(term, out);
+            }
+        }
+        View::Product(factors) => {
+            for (at, factor) in factors.iter().enumerate() {
+                if at > 0 {
+                    out.push_str(" \\, ");
+                }
+                latex_factor(factor, out);
+            }
+        }
+        View::Fraction(above, below) => {
+            out.push_str("\\frac{");
+            write_latex(above, out);
+            out.push_str("}{");
+            write_latex(below, out);
+            out.push('}');
+        }
+        View::Power(base, n) => match &**base {
+            View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
+                let _ = write!(out, "\\{name}^{{{n}}} ");
+                latex_argument(argument, out);
+            }
+            base => {
+                if matches!(base, View::Number(_) | View::Pi | View::Name(_) | View::Word(_)) {
+                    write_latex(base, out);
+                } else {
+                    out.push_str("\\left(");
+                    write_latex(base, out);
+                    out.push_str("\\right)");
+                }
+                let _ = write!(out, "^{{{n}}}");
+            }
+        },
+        View::Call(name, argument) => {
+            match *name {
+                "asin" => out.push_str("\\arcsin "),
+                "acos" => out.push_str("\\arccos "),
+                "atan" => out.push_str("\\arctan "),
+                "abs" | "sign" => {
+                    let _ = write!(out, "\\operatorname{{{name}}} ");
+                }
+                _ => {
+                    let _ = write!(out, "\\{name} ");
+                }
+            }
+            latex_argument(argument, out);
+        }
+        View::Root(argument) => {
+            out.push_str("\\sqrt{");
+            write_latex(argument, out);
+            out.push('}');
+        }
+        View::Cut => out.push_str("\\ldots"),
+    }
+}
+
+fn latex_factor(view: &View, out: &mut String) {
+    if view.is_loose() {
+        out.push_str("\\left(");
+        write_latex(view, out);
+        out.push_str("\\right)");
+    } else {
+        write_latex(view, out);
+    }
+}
+
+fn latex_argument(view: &View, out: &mut String) {
+    if matches!(view, View::Name(_) | View::Word(_)) {
+        write_latex(view, out);
+    } else {
+        out.push_str("\\left(");
+        write_latex(view, out);
+        out.push_str("\\right)");
+    }
+}

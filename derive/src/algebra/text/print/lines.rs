@@ -1,0 +1,354 @@
+//! Formulas in lines that a page can hold: they break at their signs, also within parentheses, alike in every language.
+//!
+//! Invariant: the lines joined are the formula, wherever they are broken. Widths are estimates, in tenths of an em. A
+//! root, and the argument of a function, are never broken.
+
+use super::latex::write_latex;
+use super::mathml::{between, write_mathml};
+use super::typst::write_typst;
+use crate::algebra::text::view::View;
+
+/// Spelling, in one language, of the marks near which lines break.
+struct Marks {
+    write: fn(&View, &mut String),
+    /// A sign that begins a formula, or the content of parentheses.
+    negative: &'static str,
+    /// Signs between terms, which a line may begin with.
+    plus: &'static str,
+    minus: &'static str,
+    /// Mark between two factors, given the second.
+    times: fn(&View) -> &'static str,
+    /// Parentheses around content on one line, which have its height.
+    whole: [&'static str; 2],
+    /// Parentheses that need not be on one line, of one height.
+    broken: [&'static str; 2],
+    power: fn(i32) -> String,
+    /// Mark between the parts of a fraction that is broken; without it n a/b becomes (n/b) a.
+    slash: Option<&'static str>,
+}
+
+const LATEX: Marks = Marks {
+    write: write_latex,
+    negative: "-",
+    plus: "{} + ",
+    minus: "{} - ",
+    times: |_| " \\, ",
+    whole: ["\\left(", "\\right)"],
+    broken: ["\\bigl(", "\\bigr)"],
+    power: |n| format!("^{{{n}}}"),
+    slash: None,
+};
+
+/// Escaped parentheses are marks like any other: Typst lets no line break between those that it pairs.
+const TYPST: Marks = Marks {
+    write: write_typst,
+    negative: "-",
+    plus: " + ",
+    minus: " - ",
+    times: |_| " thin ",
+    whole: ["(", ")"],
+    broken: ["\\( ", "\\)"],
+    power: |n| format!("^{n}"),
+    slash: None,
+};
+
+/// Each piece is an element `math` of its own, where nothing stretches to what is in another.
+const MATHML: Marks = Marks {
+    write: write_mathml,
+    negative: "<mo form=\"prefix\">−</mo>",
+    plus: "<mo form=\"infix\" lspace=\"0\">+</mo>",
+    minus: "<mo form=\"infix\" lspace=\"0\">−</mo>",
+    times: between,
+    whole: ["<mrow><mo>(</mo>", "<mo>)</mo></mrow>"],
+    broken: ["<mo form=\"prefix\" stretchy=\"false\">(</mo>", "<mo form=\"postfix\" stretchy=\"false\">)</mo>"],
+    power: |n| format!("<msup><mrow></mrow><mn>{n}</mn></msup>"),
+    slash: Some("<mo>/</mo>"),
+};
+
+/// A part of a formula that no line breaks.
+struct Piece {
+    text: String,
+    width: usize,
+    /// True if a line may begin with this piece.
+    breaks: bool,
+}
+
+/// The lines of a formula in LaTeX that are each about so wide, in tenths of an em.
+#[must_use]
+pub fn latex_lines(view: &View, widest: usize) -> Vec<String> {
+    Breaking { marks: &LATEX, widest }.lines(view)
+}
+
+/// The lines of a formula in Typst that are each about so wide, in tenths of an em.
+#[must_use]
+pub fn typst_lines(view: &View, widest: usize) -> Vec<String> {
+    Breaking { marks: &TYPST, widest }.lines(view)
+}
+
+/// A formula as presentation `MathML`, in pieces between which lines may break. It is one piece if it is no wider than
+/// `widest`, in tenths of an em.
+#[must_use]
+pub fn mathml_pieces(view: &View, widest: usize) -> Vec<String> {
+    let mut pieces = Vec::new();
+    Breaking { marks: &MATHML, widest }.flatten(view, &mut pieces);
+    let mut list: Vec<String> = Vec::new();
+    for piece in pieces {
+        match list.last_mut() {
+            Some(last) if !piece.breaks => last.push_str(&piece.text),
+            _ => list.push(piece.text),
+        }
+    }
+    list
+}
+
+/// A formula that is being broken.
+struct Breaking {
+    marks: &'static Marks,
+    /// The width of a line, in tenths of an em.
+    widest: usize,
+}
+
+impl Breaking {
+    /// The lines.
+    fn lines(&self, view: &View) -> Vec<String> {
+        let mut pieces = Vec::new();
+        self.flatten(view, &mut pieces);
+        let (mut lines, mut width) = (vec![String::new()], 0);
+        for piece in pieces {
+            if piece.breaks && width > 0 && width + piece.width > self.widest {
+                lines.push(String::new());
+                width = 0;
+            }
+            width += piece.width;
+            if let Some(line) = lines.last_mut() {
+                line.push_str(&piece.text);
+            }
+        }
+        lines
+    }
+
+    /// Appends a formula in pieces, whole if it fits.
+    fn flatten(&self, view: &View, out: &mut Vec<Piece>) {
+        let width = formula_width(view);
+        if width <= self.widest { self.push(out, view, width) } else { self.split(view, out) }
+    }
+
+    /// Appends a formula in pieces.
+    fn split(&self, view: &View, out: &mut Vec<Piece>) {
+        match view {
+            View::Sum(terms) => {
+                for (at, (negative, term)) in terms.iter().enumerate() {
+                    let sign = match (at, negative) {
+                        (0, false) => "",
+                        (0, true) => self.marks.negative,
+                        (_, false) => self.marks.plus,
+                        (_, true) => self.marks.minus,
+                    };
+                    out.push(Piece { text: sign.to_owned(), width: 0, breaks: at > 0 });
+                    let first = out.len();
+                    self.factor(term, out);
+                    // The sign goes with what it stands in front of.
+                    if let [sign, next, ..] = &mut out[first - 1..] {
+                        sign.width = 15 + next.width;
+                        next.width = 0;
+                        next.breaks = false;
+                    }
+                }
+            }
+            View::Product(factors) => {
+                for (at, one) in factors.iter().enumerate() {
+                    if at > 0 {
+                        out.push(Piece { text: (self.marks.times)(one).to_owned(), width: 2, breaks: false });
+                    }
+                    if self.is_slashed(one) { self.enclosed(one, out) } else { self.factor(one, out) }
+                }
+            }
+            View::Fraction(above, below) if self.is_slashed(view) => {
+                self.factor(above, out);
+                let text = self.marks.slash.unwrap_or_default().to_owned();
+                out.push(Piece { text, width: 5, breaks: false });
+                match **below {
+                    View::Sum(_) | View::Product(_) => self.enclosed(below, out),
+                    _ => self.factor(below, out),
+                }
+            }
+            // n a/b as (n/b) a.
+            View::Fraction(above, below)
+                if self.marks.slash.is_none() && matches!(**above, View::Sum(_) | View::Product(_)) =>
+            {
+                let (number, rest) = without_number(above);
+                let first = View::Fraction(Box::new(View::Number(number)), below.clone());
+                self.push(out, &first, formula_width(&first));
+                out.push(Piece { text: (self.marks.times)(&rest).to_owned(), width: 2, breaks: false });
+                self.factor(&rest, out);
+            }
+            View::Power(base, n) if matches!(**base, View::Sum(_) | View::Product(_)) => {
+                self.enclosed(base, out);
+                out.push(Piece { text: (self.marks.power)(*n), width: 4, breaks: false });
+            }
+            _ => self.push(out, view, formula_width(view)),
+        }
+    }
+
+    /// True if the view is a fraction that gets a slash, since a line may break in its numerator or denominator. A
+    /// factor behind it would seem to belong to the denominator.
+    fn is_slashed(&self, view: &View) -> bool {
+        let breaks = |part: &View| formula_width(part) > self.widest && has_signs(part);
+        self.marks.slash.is_some() && matches!(view, View::Fraction(above, below) if breaks(above) || breaks(below))
+    }
+
+    /// Appends a factor: a sum that does not fit stands in parentheses that lines may break.
+    fn factor(&self, view: &View, out: &mut Vec<Piece>) {
+        let width = factor_width(view);
+        if !view.is_loose() {
+            return self.flatten(view, out);
+        }
+        if width > self.widest / 2 {
+            return self.enclosed(view, out);
+        }
+        let [open, close] = self.marks.whole;
+        let mut text = open.to_owned();
+        (self.marks.write)(view, &mut text);
+        text.push_str(close);
+        out.push(Piece { text, width, breaks: false });
+    }
+
+    /// Appends a formula in parentheses of one size, term by term.
+    fn enclosed(&self, view: &View, out: &mut Vec<Piece>) {
+        let [open, close] = self.marks.broken;
+        out.push(Piece { text: open.to_owned(), width: 5, breaks: false });
+        self.split(view, out);
+        out.push(Piece { text: close.to_owned(), width: 5, breaks: false });
+    }
+
+    fn push(&self, out: &mut Vec<Piece>, view: &View, width: usize) {
+        let mut text = String::new();
+        (self.marks.write)(view, &mut text);
+        out.push(Piece { text, width, breaks: false });
+    }
+}
+
+/// True if a line may break inside this view.
+fn has_signs(view: &View) -> bool {
+    match view {
+        View::Sum(terms) => terms.len() > 1 || terms.iter().any(|(_, term)| has_signs(term)),
+        View::Product(factors) => factors.iter().any(has_signs),
+        View::Power(base, _) => has_signs(base),
+        View::Fraction(above, below) => has_signs(above) || has_signs(below),
+        _ => false,
+    }
+}
+
+/// The number in front of a product, 1 if there is none, and the rest.
+fn without_number(view: &View) -> (String, View) {
+    match view {
+        View::Product(factors) => match factors.split_first() {
+            Some((View::Number(number), [one])) => (number.clone(), one.clone()),
+            Some((View::Number(number), rest)) => (number.clone(), View::Product(rest.to_vec())),
+            _ => ("1".to_owned(), view.clone()),
+        },
+        _ => ("1".to_owned(), view.clone()),
+    }
+}
+
+/// About how wide a formula is, in tenths of an em.
+#[must_use]
+pub fn formula_width(view: &View) -> usize {
+    match view {
+        View::Number(text) | View::Shared(text) => 5 * text.len(),
+        View::Name(name) => name_width(name),
+        View::Word(name) => 6 * name.len(),
+        View::Pi => 6,
+        View::Sum(terms) => terms.iter().map(|(_, term)| 15 + factor_width(term)).sum(),
+        View::Product(factors) => factors.iter().map(|factor| 2 + factor_width(factor)).sum(),
+        View::Fraction(above, below) => 3 + formula_width(above).max(formula_width(below)),
+        View::Power(base, n) => 4 * n.to_string().len() + factor_width(base),
+        View::Call(name, argument) => 5 * name.len() + 2 + argument_width(argument),
+        View::Root(argument) => 9 + formula_width(argument),
+        View::Cut => 10,
+    }
+}
+
+/// A letter or word with its subscript.
+fn name_width(name: &str) -> usize {
+    let (letters, subscript, _) = super::name::split_name(name);
+    let letters = if super::name::GREEK.iter().any(|(greek, _)| *greek == letters) { 6 } else { 6 * letters.len() };
+    letters + 4 * subscript.len()
+}
+
+fn factor_width(view: &View) -> usize {
+    formula_width(view) + if view.is_loose() { 9 } else { 0 }
+}
+
+fn argument_width(view: &View) -> usize {
+    formula_width(view) + if matches!(view, View::Name(_) | View::Word(_)) { 0 } else { 9 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::mathml_pieces;
+    use crate::algebra::Arena;
+    use crate::algebra::text::parse::parse_free;
+    use crate::algebra::text::print::{mathml_of, view_of};
+
+    /// Visible text of `MathML`, without tags and without the invisible mark of function application.
+    fn seen(mathml: &str) -> String {
+        mathml.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect::<String>().replace('\u{2061}', "")
+    }
+
+    /// The pieces of a formula as they are seen, and the whole.
+    fn pieces(formula: &str, widest: usize) -> (Vec<String>, String) {
+        let mut arena = Arena::new();
+        for name in ["m", "l", "q1", "q2", "u1", "u2"] {
+            arena.symbol(name);
+        }
+        let e = parse_free(&mut arena, formula).unwrap();
+        let view = view_of(&arena, e);
+        (mathml_pieces(&view, widest).iter().map(|piece| seen(piece)).collect(), seen(&mathml_of(&view)))
+    }
+
+    /// Goal: a browser finds places to break a wide formula, and nothing is lost there. Method: the number of pieces by
+    /// hand; joined, they are the formula on one line.
+    #[test]
+    fn pieces_of_a_formula_break_at_its_signs_and_are_the_formula() {
+        let formula = "m*l*(sin(q1)*u1^2 - cos(q1)*(u1 + m*u2 + l*u2)) - u2";
+        let (small, whole) = pieces(formula, 60);
+        assert_eq!(small.len(), 5, "{small:?}");
+        assert!(small.iter().skip(1).all(|piece| piece.starts_with(['+', '−'])), "{small:?}");
+        assert_eq!(small.concat(), whole);
+        let (one, whole) = pieces(formula, 1000);
+        assert_eq!(one, [whole]);
+    }
+
+    /// Goal: a fraction on several lines keeps its meaning. Method: by hand; parentheses stand wherever a neighbouring
+    /// factor could seem to belong to a part of the fraction.
+    #[test]
+    fn a_fraction_that_is_broken_has_a_slash() {
+        let (_, sum) = pieces("m*u1 + m*u2 + l*u1", 1000);
+        let (list, _) = pieces("(m*u1 + m*u2 + l*u1)/(l*q1)", 60);
+        assert_eq!((list.len(), list.concat()), (3, format!("({sum})/(lq1)")));
+        let (list, whole) = pieces("(u1 + u2)/l", 100);
+        assert_eq!(list, [whole]);
+        let (list, whole) = pieces("m*l*q1*q2*u1*u2/2", 30);
+        assert_eq!(list, [whole], "nothing is won where no sign stands");
+        let (list, _) = pieces("m*(m*u1 + m*u2 + l*u1)^2", 60);
+        assert_eq!((list.len(), list.concat()), (3, format!("m({sum})2")));
+    }
+
+    #[test]
+    fn pieces_are_well_formed() {
+        for formula in ["(m*u1 + m*u2 + l*u1)^2/(l*q1)", "-m*(u1 - u2*(u1 + m*u2))", "sqrt(m + l)*(u1 + u2) + 1/l"] {
+            for widest in [20, 60, 200] {
+                let mut arena = Arena::new();
+                let e = parse_free(&mut arena, formula).unwrap();
+                for piece in mathml_pieces(&view_of(&arena, e), widest) {
+                    let tags: Vec<&str> =
+                        piece.split('<').skip(1).map(|tag| tag.split(['>', ' ']).next().unwrap()).collect();
+                    let (closing, all) = (tags.iter().filter(|tag| tag.starts_with('/')).count(), tags.len());
+                    let empty = piece.matches("/>").count();
+                    assert_eq!(2 * closing + empty, all, "{piece}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! Presentation `MathML`.
+
+use super::name::{GREEK, split_name};
+use crate::algebra::text::view::View;
+use std::fmt::Write;
+
+/// A symbol's name in `MathML`, with dots for time derivatives.
+#[must_use]
+pub fn mathml_name(name: &str) -> String {
+    mathml_symbol(name, None)
+}
+
+/// A symbol and its power; subscript and exponent stand above each other.
+fn mathml_symbol(name: &str, power: Option<i32>) -> String {
+    let (letters, subscript, primes) = split_name(name);
+    let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
+    let letters = format!("<mi>{letters}</mi>");
+    let dotted = dotted(letters, primes);
+    let kind = if subscript.bytes().all(|b| b.is_ascii_digit()) { "mn" } else { "mi" };
+    match (subscript.is_empty(), power) {
+        (true, None) => dotted,
+        (true, Some(n)) => format!("<msup>{dotted}<mn>{n}</mn></msup>"),
+        (false, None) => format!("<msub>{dotted}<{kind}>{subscript}</{kind}></msub>"),
+        (false, Some(n)) => format!("<msubsup>{dotted}<{kind}>{subscript}</{kind}><mn>{n}</mn></msubsup>"),
+    }
+}
+
+/// A symbol's name as one word.
+fn mathml_word(name: &str) -> String {
+    let stem = name.trim_end_matches('\'');
+    dotted(format!("<mi>{stem}</mi>"), name.len() - stem.len())
+}
+
+fn dotted(letters: String, dots: usize) -> String {
+    match dots {
+        0 => letters,
+        1 => format!("<mover accent=\"true\">{letters}<mo>˙</mo></mover>"),
+        _ => format!("<mover accent=\"true\">{letters}<mo>¨</mo></mover>"),
+    }
+}
+
+/// Appends an expression.
+pub(super) fn write_mathml(view: &View, out: &mut String) {
+    match view {
+        View::Number(text) => {
+            let _ = write!(out, "<mn>{text}</mn>");
+        }
+        View::Name(name) | View::Shared(name) => out.push_str(&mathml_name(name)),
+        View::Word(name) => out.push_str(&mathml_word(name)),
+        View::Pi => out.push_str("<mi>π</mi>"),
+        View::Sum(terms) => {
+            for (at, (negative, term)) in terms.iter().enumerate() {
+                match (at, negative) {
+                    (0, false) => {}
+                    (_, true) => out.push_str("<mo>−</mo>"),
+                    (_, false) => out.push_str("<mo>+</mo>"),
+                }
+                mathml_factor(term, out);
+            }
+        }
+        View::Product(factors) => {
+            for (at, factor) in factors.iter().enumerate() {
+                if at > 0 {
+                    out.push_str(between(factor));
+                }
+                mathml_factor(factor, out);
+            }
+        }
+        View::Fraction(above, below) => {
+            out.push_str("<mfrac><mrow>");
+            write_mathml(above, out);
+            out.push_str("</mrow><mrow>");
+            write_mathml(below, out);
+            out.push_str("</mrow></mfrac>");
+        }
+        View::Power(base, n) => match &**base {
+            View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
+                let _ = write!(out, "<msup><mi>{name}</mi><mn>{n}</mn></msup>");
+                mathml_argument(argument, out);
+            }
+            View::Name(name) => out.push_str(&mathml_symbol(name, Some(*n))),
+            base => {
+                out.push_str("<msup><mrow>");
+                if matches!(base, View::Number(_) | View::Pi | View::Word(_)) {
+                    write_mathml(base, out);
+                } else {
+                    mathml_parenthesized(base, out);
+                }
+                let _ = write!(out, "</mrow><mn>{n}</mn></msup>");
+            }
+        },
+        View::Call(name, argument) => {
+            let _ = write!(out, "<mi>{name}</mi>");
+            mathml_argument(argument, out);
+        }
+        View::Root(argument) => {
+            out.push_str("<msqrt>");
+            write_mathml(argument, out);
+            out.push_str("</msqrt>");
+        }
+        View::Cut => out.push_str("<mo>…</mo>"),
+    }
+}
+
+/// Mark in front of a factor that follows another: a dot if it is a number, else a thin space.
+pub(super) fn between(factor: &View) -> &'static str {
+    if matches!(factor, View::Number(_)) { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" }
+}
+
+fn mathml_factor(view: &View, out: &mut String) {
+    if view.is_loose() {
+        mathml_parenthesized(view, out);
+    } else {
+        write_mathml(view, out);
+    }
+}
+
+/// The application of a function, an operator that is not seen, and the argument.
+fn mathml_argument(view: &View, out: &mut String) {
+    if matches!(view, View::Name(_) | View::Word(_)) {
+        // Browsers leave no space between a function and an argument without parentheses.
+        out.push_str("<mo rspace=\"0.17em\">\u{2061}</mo>");
+        write_mathml(view, out);
+    } else {
+        out.push_str("<mo>\u{2061}</mo>");
+        mathml_parenthesized(view, out);
+    }
+}
+
+fn mathml_parenthesized(view: &View, out: &mut String) {
+    out.push_str("<mrow><mo>(</mo>");
+    write_mathml(view, out);
+    out.push_str("<mo>)</mo></mrow>");
+}

@@ -1,0 +1,89 @@
+//! Names of symbols in parts: letters, subscript, dots.
+
+/// A name split into (letters, subscript, number of primes): `q12'` is (q, 12, 1), `m_p` (m, p, 0).
+pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
+    // `v(my_disk, P) @ A [1]`: the words of a quantity, none of which is a subscript.
+    if name.contains('(') {
+        return (name, "", 0);
+    }
+    let stem = name.trim_end_matches('\'');
+    let primes = name.len() - stem.len();
+    if let Some((letters, subscript)) = stem.split_once('_')
+        && !letters.is_empty()
+        && !subscript.is_empty()
+    {
+        return (letters, subscript, primes);
+    }
+    // mA is m with the subscript A.
+    if let Some(rest) = stem.get(1..)
+        && stem.starts_with(|c: char| c.is_ascii_lowercase())
+        && rest.starts_with(|c: char| c.is_ascii_uppercase())
+    {
+        return (&stem[..1], rest, primes);
+    }
+    let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
+    if letters.len() == 1 || letters.len() < stem.len() {
+        return (letters, &stem[letters.len()..], primes);
+    }
+    // I_xx written as Ixx: a capital and what follows.
+    if letters.len() <= 4 && letters.starts_with(|c: char| c.is_ascii_uppercase()) {
+        return (&letters[..1], &letters[1..], primes);
+    }
+    (letters, "", primes)
+}
+
+/// The name without an underscore that has the same letters and subscript, as `l1` of `l_1`; nothing if there is none.
+pub(super) fn twin(name: &str) -> Option<String> {
+    let (letters, subscript, _) = split_name(name);
+    let other = format!("{letters}{subscript}");
+    let is_split = name.contains('_') && !subscript.is_empty();
+    (is_split && split_name(&other) == (letters, subscript, 0)).then_some(other)
+}
+
+/// Greek letters as they are written out.
+pub(super) const GREEK: [(&str, &str); 29] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("phi", "φ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Gamma", "Γ"),
+    ("Delta", "Δ"),
+    ("Theta", "Θ"),
+    ("Lambda", "Λ"),
+    ("Xi", "Ξ"),
+    ("Sigma", "Σ"),
+    ("Phi", "Φ"),
+    ("Psi", "Ψ"),
+    ("Omega", "Ω"),
+];
+
+/// A symbol's name in parts: its letters, a Greek one as such, its subscript, and the number of its dots.
+///
+/// ```
+/// use tripos_derive::algebra::text::print::name_parts;
+///
+/// assert_eq!(name_parts("theta1'"), ("θ".to_owned(), "1".to_owned(), 1));
+/// assert_eq!(name_parts("m_p"), ("m".to_owned(), "p".to_owned(), 0));
+/// ```
+#[must_use]
+pub fn name_parts(name: &str) -> (String, String, usize) {
+    let (letters, subscript, primes) = split_name(name);
+    let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
+    (letters.to_owned(), subscript.to_owned(), primes)
+}

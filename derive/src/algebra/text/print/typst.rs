@@ -1,0 +1,111 @@
+//! Typst, for math mode.
+
+use super::name::{GREEK, split_name};
+use crate::algebra::text::view::View;
+use std::fmt::Write;
+
+/// A symbol's name in Typst, `q1'` as `dot(q)_1`.
+#[must_use]
+pub fn typst_name(name: &str) -> String {
+    let (letters, subscript, primes) = split_name(name);
+    let letters = if GREEK.iter().any(|(greek, _)| *greek == letters) { letters.to_owned() } else { upright(letters) };
+    let dotted = dotted(letters, primes);
+    match subscript {
+        "" => dotted,
+        digits if digits.bytes().all(|b| b.is_ascii_digit()) => format!("{dotted}_{digits}"),
+        word => format!("{dotted}_{}", upright(word)),
+    }
+}
+
+/// A symbol's name as one word.
+fn typst_word(name: &str) -> String {
+    let stem = name.trim_end_matches('\'');
+    dotted(upright(stem), name.len() - stem.len())
+}
+
+fn dotted(letters: String, dots: usize) -> String {
+    match dots {
+        0 => letters,
+        1 => format!("dot({letters})"),
+        _ => format!("dot.double({letters})"),
+    }
+}
+
+/// A letter as it is; a word between quotes, since Typst would look it up.
+fn upright(word: &str) -> String {
+    if word.len() == 1 { word.to_owned() } else { format!("\"{}\"", word.replace('\\', "\\\\").replace('"', "\\\"")) }
+}
+
+/// Appends an expression. Spaces separate adjacent marks: Typst reads `f(x)` as a call, and letters without spaces as a
+/// word.
+pub(super) fn write_typst(view: &View, out: &mut String) {
+    match view {
+        View::Number(text) | View::Shared(text) => out.push_str(text),
+        View::Name(name) => out.push_str(&typst_name(name)),
+        View::Word(name) => out.push_str(&typst_word(name)),
+        View::Pi => out.push_str("pi"),
+        View::Sum(terms) => {
+            for (at, (negative, term)) in terms.iter().enumerate() {
+                out.push_str(match (at, negative) {
+                    (0, false) => "",
+                    (0, true) => "-",
+                    (_, false) => " + ",
+                    (_, true) => " - ",
+                });
+                typst_part(term, term.is_loose(), out);
+            }
+        }
+        View::Product(factors) => {
+            for (at, factor) in factors.iter().enumerate() {
+                out.push_str(if at > 0 { " thin " } else { "" });
+                typst_part(factor, factor.is_loose(), out);
+            }
+        }
+        View::Fraction(above, below) => {
+            out.push_str("frac(");
+            write_typst(above, out);
+            out.push_str(", ");
+            write_typst(below, out);
+            out.push(')');
+        }
+        View::Power(base, n) => match &**base {
+            View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
+                let _ = write!(out, "{name}^{n} ");
+                typst_part(argument, !matches!(**argument, View::Name(_) | View::Word(_)), out);
+            }
+            base => {
+                typst_part(base, !matches!(base, View::Number(_) | View::Pi | View::Name(_) | View::Word(_)), out);
+                let _ = write!(out, "^{n}");
+            }
+        },
+        View::Call("abs", argument) => typst_call("abs", argument, out),
+        View::Call(name, argument) => {
+            match *name {
+                "asin" => out.push_str("arcsin "),
+                "acos" => out.push_str("arccos "),
+                "atan" => out.push_str("arctan "),
+                "sign" => out.push_str("op(\"sign\") "),
+                name => {
+                    let _ = write!(out, "{name} ");
+                }
+            }
+            typst_part(argument, !matches!(**argument, View::Name(_) | View::Word(_)), out);
+        }
+        View::Root(argument) => typst_call("sqrt", argument, out),
+        View::Cut => out.push_str("dots"),
+    }
+}
+
+/// A part of an expression, in parentheses if it needs them.
+fn typst_part(view: &View, needs_parentheses: bool, out: &mut String) {
+    out.push_str(if needs_parentheses { "(" } else { "" });
+    write_typst(view, out);
+    out.push_str(if needs_parentheses { ")" } else { "" });
+}
+
+/// A function of Typst, which draws what is around its argument.
+fn typst_call(name: &str, argument: &View, out: &mut String) {
+    let _ = write!(out, "{name}(");
+    write_typst(argument, out);
+    out.push(')');
+}

@@ -1,0 +1,166 @@
+//! Probability of a false zero, bounded by the degrees and sizes of the polynomials behind an expression.
+//!
+//! Every term is N / (d ΠB), N a polynomial with integer coefficients in symbols and in t of each base angle, d an
+//! integer, B the divisors. A polynomial N that is not zero vanishes at a random point modulo p with a
+//! probability of at most degree(N)/p (Schwartz 1980, Zippel 1979), and modulo a random prime altogether
+//! only if the prime divides all coefficients, of which each has at most log₂|N|/60 such prime factors.
+
+use super::points::{POINTS, is_exponential};
+use crate::algebra::term::elementary::angle_atoms;
+use crate::algebra::term::fold::{Fold, Needed, Values};
+use crate::algebra::{Arena, Expr, Function, Rational};
+use num_integer::Integer;
+use rustc_hash::FxHashMap;
+
+/// Bounds of one term: N has this degree and this log₂ of the sum of the coefficients' sizes, d this log₂.
+#[derive(Clone, Default)]
+struct Size {
+    degree: f64,
+    bits: f64,
+    denominator_bits: f64,
+    /// d itself while it is known to fit a word: common denominators are then not counted twice.
+    denominator: Option<u64>,
+    divisors: Vec<(Expr, f64)>,
+}
+
+/// log₂ of the number of primes between 2^60 and 2^61 that are 23 modulo 24, from below:
+/// π(2^61) − π(2^60) > 2^60/43 (Rosser and Schoenfeld 1962), one in φ(24) = 8 of them, and a factor of 4 to spare.
+const LOG_PRIMES: f64 = 60.0 - 5.43 - 3.0 - 2.0;
+
+/// The k for which a false zero of `e` has a probability below 2^−k, two primes and two points for each.
+pub fn error_exponent(arena: &Arena, needed: &Needed, finest: &FxHashMap<Expr, i64>, e: Expr) -> f64 {
+    let Some(sizes) = needed.fold(arena, &mut Sizes { arena, finest }) else { return 0.0 };
+    let size = &sizes[e];
+    // Sine and cosine have degree 2 in t, and twice the size.
+    let degree = (2.0 * size.degree).max(1.0);
+    let bits = (size.bits + 2.0 * size.degree).max(1.0);
+    let points = f64::from(u32::try_from(POINTS / 2).unwrap_or(1));
+    let at_points = (degree.log2() - 60.0) * points;
+    let whole = (bits / 60.0).log2() - LOG_PRIMES;
+    let one_prime = log_sum(at_points, whole).min(0.0);
+    -2.0 * one_prime
+}
+
+fn log_sum(a: f64, b: f64) -> f64 {
+    let (small, large) = if a < b { (a, b) } else { (b, a) };
+    if large == f64::NEG_INFINITY { large } else { large + (small - large).exp2().ln_1p() / std::f64::consts::LN_2 }
+}
+
+/// log₂ of numerator and denominator.
+fn bits_of(value: &Rational) -> (f64, f64) {
+    match value.small() {
+        Some((n, d)) => ((n.unsigned_abs() as f64).log2(), (d as f64).log2()),
+        None => {
+            let big = value.to_big();
+            (big.numer().bits() as f64, big.denom().bits() as f64)
+        }
+    }
+}
+
+fn number(value: &Rational) -> Size {
+    let (bits, denominator_bits) = bits_of(value);
+    let denominator = value.small().and_then(|(_, d)| u64::try_from(d).ok());
+    Size { bits, denominator_bits, denominator, ..Size::default() }
+}
+
+/// With the least common denominator of the coefficients of each atom inside angles.
+struct Sizes<'a> {
+    arena: &'a Arena,
+    finest: &'a FxHashMap<Expr, i64>,
+}
+
+impl Fold for Sizes<'_> {
+    type Value = Size;
+    fn number(&mut self, value: &Rational) -> Option<Size> {
+        Some(number(value))
+    }
+    fn pi(&mut self) -> Option<Size> {
+        Some(Size { degree: 1.0, denominator: Some(1), ..Size::default() })
+    }
+    fn symbol(&mut self, _: Expr) -> Option<Size> {
+        self.pi()
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, Size>) -> Option<Size> {
+        Some(sum(constant, terms, of))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Size>) -> Option<Size> {
+        Some(product(factors, of))
+    }
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Size>) -> Option<Size> {
+        let inner = &of[argument];
+        if !matches!(f, Function::Sin | Function::Cos) && !is_exponential(f) {
+            // A root's polynomial has twice the degree; other functions are atoms.
+            return Some(Size { degree: 2.0 * inner.degree + 1.0, bits: 2.0 * inner.bits + 1.0, ..inner.clone() });
+        }
+        // k · atom is k · d base angles, d the common denominator of all k of this atom; 0 stands for one too large.
+        let multiples = angle_atoms(self.arena, argument).into_iter().map(|(atom, k)| match self.finest.get(&atom) {
+            Some(0) | None => f64::INFINITY,
+            Some(d) => k.to_f64().abs() * *d as f64,
+        });
+        let degree = multiples.sum::<f64>() + inner.degree;
+        Some(Size { degree, bits: 2.0 * degree, denominator: Some(1), ..Size::default() })
+    }
+}
+
+fn sum(constant: &Rational, terms: &[(Expr, Rational)], sizes: &Values<'_, Size>) -> Size {
+    let mut result = Size { bits: f64::NEG_INFINITY, ..Size::default() };
+    let constant = number(constant);
+    let one = Rational::ONE;
+    let mut common = Some(1_u64);
+    let parts = || std::iter::once((&constant, &one)).chain(terms.iter().map(|(term, k)| (&sizes[*term], k)));
+    for (part, k) in parts() {
+        result.denominator_bits += part.denominator_bits + bits_of(k).1;
+        let own = k.small().and_then(|(_, d)| u64::try_from(d).ok());
+        let own = own.zip(part.denominator).and_then(|(a, b)| a.checked_mul(b));
+        common = common.zip(own).and_then(|(a, b)| (a / a.gcd(&b)).checked_mul(b));
+        for (divisor, n) in &part.divisors {
+            match result.divisors.iter_mut().find(|(known, _)| known == divisor) {
+                Some((_, most)) => *most = most.max(*n),
+                None => result.divisors.push((*divisor, *n)),
+            }
+        }
+    }
+    result.denominator = common;
+    if let Some(common) = common {
+        result.denominator_bits = (common as f64).log2();
+    }
+    for (part, k) in parts() {
+        let (mut degree, mut bits) = (part.degree, part.bits + bits_of(k).0 + result.denominator_bits);
+        for (divisor, most) in &result.divisors {
+            let have = part.divisors.iter().find(|(known, _)| known == divisor).map_or(0.0, |(_, n)| *n);
+            degree += (most - have) * sizes[*divisor].degree;
+            bits += (most - have) * sizes[*divisor].bits.max(0.0);
+        }
+        result.degree = result.degree.max(degree);
+        result.bits = log_sum(result.bits, bits);
+    }
+    result
+}
+
+fn product(factors: &[(Expr, i32)], sizes: &Values<'_, Size>) -> Size {
+    let mut result = Size { denominator: Some(1), ..Size::default() };
+    for (base, exponent) in factors {
+        let (size, n) = (&sizes[*base], f64::from(*exponent));
+        let mut below = |divisor: Expr, n: f64| match result.divisors.iter_mut().find(|(known, _)| *known == divisor) {
+            Some((_, sum)) => *sum += n,
+            None => result.divisors.push((divisor, n)),
+        };
+        if n > 0.0 {
+            size.divisors.iter().for_each(|(divisor, k)| below(*divisor, k * n));
+            result.degree += n * size.degree;
+            result.bits += n * size.bits.max(0.0);
+            result.denominator_bits += n * size.denominator_bits;
+            let power = size.denominator.and_then(|d| d.checked_pow(exponent.unsigned_abs()));
+            result.denominator = result.denominator.zip(power).and_then(|(a, b)| a.checked_mul(b));
+        } else {
+            // 1/(N/(d ΠB)) = d ΠB/N.
+            below(*base, -n);
+            for (divisor, k) in &size.divisors {
+                result.degree -= n * k * sizes[*divisor].degree;
+                result.bits -= n * k * sizes[*divisor].bits.max(0.0);
+            }
+            result.bits -= n * size.denominator_bits;
+        }
+    }
+    result
+}

@@ -1,0 +1,422 @@
+//! Values of terms at random points of random prime fields.
+//!
+//! Residues depend on the point and on names alone, never on handles, so that they are the same in every build.
+
+mod draw;
+
+pub(in crate::algebra) use draw::Draw;
+
+use super::field::{Field, Generator};
+use crate::algebra::term::elementary::angle_atoms;
+use crate::algebra::term::fold::{Fold, Needed, Values};
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use num_integer::Integer;
+use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
+use std::hash::{Hash, Hasher};
+
+/// Random points, half of them in each field, at which zeros must be seen.
+pub(in crate::algebra) const POINTS: usize = 4;
+
+/// One random point in one field.
+#[derive(Clone)]
+pub(in crate::algebra) struct Point {
+    /// The field.
+    pub field: Field,
+    /// Seed from which the residues are drawn.
+    seed: u64,
+    /// Symbols that were drawn again, with the seeds of their residues.
+    redrawn: FxHashMap<Expr, u64>,
+}
+
+impl Point {
+    /// The point of a seed.
+    pub fn new(field: Field, seed: u64) -> Self {
+        Self { field, seed, redrawn: FxHashMap::default() }
+    }
+
+    /// The residue of a symbol.
+    fn symbol(&self, symbol: Expr, name: &str) -> u64 {
+        match self.redrawn.get(&symbol) {
+            Some(seed) => self.residue(("redrawn", seed, name)),
+            None => self.residue(("symbol", name)),
+        }
+    }
+
+    /// A residue that depends only on the point and on `key`: equal keys, equal residues.
+    fn residue(&self, key: impl Hash) -> u64 {
+        let mut hasher = FxHasher::default();
+        (self.seed, key).hash(&mut hasher);
+        Generator(hasher.finish() ^ self.seed).next() % self.field.prime
+    }
+
+    /// (sin, cos) of the base angle named by `key`.
+    fn base(&self, key: u64) -> Option<(u64, u64)> {
+        let f = self.field;
+        let t = self.residue(("angle", key));
+        let t2 = f.mul(t, t);
+        let inverse = f.inverse(f.add(1, t2))?;
+        Some((f.mul(f.add(t, t), inverse), f.mul(f.sub(1, t2), inverse)))
+    }
+
+    /// (sin, cos) of π/12: (√6 − √2)/4 and (√6 + √2)/4.
+    fn twelfth(&self) -> Option<(u64, u64)> {
+        let f = self.field;
+        let (two, three) = (f.root(2)?, f.root(3)?);
+        let (six, quarter) = (f.mul(two, three), f.inverse(4)?);
+        Some((f.mul(f.sub(six, two), quarter), f.mul(f.add(six, two), quarter)))
+    }
+
+    /// (sin, cos) of k times an angle.
+    fn multiple(&self, unit: (u64, u64), k: i64) -> (u64, u64) {
+        let f = self.field;
+        let (mut result, mut power, mut left) = ((0, 1), unit, k.unsigned_abs());
+        while left > 0 {
+            if left & 1 == 1 {
+                result = self.turn(result, power);
+            }
+            power = self.turn(power, power);
+            left >>= 1;
+        }
+        if k < 0 { (f.sub(0, result.0), result.1) } else { result }
+    }
+
+    /// (sin, cos) of the sum of two angles.
+    fn turn(&self, a: (u64, u64), b: (u64, u64)) -> (u64, u64) {
+        let f = self.field;
+        (f.add(f.mul(a.0, b.1), f.mul(a.1, b.0)), f.sub(f.mul(a.1, b.1), f.mul(a.0, b.0)))
+    }
+
+    /// Residue of e to the power of an argument. For a sum of symbols and of products of symbols it is computed from
+    /// their values; for any other argument, from its own value alone, since one argument may be written as different
+    /// sums.
+    fn exponential(
+        &self,
+        arena: &Arena,
+        argument: Expr,
+        values: &Values<'_, u64>,
+        denominators: &FxHashMap<Expr, i64>,
+    ) -> Option<u64> {
+        let f = self.field;
+        let atoms = angle_atoms(arena, argument);
+        if !atoms.iter().all(|(atom, _)| is_monomial(arena, *atom)) {
+            let (x, opposite) = (values[argument], f.sub(0, values[argument]));
+            let base = self.residue(("power", x.min(opposite)));
+            return if x <= opposite { Some(base) } else { f.inverse(base) };
+        }
+        let mut product = 1;
+        for (atom, k) in atoms {
+            let denominator = denominators[&atom];
+            let value = if atom == Expr::ONE { 1 } else { values[atom] };
+            let name = f.mul(value, f.inverse(u64::try_from(denominator).ok().filter(|d| *d != 0)?)?);
+            let base = self.residue(("exponential", name));
+            let multiple = k.mul(&Rational::integer(denominator)).to_i64()?;
+            let own = f.pow(base, multiple.unsigned_abs());
+            product = f.mul(product, if multiple < 0 { f.inverse(own)? } else { own });
+        }
+        (product != 0).then_some(product)
+    }
+
+    /// (sin, cos) of an argument from the values of its atoms; `bases` remembers those of base angles by their names.
+    fn angle(
+        &self,
+        arena: &Arena,
+        argument: Expr,
+        values: &Values<'_, u64>,
+        denominators: &FxHashMap<Expr, i64>,
+        bases: &mut FxHashMap<u64, (u64, u64)>,
+    ) -> Option<(u64, u64)> {
+        let f = self.field;
+        let mut angle = (0, 1);
+        for (atom, k) in angle_atoms(arena, argument) {
+            let denominator = denominators[&atom];
+            if denominator == 0 {
+                return None;
+            }
+            let (base, parts) = if *arena.node(atom) == Node::Pi && 12 % denominator == 0 {
+                (self.twelfth()?, 12)
+            } else {
+                // The base angle atom/denominator is named by its residue: equal by meaning, equal here. A constant
+                // part counts as a multiple of the atom 1, which need not be among the parts.
+                let value = if atom == Expr::ONE { 1 } else { values[atom] };
+                let name = f.mul(value, f.inverse(u64::try_from(denominator).ok()?)?);
+                let base = match bases.get(&name) {
+                    Some(known) => *known,
+                    None => self.base(name)?,
+                };
+                bases.insert(name, base);
+                (base, denominator)
+            };
+            let multiple = k.mul(&Rational::integer(parts)).to_i64()?;
+            angle = self.turn(angle, self.multiple(base, multiple));
+        }
+        Some(angle)
+    }
+}
+
+/// For each atom inside angles and exponents: the least common denominator of its coefficients.
+pub(in crate::algebra) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Expr, i64> {
+    let mut denominators: FxHashMap<Expr, i64> = FxHashMap::default();
+    for part in parts {
+        if let Node::Apply(function, argument) = arena.node(*part)
+            && (matches!(function, Function::Sin | Function::Cos) || is_exponential(*function))
+        {
+            for (atom, k) in angle_atoms(arena, *argument) {
+                let d = k.small().map_or(1, |(_, d)| d);
+                let known = denominators.entry(atom).or_insert(1);
+                if *known == 0 {
+                    continue;
+                }
+                // A base angle too fine for a word: no point can be drawn, and the test is undecided.
+                let product = (*known / known.gcd(&d)).checked_mul(d);
+                *known = product.unwrap_or(0);
+            }
+        }
+    }
+    denominators
+}
+
+/// True if a term is a number, a symbol or a product of positive powers of symbols.
+fn is_monomial(arena: &Arena, e: Expr) -> bool {
+    match arena.node(e) {
+        Node::Number(_) | Node::Symbol(_) => true,
+        Node::Product(factors) => factors.iter().all(|(base, n)| *n > 0 && arena.symbol_name(*base).is_some()),
+        _ => false,
+    }
+}
+
+/// True if a function is built from e to the power of its argument.
+pub(in crate::algebra) fn is_exponential(function: Function) -> bool {
+    matches!(function, Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh)
+}
+
+/// The residue of every part at a point; `None` where an inverse or a root does not exist.
+pub(in crate::algebra) fn values_at<'n>(
+    arena: &Arena,
+    needed: &'n Needed,
+    denominators: &FxHashMap<Expr, i64>,
+    point: &Point,
+) -> Option<Values<'n, u64>> {
+    needed.fold(arena, &mut Residues::new(arena, denominators, point.clone()))
+}
+
+/// Terms modulo a prime, at a point.
+pub(in crate::algebra) struct Residues<'a> {
+    arena: &'a Arena,
+    denominators: &'a FxHashMap<Expr, i64>,
+    point: Point,
+    /// Symbols that stand at another point, and what their residues are drawn from.
+    moved: &'a [(&'a FxHashSet<Expr>, u64)],
+    /// (sine, cosine) of base angles by their names, and of whole angles: most have both in the term.
+    bases: FxHashMap<u64, (u64, u64)>,
+    angles: FxHashMap<Expr, (u64, u64)>,
+}
+
+impl<'a> Residues<'a> {
+    /// At a point, with the [denominators][angle_denominators] of all angles.
+    pub(in crate::algebra) fn new(arena: &'a Arena, denominators: &'a FxHashMap<Expr, i64>, point: Point) -> Self {
+        let (bases, angles) = Default::default();
+        Self { arena, denominators, point, moved: &[], bases, angles }
+    }
+
+    /// The field.
+    pub(in crate::algebra) fn field(&self) -> Field {
+        self.point.field
+    }
+
+    /// (sine, cosine) of an argument that one of them was computed of.
+    pub(in crate::algebra) fn known_circle(&self, argument: Expr) -> Option<(u64, u64)> {
+        self.angles.get(&argument).copied()
+    }
+
+    /// An exponential, or a hyperbolic function as what exponentials give it.
+    pub(in crate::algebra) fn exponential(
+        &self,
+        function: Function,
+        argument: Expr,
+        of: &Values<'_, u64>,
+    ) -> Option<u64> {
+        let f = self.point.field;
+        let e = self.point.exponential(self.arena, argument, of, self.denominators)?;
+        let (back, half) = (f.inverse(e)?, f.inverse(2)?);
+        let (sinh, cosh) = (f.mul(half, f.sub(e, back)), f.mul(half, f.add(e, back)));
+        Some(match function {
+            Function::Sinh => sinh,
+            Function::Cosh => cosh,
+            Function::Tanh => f.mul(sinh, f.inverse(cosh)?),
+            _ => e,
+        })
+    }
+
+    /// (sine, cosine) of an argument.
+    fn circle(&mut self, argument: Expr, of: &Values<'_, u64>) -> Option<(u64, u64)> {
+        if let Some(known) = self.angles.get(&argument) {
+            return Some(*known);
+        }
+        let angle = self.point.angle(self.arena, argument, of, self.denominators, &mut self.bases)?;
+        self.angles.insert(argument, angle);
+        Some(angle)
+    }
+}
+
+impl Fold for Residues<'_> {
+    type Value = u64;
+    fn number(&mut self, value: &Rational) -> Option<u64> {
+        self.point.field.rational(value)
+    }
+    fn pi(&mut self) -> Option<u64> {
+        Some(self.point.residue("pi"))
+    }
+    fn symbol(&mut self, symbol: Expr) -> Option<u64> {
+        let name = self.arena.symbol_name(symbol)?;
+        let residue = match self.moved.iter().find(|(symbols, _)| symbols.contains(&symbol)) {
+            Some((_, seed)) => self.point.residue(("moved", seed, name)),
+            None => self.point.symbol(symbol, name),
+        };
+        Some(if self.arena.is_positive(symbol) { self.point.field.mul(residue, residue) } else { residue })
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, u64>) -> Option<u64> {
+        let f = self.point.field;
+        let add = |sum, (term, k): &(Expr, Rational)| Some(f.add(sum, f.mul(f.rational(k)?, of[*term])));
+        terms.iter().try_fold(f.rational(constant)?, add)
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u64>) -> Option<u64> {
+        let f = self.point.field;
+        factors.iter().try_fold(1, |product, (base, n)| Some(f.mul(product, f.power(of[*base], *n)?)))
+    }
+    fn apply(&mut self, function: Function, argument: Expr, of: &Values<'_, u64>) -> Option<u64> {
+        let (f, x) = (self.point.field, of[argument]);
+        match function {
+            Function::Sin => Some(self.circle(argument, of)?.0),
+            Function::Cos => Some(self.circle(argument, of)?.1),
+            Function::Sqrt => f.root(x),
+            // |x| = √x²: x or −x, whichever is a square. So |a| |b| = |a b|.
+            Function::Abs => f.root(f.mul(x, x)),
+            Function::Sign => Some(f.mul(f.root(f.mul(x, x))?, f.inverse(x)?)),
+            _ if is_exponential(function) => self.exponential(function, argument, of),
+            _ => Some(self.point.residue((function, x))),
+        }
+    }
+}
+
+/// The residues of these terms, in their order, at random points, each modulo another prime: at most `count` of them,
+/// fewer where there are no values; computed as they are asked for.
+pub(in crate::algebra) fn residues(
+    arena: &Arena,
+    terms: Vec<Expr>,
+    count: usize,
+) -> impl Iterator<Item = (Field, Vec<u64>)> + use<'_> {
+    let mut draw = Draw::new(arena, &terms);
+    let points = (0..100 * count).map_while(move |_| {
+        let point = draw.point()?;
+        let values = draw.values(&point);
+        Some(values.map(|values| (point.field, terms.iter().map(|e| values[*e]).collect())))
+    });
+    points.flatten().take(count)
+}
+
+/// A random point at which terms have residues.
+pub struct Drawn(Point);
+
+impl Drawn {
+    /// A point at which all of these terms have residues, and these, in their order; nothing if none was found.
+    pub fn new(arena: &Arena, terms: &[Expr]) -> Option<(Self, Vec<u64>)> {
+        let mut draw = Draw::new(arena, terms);
+        (0..100).map_while(|_| draw.point()).find_map(|point| {
+            let drawn = Self(point);
+            let values = drawn.values(arena, terms)?;
+            Some((drawn, values))
+        })
+    }
+
+    /// The field.
+    pub fn field(&self) -> Field {
+        self.0.field
+    }
+
+    /// The residues of other terms there, if they have any. Sines of parts of angles agree within one call.
+    pub fn values(&self, arena: &Arena, terms: &[Expr]) -> Option<Vec<u64>> {
+        let needed = Needed::new(arena, terms);
+        let denominators = angle_denominators(arena, needed.nodes());
+        let values = values_at(arena, &needed, &denominators, &self.0)?;
+        Some(terms.iter().map(|e| values[*e]).collect())
+    }
+}
+
+/// Terms at many points of one field, of which some symbols stand elsewhere at each.
+pub struct Sampler<'a> {
+    arena: &'a Arena,
+    terms: Vec<Expr>,
+    needed: Needed,
+    denominators: FxHashMap<Expr, i64>,
+    generator: Generator,
+}
+
+impl<'a> Sampler<'a> {
+    /// A sampler of these terms.
+    pub fn new(arena: &'a Arena, terms: Vec<Expr>) -> Self {
+        let needed = Needed::new(arena, &terms);
+        let (denominators, generator) = (angle_denominators(arena, needed.nodes()), seeded(arena, &needed));
+        Self { arena, terms, needed, denominators, generator }
+    }
+
+    /// A random field.
+    pub fn field(&mut self) -> Field {
+        Field::random(&mut self.generator)
+    }
+
+    /// Draws the seed of a new point.
+    pub fn seed(&mut self) -> u64 {
+        self.generator.next()
+    }
+
+    /// The residues of the terms, in their order, at the point of a seed; the symbols in `moved` take residues of other
+    /// seeds. `None` if a term has no residue. An angle keeps its sine and cosine if nothing in it is moved.
+    pub fn at(&self, field: Field, seed: u64, moved: &[(&FxHashSet<Expr>, u64)]) -> Option<Vec<u64>> {
+        let mut residues = Residues { moved, ..Residues::new(self.arena, &self.denominators, Point::new(field, seed)) };
+        let values = self.needed.fold(self.arena, &mut residues)?;
+        Some(self.terms.iter().map(|e| values[*e]).collect())
+    }
+}
+
+/// A generator seeded with the terms, by the names of their symbols and not by their handles.
+pub(in crate::algebra) fn seeded(arena: &Arena, needed: &Needed) -> Generator {
+    let hashes = needed.fold(arena, &mut Hashes(arena));
+    Generator(hashes.iter().flat_map(Values::iter).fold(0, |all: u64, (_, hash)| all.wrapping_add(*hash)))
+}
+
+/// Terms by what they are built from.
+struct Hashes<'a>(&'a Arena);
+
+impl Fold for Hashes<'_> {
+    type Value = u64;
+    fn number(&mut self, value: &Rational) -> Option<u64> {
+        Some(hash_of(("number", value)))
+    }
+    fn pi(&mut self) -> Option<u64> {
+        Some(hash_of("pi"))
+    }
+    fn symbol(&mut self, symbol: Expr) -> Option<u64> {
+        Some(hash_of(("symbol", self.0.symbol_name(symbol)?)))
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, u64>) -> Option<u64> {
+        // In no order: handles differ from run to run, meanings do not.
+        Some(hash_of((("sum", constant), unordered(terms.iter().map(|(term, k)| (of[*term], k))))))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u64>) -> Option<u64> {
+        Some(hash_of(("product", unordered(factors.iter().map(|(base, n)| (of[*base], n))))))
+    }
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, u64>) -> Option<u64> {
+        Some(hash_of((f, of[argument])))
+    }
+}
+
+fn hash_of(key: impl Hash) -> u64 {
+    let mut hasher = FxHasher::default();
+    key.hash(&mut hasher);
+    Generator(hasher.finish()).next()
+}
+
+/// One hash for all items, whatever their order.
+fn unordered(items: impl Iterator<Item = impl Hash>) -> u64 {
+    items.fold(0, |sum: u64, item| sum.wrapping_add(hash_of(item)))
+}

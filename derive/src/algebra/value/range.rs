@@ -1,0 +1,210 @@
+//! The values that a term can take, as an interval: enough to prove that many a determinant is never zero.
+//!
+//! Exact and sound, never sharp: each operand counts as if it varied on its own. So "never zero" is a
+//! proof for all real values of the symbols, positive ones being positive; anything else is no answer.
+
+use crate::algebra::term::fold::{Fold, Values, fold};
+use crate::algebra::{Arena, Expr, Function, Rational};
+
+/// True if a term is proved not to be zero wherever it has a value.
+#[must_use]
+pub fn never_zero(arena: &Arena, e: Expr) -> bool {
+    fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.nonzero)
+}
+
+/// True if a term is proved never to be above zero.
+#[must_use]
+pub fn never_positive(arena: &Arena, e: Expr) -> bool {
+    fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.neg().is_nonnegative())
+}
+
+/// The store says which symbols are positive.
+struct Ranges<'a>(&'a Arena);
+
+impl Fold for Ranges<'_> {
+    type Value = Range;
+    fn number(&mut self, value: &Rational) -> Option<Range> {
+        Some(Range::point(value))
+    }
+    fn pi(&mut self) -> Option<Range> {
+        Some(Range::new(Some(Rational::integer(3)), Some(Rational::integer(4))))
+    }
+    fn symbol(&mut self, symbol: Expr) -> Option<Range> {
+        let positive = Range { low: Some(Rational::ZERO), high: None, nonzero: true };
+        Some(if self.0.is_positive(symbol) { positive } else { Range::default() })
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, Range>) -> Option<Range> {
+        let terms = terms.iter().map(|(term, k)| of[*term].scaled(k));
+        Some(Range::sum(&[Range::point(constant)].into_iter().chain(terms).collect::<Vec<_>>()))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Range>) -> Option<Range> {
+        let times = |product: Range, (base, n): &(Expr, i32)| product.times(&of[*base].pow(*n));
+        Some(factors.iter().fold(Range::point(&Rational::ONE), times))
+    }
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Range>) -> Option<Range> {
+        Some(of_function(f, &of[argument]))
+    }
+}
+
+/// All values lie from `low` to `high`, where those are known.
+#[derive(Clone, Debug, Default)]
+struct Range {
+    low: Option<Rational>,
+    high: Option<Rational>,
+    /// 0 is no value.
+    nonzero: bool,
+}
+
+impl Range {
+    fn new(low: Option<Rational>, high: Option<Rational>) -> Self {
+        let above = low.as_ref().is_some_and(|low| *low > Rational::ZERO);
+        let below = high.as_ref().is_some_and(Rational::is_negative);
+        Self { low, high, nonzero: above || below }
+    }
+
+    fn point(value: &Rational) -> Self {
+        Self::new(Some(value.clone()), Some(value.clone()))
+    }
+
+    fn or_nonzero(mut self, nonzero: bool) -> Self {
+        self.nonzero |= nonzero;
+        self
+    }
+
+    fn is_nonnegative(&self) -> bool {
+        self.low.as_ref().is_some_and(|low| !low.is_negative())
+    }
+
+    fn neg(&self) -> Self {
+        Self { low: self.high.as_ref().map(Rational::neg), high: self.low.as_ref().map(Rational::neg), ..*self }
+    }
+
+    fn scaled(&self, k: &Rational) -> Self {
+        self.times(&Self::point(k))
+    }
+
+    fn sum(parts: &[Self]) -> Self {
+        let total = |bound: fn(&Self) -> &Option<Rational>| {
+            parts.iter().try_fold(Rational::ZERO, |sum, part| Some(sum.add(bound(part).as_ref()?)))
+        };
+        // Where nothing can cancel, one part that is not zero is enough.
+        let one_sign = |parts: &[Self]| parts.iter().all(Self::is_nonnegative) && parts.iter().any(|part| part.nonzero);
+        let opposite: Vec<Self> = parts.iter().map(Self::neg).collect();
+        Self::new(total(|part| &part.low), total(|part| &part.high)).or_nonzero(one_sign(parts) || one_sign(&opposite))
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let nonzero = self.nonzero && other.nonzero;
+        let bounds = match (&self.low, &self.high, &other.low, &other.high) {
+            (Some(a), Some(b), Some(c), Some(d)) => {
+                let mut corners = [a.mul(c), a.mul(d), b.mul(c), b.mul(d)];
+                corners.sort();
+                Self::new(Some(corners[0].clone()), Some(corners[3].clone()))
+            }
+            (Some(a), _, Some(c), _) if self.is_nonnegative() && other.is_nonnegative() => {
+                Self::new(Some(a.mul(c)), None)
+            }
+            _ if self.neg().is_nonnegative() && other.is_nonnegative() => return self.neg().times(other).neg(),
+            _ if self.is_nonnegative() && other.neg().is_nonnegative() => return self.times(&other.neg()).neg(),
+            _ if self.neg().is_nonnegative() && other.neg().is_nonnegative() => return self.neg().times(&other.neg()),
+            _ => Self::default(),
+        };
+        bounds.or_nonzero(nonzero)
+    }
+
+    fn pow(&self, n: i32) -> Self {
+        if n < 0 {
+            return self.pow(-n).reciprocal();
+        }
+        let to = |bound: &Option<Rational>| bound.as_ref().and_then(|bound| bound.pow(n));
+        if n % 2 == 1 {
+            return Self::new(to(&self.low), to(&self.high)).or_nonzero(self.nonzero);
+        }
+        if self.neg().is_nonnegative() {
+            return self.neg().pow(n);
+        }
+        if self.is_nonnegative() {
+            return Self::new(to(&self.low), to(&self.high)).or_nonzero(self.nonzero);
+        }
+        let high = to(&self.low).zip(to(&self.high)).map(|(a, b)| a.max(b));
+        Self::new(Some(Rational::ZERO), high).or_nonzero(self.nonzero)
+    }
+
+    /// The range of 1/x over the values other than 0: a reciprocal is never 0.
+    fn reciprocal(&self) -> Self {
+        if self.neg().is_nonnegative() {
+            return self.neg().reciprocal().neg();
+        }
+        if !self.is_nonnegative() {
+            return Self { nonzero: true, ..Self::default() };
+        }
+        let low = self.high.as_ref().and_then(Rational::recip).unwrap_or(Rational::ZERO);
+        Self::new(Some(low), self.low.as_ref().and_then(Rational::recip)).or_nonzero(true)
+    }
+}
+
+fn of_function(f: Function, argument: &Range) -> Range {
+    let bounds = |low: i64, high: Option<i64>| Range::new(Some(Rational::integer(low)), high.map(Rational::integer));
+    match f {
+        Function::Sin | Function::Cos => bounds(-1, Some(1)),
+        Function::Sqrt | Function::Abs => bounds(0, None).or_nonzero(argument.nonzero),
+        Function::Exp => bounds(0, None).or_nonzero(true),
+        Function::Cosh => bounds(1, None),
+        Function::Tanh | Function::Sign => bounds(-1, Some(1)).or_nonzero(argument.nonzero),
+        Function::Asin | Function::Atan | Function::Sinh => Range::default().or_nonzero(argument.nonzero),
+        Function::Log | Function::Acos => Range::default(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::text::parse::parse_free;
+
+    /// `M`, `R` and `m` are positive, all other symbols are any real numbers.
+    fn proved(text: &str) -> bool {
+        let mut arena = Arena::new();
+        for name in ["M", "R", "m"] {
+            let symbol = arena.symbol(name);
+            arena.assume_positive(symbol);
+        }
+        let e = parse_free(&mut arena, text).unwrap();
+        never_zero(&arena, e)
+    }
+
+    #[test]
+    fn what_cannot_vanish_is_recognized() {
+        for text in [
+            "R^2*(4*cos(q)^2 - 5)",
+            "M^3*R^2*(1 + 4*sin(q)^2)",
+            "M + m*sin(q)^2",
+            "-M - m*x^2",
+            "1/x",
+            "-3/(M*cos(q)^2)",
+            "exp(x) + abs(y)",
+            "(sin(x) - 2)*(pi - 2)",
+            "sqrt(M + m)",
+            "(cos(q) - 3)^3/R",
+        ] {
+            assert!(proved(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_can_vanish_is_never_claimed() {
+        for text in [
+            "0",
+            "cos(q)",
+            "R*cos(q)^2",
+            "1 + sin(q)",
+            "M - R",
+            "x^2",
+            "x*M",
+            "x + M",
+            "log(M)",
+            "sin(q)^2 + cos(q) + 1",
+        ] {
+            assert!(!proved(text), "{text}");
+        }
+    }
+}

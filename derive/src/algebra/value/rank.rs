@@ -1,0 +1,210 @@
+//! The rank of a matrix by meaning: elimination modulo random primes, at random points.
+//!
+//! The rank there is never above the true one, and below it only with the probability of a false zero. Nothing is
+//! eliminated symbolically.
+
+use super::field::Field;
+use super::points::{Sampler, residues};
+use crate::algebra::{Arena, Expr};
+use rustc_hash::FxHashSet;
+
+/// Number of independent rows of a matrix, and the first row that depends on those before it.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Rank {
+    /// Independent rows.
+    pub rank: usize,
+    /// The first dependent row, if there is one.
+    pub dependent: Option<usize>,
+}
+
+/// The rank of a matrix by meaning.
+///
+/// The rank at a random point is never above it, and below it only with the probability of a false
+/// zero: the largest of several points is returned. `None` if no point could be evaluated.
+#[must_use]
+pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
+    let mut best: Option<Rank> = None;
+    for (field, rows) in in_fields(arena, matrix) {
+        let (basis, dependent) = eliminate(field, rows);
+        best = best.max(Some(Rank { rank: basis.len(), dependent }));
+        // No point can show more than independent rows.
+        if dependent.is_none() {
+            break;
+        }
+    }
+    best
+}
+
+/// Independent rows of a matrix, as many as there are, the first that will do; with the column of each row's pivot.
+/// `None` if no point could be evaluated.
+#[must_use]
+pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
+    let mut best: Option<Vec<(usize, usize)>> = None;
+    for (field, rows) in in_fields(arena, matrix) {
+        let (basis, _) = eliminate(field, rows);
+        if best.as_ref().is_none_or(|known| known.len() < basis.len()) {
+            best = Some(basis);
+        }
+    }
+    best.map(|basis| basis.into_iter().unzip())
+}
+
+/// Independent rows of a matrix, as many as there are, the first that will do.
+#[must_use]
+pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
+    echelon(arena, matrix).map(|(rows, _)| rows)
+}
+
+/// True if a row is a combination of independent rows with the same coefficients wherever the `moving` symbols stand.
+/// Then it follows from these rows in every pose. False if it follows from them nowhere, or could not be evaluated.
+#[must_use]
+pub(crate) fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
+    let all: Vec<Expr> = rows.iter().flatten().chain(row).copied().collect();
+    let mut sampler = Sampler::new(arena, all);
+    for _ in 0..DRAWS {
+        let (field, seed) = (sampler.field(), sampler.seed());
+        let places = [sampler.seed(), sampler.seed()];
+        let shares = places.map(|place| {
+            let values = sampler.at(field, seed, &[(moving, place)])?;
+            Some(shares(field, &values, rows.len(), row.len()))
+        });
+        if let [Some(here), Some(there)] = shares {
+            return here.is_some() && here == there;
+        }
+    }
+    false
+}
+
+/// Random fields that are tried for a point where all has a value.
+const DRAWS: usize = 40;
+
+/// The shares of rows in the last of them, all given one after another; nothing if it is not a sum of the others.
+fn shares(field: Field, values: &[u64], count: usize, width: usize) -> Option<Vec<u64>> {
+    let mut basis = Basis::new(field);
+    // Each row with a 1 for itself: what is left of the last row tells how much of each was taken out.
+    let tagged = |at: usize| {
+        let own = (0..count).map(|other| u64::from(other == at));
+        values[at * width..(at + 1) * width].iter().copied().chain(own).collect::<Vec<u64>>()
+    };
+    for at in 0..count {
+        basis.take(tagged(at))?;
+    }
+    let left = basis.reduce(tagged(count));
+    left[..width].iter().all(|x| *x == 0).then(|| left[width..].to_vec())
+}
+
+/// A matrix at four random points, each modulo another prime; computed as they are asked for.
+pub(crate) fn in_fields<'a>(
+    arena: &'a Arena,
+    matrix: &'a [Vec<Expr>],
+) -> impl Iterator<Item = (Field, Vec<Vec<u64>>)> + 'a {
+    let rows = |values: Vec<u64>| {
+        let mut values = values.into_iter();
+        matrix.iter().map(|row| values.by_ref().take(row.len()).collect()).collect()
+    };
+    residues(arena, matrix.concat(), 4).map(move |(field, values)| (field, rows(values)))
+}
+
+/// Independent rows modulo a prime, each reduced by those before it.
+pub(crate) struct Basis {
+    field: Field,
+    /// Pivot column, and the row with 1 there.
+    rows: Vec<(usize, Vec<u64>)>,
+}
+
+impl Basis {
+    /// Without rows.
+    pub fn new(field: Field) -> Self {
+        Self { field, rows: Vec::new() }
+    }
+
+    /// Number of independent rows.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Independent columns x that all rows take to 0, each of this length.
+    pub fn null_space(&self, length: usize) -> Vec<Vec<u64>> {
+        let f = self.field;
+        // Each row with 0 in the columns of the pivots of all others.
+        let mut rows = self.rows.clone();
+        for at in 0..rows.len() {
+            let (column, row) = rows[at].clone();
+            for (_, other) in rows.iter_mut().enumerate().filter(|(k, _)| *k != at).map(|(_, entry)| entry) {
+                let factor = other[column];
+                for (entry, x) in other.iter_mut().zip(&row) {
+                    *entry = f.sub(*entry, f.mul(factor, *x));
+                }
+            }
+        }
+        let is_pivot = |column: &usize| rows.iter().any(|(pivot, _)| pivot == column);
+        let vector = |open: usize| {
+            let mut vector = vec![0; length];
+            vector[open] = 1;
+            for (pivot, row) in &rows {
+                vector[*pivot] = f.sub(0, row[open]);
+            }
+            vector
+        };
+        (0..length).filter(|column| !is_pivot(column)).map(vector).collect()
+    }
+
+    /// Remainder of a row after multiples of the rows of the basis are subtracted: it is 0 in their pivot columns.
+    fn reduce(&self, mut row: Vec<u64>) -> Vec<u64> {
+        let f = self.field;
+        for (column, known) in &self.rows {
+            let factor = row[*column];
+            if factor == 0 {
+                continue;
+            }
+            for (entry, x) in row.iter_mut().zip(known) {
+                *entry = f.sub(*entry, f.mul(factor, *x));
+            }
+        }
+        row
+    }
+
+    /// Takes a row in if it does not depend on those there; returns the column of its pivot.
+    pub fn take(&mut self, row: Vec<u64>) -> Option<usize> {
+        let f = self.field;
+        let mut row = self.reduce(row);
+        let column = row.iter().position(|x| *x != 0)?;
+        let inverse = f.inverse(row[column]).unwrap_or(1);
+        for x in &mut row {
+            *x = f.mul(*x, inverse);
+        }
+        self.rows.push((column, row));
+        Some(column)
+    }
+}
+
+/// The independent rows with the columns of their pivots, and the first row that depends on those before it.
+fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> (Vec<(usize, usize)>, Option<usize>) {
+    let (mut basis, mut independent, mut dependent) = (Basis::new(f), Vec::new(), None);
+    for (at, row) in rows.into_iter().enumerate() {
+        match basis.take(row) {
+            Some(column) => independent.push((at, column)),
+            None => dependent = dependent.or(Some(at)),
+        }
+    }
+    (independent, dependent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::text::parse::parse_free;
+
+    #[test]
+    fn rank_sees_dependence_that_no_entry_shows() {
+        let mut arena = Arena::new();
+        let mut matrix = |texts: [[&str; 2]; 2]| {
+            let rows = texts.map(|row| row.map(|t| parse_free(&mut arena, t).unwrap()).to_vec()).to_vec();
+            rank(&arena, &rows).unwrap()
+        };
+        assert_eq!(matrix([["m", "m"], ["m", "m"]]), Rank { rank: 1, dependent: Some(1) });
+        let hidden = [["sin(q)", "1"], ["1 - cos(q)^2", "sin(q)"]];
+        assert_eq!(matrix(hidden), Rank { rank: 1, dependent: Some(1) });
+        assert_eq!(matrix([["0", "1"], ["m", "0"]]), Rank { rank: 2, dependent: None });
+    }
+}

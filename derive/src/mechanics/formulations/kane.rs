@@ -1,0 +1,211 @@
+//! Kane's method: F_r + F*_r = 0 for each generalized speed.
+//!
+//! Kane & Levinson, *Dynamics: Theory and Applications* (1985), §§ 4.4, 4.11, 6.1.
+
+use crate::algebra::Expr;
+use crate::algebra::term::calculus::{Differential, Gradient};
+use crate::geometry::{Dots, Vector};
+use crate::mechanics::error::DeriveError;
+use crate::mechanics::motion::energy::Momentum;
+use crate::mechanics::motion::kinematics::{
+    Kinematics, Velocities, motion_rates, motion_rates_without_acceleration, rates_to_speeds,
+};
+use crate::mechanics::motion::loads::Load;
+use crate::mechanics::quantity::{QuantityKind, VectorName};
+use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
+use crate::model::Model;
+
+/// M(q) u̇ = f(q, u).
+///
+/// # Errors
+/// None of its own: a speed that moves no mass is found by the rank of the matrix.
+#[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
+pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
+    let velocities = kinematics.in_speeds(model);
+    if kinematics.frames.carries {
+        let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
+        let fall = Kinematics::fall(model);
+        let (matrix, forcing) = kinematics.projected(model, &velocities, &loads, &fall);
+        let mut moving = motion_rates(model);
+        let along = kinematics.forces_of_motion(model, &velocities, &loads, &fall, &mut moving);
+        let required = along.into_iter().map(|e| kinematics.arena.neg(e)).collect();
+        let gauss = kinematics.gauss(model, &velocities, &loads);
+        let momenta = kinematics.momentum_pairs(model, &velocities);
+        return Ok(Rows {
+            names: (0..model.speeds.len()).map(RowName::Speed).collect(),
+            matrix,
+            forcing,
+            projection: Vec::new(),
+            embedding: None,
+            required: Some(required),
+            gauss: Some(gauss),
+            kinetic_energy: kinematics.energy_of_pairs(&momenta),
+        });
+    }
+    let active = active_forces(model, kinematics, &velocities);
+    let inertia = Inertia::new(model, kinematics, &velocities);
+    let Kinematics { arena, simplifier, .. } = kinematics;
+    // F + F* = 0 with F* = −(M u̇ + rest):  M u̇ = F − rest.
+    let matrix = inertia.matrix.iter().map(|row| row.iter().map(|e| simplifier.simplify(arena, *e)).collect());
+    let matrix: Vec<Vec<Expr>> = matrix.collect();
+    let forcing = active.iter().zip(&inertia.rest).map(|(force, rest)| arena.sub(*force, *rest)).collect();
+    Ok(Rows {
+        names: (0..model.speeds.len()).map(RowName::Speed).collect(),
+        // M is the matrix of the kinetic energy, too.
+        kinetic_energy: kinematics.energy_with_form(model, &velocities, &model.u(), &matrix),
+        matrix,
+        forcing,
+        projection: Vec::new(),
+        embedding: None,
+        required: None,
+        gauss: None,
+    })
+}
+
+/// F_r = Σ_P (∂v_P/∂u_r)·R_P + Σ_B (∂ω_B/∂u_r)·T_B, weights among the forces; reactions do not contribute.
+///
+/// Entry r has the unit of power over u_r.
+pub(in crate::mechanics) fn generalized_active_forces(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+) -> Vec<Expr> {
+    let forces = active_forces(model, kinematics, velocities);
+    forces.into_iter().map(|e| kinematics.simplifier.simplify(&mut kinematics.arena, e)).collect()
+}
+
+/// The generalized active forces before they are simplified.
+fn active_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Expr> {
+    let mut to_speeds = rates_to_speeds(model);
+    if kinematics.frames.carries {
+        let mut loads = kinematics.weights(model, velocities);
+        loads.extend(kinematics.loads(model, velocities).into_iter().flatten());
+        return kinematics.forces_along(&loads, &mut to_speeds, &model.u());
+    }
+    let mut gradient = Gradient::new(&model.u());
+    let mut forces: Vec<Dots> = model.speeds.iter().map(|_| Dots::default()).collect();
+    let mut loads = kinematics.weights(model, velocities);
+    loads.extend(kinematics.loads(model, velocities).into_iter().flatten());
+    for Load { velocity, scale, load } in loads {
+        let load = load.substitute(&mut kinematics.arena, &mut to_speeds);
+        for (r, partial) in velocity.slopes(&mut kinematics.arena, &mut gradient) {
+            forces[r].add(scale, &partial, &load);
+        }
+    }
+    forces.iter().map(|dots| dots.sum(&mut kinematics.arena, &mut kinematics.frames)).collect()
+}
+
+/// The generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt] as −(matrix · u̇ + rest).
+///
+/// u̇_s enters a_C with ∂v_C/∂u_s and dH/dt with ∂H/∂u_s = I·∂ω/∂u_s, and the rest is what is left for u̇ = 0; so
+/// nothing has to be read out of a long expression.
+struct Inertia {
+    /// Symmetric.
+    matrix: Vec<Vec<Expr>>,
+    rest: Vec<Expr>,
+}
+
+impl Inertia {
+    fn new(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Self {
+        let n = model.speeds.len();
+        if kinematics.frames.carries {
+            let (matrix, forces) = kinematics.projected(model, velocities, &[], &Vector::default());
+            return Self { matrix, rest: forces.into_iter().map(|e| kinematics.arena.neg(e)).collect() };
+        }
+        let mut gradient = Gradient::new(&model.u());
+        let mut rates = motion_rates_without_acceleration(model);
+        let mut products: Vec<Vec<Dots>> = (0..n).map(|r| (r..n).map(|_| Dots::default()).collect()).collect();
+        let mut rest: Vec<Dots> = (0..n).map(|_| Dots::default()).collect();
+        for Momentum { scale, velocity, momentum } in kinematics.momenta(model, velocities) {
+            let Kinematics { arena, frames, .. } = kinematics;
+            let rate = frames.time_derivative(arena, &momentum, &velocities.angular, &mut rates);
+            let slopes = momentum.slopes(arena, &mut gradient);
+            for (r, partial) in velocity.slopes(arena, &mut gradient) {
+                rest[r].add(scale, &partial, &rate);
+                for (s, slope) in slopes.iter().filter(|(s, _)| *s >= r) {
+                    products[r][s - r].add(scale, &partial, slope);
+                }
+            }
+        }
+        let Kinematics { arena, frames, .. } = kinematics;
+        let mut matrix = vec![vec![Expr::ZERO; n]; n];
+        for (r, row) in products.iter().enumerate() {
+            for (above, dots) in row.iter().enumerate() {
+                let entry = dots.sum(arena, frames);
+                matrix[r][r + above] = entry;
+                matrix[r + above][r] = entry;
+            }
+        }
+        Self { matrix, rest: rest.iter().map(|dots| dots.sum(arena, frames)).collect() }
+    }
+}
+
+/// F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt], linear in u̇.
+pub(in crate::mechanics) fn generalized_inertia_forces(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+) -> Vec<Expr> {
+    let Inertia { matrix, rest } = Inertia::new(model, kinematics, velocities);
+    let arena = &mut kinematics.arena;
+    let mut forces = Vec::new();
+    for (row, rest) in matrix.iter().zip(rest) {
+        let mut terms = vec![rest];
+        terms.extend(row.iter().zip(&model.speeds).map(|(entry, speed)| arena.mul(*entry, speed.rate)));
+        let sum = arena.sum(&terms);
+        forces.push(arena.neg(sum));
+    }
+    forces
+}
+
+/// Velocities, partial velocities and generalized active forces, to be shown.
+///
+/// # Errors
+/// None.
+#[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
+pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+    let velocities = kinematics.in_speeds(model);
+    let active = generalized_active_forces(model, kinematics, &velocities);
+    let mut steps = vec![kinematic_step(model)];
+    for body in &model.bodies {
+        let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+        let turning =
+            body.rigid.as_ref().map(|(own, _)| (VectorName::AngularVelocity, *own, &velocities.angular[*own]));
+        let moving = (VectorName::Velocity, body.centre, &velocities.linear[body.centre]);
+        for (vector, of, value) in turning.into_iter().chain([moving]) {
+            steps.push(velocity_step(model, kinematics, (vector, of, frame), value));
+        }
+    }
+    let lines = active.iter().enumerate().map(|(at, force)| (LineName::ActiveForce(at), *force)).collect();
+    steps.push(Step { stage: Stage::ActiveForces, lines });
+    Ok(steps)
+}
+
+/// Pairs of a body and a speed above which partial velocities are not listed: a person reads none of them, and the
+/// equations are derived without.
+const MOST_PAIRS: usize = 1000;
+
+/// The components of a velocity, then its partial velocities that are not zero, of models that are not too large.
+fn velocity_step(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    (vector, of, frame): (VectorName, usize, usize),
+    value: &Vector,
+) -> Step {
+    let Kinematics { arena, frames, simplifier, .. } = kinematics;
+    let total = frames.express(arena, value, frame).map(|e| simplifier.simplify(arena, e));
+    let mut lines: Vec<(LineName, Expr)> = component_lines((vector, of, frame), total).collect();
+    let listed = if model.bodies.len() * model.speeds.len() > MOST_PAIRS { Vec::new() } else { model.u() };
+    for (speed, symbol) in listed.into_iter().enumerate() {
+        let mut partial = Differential::partial(symbol);
+        for (axis, e) in total.iter().enumerate() {
+            let slope = partial.apply(arena, *e);
+            let slope = simplifier.simplify(arena, slope);
+            if slope != Expr::ZERO {
+                let kind = QuantityKind::Partial { vector, of, frame, axis, speed };
+                lines.push((LineName::Quantity(kind), slope));
+            }
+        }
+    }
+    Step { stage: Stage::Velocities { vector, of, frame }, lines }
+}

@@ -1,0 +1,120 @@
+//! Lagrange's equations: d/dt(∂T/∂q̇_i) − ∂T/∂q_i + ∂V/∂q_i = Q_i.
+//!
+//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §1.4.
+
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::{Expr, Rational};
+use crate::mechanics::error::DeriveError;
+use crate::mechanics::motion::kinematics::{Kinematics, Velocities};
+use crate::mechanics::motion::loads::forces_of;
+use crate::mechanics::quantity::{Energy, QuantityKind};
+use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
+use crate::model::Model;
+
+/// E(q) q̈ = A(q, q̇), with a multiplier for each motion constraint among the unknowns.
+///
+/// # Errors
+/// [`DeriveError::NoZeroOfPotential`]; a coordinate that moves no mass is found by the rank of the matrix.
+pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
+    let velocities = kinematics.in_rates.clone();
+    if kinematics.frames.carries {
+        let rows = named(model, kinematics, &velocities)?;
+        return Ok(kinematics.with_multipliers(model, rows));
+    }
+    // Velocities are homogeneous in q̇, so T = ½ Σ E_ij q̇_i q̇_j.
+    let matrix = kinematics.kinetic_form(model, &velocities, &model.q_dot());
+    let t = kinematics.energy_with_form(model, &velocities, &model.q_dot(), &matrix);
+    let v = kinematics.gravity_potential(model)?;
+    let mut sums = velocity_terms(model, kinematics, &matrix);
+    let loads = kinematics.loads(model, &velocities);
+    let q_forces = forces_of(model, kinematics, loads.iter().flatten());
+    let Kinematics { arena, .. } = kinematics;
+    for (sum, force) in sums.iter_mut().zip(q_forces) {
+        sum.push((force, Rational::ONE));
+    }
+    // −∂V/∂q.
+    for (i, slope) in Gradient::new(&model.q()).apply(arena, v).iter() {
+        sums[*i].push((*slope, Rational::MINUS_ONE));
+    }
+    let forcing = sums.iter().map(|terms| arena.linear_combination(terms)).collect();
+    let rows = Rows {
+        names: (0..model.coordinates.len()).map(RowName::Coordinate).collect(),
+        matrix,
+        forcing,
+        projection: Vec::new(),
+        embedding: None,
+        required: None,
+        gauss: None,
+        kinetic_energy: t,
+    };
+    Ok(kinematics.with_multipliers(model, rows))
+}
+
+/// E and A of a model whose terms are named.
+fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Result<Rows, DeriveError> {
+    let v = kinematics.gravity_potential(model)?;
+    let (matrix, forcing, required) = kinematics.lagrange_system(model, velocities, v);
+    let loads = kinematics.loads(model, velocities);
+    let forces = forces_of(model, kinematics, loads.iter().flatten());
+    let pairs = kinematics.momentum_pairs(model, velocities);
+    let arena = &mut kinematics.arena;
+    let required = required.into_iter().zip(&forces).map(|(a, b)| arena.sub(a, *b)).collect();
+    Ok(Rows {
+        names: (0..model.coordinates.len()).map(RowName::Coordinate).collect(),
+        matrix,
+        forcing: forcing.into_iter().zip(forces).map(|(a, b)| arena.add(a, b)).collect(),
+        projection: Vec::new(),
+        embedding: None,
+        required: Some(required),
+        gauss: None,
+        kinetic_energy: kinematics.energy_of_pairs(&pairs),
+    })
+}
+
+/// ∂T/∂q_i − (d/dt ∂T/∂q̇_i without its terms in q̈), row by row, as terms to be added up.
+///
+/// With T = ½ Σ E_ab q̇_a q̇_b the row i reads  ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each slope of each
+/// entry above the diagonal is taken once and put where it belongs: an entry depends on few coordinates, so that the
+/// work grows with the number of entries.
+fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]) -> Vec<Vec<(Expr, Rational)>> {
+    let arena = &mut kinematics.arena;
+    let rates = model.q_dot();
+    let mut along_coordinates = Gradient::new(&model.q());
+    let half = Rational::fraction(1, 2).expect("not zero");
+    let mut rows = vec![Vec::new(); rates.len()];
+    for a in 0..rates.len() {
+        for b in a..rates.len() {
+            for &(k, slope) in along_coordinates.apply(arena, form[a][b]).iter() {
+                let square = arena.product(&[slope, rates[a], rates[b]]);
+                // E_ab and E_ba, or one entry of the diagonal.
+                rows[k].push((square, if a == b { half.clone() } else { Rational::ONE }));
+                let along_b = arena.product(&[slope, rates[b], rates[k]]);
+                rows[a].push((along_b, Rational::MINUS_ONE));
+                if a != b {
+                    let along_a = arena.product(&[slope, rates[a], rates[k]]);
+                    rows[b].push((along_a, Rational::MINUS_ONE));
+                }
+            }
+        }
+    }
+    rows
+}
+
+/// The energies and generalized forces, to be shown.
+///
+/// # Errors
+/// [`DeriveError::NoZeroOfPotential`].
+pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+    let velocities = kinematics.in_rates.clone();
+    let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());
+    let v = kinematics.potential_energy(model)?;
+    let forces = kinematics.load_potential(model).rest;
+    let energies = [(Energy::Kinetic, t), (Energy::Potential, v)];
+    let energies = energies.map(|(energy, e)| (LineName::Quantity(QuantityKind::Energy(energy)), e));
+    let forces = forces.into_iter().enumerate().map(|(at, force)| (LineName::GeneralizedForce(at), force));
+    Ok(vec![
+        kinematic_step(model),
+        Step { stage: Stage::Energies, lines: energies.to_vec() },
+        Step { stage: Stage::GeneralizedForces, lines: forces.collect() },
+    ])
+}

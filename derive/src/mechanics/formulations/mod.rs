@@ -1,0 +1,9 @@
+//! Each formulation in a file of its own; they share nothing but [`super::motion`].
+
+pub(super) mod formulation;
+pub(super) mod kane;
+pub(super) mod lagrange;
+pub(super) mod multipliers;
+pub(super) mod newton_euler;
+pub(super) mod reaction_balance;
+pub(super) mod recursion;

@@ -1,0 +1,355 @@
+//! Newton's and Euler's equations of each body, the reactions among the unknowns.
+//!
+//! Forces: m a_C = ΣF. Moments about the mass centre: dH/dt = ΣM. Components are taken in the frame
+//! of the body's inertia, for particles in the inertial frame; components that read 0 = 0 are left out.
+//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.2, 5.5.
+
+use crate::algebra::solve::linear::{LinearForm, solve};
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::value::rank::echelon;
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Components, Vector};
+use crate::mechanics::error::DeriveError;
+use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
+use crate::mechanics::quantity::VectorName;
+use crate::mechanics::rows::{BalanceName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
+use crate::model::{Body, Model, Place, Reaction, ReactionKind};
+
+/// A(q, u) (u̇, reactions) = b(q, u).
+///
+/// # Errors
+/// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies feel;
+/// [`DeriveError::ReactionNotShown`] if it cannot be shown that a reaction that the program found does no work;
+/// [`DeriveError::TorqueOnNothing`] for a torque on a frame that carries no body; [`DeriveError::PotentialOnNothing`]
+/// for a potential that is not known as forces and torques between bodies.
+pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
+    if let Some(torque) = model.torques.iter().find(|t| t.on.1.is_none() || t.against.is_some_and(|(_, b)| b.is_none()))
+    {
+        return Err(DeriveError::TorqueOnNothing { torque: torque.name.clone() });
+    }
+    if let (Some(potential), true) = (model.potentials.first(), model.efforts.is_empty()) {
+        return Err(DeriveError::PotentialOnNothing { potential: potential.name.clone() });
+    }
+    for found in model.reactions[model.stated_reactions().len()..].iter().filter(|r| !r.is_shared) {
+        let shown = kinematics.check_reactions(model, std::slice::from_ref(found));
+        shown.map_err(|_| DeriveError::ReactionNotShown { reaction: found.name.clone() })?;
+    }
+    let velocities = kinematics.in_speeds(model);
+    let mut unknowns: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
+    unknowns.extend(model.reactions.iter().map(|r| r.symbol));
+    let mut form = LinearForm::new(&unknowns);
+    let (mut rows, mut matrix, mut forcing) = (Vec::<Balance>::new(), Vec::new(), Vec::new());
+    for balance in balances(model, kinematics, &velocities, None) {
+        let Kinematics { arena, simplifier, .. } = kinematics;
+        let (row, rest) = form.coefficients(arena, balance.residual).map_err(|_| DeriveError::NotLinear)?;
+        let row: Vec<Expr> = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
+        let right = arena.neg(rest);
+        let right = simplifier.simplify(arena, right);
+        if row.iter().all(|e| *e == Expr::ZERO) && right == Expr::ZERO {
+            continue;
+        }
+        rows.push(balance);
+        matrix.push(row);
+        forcing.push(right);
+    }
+    let powers = shared_powers(model, kinematics)?;
+    if matrix.len() + powers.rows.len() != unknowns.len() {
+        return Err(DeriveError::ReactionCount {
+            equations: matrix.len(),
+            speeds: model.speeds.len(),
+            reactions: model.reactions.len(),
+            all: model.bodies.iter().map(|body| if body.rigid.is_some() { 6 } else { 3 }).sum(),
+            felt: felt(model, &rows),
+        });
+    }
+    let mut projection = partial_velocities(model, kinematics, &velocities, &rows, &model.u());
+    let mut names: Vec<RowName> = rows.iter().map(|row| RowName::Balance(row.name)).collect();
+    for (speed, row) in powers.rows {
+        names.push(RowName::Power(speed));
+        matrix.push(row);
+        forcing.push(Expr::ZERO);
+    }
+    for (multipliers, of_powers) in projection.iter_mut().zip(powers.projection) {
+        multipliers.extend(of_powers);
+    }
+    Ok(Rows {
+        names,
+        matrix,
+        forcing,
+        projection,
+        embedding: None,
+        required: None,
+        gauss: None,
+        kinetic_energy: kinematics.kinetic_energy(model, &velocities, &model.u()),
+    })
+}
+
+/// Conditions that shared reactions do no work together.
+struct SharedPowers {
+    /// Power of the shared reactions along a speed, as a row of the unknowns; none for speeds whose power follows from
+    /// that along others.
+    rows: Vec<(usize, Vec<Expr>)>,
+    /// For each speed, the multiples of these rows that cancel its power.
+    projection: Vec<Vec<Expr>>,
+}
+
+/// Σ R (direction · ∂v/∂u_s) = 0 over the reactions that are shared, v being the velocity that each works on.
+fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
+    let (speeds, first) = (model.speeds.len(), model.speeds.len());
+    let shared: Vec<usize> = (0..model.reactions.len()).filter(|at| model.reactions[*at].is_shared).collect();
+    if shared.is_empty() {
+        return Ok(SharedPowers { rows: Vec::new(), projection: vec![Vec::new(); speeds] });
+    }
+    let mut slopes = vec![vec![Expr::ZERO; shared.len()]; speeds];
+    let mut to_speeds = rates_to_speeds(model);
+    let mut along = Gradient::new(&model.u());
+    for (column, at) in shared.iter().enumerate() {
+        let power = kinematics.power_of(model, &model.reactions[*at]);
+        let Kinematics { arena, simplifier, .. } = kinematics;
+        let power = to_speeds.apply(arena, power);
+        for (speed, slope) in along.apply(arena, power).iter() {
+            slopes[*speed][column] = simplifier.simplify(arena, *slope);
+        }
+    }
+    let Kinematics { arena, simplifier, .. } = kinematics;
+    let (chosen, pivots) = echelon(arena, &slopes).ok_or(DeriveError::ReactionsDependent)?;
+    let row = |speed: usize| {
+        let mut row = vec![Expr::ZERO; first + model.reactions.len()];
+        for (slope, at) in slopes[speed].iter().zip(&shared) {
+            row[first + at] = *slope;
+        }
+        (speed, row)
+    };
+    let rows = chosen.iter().map(|speed| row(*speed)).collect();
+    // Those of other speeds follow: by which multiples is told by columns in which the rows are independent.
+    let matrix: Vec<Vec<Expr>> =
+        pivots.iter().map(|column| chosen.iter().map(|speed| slopes[*speed][*column]).collect()).collect();
+    let right: Vec<Vec<Expr>> =
+        pivots.iter().map(|column| (0..speeds).map(|speed| slopes[speed][*column]).collect()).collect();
+    let (multiples, _) = solve(arena, simplifier, &matrix, &right).map_err(|_| DeriveError::ReactionsDependent)?;
+    let projection = (0..speeds).map(|speed| multiples.iter().map(|row| row[speed]).collect()).collect();
+    Ok(SharedPowers { rows, projection })
+}
+
+/// The components that are not 0 = 0, body by body.
+fn felt(model: &Model, rows: &[Balance]) -> Vec<String> {
+    let mut list: Vec<(String, Vec<String>)> = Vec::new();
+    for Balance { name, .. } in rows {
+        let subject = RowName::Balance(*name).subject(model);
+        let direction = format!("{}{}", model.frames[name.frame].name.to_lowercase(), name.axis + 1);
+        match list.last_mut().filter(|(last, _)| *last == subject) {
+            Some((_, axes)) => axes.push(direction),
+            None => list.push((subject, vec![direction])),
+        }
+    }
+    list.into_iter().map(|(subject, axes)| format!("{subject} {}", axes.join(", "))).collect()
+}
+
+/// One component of Newton's or Euler's equation of one body.
+#[derive(Clone, Debug)]
+pub struct Balance {
+    /// Body, frame and axis of the component, and whether it is of forces or moments.
+    pub name: BalanceName,
+    /// m a − ΣF or dH/dt − ΣM, in q, u, u̇ and reactions.
+    pub residual: Expr,
+}
+
+/// Newton's and Euler's equations of every body, component by component, in `frame` or each in the frame of
+/// its body's inertia.
+pub fn balances(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+    frame: Option<usize>,
+) -> Vec<Balance> {
+    let mut list = Vec::new();
+    let carried = kinematics.frames.carries.then(|| {
+        let mut rates = motion_rates(model);
+        kinematics.accelerations(model, velocities, &mut rates, (&Kinematics::fall(model), false))
+    });
+    for (at, body) in model.bodies.iter().enumerate() {
+        let frame = frame.or(body.rigid.as_ref().map(|(_, inertia)| inertia.frame)).unwrap_or(0);
+        let rates = match &carried {
+            Some(accelerations) => kinematics.carried_rates(model, velocities, accelerations, body),
+            None => momentum_rates(model, kinematics, velocities, body),
+        };
+        let (force, moment) = balance(model, kinematics, rates, at, body);
+        for (moments, vector) in [Some((false, force)), moment.map(|m| (true, m))].into_iter().flatten() {
+            let components = kinematics.frames.express(&mut kinematics.arena, &vector, frame);
+            let entries = components.into_iter().enumerate();
+            let name = |axis| BalanceName { body: at, moments, frame, axis };
+            list.extend(entries.map(|(axis, residual)| Balance { name: name(axis), residual }));
+        }
+    }
+    list
+}
+
+/// For each motion variable the partial velocities that belong to the rows: of the mass centre for
+/// forces, of the body's frame for moments. As multipliers of the rows they cancel every reaction.
+pub fn partial_velocities(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+    rows: &[Balance],
+    variables: &[Expr],
+) -> Vec<Vec<Expr>> {
+    let mut gradient = Gradient::new(variables);
+    let mut result = vec![vec![Expr::ZERO; rows.len()]; variables.len()];
+    for (place, row) in rows.iter().map(|row| row.name).enumerate() {
+        let body = &model.bodies[row.body];
+        let velocity = match &body.rigid {
+            Some((frame, _)) if row.moments => &velocities.angular[*frame],
+            _ => &velocities.linear[body.centre],
+        };
+        let Kinematics { arena, frames, simplifier, .. } = kinematics;
+        if frames.carries {
+            let component = frames.component(arena, velocity, row.frame, row.axis);
+            for (at, slope) in gradient.apply(arena, component).iter() {
+                result[*at][place] = *slope;
+            }
+            continue;
+        }
+        for (at, slope) in velocity.slopes(arena, &mut gradient) {
+            let component = frames.component(arena, &slope, row.frame, row.axis);
+            result[at][place] = simplifier.simplify(arena, component);
+        }
+    }
+    result
+}
+
+/// m a, less the weight, and dH/dt.
+fn momentum_rates(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+    body: &Body,
+) -> (Vector, Vector) {
+    let mut rates = motion_rates(model);
+    let Kinematics { arena, frames, .. } = kinematics;
+    let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
+    let mut force = a.scale(arena, body.mass);
+    if let Some(gravity) = &model.gravity {
+        let weight = Vector::in_frame(gravity.frame, gravity.acceleration).scale(arena, body.mass).neg(arena);
+        force = force.add(arena, &weight);
+    }
+    let h = kinematics.angular_momentum(body, velocities);
+    let Kinematics { arena, frames, .. } = kinematics;
+    let moment = frames.time_derivative(arena, &h, &velocities.angular, &mut rates);
+    (force, moment)
+}
+
+/// m a − ΣF and, for a rigid body, dH/dt − ΣM, from m a less the weight, and dH/dt.
+fn balance(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    (mut force, mut moment): (Vector, Vector),
+    at: usize,
+    body: &Body,
+) -> (Vector, Option<Vector>) {
+    for (point, load) in forces_on(model, kinematics, &model.reactions, at) {
+        let back = load.neg(&mut kinematics.arena);
+        force = force.add(&mut kinematics.arena, &back);
+        let arm = kinematics.arm(body, point);
+        let turning = kinematics.frames.cross(&mut kinematics.arena, &arm, &back);
+        moment = moment.add(&mut kinematics.arena, &turning);
+    }
+    for load in torques_on(model, kinematics, &model.reactions, at) {
+        let back = load.neg(&mut kinematics.arena);
+        moment = moment.add(&mut kinematics.arena, &back);
+    }
+    (force, body.rigid.is_some().then_some(moment))
+}
+
+/// Applied forces and these reactions on one body, with their points; weights are not among them.
+pub(in crate::mechanics) fn forces_on(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    reactions: &[Reaction],
+    body: usize,
+) -> Vec<(usize, Vector)> {
+    let mut to_speeds = rates_to_speeds(model);
+    let mut loads: Vec<(Place, Vector)> = Vec::new();
+    let Kinematics { arena, forces, .. } = kinematics;
+    for (force, vector) in model.forces.iter().zip(forces) {
+        let vector = vector.substitute(arena, &mut to_speeds);
+        loads.extend(force.against.map(|place| (place, vector.neg(arena))));
+        loads.push((force.on, vector));
+    }
+    for (kind, vector) in exerted(model, arena, reactions) {
+        if let ReactionKind::Force { on, against } = kind {
+            loads.extend(against.map(|place| (place, vector.neg(arena))));
+            loads.push((on, vector));
+        }
+    }
+    loads.into_iter().filter(|(place, _)| place.body == body).map(|(place, v)| (place.point, v)).collect()
+}
+
+/// Applied torques and these of reactions on one body.
+pub(in crate::mechanics) fn torques_on(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    reactions: &[Reaction],
+    body: usize,
+) -> Vec<Vector> {
+    let mut to_speeds = rates_to_speeds(model);
+    let mut loads: Vec<(Option<usize>, Vector)> = Vec::new();
+    let Kinematics { arena, torques, .. } = kinematics;
+    for (torque, vector) in model.torques.iter().zip(torques) {
+        let vector = vector.substitute(arena, &mut to_speeds);
+        loads.extend(torque.against.map(|(_, body)| (body, vector.neg(arena))));
+        loads.push((torque.on.1, vector));
+    }
+    for (kind, vector) in exerted(model, arena, reactions) {
+        if let ReactionKind::Torque { on, against } = kind {
+            loads.extend(against.map(|body| (Some(body), vector.neg(arena))));
+            loads.push((Some(on), vector));
+        }
+    }
+    loads.into_iter().filter(|(on, _)| *on == Some(body)).map(|(_, v)| v).collect()
+}
+
+/// Forces and torques of potentials and of these reactions, with their places.
+fn exerted(model: &Model, arena: &mut Arena, reactions: &[Reaction]) -> Vec<(ReactionKind, Vector)> {
+    let efforts = model.efforts.iter().map(|effort| (effort.kind, Vector::in_frame(effort.frame, effort.vector)));
+    let mut list: Vec<_> = efforts.collect();
+    for reaction in reactions {
+        let vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
+        list.push((reaction.kind, vector));
+    }
+    list
+}
+
+/// Accelerations, to be shown.
+///
+/// # Errors
+/// None.
+#[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
+pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+    let velocities = kinematics.in_speeds(model);
+    let mut steps = vec![kinematic_step(model)];
+    for (at, body) in model.bodies.iter().enumerate() {
+        let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+        let a = rate(model, kinematics, &velocities, frame, &velocities.linear[body.centre]);
+        let mut lines: Vec<_> = component_lines((VectorName::Acceleration, body.centre, frame), a).collect();
+        if let Some((own, _)) = &body.rigid {
+            let omega = kinematics.angular_velocity_in(body, &velocities).unwrap_or([Expr::ZERO; 3]);
+            let alpha = rate(model, kinematics, &velocities, frame, &Vector::in_frame(frame, omega));
+            lines.extend(component_lines((VectorName::AngularAcceleration, *own, frame), alpha));
+        }
+        steps.push(Step { stage: Stage::Accelerations(at), lines });
+    }
+    Ok(steps)
+}
+
+/// The time derivative of a vector in the inertial frame, in components along a frame.
+fn rate(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+    frame: usize,
+    vector: &Vector,
+) -> Components {
+    let Kinematics { arena, frames, simplifier, .. } = kinematics;
+    let rate = frames.time_derivative(arena, vector, &velocities.angular, &mut motion_rates(model));
+    frames.express(arena, &rate, frame).map(|e| simplifier.simplify(arena, e))
+}

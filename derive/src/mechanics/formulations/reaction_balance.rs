@@ -1,0 +1,32 @@
+//! Balance of a body along each reaction: it gives the reaction without a division by terms that may vanish.
+
+use crate::algebra::Expr;
+use crate::geometry::Vector;
+use crate::mechanics::motion::kinematics::Kinematics;
+use crate::mechanics::rows::{BalanceName, RowName};
+use crate::model::{Model, ReactionKind};
+
+/// For each reaction, the multipliers of `rows` that give the balance of its body along the reaction. They are the
+/// components of the direction, so that the coefficient of the reaction itself is the square of its direction, 1.
+pub fn along_reactions(model: &Model, kinematics: &mut Kinematics, rows: &[RowName]) -> Vec<Vec<Expr>> {
+    let mut result = Vec::new();
+    for reaction in &model.reactions {
+        let (body, moments) = match reaction.kind {
+            ReactionKind::Force { on, .. } => (on.body, false),
+            ReactionKind::Torque { on, .. } => (on, true),
+        };
+        let direction = Vector::in_frame(reaction.frame, reaction.direction);
+        let Kinematics { arena, frames, simplifier, .. } = kinematics;
+        let mut entry = |row: &RowName| match row {
+            RowName::Balance(BalanceName { body: of, moments: kind, frame, axis })
+                if (*of, *kind) == (body, moments) =>
+            {
+                let component = frames.express(arena, &direction, *frame)[*axis];
+                simplifier.simplify(arena, component)
+            }
+            _ => Expr::ZERO,
+        };
+        result.push(rows.iter().map(&mut entry).collect());
+    }
+    result
+}

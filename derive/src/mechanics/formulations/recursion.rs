@@ -1,0 +1,319 @@
+//! The equations of models whose closed form would be too long: every vector is carried along the tree, growing terms
+//! get names, and sums over bodies are taken backwards through the names.
+//!
+//! The three formulations stay distinct. Kane's adds up weights, loads and inertia forces along partial velocities that
+//! are never written (backward sums of forces); Lagrange's differentiates the energies, backwards through their steps
+//! and then in time; Newton's and Euler's are stated body by body, as for every other model. They share the kinematics.
+//!
+//! Luh, Walker & Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76; R. Featherstone, *Rigid Body Dynamics
+//! Algorithms* (2008), §§ 5.3, 6.2.
+
+use crate::algebra::solve::least::{Block, Sum};
+use crate::algebra::term::adjoint::transposed_product;
+use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
+use crate::algebra::{Arena, Expr, Rational};
+use crate::geometry::{Components, Vector, apply_tensor, cross_components};
+use crate::mechanics::error::DeriveError;
+use crate::mechanics::motion::carried_accelerations::Accelerations;
+use crate::mechanics::motion::kinematics::{
+    Kinematics, Velocities, motion_rates, motion_rates_without_acceleration, rates_to_speeds,
+};
+use crate::mechanics::motion::loads::Load;
+use crate::model::{Body, Model};
+
+/// The letters of a force along a velocity, and of the momentum along it, before the velocity's name.
+const FORCE: &str = "F";
+const MOMENTUM: &str = "p";
+
+/// A component of a velocity and the force or momentum along it.
+pub(in crate::mechanics) type Pair = (Expr, Expr);
+
+impl Kinematics {
+    /// ω and H of a rigid body, in the frame of its inertia; nothing for a particle.
+    fn spin(&mut self, body: &Body, velocities: &Velocities) -> Option<(Components, Components)> {
+        let (own, inertia) = body.rigid.as_ref()?;
+        let called = ("w", self.frames.name(*own));
+        let omega = self.frames.carry(&mut self.arena, &velocities.angular[*own], inertia.frame, called);
+        let momentum = apply_tensor(&mut self.arena, &inertia.tensor, &omega);
+        Some((omega, crate::mechanics::motion::carry::named(&mut self.arena, momentum, &format!("H_{}", body.name))))
+    }
+
+    /// dH/dt of a rigid body in the frame of its inertia: I ω' + ω_F × H, with ω' in that frame.
+    fn momentum_rate(
+        &mut self,
+        body: &Body,
+        velocities: &Velocities,
+        accelerations: &Accelerations,
+    ) -> Option<Components> {
+        let (within, gyroscopic) = self.turning_within(body, velocities, accelerations)?;
+        let (_, inertia) = body.rigid.as_ref()?;
+        let rate = apply_tensor(&mut self.arena, &inertia.tensor, &within);
+        Some(std::array::from_fn(|i| self.arena.add(rate[i], gyroscopic[i])))
+    }
+
+    /// ω' of a rigid body, of its components in the frame F of its inertia, and ω_F × H.
+    fn turning_within(
+        &mut self,
+        body: &Body,
+        velocities: &Velocities,
+        accelerations: &Accelerations,
+    ) -> Option<(Components, Components)> {
+        let (omega, momentum) = self.spin(body, velocities)?;
+        let (own, inertia) = body.rigid.as_ref()?;
+        let called = ("alpha", self.frames.name(*own));
+        let alpha = self.frames.carry(&mut self.arena, &accelerations.angular[*own], inertia.frame, called);
+        let of_frame = if *own == inertia.frame {
+            omega
+        } else {
+            let called = ("w", self.frames.name(inertia.frame));
+            self.frames.carry(&mut self.arena, &velocities.angular[inertia.frame], inertia.frame, called)
+        };
+        let arena = &mut self.arena;
+        // The rate of the components is α less what the frame's own turning makes of ω.
+        let turning = cross_components(arena, &of_frame, &omega);
+        let within = std::array::from_fn(|i| arena.sub(alpha[i], turning[i]));
+        Some((within, cross_components(arena, &of_frame, &momentum)))
+    }
+
+    /// Velocities and momenta of all bodies, component by component: T = ½ Σ velocity · momentum.
+    pub(in crate::mechanics) fn momentum_pairs(&mut self, model: &Model, velocities: &Velocities) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        for body in &model.bodies {
+            let v = &velocities.linear[body.centre];
+            let home = self.frames.home([v]);
+            let v = self.frames.carry(&mut self.arena, v, home, ("v", &model.points[body.centre].name));
+            pairs.extend(v.map(|e| (e, self.arena.mul(body.mass, e))));
+            if let Some((omega, momentum)) = self.spin(body, velocities) {
+                pairs.extend(omega.into_iter().zip(momentum));
+            }
+        }
+        pairs
+    }
+
+    /// Velocities and the inertia forces and weights along them, for u̇ = 0.
+    fn inertia_pairs(&mut self, model: &Model, velocities: &Velocities, accelerations: &Accelerations) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        for body in &model.bodies {
+            let (v, a) = (&velocities.linear[body.centre], &accelerations.linear[body.centre]);
+            let home = self.frames.home([v, a]);
+            let point = &model.points[body.centre].name;
+            let v = self.frames.carry(&mut self.arena, v, home, ("v", point));
+            let a = self.frames.carry(&mut self.arena, a, home, ("a", point));
+            for (v, a) in v.into_iter().zip(a) {
+                let force = self.arena.product(&[body.mass, a, Expr::MINUS_ONE]);
+                pairs.push((v, force));
+            }
+            if let (Some((omega, _)), Some(rate)) =
+                (self.spin(body, velocities), self.momentum_rate(body, velocities, accelerations))
+            {
+                pairs.extend(omega.into_iter().zip(rate.map(|e| self.arena.neg(e))));
+            }
+        }
+        pairs
+    }
+
+    /// Velocities and the loads along them, a velocity named in a load put in as `put` has it.
+    pub(in crate::mechanics) fn load_pairs<'a>(
+        &mut self,
+        loads: impl IntoIterator<Item = &'a Load>,
+        put: &mut Substitution,
+    ) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        for Load { velocity, scale, load } in loads {
+            let load = load.substitute(&mut self.arena, put);
+            let home = self.frames.home([velocity, &load]);
+            let velocity = self.frames.carry(&mut self.arena, velocity, home, ("v", "load"));
+            let load = self.frames.carry(&mut self.arena, &load, home, ("load", "on"));
+            pairs.extend(velocity.into_iter().zip(load.map(|e| self.arena.mul(*scale, e))));
+        }
+        pairs
+    }
+
+    /// The rates of a point's components in the frame in which it is placed.
+    pub(in crate::mechanics) fn rates_within(
+        &mut self,
+        model: &Model,
+        point: usize,
+        velocities: &Velocities,
+    ) -> Components {
+        let Some((.., components)) = model.points[point].position else { return [Expr::ZERO; 3] };
+        let mut rates =
+            Differential::along(&model.q().into_iter().zip(velocities.rates.iter().copied()).collect::<Vec<_>>());
+        components.map(|e| rates.apply(&mut self.arena, e))
+    }
+
+    /// The generalized forces of loads along these motion variables.
+    pub(in crate::mechanics) fn forces_along<'a>(
+        &mut self,
+        loads: impl IntoIterator<Item = &'a Load>,
+        put: &mut Substitution,
+        variables: &[Expr],
+    ) -> Vec<Expr> {
+        let pairs = self.load_pairs(loads, put);
+        transposed_product(&mut self.arena, &pairs, variables, FORCE)
+    }
+
+    /// ∂²T/∂x_i∂x_j.
+    pub(in crate::mechanics) fn form_of_momenta(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        variables: &[Expr],
+    ) -> Vec<Vec<Expr>> {
+        let pairs = self.momentum_pairs(model, velocities);
+        let momenta = transposed_product(&mut self.arena, &pairs, variables, MOMENTUM);
+        symmetric_slopes(&mut self.arena, &momenta, variables)
+    }
+
+    /// −g · Σ m p: moments of mass are added up before they are carried to where gravity is stated.
+    pub(in crate::mechanics) fn carried_potential(&mut self, model: &Model, g: &Vector) -> Result<Expr, DeriveError> {
+        let mut moment = Vector::default();
+        for body in &model.bodies {
+            let own = self.positions[body.centre].scale(&mut self.arena, body.mass);
+            moment = moment.add(&mut self.arena, &own);
+        }
+        let mut named = moment.clone();
+        for (frame, components) in &mut named.parts {
+            let what = format!("mp_{}", self.frames.name(*frame).to_owned());
+            *components = crate::mechanics::motion::carry::named(&mut self.arena, *components, &what);
+        }
+        let work = self.frames.dot(&mut self.arena, g, &named);
+        let energy = self.arena.neg(work);
+        self.zeroed(model, energy)
+    }
+
+    /// ½ Σ velocity · momentum.
+    pub(in crate::mechanics) fn energy_of_pairs(&mut self, pairs: &[Pair]) -> Expr {
+        let arena = &mut self.arena;
+        let half = Rational::fraction(1, 2).expect("not zero");
+        let terms: Vec<(Expr, Rational)> = pairs.iter().map(|(v, p)| (arena.mul(*v, *p), half.clone())).collect();
+        arena.linear_combination(&terms)
+    }
+
+    /// Kane's equations M u̇ = f from the partial velocities, of which none is written: (M, f), with these loads and
+    /// the acceleration of free fall.
+    pub(in crate::mechanics) fn projected(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        loads: &[Load],
+        fall: &Vector,
+    ) -> (Vec<Vec<Expr>>, Vec<Expr>) {
+        let mut resting = motion_rates_without_acceleration(model);
+        let forcing = self.forces_of_motion(model, velocities, loads, fall, &mut resting);
+        let matrix = match self.composite_form(model, velocities, &model.u()) {
+            Some(form) => form,
+            None => self.kinetic_form(model, velocities, &model.u()),
+        };
+        (matrix, forcing)
+    }
+
+    /// F_r + F*_r: the force along each speed, inertia forces among them, where the motion has these rates.
+    pub(in crate::mechanics) fn forces_of_motion(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        loads: &[Load],
+        fall: &Vector,
+        rates: &mut Differential,
+    ) -> Vec<Expr> {
+        let accelerations = self.accelerations(model, velocities, rates, (fall, false));
+        let mut pairs = self.inertia_pairs(model, velocities, &accelerations);
+        pairs.extend(self.load_pairs(loads, &mut rates_to_speeds(model)));
+        transposed_product(&mut self.arena, &pairs, &model.u(), FORCE)
+    }
+
+    /// m a, less the weight, and dH/dt.
+    pub(in crate::mechanics) fn carried_rates(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        accelerations: &Accelerations,
+        body: &Body,
+    ) -> (Vector, Vector) {
+        let a = &accelerations.linear[body.centre];
+        let home = self.frames.home([&velocities.linear[body.centre], a]);
+        let a = self.frames.carry(&mut self.arena, a, home, ("a", &model.points[body.centre].name));
+        let force = Vector::in_frame(home, a.map(|e| self.arena.mul(body.mass, e)));
+        let moment = self.momentum_rate(body, velocities, accelerations);
+        let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+        (force, moment.map_or_else(Vector::default, |rate| Vector::in_frame(frame, rate)))
+    }
+
+    /// Function that u̇ minimizes by Gauss's principle: ½ Σ m a² + ½ ω' · I ω' + ω' · (ω × H) less the power of the
+    /// loads along u̇.
+    pub(in crate::mechanics) fn gauss(&mut self, model: &Model, velocities: &Velocities, loads: &[Load]) -> Sum {
+        let accelerations = self.accelerations(model, velocities, &mut motion_rates(model), (&Self::fall(model), true));
+        let mut blocks = Vec::new();
+        let none = [Expr::ZERO; 3];
+        for body in &model.bodies {
+            let a = &accelerations.linear[body.centre];
+            let home = self.frames.home([&velocities.linear[body.centre], a]);
+            let components = self.frames.carry(&mut self.arena, a, home, ("a", &model.points[body.centre].name));
+            let mut tensor = [none; 3];
+            (0..3).for_each(|i| tensor[i][i] = body.mass);
+            blocks.push(Block { components, tensor, linear: none });
+            if let (Some((_, inertia)), Some((components, linear))) =
+                (&body.rigid, self.turning_within(body, velocities, &accelerations))
+            {
+                blocks.push(Block { components, tensor: inertia.tensor, linear });
+            }
+        }
+        let forces = self.forces_along(loads, &mut rates_to_speeds(model), &model.u());
+        let linear = forces.into_iter().map(|e| self.arena.neg(e)).collect();
+        Sum { blocks, linear }
+    }
+
+    /// The acceleration of free fall.
+    pub(in crate::mechanics) fn fall(model: &Model) -> Vector {
+        model.gravity.as_ref().map(|g| Vector::in_frame(g.frame, g.acceleration)).unwrap_or_default()
+    }
+
+    /// Lagrange's equations E q̈ = A from the energies: (E, A, E q̈ − A), with what loads beside gravity give left out.
+    pub(in crate::mechanics) fn lagrange_system(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        potential: Expr,
+    ) -> (Vec<Vec<Expr>>, Vec<Expr>, Vec<Expr>) {
+        let n = model.coordinates.len();
+        let variables = [model.q(), model.q_dot()].concat();
+        // T = ½ Σ v · p with p linear in v: its slopes are those of v, weighted by p.
+        let pairs = self.momentum_pairs(model, velocities);
+        let slopes = transposed_product(&mut self.arena, &pairs, &variables, MOMENTUM);
+        let (along_q, momenta) = slopes.split_at(n);
+        let falling = transposed_product(&mut self.arena, &[(potential, Expr::MINUS_ONE)], &model.q(), FORCE);
+        let mut along: Vec<(Expr, Expr)> = model.q().into_iter().zip(model.q_dot()).collect();
+        let mut coasting = Differential::along(&along);
+        along.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
+        let mut moving = Differential::along(&along);
+        let arena = &mut self.arena;
+        let (mut forcing, mut required) = (Vec::with_capacity(n), Vec::with_capacity(n));
+        for i in 0..n {
+            let acting = arena.add(along_q[i], falling[i]);
+            let (coasting, moving) = (coasting.apply(arena, momenta[i]), moving.apply(arena, momenta[i]));
+            forcing.push(arena.sub(acting, coasting));
+            required.push(arena.sub(moving, acting));
+        }
+        let matrix = if self.frames.are_near() {
+            self.kinetic_form(model, velocities, &model.q_dot())
+        } else {
+            symmetric_slopes(arena, momenta, &model.q_dot())
+        };
+        (matrix, forcing, required)
+    }
+}
+
+/// ∂p_i/∂x_j, symmetric by meaning: the upper triangle, mirrored.
+fn symmetric_slopes(arena: &mut Arena, momenta: &[Expr], variables: &[Expr]) -> Vec<Vec<Expr>> {
+    let n = variables.len();
+    let mut gradient = Gradient::new(variables);
+    let mut matrix = vec![vec![Expr::ZERO; n]; n];
+    for (i, momentum) in momenta.iter().enumerate() {
+        for &(j, slope) in gradient.apply(arena, *momentum).iter().filter(|(j, _)| *j >= i) {
+            matrix[i][j] = slope;
+            matrix[j][i] = slope;
+        }
+    }
+    matrix
+}

@@ -1,0 +1,349 @@
+//! The mass matrix of a tree of bodies from its composite bodies: everything beyond a joint, taken as one body.
+//!
+//! The tree has an edge for each turn from a frame to the next and for each shift from a point to the next in one
+//! frame. A composite body is its mass m, its first moment s and its inertia J about the point of its node, all in the
+//! frame of the node. A unit motion of an edge gives the composite body beyond it a momentum, which is carried to the
+//! root. The component of this momentum along the motion of another edge on the way is the matrix entry for both edges.
+//! The work grows with the square of the depth (R. Featherstone, *Rigid Body Dynamics Algorithms* (2008), §6.2; M. W.
+//! Walker & D. E. Orin, ASME J. Dyn. Sys. Meas. Control 104 (1982) 205–211).
+
+use super::carry::{named, turned};
+use super::kinematics::{Kinematics, Velocities};
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::geometry::{Components, Turn, cross_components, transposed};
+use crate::model::{Body, Model};
+
+const NOTHING: Components = [Expr::ZERO; 3];
+
+/// From the node before: the frame turns, or the point shifts by components in the same frame.
+#[derive(Clone, PartialEq, Eq)]
+enum Edge {
+    Turn(Turn),
+    Shift { by: Components },
+}
+
+/// A frame with a point, and all bodies beyond.
+struct Node {
+    parent: usize,
+    edge: Edge,
+    frame: usize,
+    /// The rates of the edge's motion: the components of its angular velocity, or those of the shift.
+    rates: Components,
+    mass: Vec<Expr>,
+    /// First moment Σ m r, kg m.
+    moment: [Vec<Expr>; 3],
+    /// The upper triangle of Σ m (r² − r rᵀ), row by row.
+    inertia: [Vec<Expr>; 6],
+}
+
+/// Index of entry (i, j) of a symmetric tensor, stored as its upper triangle.
+fn place(i: usize, j: usize) -> usize {
+    let (i, j) = (i.min(j), i.max(j));
+    i * (5 - i) / 2 + j
+}
+
+/// A momentum about the point of a node: linear, angular.
+type Momentum = (Components, Components);
+
+/// A unit motion of the edge to a node: a turn about, or a shift along, this axis.
+type Motion = (usize, usize);
+
+/// The bodies of a model as a tree of frames and points.
+struct Tree {
+    /// Parents first; the first is the inertial frame at the origin.
+    nodes: Vec<Node>,
+}
+
+impl Kinematics {
+    /// ∂²T/∂x_i∂x_j by composite bodies; nothing where bodies are not placed along the path of their frames.
+    pub(in crate::mechanics) fn composite_form(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        variables: &[Expr],
+    ) -> Option<Vec<Vec<Expr>>> {
+        let mut tree = Tree::new(self, model, velocities)?;
+        let composites = tree.composites(&mut self.arena, model);
+        let motions = tree.motions();
+        let mut gradient = Gradient::new(variables);
+        let slopes: Vec<_> = motions
+            .iter()
+            .map(|(node, axis)| gradient.apply(&mut self.arena, tree.nodes[*node].rates[*axis]))
+            .collect();
+        let n = variables.len();
+        let mut terms = vec![vec![Vec::new(); n]; n];
+        for (at, (node, axis)) in motions.iter().enumerate() {
+            for (other, entry) in tree.couplings(&mut self.arena, model, &composites, &motions, (*node, *axis)) {
+                for (r, by_r) in slopes[at].iter() {
+                    for (s, by_s) in slopes[other].iter() {
+                        // Of a motion with itself each pair counts once, of two motions both orders count.
+                        if other == at && r > s {
+                            continue;
+                        }
+                        let term = self.arena.product(&[*by_r, *by_s, entry]);
+                        let (i, j) = (*r.min(s), *r.max(s));
+                        let twice = other != at && r == s;
+                        terms[i][j].push((term, Rational::integer(if twice { 2 } else { 1 })));
+                    }
+                }
+            }
+        }
+        let mut matrix = vec![vec![Expr::ZERO; n]; n];
+        for i in 0..n {
+            for j in i..n {
+                let entry = self.arena.linear_combination(&terms[i][j]);
+                matrix[i][j] = entry;
+                matrix[j][i] = entry;
+            }
+        }
+        Some(matrix)
+    }
+}
+
+impl Tree {
+    fn new(kinematics: &mut Kinematics, model: &Model, velocities: &Velocities) -> Option<Self> {
+        let root = Node::new(0, Edge::Shift { by: NOTHING }, 0, NOTHING);
+        let mut tree = Self { nodes: vec![root] };
+        for body in &model.bodies {
+            let at = tree.reach(kinematics, model, velocities, body)?;
+            let node = &mut tree.nodes[at];
+            node.mass.push(body.mass);
+            if let Some((_, inertia)) = &body.rigid {
+                for i in 0..3 {
+                    for j in i..3 {
+                        node.inertia[place(i, j)].push(inertia.tensor[i][j]);
+                    }
+                }
+            }
+        }
+        Some(tree)
+    }
+
+    /// The node of a body's mass centre in its own frame.
+    fn reach(
+        &mut self,
+        kinematics: &mut Kinematics,
+        model: &Model,
+        velocities: &Velocities,
+        body: &Body,
+    ) -> Option<usize> {
+        let mut steps = Vec::new();
+        let mut point = body.centre;
+        while let Some((before, frame, components)) = model.points[point].position {
+            steps.push((frame, components, point));
+            point = before;
+        }
+        steps.reverse();
+        let frames = &kinematics.frames;
+        let own = match &body.rigid {
+            Some((own, inertia)) if *own == inertia.frame => *own,
+            Some(_) => return None,
+            None => {
+                steps.iter().map(|(frame, ..)| *frame).max_by_key(|frame| frames.ancestors(*frame).len()).unwrap_or(0)
+            }
+        };
+        let path = frames.ancestors(own);
+        if !steps.iter().all(|(frame, ..)| path.contains(frame)) {
+            return None;
+        }
+        let mut at = 0;
+        for frame in path.into_iter().rev() {
+            if let Some(turn) = kinematics.frames.turned_into(frame) {
+                let rates = velocities.angular[frame].parts.iter().find(|(of, _)| *of == frame);
+                let rates = rates.map_or(NOTHING, |(_, components)| *components);
+                at = self.child(Node::new(at, Edge::Turn(turn.clone()), frame, rates));
+            }
+            for (_, by, point) in steps.iter().filter(|(of, ..)| *of == frame) {
+                let rates = kinematics.rates_within(model, *point, velocities);
+                at = self.child(Node::new(at, Edge::Shift { by: *by }, frame, rates));
+            }
+        }
+        Some(at)
+    }
+
+    /// The node that is reached by this edge, new if there is none yet.
+    fn child(&mut self, node: Node) -> usize {
+        let alike = |known: &Node| known.parent == node.parent && known.frame == node.frame && known.edge == node.edge;
+        match self.nodes.iter().skip(1).position(alike) {
+            Some(at) => at + 1,
+            None => {
+                self.nodes.push(node);
+                self.nodes.len() - 1
+            }
+        }
+    }
+
+    /// (m, s, J) of all bodies beyond each node, leaves first.
+    fn composites(&mut self, arena: &mut Arena, model: &Model) -> Vec<(Expr, Components, [Expr; 6])> {
+        let mut list = vec![(Expr::ZERO, NOTHING, [Expr::ZERO; 6]); self.nodes.len()];
+        for at in (0..self.nodes.len()).rev() {
+            let node = &self.nodes[at];
+            let name = &model.frames[node.frame].name;
+            let mut total = |terms: &[Expr], what: String| {
+                let sum = arena.sum(terms);
+                arena.name(sum, &what)
+            };
+            let mass = total(&node.mass, format!("m_{name}"));
+            let moment = std::array::from_fn(|i| total(&node.moment[i], format!("s_{name}_{}", i + 1)));
+            let inertia = std::array::from_fn(|k| {
+                total(&node.inertia[k], format!("J_{name}_{}", ["11", "12", "13", "22", "23", "33"][k]))
+            });
+            list[at] = (mass, moment, inertia);
+            if at == 0 {
+                break;
+            }
+            let (moment, inertia) = match &node.edge {
+                Edge::Turn(turn) => {
+                    let before = &model.frames[self.nodes[node.parent].frame].name;
+                    let moment = turned(arena, turn, true, &moment, &format!("s_{name}_in_{before}"));
+                    (moment, turned_tensor(arena, turn, &inertia, &format!("J_{name}_in_{before}")))
+                }
+                Edge::Shift { by } => shifted(arena, (mass, &moment, &inertia), by, name),
+            };
+            let before = node.parent;
+            let parent = &mut self.nodes[before];
+            parent.mass.push(mass);
+            (0..3).for_each(|i| parent.moment[i].push(moment[i]));
+            (0..6).for_each(|k| parent.inertia[k].push(inertia[k]));
+        }
+        list
+    }
+
+    /// The unit motions of all edges that move.
+    fn motions(&self) -> Vec<Motion> {
+        let axes = |at: usize| {
+            (0..3).filter(move |axis| self.nodes[at].rates[*axis] != Expr::ZERO).map(move |axis| (at, axis))
+        };
+        (1..self.nodes.len()).flat_map(axes).collect()
+    }
+
+    /// The momentum of a unit motion along the motions of the edges from here to the root, itself among them and each
+    /// pair once.
+    fn couplings(
+        &self,
+        arena: &mut Arena,
+        model: &Model,
+        composites: &[(Expr, Components, [Expr; 6])],
+        motions: &[Motion],
+        (start, axis): Motion,
+    ) -> Vec<(usize, Expr)> {
+        let (mass, moment, inertia) = &composites[start];
+        let mut unit = NOTHING;
+        unit[axis] = Expr::ONE;
+        let (mut linear, mut angular): Momentum = match &self.nodes[start].edge {
+            Edge::Turn(_) => (cross_components(arena, &unit, moment), std::array::from_fn(|i| inertia[place(i, axis)])),
+            Edge::Shift { .. } => (unit.map(|e| arena.mul(*mass, e)), cross_components(arena, moment, &unit)),
+        };
+        let mut list = Vec::new();
+        let mut at = start;
+        while at != 0 {
+            let node = &self.nodes[at];
+            let along = if matches!(node.edge, Edge::Turn(_)) { &angular } else { &linear };
+            for (place, (_, by)) in motions.iter().enumerate().filter(|(_, (of, _))| *of == at) {
+                if at != start || *by >= axis {
+                    list.push((place, along[*by]));
+                }
+            }
+            let name = &model.frames[node.frame].name;
+            let of = &model.frames[self.nodes[start].frame].name;
+            match &node.edge {
+                Edge::Turn(turn) => {
+                    linear = turned(arena, turn, true, &linear, &format!("p_{of}_in_{name}"));
+                    angular = turned(arena, turn, true, &angular, &format!("h_{of}_in_{name}"));
+                }
+                Edge::Shift { by } => {
+                    let about = cross_components(arena, by, &linear);
+                    let sum = std::array::from_fn(|i| arena.add(angular[i], about[i]));
+                    angular = named(arena, sum, &format!("h_{of}_{name}"));
+                }
+            }
+            at = node.parent;
+        }
+        list
+    }
+}
+
+impl Node {
+    fn new(parent: usize, edge: Edge, frame: usize, rates: Components) -> Self {
+        let (moment, inertia) = Default::default();
+        Self { parent, edge, frame, rates, mass: Vec::new(), moment, inertia }
+    }
+}
+
+/// First moment and inertia about a point that lies `by` before: s + m r, and with w = 2 s + m r the inertia
+/// J + (r · w) 1 − ½ (r wᵀ + w rᵀ).
+fn shifted(
+    arena: &mut Arena,
+    (mass, moment, inertia): (Expr, &Components, &[Expr; 6]),
+    by: &Components,
+    name: &str,
+) -> (Components, [Expr; 6]) {
+    let carried = by.map(|e| arena.mul(mass, e));
+    let carried = named(arena, carried, &format!("mr_{name}"));
+    let sum = std::array::from_fn(|i| arena.add(moment[i], carried[i]));
+    let sum = named(arena, sum, &format!("s_{name}"));
+    let both = std::array::from_fn(|i| arena.add(moment[i], sum[i]));
+    let both = named(arena, both, &format!("w_{name}"));
+    let half = Rational::fraction(1, 2).expect("not zero");
+    let halves: Components = both.map(|e| arena.scale(e, &half));
+    let along: Components = std::array::from_fn(|i| {
+        let product = arena.mul(by[i], both[i]);
+        arena.name(product, &format!("rw_{name}_{}", i + 1))
+    });
+    let mut result = *inertia;
+    for i in 0..3 {
+        for j in i..3 {
+            let added = if i == j {
+                arena.add(along[(i + 1) % 3], along[(i + 2) % 3])
+            } else {
+                let (ij, ji) = (arena.mul(by[i], halves[j]), arena.mul(halves[i], by[j]));
+                let sum = arena.add(ij, ji);
+                arena.neg(sum)
+            };
+            let entry = arena.add(inertia[place(i, j)], added);
+            result[place(i, j)] = entry;
+        }
+    }
+    (sum, result)
+}
+
+/// R J Rᵀ, the tensor turned back into the frame before the turn. About one axis, with t = s (J_kk − J_jj) − 2 c J_jk,
+/// the entries are J_jj + s t, J_kk − s t and −c t − J_jk.
+fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str) -> [Expr; 6] {
+    let Turn::About(axis, angle) = turn else {
+        let half = [0, 1, 2].map(|i| {
+            let column = std::array::from_fn(|j| tensor[place(j, i)]);
+            turned(arena, turn, true, &column, what)
+        });
+        let rows = transposed(&half).map(|row| turned(arena, turn, true, &row, what));
+        return [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|(i, j)| rows[i][j]);
+    };
+    let (axis, angle) = (*axis, *angle);
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (s, c) = (arena.sin(angle), arena.cos(angle));
+    let row = [NOTHING[0], tensor[place(axis, j)], tensor[place(axis, k)]];
+    // The entries beside the axis turn as a vector does.
+    let mut beside = NOTHING;
+    (beside[j], beside[k]) = (row[1], row[2]);
+    let beside = turned(arena, turn, true, &beside, what);
+    let difference = arena.sub(tensor[place(k, k)], tensor[place(j, j)]);
+    let difference = arena.name(difference, &format!("{what}_{}{}", j + 1, k + 1));
+    let (of_difference, of_product) = (arena.mul(s, difference), arena.mul(c, tensor[place(j, k)]));
+    let t = arena.linear_combination(&[(of_difference, Rational::ONE), (of_product, Rational::integer(-2))]);
+    let t = arena.name(t, what);
+    let (st, ct) = (arena.mul(s, t), arena.mul(c, t));
+    let st = arena.name(st, what);
+    let mut result = *tensor;
+    result[place(axis, j)] = beside[j];
+    result[place(axis, k)] = beside[k];
+    result[place(j, j)] = arena.add(tensor[place(j, j)], st);
+    result[place(k, k)] = arena.sub(tensor[place(k, k)], st);
+    let sum = arena.add(ct, tensor[place(j, k)]);
+    result[place(j, k)] = arena.neg(sum);
+    let mut at = 0;
+    result.map(|e| {
+        at += 1;
+        arena.name(e, &format!("{what}_{}", ["11", "12", "13", "22", "23", "33"][at - 1]))
+    })
+}

@@ -1,0 +1,162 @@
+//! Kinetic and potential energy, and the momenta that the former is made of.
+//!
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 5.1, 5.4.
+
+use super::kinematics::{Kinematics, Velocities};
+use crate::algebra::term::calculus::{Gradient, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Expr, Rational};
+use crate::geometry::{Dots, Vector};
+use crate::mechanics::error::DeriveError;
+use crate::model::Model;
+
+/// A velocity and the momentum along it, T = Σ ½ scale velocity · momentum: v and m v of a mass centre, ω and H of a
+/// rigid body.
+pub struct Momentum {
+    /// The mass, or 1. It is kept apart so that equal products of vectors are seen to be equal.
+    pub scale: Expr,
+    /// v_C, or ω.
+    pub velocity: Vector,
+    /// v_C, or H = I · ω.
+    pub momentum: Vector,
+}
+
+impl Kinematics {
+    /// The momenta of all bodies.
+    pub fn momenta(&mut self, model: &Model, velocities: &Velocities) -> Vec<Momentum> {
+        let mut momenta = Vec::new();
+        for body in &model.bodies {
+            let v = &velocities.linear[body.centre];
+            momenta.push(Momentum { scale: body.mass, velocity: v.clone(), momentum: v.clone() });
+            if let (Some((_, inertia)), Some(omega)) = (&body.rigid, self.angular_velocity_in(body, velocities)) {
+                let velocity = Vector::in_frame(inertia.frame, omega);
+                let momentum = self.angular_momentum(body, velocities);
+                momenta.push(Momentum { scale: Expr::ONE, velocity, momentum });
+            }
+        }
+        momenta
+    }
+
+    /// T = Σ ½ m v·v + ½ ω·I·ω, written as a quadratic form in the motion variables.
+    pub fn kinetic_energy(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Expr {
+        let form = self.kinetic_form(model, velocities, variables);
+        self.energy_with_form(model, velocities, variables, &form)
+    }
+
+    /// The matrix of the quadratic form, ∂²T/∂x_i∂x_j, each entry in its short form. Symmetric.
+    pub fn kinetic_form(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Vec<Vec<Expr>> {
+        if self.frames.carries && !self.frames.are_near() {
+            return self.form_of_momenta(model, velocities, variables);
+        }
+        let n = variables.len();
+        let mut gradient = Gradient::new(variables);
+        let mut sums: Vec<Vec<Dots>> = (0..n).map(|i| (i..n).map(|_| Dots::default()).collect()).collect();
+        for Momentum { scale, velocity, momentum } in self.momenta(model, velocities) {
+            let velocities = velocity.slopes(&mut self.arena, &mut gradient);
+            let momenta = momentum.slopes(&mut self.arena, &mut gradient);
+            for (i, v) in &velocities {
+                for (j, p) in momenta.iter().filter(|(j, _)| j >= i) {
+                    sums[*i][j - i].add(scale, v, p);
+                }
+            }
+        }
+        let mut form = vec![vec![Expr::ZERO; n]; n];
+        for (i, row) in sums.iter().enumerate() {
+            for (above, dots) in row.iter().enumerate() {
+                let entry = dots.sum(&mut self.arena, &mut self.frames);
+                let entry = self.simplifier.simplify(&mut self.arena, entry);
+                form[i][i + above] = entry;
+                form[i + above][i] = entry;
+            }
+        }
+        form
+    }
+
+    /// ½ Σ form_ij x_i x_j, as a person writes an energy; an energy that is not quadratic, from speeds that are not
+    /// homogeneous in the rates, stays as it is.
+    pub(in crate::mechanics) fn energy_with_form(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        variables: &[Expr],
+        form: &[Vec<Expr>],
+    ) -> Expr {
+        if self.frames.carries {
+            let pairs = self.momentum_pairs(model, velocities);
+            return self.energy_of_pairs(&pairs);
+        }
+        let half = Rational::fraction(1, 2).expect("not zero");
+        let mut terms = Vec::new();
+        for (i, row) in form.iter().enumerate() {
+            for (j, coefficient) in row.iter().enumerate().skip(i) {
+                let term = self.arena.product(&[*coefficient, variables[i], variables[j]]);
+                terms.push((term, if i == j { half.clone() } else { Rational::ONE }));
+            }
+        }
+        let quadratic = self.arena.linear_combination(&terms);
+        let zeros: Vec<_> = variables.iter().map(|x| (*x, Expr::ZERO)).collect();
+        let mut at_rest = Substitution::new(&zeros);
+        let moving = model.bodies.iter().flat_map(|body| {
+            let turning = body.rigid.as_ref().map(|(frame, _)| &velocities.angular[*frame]);
+            turning.into_iter().chain([&velocities.linear[body.centre]])
+        });
+        if moving.into_iter().all(|v| v.substitute(&mut self.arena, &mut at_rest).is_zero()) {
+            return quadratic;
+        }
+        let mut dots = Dots::default();
+        for Momentum { scale, velocity, momentum } in self.momenta(model, velocities) {
+            dots.add(scale, &velocity, &momentum);
+        }
+        let twice = dots.sum(&mut self.arena, &mut self.frames);
+        let energy = self.arena.scale(twice, &half);
+        let rest = self.arena.sub(energy, quadratic);
+        match zero_test(&self.arena, rest) {
+            ZeroTest::Zero => quadratic,
+            _ => self.simplifier.simplify(&mut self.arena, energy),
+        }
+    }
+
+    /// V = −Σ m g·p, the potential energy of gravity alone, zero where the model puts its zero.
+    ///
+    /// # Errors
+    /// [`DeriveError::NoZeroOfPotential`] if V has no value there.
+    pub fn gravity_potential(&mut self, model: &Model) -> Result<Expr, DeriveError> {
+        let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
+        let g = Vector::in_frame(gravity.frame, gravity.acceleration);
+        if self.frames.carries {
+            return self.carried_potential(model, &g);
+        }
+        let mut work = Dots::default();
+        for body in &model.bodies {
+            work.add(body.mass, &g, &self.positions[body.centre]);
+        }
+        let work = work.sum(&mut self.arena, &mut self.frames);
+        let energy = self.arena.neg(work);
+        self.zeroed(model, energy)
+    }
+
+    /// A potential energy, zero where the model puts its zero.
+    pub(in crate::mechanics) fn zeroed(&mut self, model: &Model, energy: Expr) -> Result<Expr, DeriveError> {
+        let Some(gravity) = &model.gravity else { return Ok(energy) };
+        if gravity.zero_at.is_empty() {
+            return Ok(self.simplifier.simplify(&mut self.arena, energy));
+        }
+        let mut to_zero = place_of_zero(model);
+        let at_zero = to_zero.apply(&mut self.arena, energy);
+        if let Some(term) = to_zero.undefined {
+            return Err(DeriveError::NoZeroOfPotential { term: crate::algebra::text::print::text(&self.arena, term) });
+        }
+        let difference = self.arena.sub(energy, at_zero);
+        Ok(self.simplifier.simplify(&mut self.arena, difference))
+    }
+}
+
+/// Puts in the coordinates of the place where the model's potential energy is zero.
+pub(in crate::mechanics) fn place_of_zero(model: &Model) -> Substitution {
+    let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
+    for (symbol, value) in model.gravity.iter().flat_map(|gravity| &gravity.zero_at) {
+        values.retain(|(s, _)| s != symbol);
+        values.push((*symbol, *value));
+    }
+    Substitution::new(&values)
+}

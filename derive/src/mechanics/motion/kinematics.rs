@@ -1,0 +1,259 @@
+//! Positions, velocities and accelerations: what all three formulations start from.
+//!
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
+//! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
+
+use super::carry::is_large;
+use crate::mechanics::budget::check_tree;
+use crate::mechanics::error::DeriveError;
+
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Components, Frames, Vector, angular_velocities, apply_tensor, linear_velocities};
+use crate::model::{Body, Model, Reaction, ReactionKind};
+
+/// Positions and velocities in q and q̇, and the tools to go on from there.
+pub struct Kinematics {
+    /// The store of all terms; starts as the model's own.
+    pub arena: Arena,
+    /// The frames and the rotations between them.
+    pub frames: Frames,
+    /// Remembers what was simplified.
+    pub simplifier: Simplifier,
+    /// p_OP of each point, from the origin.
+    pub positions: Vec<Vector>,
+    /// Velocities in terms of q̇.
+    pub in_rates: Velocities,
+    /// The applied forces of the model, N, in parameters, q, q̇ and u: the velocities that they name are put in.
+    pub forces: Vec<Vector>,
+    /// The applied torques of the model, N m, likewise.
+    pub torques: Vec<Vector>,
+    /// Their potential, once it was asked for.
+    pub(in crate::mechanics) potential: Option<LoadPotential>,
+}
+
+/// The potential of the applied loads, and what of them has none.
+#[derive(Clone, Debug)]
+pub struct LoadPotential {
+    /// U in q, J; 0 if no load has a potential.
+    pub energy: Expr,
+    /// Q + ∂U/∂q, one entry a coordinate: generalized forces in q and q̇, simplified.
+    pub rest: Vec<Expr>,
+}
+
+/// Angular velocities of all frames and velocities of all points, in one choice of motion variables.
+#[derive(Clone)]
+pub struct Velocities {
+    /// ω of each frame in the inertial frame.
+    pub angular: Vec<Vector>,
+    /// v of each point in the inertial frame.
+    pub linear: Vec<Vector>,
+    /// Rates q̇ of the coordinates.
+    pub rates: Vec<Expr>,
+}
+
+impl Kinematics {
+    /// The kinematics of a model.
+    ///
+    /// # Errors
+    /// [`DeriveError`] if the stated inertia of a body is not constant in the body, a reaction of the file does work,
+    /// or a load divides by a velocity that is zero.
+    pub fn new(model: &Model) -> Result<Self, DeriveError> {
+        Self::in_form(model, is_large(model))
+    }
+
+    /// The kinematics of a model, with growing terms named if `named`, or everything written out.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn in_form(model: &Model, named: bool) -> Result<Self, DeriveError> {
+        check_tree(model)?;
+        let mut arena = model.arena.clone();
+        let mut frames = Frames::new(&model.frames);
+        frames.carries = named;
+        let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let mut rates = Differential::along(&rates);
+        let angular = angular_velocities(&mut arena, &model.frames, &mut rates);
+        name_in_own_frames(&mut arena, &mut frames, &angular);
+        let (positions, linear) = linear_velocities(&mut arena, &mut frames, &model.points, &angular, &mut rates);
+        let in_rates = Velocities { angular, linear, rates: model.q_dot() };
+        let (simplifier, forces, torques) = (Simplifier::default(), Vec::new(), Vec::new());
+        let mut kinematics = Self { arena, frames, simplifier, positions, in_rates, forces, torques, potential: None };
+        kinematics.apply_loads(model)?;
+        kinematics.check_inertias(model)?;
+        kinematics.check_reactions(model, model.stated_reactions())?;
+        Ok(kinematics)
+    }
+
+    /// The velocities in terms of the generalized speeds.
+    pub fn in_speeds(&mut self, model: &Model) -> Velocities {
+        if self.frames.carries {
+            let mut rates = motion_rates_without_acceleration(model);
+            let angular = angular_velocities(&mut self.arena, &model.frames, &mut rates);
+            name_in_own_frames(&mut self.arena, &mut self.frames, &angular);
+            let (_, linear) = linear_velocities(&mut self.arena, &mut self.frames, &model.points, &angular, &mut rates);
+            return Velocities { angular, linear, rates: model.kinematic_equations.rates.clone() };
+        }
+        let mut to_speeds = rates_to_speeds(model);
+        let Self { arena, simplifier, .. } = self;
+        let mut convert = |v: &Vector| v.substitute(arena, &mut to_speeds).simplify(arena, simplifier);
+        Velocities {
+            angular: self.in_rates.angular.iter().map(&mut convert).collect(),
+            linear: self.in_rates.linear.iter().map(&mut convert).collect(),
+            rates: model.kinematic_equations.rates.clone(),
+        }
+    }
+
+    /// Angular momentum of a body about its mass centre, H = I · ω, in the frame of the inertia;
+    /// nothing for a particle.
+    pub fn angular_momentum(&mut self, body: &Body, velocities: &Velocities) -> Vector {
+        let Some((_, inertia)) = &body.rigid else { return Vector::default() };
+        let omega = self.angular_velocity_in(body, velocities).unwrap_or([Expr::ZERO; 3]);
+        Vector::in_frame(inertia.frame, apply_tensor(&mut self.arena, &inertia.tensor, &omega))
+    }
+
+    /// ω of a rigid body in the frame of its inertia.
+    pub fn angular_velocity_in(&mut self, body: &Body, velocities: &Velocities) -> Option<Components> {
+        let (frame, inertia) = body.rigid.as_ref()?;
+        let omega = self.frames.express(&mut self.arena, &velocities.angular[*frame], inertia.frame);
+        Some(omega.map(|e| self.simplifier.simplify(&mut self.arena, e)))
+    }
+
+    fn check_inertias(&mut self, model: &Model) -> Result<(), DeriveError> {
+        let mut along_coordinates = Gradient::new(&model.q());
+        for body in &model.bodies {
+            let Some((frame, inertia)) = &body.rigid else { continue };
+            if *frame == inertia.frame {
+                continue;
+            }
+            // Constant in the body iff it commutes with the rotation: R I Rᵀ must not depend on q.
+            let r = self.frames.rotation(&mut self.arena, inertia.frame, *frame);
+            for (i, row) in r.iter().enumerate() {
+                let column = apply_tensor(&mut self.arena, &inertia.tensor, row);
+                for other in r.iter().take(i + 1) {
+                    let products: Vec<_> = other.iter().zip(&column).map(|(a, b)| self.arena.mul(*a, *b)).collect();
+                    let entry = self.arena.sum(&products);
+                    for (_, slope) in along_coordinates.apply(&mut self.arena, entry).iter() {
+                        if zero_test(&self.arena, *slope) != ZeroTest::Zero {
+                            return Err(DeriveError::InertiaNotConstant {
+                                body: body.name.clone(),
+                                frame: model.frames[inertia.frame].name.clone(),
+                                body_frame: model.frames[*frame].name.clone(),
+                            });
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A reaction of an ideal constraint does no work in any permitted motion: along each q̇, or along each speed
+    /// where motion constraints leave fewer of them.
+    pub(in crate::mechanics) fn check_reactions(
+        &mut self,
+        model: &Model,
+        reactions: &[Reaction],
+    ) -> Result<(), DeriveError> {
+        let mut to_permitted = (!model.motion_constraints.is_empty()).then(|| rates_to_speeds(model));
+        let permitted: Vec<String> = match to_permitted {
+            Some(_) => model.speeds.iter().map(|s| s.name.clone()).collect(),
+            None => model.coordinates.iter().map(|c| format!("{}'", c.name)).collect(),
+        };
+        let mut along = Gradient::new(&if to_permitted.is_some() { model.u() } else { model.q_dot() });
+        for reaction in reactions {
+            let direction = Vector::in_frame(reaction.frame, reaction.direction);
+            let square = self.frames.dot(&mut self.arena, &direction, &direction);
+            let excess = self.arena.sub(square, Expr::ONE);
+            // That of a joint that closes a loop has its length where the loop is closed.
+            if reaction.is_stated && zero_test(&self.arena, excess) != ZeroTest::Zero {
+                let length = crate::algebra::text::print::text(&self.arena, square);
+                return Err(DeriveError::DirectionNotUnit { reaction: reaction.name.clone(), square: length });
+            }
+            let power = self.power_of(model, reaction);
+            let power = to_permitted.as_mut().map_or(power, |put| put.apply(&mut self.arena, power));
+            for (at, slope) in along.apply(&mut self.arena, power).iter() {
+                if zero_test(&self.arena, *slope) != ZeroTest::Zero {
+                    return Err(DeriveError::ReactionWorks {
+                        reaction: reaction.name.clone(),
+                        motion: permitted[*at].clone(),
+                        rate: crate::algebra::text::print::text(&self.arena, *slope),
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The power of a reaction of size 1, in q and q̇.
+    pub(in crate::mechanics) fn power_of(&mut self, model: &Model, reaction: &Reaction) -> Expr {
+        let velocities = self.in_rates.clone();
+        let velocity = match reaction.kind {
+            ReactionKind::Force { on, against } => {
+                let v = self.place_velocity(model, &velocities, on);
+                let opposite = against.map(|place| self.place_velocity(model, &velocities, place));
+                self.minus(v, opposite)
+            }
+            ReactionKind::Torque { on, against } => {
+                let omega = |body: usize| {
+                    let frame = model.bodies[body].rigid.as_ref().map_or(0, |(frame, _)| *frame);
+                    velocities.angular[frame].clone()
+                };
+                self.minus(omega(on), against.map(omega))
+            }
+        };
+        let direction = Vector::in_frame(reaction.frame, reaction.direction);
+        self.frames.dot(&mut self.arena, &direction, &velocity)
+    }
+
+    fn minus(&mut self, a: Vector, b: Option<Vector>) -> Vector {
+        match b {
+            None => a,
+            Some(b) => {
+                let back = b.neg(&mut self.arena);
+                a.add(&mut self.arena, &back)
+            }
+        }
+    }
+}
+
+/// q̇ → W u + w.
+#[must_use]
+pub fn rates_to_speeds(model: &Model) -> Substitution {
+    let rates = model.q_dot();
+    let pairs: Vec<_> = rates.into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
+    Substitution::new(&pairs)
+}
+
+/// u → J q̇ + d.
+#[must_use]
+pub fn speeds_to_rates(model: &Model) -> Substitution {
+    let pairs: Vec<_> = model.speeds.iter().map(|s| (s.symbol, s.definition)).collect();
+    Substitution::new(&pairs)
+}
+
+/// d/dt along the motion: q → W u + w, u → u̇.
+#[must_use]
+pub fn motion_rates(model: &Model) -> Differential {
+    let mut rates: Vec<_> = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
+    rates.extend(model.speeds.iter().map(|s| (s.symbol, s.rate)));
+    Differential::along(&rates)
+}
+
+/// A rate for u̇ = 0: what is left of a rate when its terms in u̇ are taken away.
+#[must_use]
+pub fn motion_rates_without_acceleration(model: &Model) -> Differential {
+    let rates = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied());
+    Differential::along(&rates.collect::<Vec<_>>())
+}
+
+/// Gives angular velocities their names before anything else can: `w_A_1` of the frame A.
+fn name_in_own_frames(arena: &mut Arena, frames: &mut Frames, angular: &[Vector]) {
+    if frames.carries {
+        for (frame, omega) in angular.iter().enumerate() {
+            frames.carry(arena, omega, frame, ("w", frames.name(frame)));
+        }
+    }
+}

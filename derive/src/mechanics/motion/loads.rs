@@ -1,0 +1,231 @@
+//! Loads on the bodies, and the velocities of the points and bodies on which they act.
+//!
+//! A force acts on the material of its body: its power is that of v_C + ω × p_CP, where the body's material is at P
+//! now, and not of the velocity of P, which may move in the body as a contact point does.
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
+//! moving on it), 4.4 (generalized active forces).
+
+use super::kinematics::{Kinematics, Velocities, speeds_to_rates};
+use crate::algebra::term::calculus::{Gradient, Substitution};
+use crate::algebra::text::parse::VelocityOf;
+use crate::algebra::text::print::text;
+use crate::algebra::value::modular::{ZeroTest, zero_divisor, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Dots, Vector};
+use crate::mechanics::error::DeriveError;
+use crate::model::{Body, Model, NamedVelocity, Place, ReactionKind};
+
+/// A force or a torque and the velocity along which it acts: F_r = Σ ∂velocity/∂u_r · scale load.
+pub struct Load {
+    /// The velocity of the material at the point, or the angular velocity of the body for a torque.
+    pub velocity: Vector,
+    /// The mass for a weight, else 1. It is kept apart so that equal products of vectors are seen to be equal.
+    pub scale: Expr,
+    /// The force or the torque; for a weight, the acceleration of free fall.
+    pub load: Vector,
+}
+
+/// A force or reaction at a point that moves in the body it acts on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MovingPlace {
+    /// The force or reaction, in words: `force drag`.
+    pub load: String,
+    /// Body and point at which the load acts.
+    pub place: Place,
+}
+
+impl MovingPlace {
+    /// Explanation of the moving point, in a sentence.
+    #[must_use]
+    pub fn text(&self, model: &Model) -> String {
+        let (load, body) = (&self.load, &model.bodies[self.place.body].name);
+        let point = &model.points[self.place.point].name;
+        format!(
+            "The {load} acts on the material of {body} that is at {point}: {point} moves in {body}, so that power is taken \
+             with v({body}, {point}), not with v({point})."
+        )
+    }
+}
+
+/// The forces and reactions of a model at points that move in their bodies, in the order of the file.
+///
+/// # Errors
+/// As [`Kinematics::new`].
+pub fn moving_places(model: &Model) -> Result<Vec<MovingPlace>, DeriveError> {
+    let mut kinematics = Kinematics::new(model)?;
+    let mut list = Vec::new();
+    for (load, place) in places(model) {
+        if kinematics.moves_in_body(model, place) {
+            list.push(MovingPlace { load, place });
+        }
+    }
+    Ok(list)
+}
+
+/// Names of all forces and reaction forces and of their opposites, with the places at which they act.
+fn places(model: &Model) -> Vec<(String, Place)> {
+    let mut list = Vec::new();
+    for force in &model.forces {
+        list.push((format!("force {}", force.name), force.on));
+        list.extend(force.against.map(|place| (format!("opposite of force {}", force.name), place)));
+    }
+    for reaction in &model.reactions {
+        if let ReactionKind::Force { on, against } = reaction.kind {
+            list.push((format!("reaction {}", reaction.name), on));
+            list.extend(against.map(|place| (format!("opposite of reaction {}", reaction.name), place)));
+        }
+    }
+    list
+}
+
+impl Kinematics {
+    /// The velocity of the material point of a body that is at `place`: v_P = v_C + ω × p_CP.
+    pub fn place_velocity(&mut self, model: &Model, velocities: &Velocities, place: Place) -> Vector {
+        let body = &model.bodies[place.body];
+        let centre = velocities.linear[body.centre].clone();
+        let Some((frame, _)) = &body.rigid else { return centre };
+        let arm = self.arm(body, place.point);
+        let turning = self.frames.cross(&mut self.arena, &velocities.angular[*frame], &arm);
+        centre.add(&mut self.arena, &turning)
+    }
+
+    /// p_CP: from the mass centre of a body to a point.
+    pub fn arm(&mut self, body: &Body, point: usize) -> Vector {
+        let back = self.positions[body.centre].neg(&mut self.arena);
+        self.positions[point].add(&mut self.arena, &back)
+    }
+
+    /// True if the point of a place moves in its body: its velocity differs from that of the material there.
+    fn moves_in_body(&mut self, model: &Model, place: Place) -> bool {
+        let velocities = self.in_rates.clone();
+        let material = self.place_velocity(model, &velocities, place);
+        let back = velocities.linear[place.point].neg(&mut self.arena);
+        let Self { arena, frames, .. } = self;
+        let slip = material.add(arena, &back);
+        frames.express(arena, &slip, 0).iter().any(|e| zero_test(arena, *e) == ZeroTest::NonZero)
+    }
+
+    /// The weights of all bodies.
+    pub fn weights(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
+        let Some(gravity) = &model.gravity else { return Vec::new() };
+        let weight = |centre: usize, mass: Expr| Load {
+            velocity: velocities.linear[centre].clone(),
+            scale: mass,
+            load: Vector::in_frame(gravity.frame, gravity.acceleration),
+        };
+        model.bodies.iter().map(|body| weight(body.centre, body.mass)).collect()
+    }
+
+    /// The applied loads other than weights: a list for each force and torque of the model, with its opposite, and for
+    /// each potential of the file.
+    pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Vec<Load>> {
+        let mut groups = Vec::new();
+        for (at, force) in model.forces.iter().enumerate() {
+            let vector = self.forces[at].clone();
+            let mut loads = vec![(self.place_velocity(model, velocities, force.on), vector.clone())];
+            if let Some(place) = force.against {
+                let back = vector.neg(&mut self.arena);
+                loads.push((self.place_velocity(model, velocities, place), back));
+            }
+            groups.push(loads);
+        }
+        for (at, torque) in model.torques.iter().enumerate() {
+            let vector = self.torques[at].clone();
+            let mut loads = vec![(velocities.angular[torque.on.0].clone(), vector.clone())];
+            if let Some((frame, _)) = torque.against {
+                loads.push((velocities.angular[frame].clone(), vector.neg(&mut self.arena)));
+            }
+            groups.push(loads);
+        }
+        for potential in &model.potentials {
+            groups.push(self.potential_loads(model, velocities, potential.energy));
+        }
+        let load = |(velocity, load)| Load { velocity, scale: Expr::ONE, load };
+        groups.into_iter().map(|loads| loads.into_iter().map(load).collect()).collect()
+    }
+
+    /// −∂V/∂q of each coordinate but time, along an axis, on what moves along it at q̇.
+    fn potential_loads(&mut self, model: &Model, velocities: &Velocities, energy: Expr) -> Vec<(Vector, Vector)> {
+        let time = model.time();
+        let slopes = Gradient::new(&model.q()).apply(&mut self.arena, energy);
+        let along = |e: Expr| Vector::in_frame(0, [e, Expr::ZERO, Expr::ZERO]);
+        let own = slopes.iter().filter(|(at, _)| Some(*at) != time);
+        own.map(|(at, slope)| {
+            let force = self.arena.neg(*slope);
+            let force = self.simplifier.simplify(&mut self.arena, force);
+            (along(velocities.rates[*at]), along(force))
+        })
+        .collect()
+    }
+
+    /// Writes the applied forces and torques with the velocities that they name put in.
+    ///
+    /// # Errors
+    /// [`DeriveError::LoadDividesByZero`] where one divides by a velocity that is zero at all times.
+    pub(in crate::mechanics) fn apply_loads(&mut self, model: &Model) -> Result<(), DeriveError> {
+        let values: Vec<_> = model.velocities.iter().map(|v| (v.symbol, self.named_velocity(model, v))).collect();
+        let mut put = Substitution::new(&values);
+        let arena = &mut self.arena;
+        for force in &model.forces {
+            let vector = put_velocities(arena, &mut put, &force.name, force.vector)?;
+            self.forces.push(Vector::in_frame(force.frame, vector));
+        }
+        for torque in &model.torques {
+            let vector = put_velocities(arena, &mut put, &torque.name, torque.vector)?;
+            self.torques.push(Vector::in_frame(torque.frame, vector));
+        }
+        Ok(())
+    }
+
+    /// A velocity that a load names, in q and q̇; the literal 0 if it is identically zero.
+    fn named_velocity(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
+        let velocities = self.in_rates.clone();
+        let velocity = match name.of {
+            VelocityOf::Material(body, point) => self.place_velocity(model, &velocities, Place { body, point }),
+            VelocityOf::Point(point) => velocities.linear[point].clone(),
+            VelocityOf::Place(point) => self.positions[point].clone(),
+            VelocityOf::Turning(frame) => velocities.angular[frame].clone(),
+        };
+        let Self { arena, frames, simplifier, .. } = self;
+        let component = frames.component(arena, &velocity, name.frame, name.axis);
+        let component = simplifier.simplify(arena, component);
+        if zero_test(arena, component) == ZeroTest::Zero { Expr::ZERO } else { component }
+    }
+}
+
+/// Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of these loads, in q and q̇, before they are simplified.
+pub(in crate::mechanics) fn forces_of<'a>(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    loads: impl IntoIterator<Item = &'a Load>,
+) -> Vec<Expr> {
+    let mut to_rates = speeds_to_rates(model);
+    if kinematics.frames.carries {
+        return kinematics.forces_along(loads, &mut to_rates, &model.q_dot());
+    }
+    let mut gradient = Gradient::new(&model.q_dot());
+    let mut forces: Vec<Dots> = model.coordinates.iter().map(|_| Dots::default()).collect();
+    for Load { velocity, scale, load } in loads {
+        let load = load.substitute(&mut kinematics.arena, &mut to_rates);
+        for (i, partial) in velocity.slopes(&mut kinematics.arena, &mut gradient) {
+            forces[i].add(*scale, &partial, &load);
+        }
+    }
+    forces.iter().map(|dots| dots.sum(&mut kinematics.arena, &mut kinematics.frames)).collect()
+}
+
+/// The components of a load with velocities put in.
+fn put_velocities(
+    arena: &mut Arena,
+    put: &mut Substitution,
+    load: &str,
+    stated: [Expr; 3],
+) -> Result<[Expr; 3], DeriveError> {
+    let components = stated.map(|e| put.apply(arena, e));
+    let mut changed = stated.iter().zip(&components).filter(|(before, after)| before != after);
+    let hidden = changed.find_map(|(_, e)| zero_divisor(arena, *e));
+    match put.undefined.or(hidden) {
+        Some(term) => Err(DeriveError::LoadDividesByZero { load: load.to_owned(), term: text(arena, term) }),
+        None => Ok(components),
+    }
+}

@@ -1,0 +1,11 @@
+//! Motion, inertia, energy and loads of the bodies: the common ground of all formulations.
+
+pub(super) mod anchor;
+pub(super) mod carried_accelerations;
+pub(super) mod carry;
+pub(super) mod composite;
+pub(super) mod energy;
+pub(super) mod inertial;
+pub(super) mod kinematics;
+pub(super) mod loads;
+pub(super) mod potential;

@@ -1,0 +1,170 @@
+//! The potential energy of a model, and the power of forces without a potential.
+//!
+//! Applied loads count with their value at rest: where −∂U/∂q are their generalized forces, U is potential energy. The
+//! rest of a load works in motion alone, as a damper does, or not at all, as a magnetic field.
+//!
+//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7.
+
+use super::energy::place_of_zero;
+use super::kinematics::{Kinematics, LoadPotential, rates_to_speeds};
+use super::loads::{Load, forces_of};
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::primitive::primitive;
+use crate::algebra::term::calculus::{Gradient, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr, Function, Node};
+use crate::mechanics::error::DeriveError;
+use crate::model::Model;
+
+impl Kinematics {
+    /// V = V_gravity + U: the potential energy of gravity, and of all applied loads that have one by the rules of
+    /// [`primitive`], in q. U is zero where gravity's part is stated to be zero, if it has a value there; else its
+    /// constant is as the rules give it.
+    ///
+    /// # Errors
+    /// [`DeriveError::NoZeroOfPotential`].
+    pub fn potential_energy(&mut self, model: &Model) -> Result<Expr, DeriveError> {
+        let gravity = self.gravity_potential(model)?;
+        let of_loads = self.load_potential(model).energy;
+        let sum = self.arena.add(gravity, of_loads);
+        Ok(self.simplifier.simplify(&mut self.arena, sum))
+    }
+
+    /// The potential of the applied loads: of all of them together, else of each that has one by itself.
+    pub fn load_potential(&mut self, model: &Model) -> LoadPotential {
+        if let Some(known) = &self.potential {
+            return known.clone();
+        }
+        let velocities = self.in_rates.clone();
+        let groups = self.loads(model, &velocities);
+        let found = self.found_potential(model, &groups);
+        self.potential = Some(found.clone());
+        found
+    }
+
+    /// The generalized forces of each applied load, forces first, in q and the rates: an entry a coordinate.
+    pub fn load_forces(&mut self, model: &Model) -> Vec<Vec<Expr>> {
+        let velocities = self.in_rates.clone();
+        let groups = self.loads(model, &velocities);
+        groups.iter().map(|group| forces_of(model, self, group)).collect()
+    }
+
+    /// The power of the forces that V leaves out, W, in q and the rates, or in q and u: d(T + V)/dt in every motion.
+    pub(in crate::mechanics) fn power(&mut self, model: &Model, in_rates: bool) -> Expr {
+        let rest = self.load_potential(model).rest;
+        let arena = &mut self.arena;
+        let terms: Vec<Expr> = rest.iter().zip(model.q_dot()).map(|(force, rate)| arena.mul(*force, rate)).collect();
+        let power = arena.sum(&terms);
+        if zero_test(arena, power) == ZeroTest::Zero {
+            return Expr::ZERO;
+        }
+        let power = if in_rates { power } else { rates_to_speeds(model).apply(arena, power) };
+        self.simplifier.simplify(arena, power)
+    }
+
+    fn found_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
+        let all = forces_of(model, self, groups.iter().flatten());
+        let all: Vec<Expr> = all.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect();
+        // Of springs the potential is known, and of potentials.
+        let of_forces = model.forces.iter().map(|f| f.energy);
+        let of_torques = model.torques.iter().map(|_| None);
+        let stated = of_forces.chain(of_torques).chain(model.potentials.iter().map(|p| Some(p.energy)));
+        let known: Vec<Option<Expr>> =
+            stated.map(|energy| energy.filter(|energy| !jumps_in_time(&self.arena, model, *energy))).collect();
+        let driven = driven(model);
+        let is_sought = |at: &usize| known[*at].is_none() && !driven[*at];
+        let groups: Vec<&Vec<Load>> = (0..groups.len()).filter(is_sought).map(|at| &groups[at]).collect();
+        let sought = if groups.len() == known.len() {
+            all.clone()
+        } else {
+            let sought = forces_of(model, self, groups.iter().copied().flatten());
+            sought.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect()
+        };
+        let mut found: Vec<Expr> = known.into_iter().flatten().collect();
+        found.extend(match potential_at_rest(&mut self.arena, &mut self.simplifier, model, &sought) {
+            Some(energy) => vec![energy],
+            None if groups.len() > 1 => {
+                let one = |group: &&Vec<Load>| {
+                    let forces = forces_of(model, self, group.iter());
+                    potential_at_rest(&mut self.arena, &mut self.simplifier, model, &forces)
+                };
+                groups.iter().filter_map(one).collect()
+            }
+            None => Vec::new(),
+        });
+        let energy = self.arena.sum(&found);
+        let energy = self.zeroed_where_it_can_be(model, energy);
+        let mut rest = all;
+        for (i, slope) in Gradient::new(&model.q()).apply(&mut self.arena, energy).iter() {
+            let sum = self.arena.add(rest[*i], *slope);
+            rest[*i] = self.simplifier.simplify(&mut self.arena, sum);
+        }
+        for force in &mut rest {
+            if zero_test(&self.arena, *force) == ZeroTest::Zero {
+                *force = Expr::ZERO;
+            }
+        }
+        LoadPotential { energy, rest }
+    }
+
+    fn zeroed_where_it_can_be(&mut self, model: &Model, energy: Expr) -> Expr {
+        let Self { arena, simplifier, .. } = self;
+        let at_zero = model.gravity.as_ref().filter(|gravity| !gravity.zero_at.is_empty()).and_then(|_| {
+            let mut to_zero = place_of_zero(model);
+            let value = to_zero.apply(arena, energy);
+            to_zero.undefined.is_none().then_some(value)
+        });
+        let energy = at_zero.map_or(energy, |value| arena.sub(energy, value));
+        simplifier.simplify(arena, energy)
+    }
+}
+
+/// For each load, true if it names an input, in the order of [`Kinematics::loads`]. Work that inputs do is no energy
+/// stored in the mechanism.
+fn driven(model: &Model) -> Vec<bool> {
+    let inputs: Vec<Expr> = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol).collect();
+    let vectors = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
+    let names_one = |vector: [Expr; 3]| model.arena.reachable(&vector).iter().any(|part| inputs.contains(part));
+    vectors.map(names_one).chain(model.potentials.iter().map(|_| false)).collect()
+}
+
+/// U with −∂U/∂q the parts of generalized forces that are there at rest; nothing if there is none, or no rule finds it.
+pub fn potential_at_rest(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    model: &Model,
+    forces: &[Expr],
+) -> Option<Expr> {
+    let mut at_rest = Substitution::new(&model.q_dot().iter().map(|rate| (*rate, Expr::ZERO)).collect::<Vec<_>>());
+    let slopes: Vec<Expr> = forces
+        .iter()
+        .map(|force| {
+            let resting = at_rest.apply(arena, *force);
+            arena.neg(resting)
+        })
+        .collect();
+    // A load that divides by a speed, as dry friction does, has no value at rest.
+    if at_rest.undefined.is_some() {
+        return None;
+    }
+    // A potential that jumps takes energy in at an instant, which no power shows: the work of such a load is counted
+    // instead.
+    primitive(arena, simplifier, &model.q(), &slopes).filter(|energy| !jumps_in_time(arena, model, *energy))
+}
+
+/// True if a term contains the sign of a function of time alone, also in the form `abs(t - 1)/(t - 1)`.
+fn jumps_in_time(arena: &Arena, model: &Model, e: Expr) -> bool {
+    let Some(time) = model.time() else { return false };
+    let (clock, others): (Vec<_>, Vec<_>) = model.q().into_iter().enumerate().partition(|(at, _)| *at == time);
+    let names = |e: Expr, of: &[(usize, Expr)]| of.iter().any(|(_, symbol)| arena.mentions(e, *symbol));
+    let is_of_time = |e: Expr| names(e, &clock) && !names(e, &others);
+    let bends = |e: Expr| matches!(arena.node(e), Node::Apply(Function::Abs, argument) if is_of_time(*argument));
+    let mut parts = arena.reachable(&[e]).into_iter();
+    parts.any(|part| match arena.node(part) {
+        Node::Apply(Function::Sign, argument) => is_of_time(*argument),
+        Node::Product(factors) => {
+            factors.iter().any(|(base, _)| bends(*base)) && factors.iter().any(|(base, n)| *n < 0 && is_of_time(*base))
+        }
+        _ => false,
+    })
+}

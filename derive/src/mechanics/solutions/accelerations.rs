@@ -1,0 +1,227 @@
+//! The accelerations v̇ of a set of equations, solved for at derivation time.
+
+use super::certificate::{Certificate, certify};
+use super::jacobian::{Jacobian, jacobian};
+use crate::algebra::form::simplify::{Simplifier, cost_of_all};
+use crate::algebra::solve::elimination::{Elimination, LinearSystem, divisors, eliminate};
+use crate::algebra::solve::least::least;
+use crate::algebra::solve::linear::Singular;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::term::steps::{Definition, needed};
+use crate::algebra::text::definitions::written;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::equations::Equations;
+use crate::mechanics::rows::Embedding;
+use crate::mechanics::unsolved::Unsolved;
+use rustc_hash::FxHashSet;
+
+/// A set of equations solved for its accelerations, with their slopes.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// v̇, step by step.
+    pub accelerations: Elimination,
+    /// ∂(q̇, v̇)/∂(q, v).
+    pub jacobian: Jacobian,
+    /// Evidence that both satisfy the equations.
+    pub certificate: Certificate,
+}
+
+impl Solved {
+    /// Solves the equations in their store, and proves the solution from them.
+    ///
+    /// # Errors
+    /// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
+    pub fn new(arena: &mut Arena, equations: &Equations) -> Result<Self, Unsolved> {
+        let mut simplifier = Simplifier::default();
+        let equations = &equations.written(arena);
+        let accelerations = solve(arena, &mut simplifier, equations)?;
+        let jacobian = jacobian(arena, &mut simplifier, equations, &accelerations);
+        let certificate = certify(arena, equations, &accelerations, Some(&jacobian))?;
+        Ok(Self { accelerations, jacobian, certificate })
+    }
+
+    /// Steps that compute v̇, for equations [in written form][Equations::written], with the steps that q̇ and the
+    /// energies need.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn steps(arena: &mut Arena, equations: &Equations) -> Result<Vec<Definition>, Unsolved> {
+        let solved = accelerations(arena, &mut Simplifier::default(), equations)?;
+        let energies = [equations.kinetic_energy, equations.potential_energy, equations.power];
+        let unknowns = &equations.unknowns[..equations.variables.len()];
+        Ok(needed(arena, &solved.steps, &[unknowns, &equations.coordinate_rates, &energies].concat()))
+    }
+}
+
+/// v̇ in parameters, q and v, step by step, proved from the equations; the symbols of the last steps are the unknowns
+/// of `equations`.
+///
+/// # Errors
+/// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
+pub fn accelerations(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+) -> Result<Elimination, Unsolved> {
+    let solved = solve(arena, simplifier, equations)?;
+    certify(arena, equations, &solved, None)?;
+    Ok(solved)
+}
+
+/// Solves for v̇ by the way that takes fewer operations: elimination, or the recursion that Gauss's principle gives.
+///
+/// Where reactions stand among the unknowns, the rows are first multiplied by the partial velocities. The reactions do
+/// no work in a permitted motion and cancel; a symmetric, positive definite system is left, in which no pivot vanishes.
+/// The multipliers of motion constraints cancel likewise, and leave the system of the free accelerations. Elimination
+/// of the reactions instead would divide by direction cosines, which do vanish.
+///
+/// # Errors
+/// [`Singular`] if v̇ is not determined in any configuration.
+fn solve(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
+    let n = equations.variables.len();
+    let unknowns = &equations.unknowns[..n];
+    let Some(gauss) = &equations.gauss else { return eliminated(arena, simplifier, equations) };
+    // Both ways, each in a store of its own, so that the names of the one that loses are not taken.
+    let mut other = arena.clone();
+    let Some(recursion) = least(&mut other, &mut simplifier.clone(), gauss, unknowns) else {
+        return eliminated(arena, simplifier, equations);
+    };
+    let (recursion, _) = written(&mut other, &recursion, &[]);
+    let mut steps = needed(&other, &equations.definitions, &equations.coordinate_rates);
+    let known: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
+    steps.extend(recursion.into_iter().filter(|step| !known.contains(&step.symbol)));
+    let recursive = operations(&other, &steps, unknowns);
+    let divisors = divisors(&other, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
+    let recursion = Elimination { steps, divisors };
+    if pivoting(&equations.matrix) > MOST_TIMES * recursive {
+        *arena = other;
+        return Ok(recursion);
+    }
+    let (mut store, mut its_simplifier) = (arena.clone(), simplifier.clone());
+    let solved = eliminated(&mut store, &mut its_simplifier, equations)?;
+    if recursive >= operations(&store, &solved.steps, unknowns) {
+        (*arena, *simplifier) = (store, its_simplifier);
+        return Ok(solved);
+    }
+    *arena = other;
+    Ok(recursion)
+}
+
+/// Multiplications and subtractions in full entries of a symmetric matrix, for one operation of the recursion, above
+/// which no elimination is tried: what cancels in it has never been so much.
+const MOST_TIMES: usize = 2;
+
+/// Multiplications and subtractions of an elimination without square roots of a symmetric matrix with these zeros, from
+/// the last unknown, which a tree has outside, to the first.
+fn pivoting(matrix: &[Vec<Expr>]) -> usize {
+    let mut is_full: Vec<Vec<bool>> = matrix.iter().map(|row| row.iter().map(|e| *e != Expr::ZERO).collect()).collect();
+    let mut count = 0;
+    for pivot in (0..matrix.len()).rev() {
+        let row: Vec<usize> = (0..pivot).filter(|at| is_full[pivot][*at]).collect();
+        for (at, i) in row.iter().enumerate() {
+            for j in &row[..=at] {
+                is_full[*i][*j] = true;
+                count += 2;
+            }
+            is_full[*i][pivot] = true;
+        }
+    }
+    count
+}
+
+/// Definitions that do not depend on v̇; those of inverse dynamics do.
+fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
+    let mut sought: FxHashSet<Expr> = equations.unknowns.iter().copied().collect();
+    let mut list = Vec::with_capacity(equations.definitions.len());
+    for definition in &equations.definitions {
+        if arena.reachable(&[definition.value]).iter().any(|part| sought.contains(part)) {
+            sought.insert(definition.symbol);
+        } else {
+            list.push(*definition);
+        }
+    }
+    list
+}
+
+/// Number of operations of the steps that these symbols need, each shared term counted once.
+fn operations(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
+    cost_of_all(arena, &needed(arena, steps, symbols).iter().map(|step| step.value).collect::<Vec<_>>())
+}
+
+/// Solves for v̇ by elimination of the linear system.
+fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
+    let n = equations.variables.len();
+    let unknowns = &equations.unknowns[..n];
+    // Without speeds no row is left, and rates follow from the embedding alone.
+    if equations.projection.is_empty() && !equations.generalized_speeds.is_empty() {
+        let system = LinearSystem {
+            matrix: &equations.matrix,
+            right: &equations.forcing,
+            unknowns,
+            symmetric: equations.symmetric,
+            is_large: equations.is_large(),
+        };
+        let mut solved = eliminate(arena, simplifier, system)?;
+        solved.steps.splice(0..0, given(arena, equations));
+        return Ok(solved);
+    }
+    let (mut matrix, mut right) = (Vec::new(), Vec::new());
+    for multipliers in &equations.projection {
+        let column = |c: usize| equations.matrix.iter().map(move |row| row[c]);
+        let row: Vec<Expr> = (0..n).map(|c| combine(arena, simplifier, multipliers, column(c))).collect();
+        let value = combine(arena, simplifier, multipliers, equations.forcing.iter().copied());
+        let Some(embedding) = &equations.embedding else {
+            matrix.push(row);
+            right.push(value);
+            continue;
+        };
+        // (Wᵀ E W) s = Wᵀ (f − E x).
+        let known = combine(arena, simplifier, &row, embedding.rest.iter().copied());
+        let columns = (0..embedding.free.len()).map(|s| {
+            let of_free = embedding.matrix.iter().map(|line| line[s]);
+            combine(arena, simplifier, &row, of_free)
+        });
+        matrix.push(columns.collect());
+        right.push(arena.sub(value, known));
+    }
+    let is_large = equations.is_large();
+    let solved_for = equations.embedding.as_ref().map_or(unknowns, |embedding| embedding.free.as_slice());
+    let system = LinearSystem { matrix: &matrix, right: &right, unknowns: solved_for, symmetric: true, is_large };
+    let mut solved = eliminate(arena, simplifier, system)?;
+    if let Some(Embedding { free, matrix, rest }) = &equations.embedding {
+        for ((unknown, row), rest) in unknowns.iter().zip(matrix).zip(rest) {
+            let moved = combine(arena, simplifier, row, free.iter().copied());
+            solved.steps.push(Definition { symbol: *unknown, value: arena.add(moved, *rest) });
+        }
+    }
+    solved.steps.splice(0..0, given(arena, equations));
+    Ok(solved)
+}
+
+/// Σ multiplier · entry, in its short form.
+fn combine(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    multipliers: &[Expr],
+    entries: impl Iterator<Item = Expr>,
+) -> Expr {
+    let products: Vec<Expr> = multipliers.iter().zip(entries).map(|(a, b)| arena.mul(*a, b)).collect();
+    let sum = arena.sum(&products);
+    simplifier.simplify(arena, sum)
+}
+
+/// ∂(T + V)/∂(q, v), by the chain rule over the definitions.
+pub fn energy_gradient(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Vec<Expr> {
+    let energy = arena.add(equations.kinetic_energy, equations.potential_energy);
+    let variables = equations.coordinates.iter().chain(&equations.variables);
+    let slope = |x: &Expr| {
+        let mut slope_of = Differential::partial(*x);
+        for definition in &equations.definitions {
+            let slope = slope_of.apply(arena, definition.value);
+            slope_of.set_rate(definition.symbol, slope);
+        }
+        let slope = slope_of.apply(arena, energy);
+        simplifier.simplify(arena, slope)
+    };
+    variables.map(slope).collect()
+}

@@ -1,0 +1,305 @@
+//! Proof that results made from equations of motion satisfy them: accelerations, their Jacobian, inverse dynamics.
+//!
+//! The equations are M x = f with x = (v̇, reactions or multipliers). The eliminated v̇ are put in, and M x − f is
+//! evaluated modulo random primes at random states, in dual numbers along a random direction of the state. Where there
+//! are reactions, v̇ is right if the remaining system has a solution for them. The slope of M x − f vanishes only if
+//! the Jacobian is the derivative of v̇. Residues are exact: no rounding can hide an error or invent one. A wrong
+//! formula passes only if a polynomial that is not zero vanishes at every point, with a probability below its degree
+//! divided by 2^60 at each (Schwartz 1980, Zippel 1979).
+//!
+//! Where constraints tie the motion variables, v = W(q) u with independent speeds u: the equations hold on the
+//! constraints alone.
+//!
+//! Invariant: no derivative that is checked is taken by [`crate::algebra::term::calculus`], which made the Jacobian.
+
+use super::jacobian::Jacobian;
+use crate::algebra::solve::elimination::Elimination;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::steps::{fresh_symbol, put_in};
+use crate::algebra::value::field::Field;
+use crate::algebra::value::tangent::{Dual, Tangents};
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::equations::Equations;
+use crate::mechanics::unsolved::Unproved;
+use std::collections::BTreeMap;
+
+/// Points at which the equations are checked, each modulo another prime.
+const POINTS: usize = 2;
+
+/// Evidence that accelerations and their Jacobian satisfy the equations they come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Certificate {
+    /// The primes; M v̇ = f and its derivative hold modulo each at a random state.
+    pub primes: Vec<u64>,
+}
+
+/// Proves v̇, and the Jacobian if there is one, from the equations that they were made from.
+///
+/// # Errors
+/// [`Unproved`] with the first row that fails.
+pub fn certify(
+    arena: &Arena,
+    equations: &Equations,
+    solved: &Elimination,
+    jacobian: Option<&Jacobian>,
+) -> Result<Certificate, Unproved> {
+    let mut claim = Claim::new(arena, equations, solved, jacobian);
+    let terms = claim.terms();
+    let mut tangents = Tangents::new(&claim.arena, &terms, &claim.along);
+    let mut primes = Vec::with_capacity(POINTS);
+    for _ in 0..POINTS {
+        let (field, values) = tangents.next().ok_or(Unproved::NoPoint)?;
+        claim.shape.check(field, &values)?;
+        primes.push(field.prime);
+    }
+    Ok(Certificate { primes })
+}
+
+/// Claim to be checked, as terms in parameters, q, v and the direction alone.
+struct Claim {
+    arena: Arena,
+    /// Each state with the symbol of its slope.
+    along: Vec<(Expr, Expr)>,
+    matrix: Vec<Vec<Expr>>,
+    forcing: Vec<Expr>,
+    coordinate_rates: Vec<Expr>,
+    accelerations: Vec<Expr>,
+    /// The slopes of q̇ and v̇ that the Jacobian gives; empty without one.
+    slopes: Vec<Expr>,
+    shape: Shape,
+}
+
+/// Number of terms of each kind.
+#[derive(Clone, Copy)]
+struct Shape {
+    rows: usize,
+    unknowns: usize,
+    coordinates: usize,
+    accelerations: usize,
+    has_slopes: bool,
+}
+
+impl Claim {
+    fn new(arena: &Arena, equations: &Equations, solved: &Elimination, jacobian: Option<&Jacobian>) -> Self {
+        let mut arena = arena.clone();
+        let Direction { along, states, slopes } = Direction::new(&mut arena, equations);
+        // The equations' own definitions come first, so that the matrix is read in its original form, not as the
+        // elimination changed it.
+        let mut put = states.clone();
+        put_in(&mut arena, &mut put, &equations.definitions);
+        let matrix: Vec<Vec<Expr>> = equations.matrix.iter().map(|row| put.all(&mut arena, row)).collect();
+        let forcing = put.all(&mut arena, &equations.forcing);
+        let coordinate_rates = put.all(&mut arena, &equations.coordinate_rates);
+        let n = equations.variables.len();
+        let mut put = states;
+        if let Some(jacobian) = jacobian {
+            jacobian.direction.iter().zip(&slopes).for_each(|(symbol, slope)| put.set(*symbol, *slope));
+        }
+        put_in(&mut arena, &mut put, jacobian.map_or(&solved.steps, |jacobian| &jacobian.steps));
+        let accelerations = put.all(&mut arena, &equations.unknowns[..n]);
+        let rows = jacobian.map_or(&[][..], |jacobian| &jacobian.entries);
+        let is_product = jacobian.is_some_and(|jacobian| !jacobian.direction.is_empty());
+        let products = rows.iter().map(|row| {
+            let row = put.all(&mut arena, row);
+            if is_product { row[0] } else { dot(&mut arena, &row, &slopes) }
+        });
+        let slopes: Vec<Expr> = products.collect();
+        let shape = Shape {
+            rows: forcing.len(),
+            unknowns: equations.unknowns.len(),
+            coordinates: coordinate_rates.len(),
+            accelerations: n,
+            has_slopes: jacobian.is_some(),
+        };
+        Self { arena, along, matrix, forcing, coordinate_rates, accelerations, slopes, shape }
+    }
+
+    fn terms(&mut self) -> Vec<Expr> {
+        let lists = [&self.forcing, &self.coordinate_rates, &self.accelerations, &self.slopes];
+        self.matrix.iter().chain(lists).flatten().copied().collect()
+    }
+}
+
+/// A direction in which the state moves.
+struct Direction {
+    /// Coordinates and independent motion variables, each with the symbol of its slope.
+    along: Vec<(Expr, Expr)>,
+    /// The motion variables that follow from others, by what they follow.
+    states: Substitution,
+    /// The slopes of all coordinates and motion variables.
+    slopes: Vec<Expr>,
+}
+
+impl Direction {
+    fn new(arena: &mut Arena, equations: &Equations) -> Self {
+        let is_tied = equations.speeds.len() < equations.variables.len();
+        let independent = if is_tied { &equations.speeds } else { &equations.variables };
+        let moving = equations.coordinates.iter().chain(independent);
+        let along: Vec<(Expr, Expr)> = moving.map(|x| (*x, fresh_symbol(arena, "direction"))).collect();
+        let mut states = Substitution::default();
+        if is_tied {
+            let mut put = Substitution::default();
+            put_in(arena, &mut put, &equations.definitions);
+            let values = put.all(arena, &equations.motion_variables);
+            equations.variables.iter().zip(values).for_each(|(v, value)| states.set(*v, value));
+        }
+        let mut slope_of = Differential::along(&along);
+        let all = equations.coordinates.iter().chain(&equations.variables);
+        let slopes = all.map(|x| {
+            let value = states.apply(arena, *x);
+            slope_of.apply(arena, value)
+        });
+        let slopes = slopes.collect();
+        Self { along, states, slopes }
+    }
+}
+
+fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
+    let products: Vec<Expr> = a.iter().zip(b).map(|(a, b)| arena.mul(*a, *b)).collect();
+    arena.sum(&products)
+}
+
+impl Shape {
+    /// Checks values of [`Claim::terms`] at one point.
+    fn check(&self, f: Field, values: &[Dual]) -> Result<(), Unproved> {
+        let (matrix, rest) = values.split_at(self.rows * self.unknowns);
+        let (forcing, rest) = rest.split_at(self.rows);
+        let (coordinate_rates, rest) = rest.split_at(self.coordinates);
+        let (accelerations, slopes) = rest.split_at(self.accelerations);
+        if self.has_slopes {
+            let (of_rates, _) = slopes.split_at(self.coordinates);
+            let is_wrong = |(rate, slope): (&Dual, &Dual)| rate.slope != slope.value;
+            if let Some(row) = coordinate_rates.iter().zip(of_rates).position(is_wrong) {
+                return Err(Unproved::Jacobian(row));
+            }
+        }
+        let v_dot: Vec<Dual> = accelerations
+            .iter()
+            .enumerate()
+            .map(|(at, dual)| match slopes.get(self.coordinates + at) {
+                Some(slope) => Dual { slope: slope.value, ..*dual },
+                None => *dual,
+            })
+            .collect();
+        // B r = f − M v̇ for the reactions r.
+        let rows = matrix.chunks(self.unknowns.max(1)).zip(forcing).map(|(row, right)| {
+            let (of_v_dot, of_reactions) = row.split_at(self.accelerations);
+            let right = of_v_dot.iter().zip(&v_dot).fold(*right, |right, (m, x)| right.minus(f, *m, *x));
+            let left = of_reactions.iter().copied().enumerate().filter(|(_, entry)| !entry.is_zero()).collect();
+            Row { left, right }
+        });
+        match unsolvable(f, rows) {
+            None => Ok(()),
+            Some((row, Part::Value)) => Err(Unproved::Accelerations(row)),
+            Some((row, Part::Slope)) => Err(Unproved::Jacobian(self.coordinates + row)),
+        }
+    }
+}
+
+/// An equation Σ left · unknown = right.
+struct Row {
+    left: BTreeMap<usize, Dual>,
+    right: Dual,
+}
+
+/// Part of a dual number that does not vanish.
+enum Part {
+    Value,
+    Slope,
+}
+
+/// The first row that contradicts those before it, by elimination without fill where there is none.
+fn unsolvable(f: Field, rows: impl Iterator<Item = Row>) -> Option<(usize, Part)> {
+    let mut pivots: BTreeMap<usize, Row> = BTreeMap::new();
+    for (at, mut row) in rows.enumerate() {
+        let mut from = 0;
+        let mut own = None;
+        while let Some((&column, &entry)) = row.left.range(from..).find(|(_, entry)| entry.value != 0) {
+            let Some(pivot) = pivots.get(&column) else {
+                own = Some(column);
+                break;
+            };
+            row.subtract(f, pivot, column, entry);
+            from = column + 1;
+        }
+        if let Some(column) = own {
+            pivots.insert(column, row);
+        } else if row.right.value != 0 {
+            return Some((at, Part::Value));
+        } else if row.right.slope != 0 && row.left.is_empty() {
+            return Some((at, Part::Slope));
+        }
+    }
+    None
+}
+
+impl Row {
+    /// Takes a multiple of a pivot's row away, so that nothing is left in its column.
+    fn subtract(&mut self, f: Field, pivot: &Self, column: usize, entry: Dual) {
+        let Some(factor) = entry.over(f, pivot.left[&column]) else { return };
+        for (at, x) in &pivot.left {
+            let known = self.left.remove(at).unwrap_or_default();
+            let left = known.minus(f, factor, *x);
+            if !left.is_zero() && *at != column {
+                self.left.insert(*at, left);
+            }
+        }
+        self.right = self.right.minus(f, factor, pivot.right);
+    }
+}
+
+impl Equations {
+    /// Adds inverse dynamics, proved to be M v̇ − f for any v̇; a method without its own form gets M v̇ − f itself.
+    /// Equations with unknowns beside v̇ are returned unchanged.
+    ///
+    /// # Errors
+    /// [`Unproved::InverseDynamics`] with the first row that differs.
+    pub fn with_inverse_dynamics(self, arena: &mut Arena) -> Result<Self, Unproved> {
+        let has_others = self.formulation.carries_reactions() || self.unknowns.len() > self.variables.len();
+        if has_others {
+            return Ok(self);
+        }
+        if !self.required.is_empty() {
+            certify_inverse_dynamics(arena, &self)?;
+            return Ok(self);
+        }
+        let row = |(row, right): (&Vec<Expr>, &Expr)| {
+            let mut terms: Vec<Expr> = row.iter().zip(&self.unknowns).map(|(m, x)| arena.mul(*m, *x)).collect();
+            terms.push(arena.neg(*right));
+            arena.sum(&terms)
+        };
+        let required = self.matrix.iter().zip(&self.forcing).map(row).collect();
+        Ok(Self { required, ..self })
+    }
+}
+
+/// Proves that inverse dynamics gives M v̇ − f for any v̇.
+///
+/// # Errors
+/// [`Unproved::InverseDynamics`] with the first row that differs.
+pub fn certify_inverse_dynamics(arena: &Arena, equations: &Equations) -> Result<Certificate, Unproved> {
+    let mut arena = arena.clone();
+    let mut put = Substitution::default();
+    put_in(&mut arena, &mut put, &equations.definitions);
+    let matrix: Vec<Expr> = equations.matrix.iter().flat_map(|row| put.all(&mut arena, row)).collect();
+    let [forcing, required] = [&equations.forcing, &equations.required].map(|list| put.all(&mut arena, list));
+    let terms = [matrix, forcing, required, equations.unknowns.clone()].concat();
+    let mut tangents = Tangents::new(&arena, &terms, &[]);
+    let (rows, columns) = (equations.forcing.len(), equations.unknowns.len());
+    let mut primes = Vec::with_capacity(POINTS);
+    for _ in 0..POINTS {
+        let (f, values) = tangents.next().ok_or(Unproved::NoPoint)?;
+        let (matrix, rest) = values.split_at(rows * columns);
+        let (forcing, rest) = rest.split_at(rows);
+        let (required, unknowns) = rest.split_at(equations.required.len());
+        for (row, given) in required.iter().enumerate() {
+            let products = matrix[row * columns..][..columns].iter().zip(unknowns);
+            let left = products.fold(forcing[row], |left, (m, x)| left.minus(f, *m, *x));
+            if f.add(left.value, given.value) != 0 {
+                return Err(Unproved::InverseDynamics(row));
+            }
+        }
+        primes.push(f.prime);
+    }
+    Ok(Certificate { primes })
+}

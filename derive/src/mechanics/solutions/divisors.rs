@@ -1,0 +1,179 @@
+//! Divisors of equations of motion in a run.
+
+use crate::algebra::solve::elimination::{Elimination, divisors};
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::term::steps::{Definition, needed};
+use crate::algebra::text::print::text;
+use crate::algebra::value::range::never_zero;
+use crate::algebra::{Arena, Expr, Node};
+use crate::mechanics::equations::Equations;
+use crate::model::Model;
+
+/// Divisors of running equations that depend on the state and may vanish: where one is zero the equations have no
+/// value, and a step across is no part of a motion. Divisors that are proved never to be zero are left out.
+///
+/// Sums that only an elimination brings in are left out, too: pivots of a positive definite matrix never change sign.
+#[derive(Clone, Debug, Default)]
+pub struct Divisors {
+    /// Definitions of the symbols in `values`, in the order of computation.
+    pub steps: Vec<Definition>,
+    /// The divisors, without powers and factors that are numbers, each once.
+    pub values: Vec<Expr>,
+}
+
+impl Divisors {
+    /// Finds the divisors of equations, or of their solution for the accelerations if one is given.
+    #[must_use]
+    pub fn of(arena: &Arena, equations: &Equations, solved: Option<&Elimination>) -> Self {
+        let e = equations;
+        let mut wanted = e.coordinate_rates.clone();
+        let steps = match solved {
+            Some(solved) => {
+                wanted.extend(&e.unknowns[..e.variables.len()]);
+                needed(arena, &solved.steps, &wanted)
+            }
+            None => {
+                wanted.extend(e.matrix.iter().flatten().chain(&e.forcing));
+                needed(arena, &e.definitions, &wanted)
+            }
+        };
+        let all: Vec<Expr> = steps.iter().map(|step| step.value).chain(wanted).collect();
+        let moving = moving(arena, e, &steps);
+        let moves = |divisor: &Expr| arena.reachable(&[*divisor]).iter().any(|part| moving.contains(part));
+        let mut values: Vec<Expr> = Vec::new();
+        let pivots = Pivots::new(arena, e, &steps, &moving);
+        for divisor in divisors(arena, &all).into_iter().filter(|d| moves(d) && !pivots.contains(arena, *d)) {
+            let bare = bare(arena, divisor);
+            if !values.contains(&bare) && !never_zero(arena, bare) {
+                values.push(bare);
+            }
+        }
+        Self { steps: needed(arena, &steps, &values), values }
+    }
+}
+
+/// A divisor of an applied load: where it is zero the load has no value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoadDivisor {
+    /// The name of the load.
+    pub load: String,
+    /// True if the load is a spring or a damper between two points, whose ends meet where the divisor is zero.
+    pub is_distance: bool,
+    /// The divisor, which depends on the state.
+    pub value: Expr,
+}
+
+impl LoadDivisor {
+    /// Consequence of a zero of the divisor, in words.
+    #[must_use]
+    pub fn meaning(&self) -> String {
+        if self.is_distance {
+            format!("the ends of the spring `{}` meet", self.load)
+        } else {
+            format!("the load `{}` divides by it", self.load)
+        }
+    }
+}
+
+/// Divisors of the loads of a model that depend on the state and are not proved never to be zero, in the order of the
+/// file: distances of springs, divisors of quotients, and divisors of slopes of potentials.
+#[must_use]
+pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
+    let forces = model.forces.iter().map(|f| (f.name.clone(), f.end.is_some(), f.vector.to_vec()));
+    let torques = model.torques.iter().map(|t| (t.name.clone(), false, t.vector.to_vec()));
+    let mut loads: Vec<(String, bool, Vec<Expr>)> = forces.chain(torques).collect();
+    let mut gradient = Gradient::new(&model.q());
+    for potential in &model.potentials {
+        let slopes = gradient.apply(arena, potential.energy).iter().map(|(_, slope)| *slope).collect();
+        loads.push((potential.name.clone(), false, slopes));
+    }
+    let fixed = model.p();
+    let moves = |arena: &Arena, e: Expr| {
+        let is_symbol = |part: &Expr| matches!(arena.node(*part), Node::Symbol(_));
+        arena.reachable(&[e]).iter().any(|part| is_symbol(part) && !fixed.contains(part))
+    };
+    let mut list: Vec<LoadDivisor> = Vec::new();
+    for (load, is_distance, values) in loads {
+        for divisor in divisors(arena, &values) {
+            let value = bare(arena, divisor);
+            if moves(arena, value) && !never_zero(arena, value) {
+                let divisor = LoadDivisor { load: load.clone(), is_distance, value };
+                if !list.contains(&divisor) {
+                    list.push(divisor);
+                }
+            }
+        }
+    }
+    list
+}
+
+/// Longest formula, in bytes, that serves as the name of a divisor.
+const LONGEST: usize = 80;
+
+impl Divisors {
+    /// Names of the divisors: the formula of each, or its number among the divisors if the formula is long.
+    #[must_use]
+    pub fn names(&self, arena: &Arena) -> Vec<String> {
+        let name = |(at, value): (usize, &Expr)| {
+            let formula = text(arena, *value);
+            if formula.len() <= LONGEST { formula } else { format!("divisor {} of the accelerations", at + 1) }
+        };
+        self.values.iter().enumerate().map(name).collect()
+    }
+}
+
+/// Test for pivots of an elimination, against divisors that were there before it.
+struct Pivots<'a> {
+    is_definite: bool,
+    /// Divisors of the equations as they were derived.
+    before: Vec<Expr>,
+    steps: &'a [Definition],
+    /// The variables of the state, and the steps that depend on them.
+    moving: &'a [Expr],
+}
+
+impl<'a> Pivots<'a> {
+    fn new(arena: &Arena, e: &Equations, steps: &'a [Definition], moving: &'a [Expr]) -> Self {
+        let entries = e.matrix.iter().flatten().chain(&e.forcing).chain(&e.coordinate_rates);
+        let values: Vec<Expr> = entries.copied().chain(e.definitions.iter().map(|d| d.value)).collect();
+        let is_definite = e.symmetric || !e.projection.is_empty();
+        Self { is_definite, before: divisors(arena, &values), steps, moving }
+    }
+
+    /// True if a divisor is a pivot: a sum that only the elimination divides by, times constant factors, or the symbol
+    /// of such a sum.
+    fn contains(&self, arena: &Arena, divisor: Expr) -> bool {
+        let is_constant = |e: Expr| !arena.reachable(&[e]).iter().any(|part| self.moving.contains(part));
+        let is_sum = |e: Expr| match arena.node(bare(arena, e)) {
+            Node::Sum(..) => true,
+            Node::Product(factors) => factors
+                .iter()
+                .all(|(base, n)| is_constant(*base) || *n > 0 && matches!(arena.node(*base), Node::Sum(..))),
+            _ => false,
+        };
+        match self.steps.iter().find(|step| step.symbol == divisor) {
+            Some(step) => self.is_definite && is_sum(step.value),
+            None => self.is_definite && is_sum(divisor) && !self.before.contains(&divisor),
+        }
+    }
+}
+
+/// The variables of the state, and the steps that depend on them.
+fn moving(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Expr> {
+    let mut list: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
+    for step in steps {
+        if arena.reachable(&[step.value]).iter().any(|part| list.contains(part)) {
+            list.push(step.symbol);
+        }
+    }
+    list
+}
+
+/// A divisor without a factor that is a number.
+#[must_use]
+pub fn bare(arena: &Arena, divisor: Expr) -> Expr {
+    match arena.node(divisor) {
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+        _ => divisor,
+    }
+}

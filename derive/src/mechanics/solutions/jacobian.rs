@@ -1,0 +1,107 @@
+//! The Jacobian of a first-order system: slopes of q̇ and v̇ along the state, by the chain rule over the steps of an
+//! elimination.
+
+use crate::algebra::form::simplify::{Simplifier, cost, cost_of_all};
+use crate::algebra::solve::elimination::Elimination;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::term::steps::{Definition, fresh_symbol, needed};
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::equations::Equations;
+
+/// Number of operations above which a slope of an intermediate quantity gets a name of its own.
+const LONGEST_SLOPE: usize = 6;
+
+/// The Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step: whole, or its product with a direction.
+#[derive(Clone, Debug, Default)]
+pub struct Jacobian {
+    /// In the order of computation: the accelerations and what they need, and slopes of these.
+    pub steps: Vec<Definition>,
+    /// Row by row, first q̇, then v̇; a column for each coordinate, then for each motion variable, or one column, the
+    /// product.
+    pub entries: Vec<Vec<Expr>>,
+    /// The direction of the product, an entry for each coordinate and motion variable; empty for the whole Jacobian.
+    pub direction: Vec<Expr>,
+}
+
+/// Number of slopes, of each step along all states, above which the product with a direction stands for the whole.
+const MOST_SLOPES: usize = 2000;
+/// Number of slopes, of each operation along all states, above which the product is used: it tells how long the whole
+/// would be.
+const MOST_SLOPES_OF_OPERATIONS: usize = 8000;
+
+/// Differentiates q̇ and v̇ exactly, by the chain rule over the steps of an elimination, so that nothing is expanded.
+pub fn jacobian(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+    solved: &Elimination,
+) -> Jacobian {
+    let n = equations.variables.len();
+    let of_state = [&equations.unknowns[..n], &equations.coordinate_rates].concat();
+    let mut steps = needed(arena, &solved.steps, &of_state);
+    let accelerations = steps.clone();
+    let states: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
+    let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
+    let operations = cost_of_all(arena, &values);
+    if states.len() * steps.len() > MOST_SLOPES || states.len() * operations > MOST_SLOPES_OF_OPERATIONS {
+        return product(arena, simplifier, equations, steps);
+    }
+    let mut columns = Vec::new();
+    for &variable in &states {
+        let mut slope_of = Differential::partial(variable);
+        for step in &accelerations {
+            let slope = slope_of.apply(arena, step.value);
+            let mut slope = simplifier.simplify(arena, slope);
+            if cost(arena, slope) > LONGEST_SLOPE {
+                let wanted = format!("{}_by_{}", spelled(arena, step.symbol), spelled(arena, variable));
+                let symbol = fresh_symbol(arena, &wanted);
+                steps.push(Definition { symbol, value: slope });
+                slope = symbol;
+            }
+            slope_of.set_rate(step.symbol, slope);
+        }
+        let rates = equations.coordinate_rates.iter().chain(&equations.unknowns[..n]);
+        let slopes: Vec<Expr> = rates.map(|e| slope_of.apply(arena, *e)).collect();
+        columns.push(slopes.into_iter().map(|e| simplifier.simplify(arena, e)).collect::<Vec<_>>());
+    }
+    let entries = (0..columns.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect();
+    Jacobian { steps, entries, direction: Vec::new() }
+}
+
+/// A symbol's name as part of another.
+fn spelled(arena: &Arena, symbol: Expr) -> String {
+    arena.symbol_name(symbol).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot")
+}
+
+/// The product of the Jacobian with a direction: one derivative of each step along it.
+fn product(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+    accelerations: Vec<Definition>,
+) -> Jacobian {
+    let states = equations.coordinates.iter().chain(&equations.variables);
+    let along: Vec<(Expr, Expr)> = states
+        .map(|state| {
+            let wanted = format!("d_{}", spelled(arena, *state));
+            (*state, fresh_symbol(arena, &wanted))
+        })
+        .collect();
+    let mut slope_of = Differential::along(&along);
+    let mut steps = Vec::with_capacity(2 * accelerations.len());
+    for step in accelerations {
+        steps.push(step);
+        let slope = slope_of.apply(arena, step.value);
+        let mut slope = simplifier.simplify(arena, slope);
+        if cost(arena, slope) > 0 {
+            let wanted = format!("d_{}", spelled(arena, step.symbol));
+            let symbol = fresh_symbol(arena, &wanted);
+            steps.push(Definition { symbol, value: slope });
+            slope = symbol;
+        }
+        slope_of.set_rate(step.symbol, slope);
+    }
+    let rates = equations.coordinate_rates.iter().chain(&equations.unknowns[..equations.variables.len()]);
+    let entries = rates.map(|e| vec![slope_of.apply(arena, *e)]).collect();
+    Jacobian { steps, entries, direction: along.into_iter().map(|(_, direction)| direction).collect() }
+}

@@ -1,0 +1,10 @@
+//! Results made from equations of motion, each proved from them.
+
+pub(super) mod accelerations;
+pub(super) mod certificate;
+pub(super) mod distance;
+pub(super) mod divisors;
+pub(super) mod inertia;
+pub(super) mod jacobian;
+pub(super) mod quantities;
+pub(super) mod regressor;

@@ -1,0 +1,294 @@
+//! Values of the quantities that a textbook derivation names: velocities, loads, generalized forces, energies.
+//!
+//! Everything is computed from the kinematics that the formulations share, or read off their finished equations;
+//! results are cached. Absent on purpose: solving. Accelerations stay linear in u̇, loads in the reactions.
+
+#[cfg(test)]
+mod name_tests;
+mod parse;
+#[cfg(test)]
+mod tests;
+mod vectors;
+
+pub use parse::QuantityError;
+
+use super::accelerations::accelerations;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::{Expr, Rational};
+use crate::geometry::{Components, Vector, apply_tensor};
+use crate::mechanics::derivation::Derivations;
+use crate::mechanics::equations::Equations;
+use crate::mechanics::formulations::formulation::Formulation;
+use crate::mechanics::formulations::kane;
+use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates};
+use crate::mechanics::quantity::{Energy, Quantity, QuantityKind, Row, VectorName};
+use crate::model::{Model, Place, TIME};
+use rustc_hash::FxHashMap;
+
+type Tensor = [[Expr; 3]; 3];
+
+/// Derived values of a model's quantities, in the arena of its derivations.
+pub struct Quantities<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// Its derivations; `derivations.kinematics.arena` holds every value.
+    pub derivations: &'a mut Derivations,
+    /// In terms of the speeds.
+    velocities: Velocities,
+    d_dt: Differential,
+    to_rates: Substitution,
+    to_speeds: Substitution,
+    vectors: FxHashMap<(VectorName, usize), Vector>,
+    components: FxHashMap<(VectorName, usize, usize), Components>,
+    inertias: FxHashMap<(usize, usize), Tensor>,
+    active_forces: Option<Vec<Expr>>,
+    inertia_forces: Option<Vec<Expr>>,
+    /// u̇ in q and u.
+    accelerations: Option<Substitution>,
+}
+
+impl<'a> Quantities<'a> {
+    /// The quantities of a model.
+    pub fn new(model: &'a Model, derivations: &'a mut Derivations) -> Self {
+        let velocities = derivations.kinematics.in_speeds(model);
+        let arena = &mut derivations.kinematics.arena;
+        let mut d_dt = motion_rates(model);
+        let mut to_speeds = Vec::new();
+        for (c, rate) in model.coordinates.iter().zip(&model.kinematic_equations.rates) {
+            to_speeds.push((c.rate, *rate));
+            to_speeds.push((c.second_rate, d_dt.apply(arena, *rate)));
+        }
+        let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
+        let mut along_rates = Differential::along(&rates);
+        let mut to_rates = Vec::new();
+        for speed in &model.speeds {
+            to_rates.push((speed.symbol, speed.definition));
+            to_rates.push((speed.rate, along_rates.apply(arena, speed.definition)));
+        }
+        Self {
+            model,
+            derivations,
+            velocities,
+            d_dt,
+            to_rates: Substitution::new(&to_rates),
+            to_speeds: Substitution::new(&to_speeds),
+            vectors: FxHashMap::default(),
+            components: FxHashMap::default(),
+            inertias: FxHashMap::default(),
+            active_forces: None,
+            inertia_forces: None,
+            accelerations: None,
+        }
+    }
+
+    /// The derived value of a quantity, simplified.
+    ///
+    /// It is in parameters, q, u, and, for what contains accelerations, linear in u̇; loads contain reactions. A speed,
+    /// E and A are in q and q̇.
+    ///
+    /// # Errors
+    /// Reason why the formulation that the quantity belongs to cannot be derived.
+    pub fn value(&mut self, quantity: &Quantity) -> Result<Expr, String> {
+        let value = match *quantity.kind() {
+            QuantityKind::Rotation { from, to, entry: (i, j) } => {
+                let Kinematics { arena, frames, .. } = &mut self.derivations.kinematics;
+                frames.rotation(arena, from, to)[i][j]
+            }
+            QuantityKind::Component { vector, of, frame, axis } => self.component(vector, of, frame)[axis],
+            QuantityKind::MaterialVelocity { body, point, frame, axis } => {
+                let (model, kinematics) = (self.model, &mut self.derivations.kinematics);
+                let velocity = kinematics.place_velocity(model, &self.velocities, Place { body, point });
+                kinematics.frames.component(&mut kinematics.arena, &velocity, frame, axis)
+            }
+            QuantityKind::Partial { vector, of, frame, axis, speed } => {
+                let component = self.component(vector, of, frame)[axis];
+                let mut partial = Differential::partial(self.model.speeds[speed].symbol);
+                partial.apply(&mut self.derivations.kinematics.arena, component)
+            }
+            QuantityKind::Inertia { body, frame, entry: (i, j) } => self.inertia(body, frame)[i][j],
+            QuantityKind::Row(Row::ActiveForce, at) => self.active_forces()[at],
+            QuantityKind::Row(Row::InertiaForce, at) => self.inertia_forces()[at],
+            QuantityKind::Row(Row::Forcing, at) => self.equations(Formulation::Kane)?.forcing[at],
+            QuantityKind::Row(Row::LagrangeForcing, at) => self.equations(Formulation::Lagrange)?.forcing[at],
+            QuantityKind::MassMatrix(i, j) => self.equations(Formulation::Kane)?.matrix[i][j],
+            QuantityKind::LagrangeMatrix(i, j) => self.equations(Formulation::Lagrange)?.matrix[i][j],
+            QuantityKind::Energy(energy) => self.energy(energy)?,
+            QuantityKind::Speed(at) => self.model.speeds[at].definition,
+            QuantityKind::Rate(at) => self.model.kinematic_equations.rates[at],
+            QuantityKind::SpeedRate(at) => {
+                let rate = self.model.speeds[at].rate;
+                self.solved(rate)?
+            }
+            QuantityKind::SecondRate(at) => {
+                let rate = self.model.kinematic_equations.rates[at];
+                let second = self.d_dt.apply(&mut self.derivations.kinematics.arena, rate);
+                self.solved(second)?
+            }
+        };
+        Ok(self.simplify(value))
+    }
+
+    /// A term with every u̇ and q̈ in it solved for by Kane's equations.
+    ///
+    /// # Errors
+    /// Reason why there are no such equations, or the fact that they determine no acceleration.
+    pub fn solved(&mut self, e: Expr) -> Result<Expr, String> {
+        let e = self.to_speeds.apply(&mut self.derivations.kinematics.arena, e);
+        if self.accelerations.is_none() {
+            let kane = self.equations(Formulation::Kane)?.clone();
+            let Kinematics { arena, simplifier, .. } = &mut self.derivations.kinematics;
+            let steps = accelerations(arena, simplifier, &kane).map_err(|why| why.to_string())?.steps;
+            let mut written = Substitution::default();
+            for step in steps {
+                let value = written.apply(arena, step.value);
+                written.set(step.symbol, value);
+            }
+            self.accelerations = Some(written);
+        }
+        let written = self.accelerations.as_mut().expect("made above");
+        Ok(written.apply(&mut self.derivations.kinematics.arena, e))
+    }
+
+    /// True if q̇ or q̈ occurs: such an entry is compared in q and q̇.
+    #[must_use]
+    pub fn mentions_rates(&self, e: Expr) -> bool {
+        let symbols = self.model.coordinates.iter().flat_map(|c| [c.rate, c.second_rate]);
+        self.mentions(e, symbols)
+    }
+
+    /// True if u or u̇ occurs.
+    #[must_use]
+    pub fn mentions_speeds(&self, e: Expr) -> bool {
+        let symbols = self.model.speeds.iter().flat_map(|s| [s.symbol, s.rate]);
+        self.mentions(e, symbols)
+    }
+
+    fn mentions(&self, e: Expr, mut symbols: impl Iterator<Item = Expr>) -> bool {
+        let parts = self.derivations.kinematics.arena.reachable(&[e]);
+        symbols.any(|s| parts.binary_search(&s).is_ok())
+    }
+
+    /// A term in q, q̇ and q̈ alone: u → J q̇ + d, and u̇ → its time derivative.
+    ///
+    /// Where a divisor would become the literal 0 the quotient stays as it was, so that
+    /// [`Self::mentions_speeds`] tells.
+    pub fn in_rates(&mut self, e: Expr) -> Expr {
+        self.to_rates.apply(&mut self.derivations.kinematics.arena, e)
+    }
+
+    /// A term in q, u and u̇ alone: q̇ → W u + w, and q̈ → its time derivative.
+    ///
+    /// Where a divisor would become the literal 0 the quotient stays as it was, so that
+    /// [`Self::mentions_rates`] tells.
+    pub fn in_speeds(&mut self, e: Expr) -> Expr {
+        self.to_speeds.apply(&mut self.derivations.kinematics.arena, e)
+    }
+
+    /// Value of an energy without any constraint put into it, for entries in q̇: T keeps all n rates. Any other
+    /// quantity keeps its value `derived`.
+    #[must_use]
+    pub fn before_constraints(&mut self, kind: &QuantityKind, derived: Expr) -> Expr {
+        let QuantityKind::Energy(energy) = kind else { return derived };
+        let Ok(lagrange) = self.equations(Formulation::Lagrange) else { return derived };
+        let (t, v) = (lagrange.kinetic_energy, lagrange.potential_energy);
+        let arena = &mut self.derivations.kinematics.arena;
+        // Time goes on by itself: nobody writes t'.
+        let clock = self.model.coordinates.iter().filter(|c| c.name == TIME).map(|c| (c.rate, Expr::ONE));
+        let t = Substitution::new(&clock.collect::<Vec<_>>()).apply(arena, t);
+        match energy {
+            Energy::Kinetic => t,
+            Energy::Lagrangian => arena.sub(t, v),
+            Energy::Total => arena.add(t, v),
+            _ => derived,
+        }
+    }
+
+    fn simplify(&mut self, e: Expr) -> Expr {
+        let Kinematics { arena, simplifier, .. } = &mut self.derivations.kinematics;
+        simplifier.simplify(arena, e)
+    }
+
+    fn equations(&self, formulation: Formulation) -> Result<&Equations, String> {
+        let found = self.derivations.list.iter().find(|(f, _)| *f == formulation);
+        match found {
+            Some((_, Ok(equations))) => Ok(equations),
+            Some((_, Err(error))) => Err(error.to_string()),
+            None => Err(format!("{} was not derived", formulation.name())),
+        }
+    }
+
+    /// R I Rᵀ, from the frame in which the inertia is stated.
+    fn inertia(&mut self, body: usize, frame: usize) -> Tensor {
+        if let Some(done) = self.inertias.get(&(body, frame)) {
+            return *done;
+        }
+        // The names of particles are refused before.
+        let Some((_, inertia)) = &self.model.bodies[body].rigid else { return [[Expr::ZERO; 3]; 3] };
+        let Kinematics { arena, frames, simplifier, .. } = &mut self.derivations.kinematics;
+        let r = frames.rotation(arena, inertia.frame, frame);
+        let columns = r.map(|row| apply_tensor(arena, &inertia.tensor, &row));
+        // Entry (i, j) is rᵢ · I rⱼ, with rᵢ the i-th row of R.
+        let tensor = r.map(|row| {
+            columns.map(|column| {
+                let products: Vec<Expr> = row.iter().zip(&column).map(|(a, b)| arena.mul(*a, *b)).collect();
+                let entry = arena.sum(&products);
+                simplifier.simplify(arena, entry)
+            })
+        });
+        self.inertias.insert((body, frame), tensor);
+        tensor
+    }
+
+    fn active_forces(&mut self) -> &[Expr] {
+        let (model, kinematics, velocities) = (self.model, &mut self.derivations.kinematics, &self.velocities);
+        self.active_forces.get_or_insert_with(|| kane::generalized_active_forces(model, kinematics, velocities))
+    }
+
+    fn inertia_forces(&mut self) -> &[Expr] {
+        let (model, kinematics, velocities) = (self.model, &mut self.derivations.kinematics, &self.velocities);
+        self.inertia_forces.get_or_insert_with(|| kane::generalized_inertia_forces(model, kinematics, velocities))
+    }
+
+    fn energy(&mut self, energy: Energy) -> Result<Expr, String> {
+        let kane = self.equations(Formulation::Kane)?;
+        let (t, v) = (kane.kinetic_energy, kane.potential_energy);
+        Ok(match energy {
+            Energy::Kinetic => t,
+            Energy::Translation => self.part_of_energy(VectorName::Velocity),
+            Energy::Rotation => self.part_of_energy(VectorName::AngularVelocity),
+            Energy::Potential => v,
+            Energy::Gravity => {
+                let (model, kinematics) = (self.model, &mut self.derivations.kinematics);
+                kinematics.gravity_potential(model).map_err(|error| error.to_string())?
+            }
+            Energy::Lagrangian => self.derivations.kinematics.arena.sub(t, v),
+            Energy::Total => self.derivations.kinematics.arena.add(t, v),
+        })
+    }
+
+    /// Σ ½ m v·v with the velocity, Σ ½ ω·H with the angular velocity.
+    fn part_of_energy(&mut self, name: VectorName) -> Expr {
+        let model = self.model;
+        let mut terms = Vec::new();
+        for (at, body) in model.bodies.iter().enumerate() {
+            let (velocity, momentum) = match (name, &body.rigid) {
+                (VectorName::Velocity, _) => {
+                    let v = self.vector(VectorName::Velocity, body.centre);
+                    let momentum = v.scale(&mut self.derivations.kinematics.arena, body.mass);
+                    (v, momentum)
+                }
+                (_, Some((frame, _))) => {
+                    let omega = self.vector(VectorName::AngularVelocity, *frame);
+                    (omega, self.vector(VectorName::AngularMomentum, at))
+                }
+                (_, None) => continue,
+            };
+            let Kinematics { arena, frames, .. } = &mut self.derivations.kinematics;
+            terms.push(frames.dot(arena, &velocity, &momentum));
+        }
+        let arena = &mut self.derivations.kinematics.arena;
+        let twice = arena.sum(&terms);
+        arena.scale(twice, &Rational::fraction(1, 2).expect("not zero"))
+    }
+}

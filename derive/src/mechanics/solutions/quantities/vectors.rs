@@ -1,0 +1,91 @@
+//! The vectors among the quantities: motion, momentum and loads, each remembered.
+
+use super::Quantities;
+use crate::geometry::{Components, Vector};
+use crate::mechanics::formulations::newton_euler;
+use crate::mechanics::motion::kinematics::Kinematics;
+use crate::mechanics::quantity::VectorName;
+use crate::model::Body;
+
+impl Quantities<'_> {
+    /// A vector in one frame, simplified.
+    pub(super) fn component(&mut self, name: VectorName, of: usize, frame: usize) -> Components {
+        if let Some(done) = self.components.get(&(name, of, frame)) {
+            return *done;
+        }
+        let vector = self.vector(name, of);
+        let Kinematics { arena, frames, simplifier, .. } = &mut self.derivations.kinematics;
+        let components = frames.express(arena, &vector, frame).map(|e| simplifier.simplify(arena, e));
+        self.components.insert((name, of, frame), components);
+        components
+    }
+
+    /// A vector of the table; every other is built from those before it.
+    pub(super) fn vector(&mut self, name: VectorName, of: usize) -> Vector {
+        if let Some(done) = self.vectors.get(&(name, of)) {
+            return done.clone();
+        }
+        let bodies = &self.model.bodies;
+        let vector = match name {
+            VectorName::Position => self.derivations.kinematics.positions[of].clone(),
+            VectorName::Velocity => self.velocities.linear[of].clone(),
+            VectorName::Acceleration => self.time_derivative(VectorName::Velocity, of),
+            VectorName::AngularVelocity => self.velocities.angular[of].clone(),
+            VectorName::AngularAcceleration => self.time_derivative(VectorName::AngularVelocity, of),
+            VectorName::AngularMomentum => self.derivations.kinematics.angular_momentum(&bodies[of], &self.velocities),
+            VectorName::MomentumRate => self.time_derivative(VectorName::AngularMomentum, of),
+            VectorName::LinearMomentumRate => {
+                let a = self.vector(VectorName::Acceleration, bodies[of].centre);
+                a.scale(&mut self.derivations.kinematics.arena, bodies[of].mass)
+            }
+            VectorName::InertiaForce => {
+                self.vector(VectorName::LinearMomentumRate, of).neg(&mut self.derivations.kinematics.arena)
+            }
+            VectorName::InertiaTorque => {
+                self.vector(VectorName::MomentumRate, of).neg(&mut self.derivations.kinematics.arena)
+            }
+            VectorName::Weight => self.weight(&bodies[of]),
+            VectorName::Force => self.force(of),
+            VectorName::Moment => self.moment(of),
+        };
+        self.vectors.insert((name, of), vector.clone());
+        vector
+    }
+
+    fn time_derivative(&mut self, name: VectorName, of: usize) -> Vector {
+        let vector = self.vector(name, of);
+        let Kinematics { arena, frames, .. } = &mut self.derivations.kinematics;
+        frames.time_derivative(arena, &vector, &self.velocities.angular, &mut self.d_dt)
+    }
+
+    fn weight(&mut self, body: &Body) -> Vector {
+        let Some(gravity) = &self.model.gravity else { return Vector::default() };
+        let arena = &mut self.derivations.kinematics.arena;
+        Vector::in_frame(gravity.frame, gravity.acceleration).scale(arena, body.mass)
+    }
+
+    /// Weight, applied forces and reactions on a body.
+    fn force(&mut self, body: usize) -> Vector {
+        let mut total = self.vector(VectorName::Weight, body);
+        let kinematics = &mut self.derivations.kinematics;
+        for (_, force) in newton_euler::forces_on(self.model, kinematics, self.model.stated_reactions(), body) {
+            total = total.add(&mut kinematics.arena, &force);
+        }
+        total
+    }
+
+    /// Σ p_CP × F + Σ T about the mass centre C, where the weight has no arm.
+    fn moment(&mut self, body: usize) -> Vector {
+        let kinematics = &mut self.derivations.kinematics;
+        let mut total = Vector::default();
+        for (point, force) in newton_euler::forces_on(self.model, kinematics, self.model.stated_reactions(), body) {
+            let arm = kinematics.arm(&self.model.bodies[body], point);
+            let turning = kinematics.frames.cross(&mut kinematics.arena, &arm, &force);
+            total = total.add(&mut kinematics.arena, &turning);
+        }
+        for torque in newton_euler::torques_on(self.model, kinematics, self.model.stated_reactions(), body) {
+            total = total.add(&mut kinematics.arena, &torque);
+        }
+        total
+    }
+}

@@ -1,0 +1,365 @@
+//! The forces that a motion needs, parameter by parameter: M u̇ − f = Σ π_k Y_k + rest, with the Y_k free of the π.
+//!
+//! Consider a rigid body that moves with the velocity v of one of its points P and turns at ω. The force and moment on
+//! it about P, weight taken for an inertia force, are linear in its mass m, its first moments s = m p_PC and its
+//! inertia J about P:
+//!
+//! ```text
+//! F = m b + α × s + ω × (ω × s),    N = s × b + J α + ω × J ω,    b = a_P − g
+//! ```
+//!
+//! C. G. Atkeson, C. H. An & J. M. Hollerbach, "Estimation of inertial parameters of manipulator loads and links", Int.
+//! J. Robotics Research 5(3) (1986) 101–119. Nothing here is taken from the equations by Kane's method, with which it
+//! is compared.
+
+use crate::algebra::term::calculus::{Gradient, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Components, Vector, apply_tensor, cross_components};
+use crate::mechanics::derivation::derive_with;
+use crate::mechanics::error::DeriveError;
+use crate::mechanics::formulations::formulation::Formulation;
+use crate::mechanics::motion::anchor::Anchor;
+use crate::mechanics::motion::carried_accelerations::Accelerations;
+use crate::mechanics::motion::inertial::Inertial;
+use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
+use crate::mechanics::motion::loads::Load;
+use crate::model::{Body, Model, Unit};
+
+/// Set of parameters for which a regressor has columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Varied {
+    /// All ten inertial parameters of every rigid body and the mass of every particle, whatever values the file states,
+    /// and the parameters of loads.
+    Bodies,
+    /// The parameters that the file declares, as they enter: those whose unit contains the unit of mass to the first
+    /// power.
+    Declared,
+}
+
+/// Owner of a column: a body's inertial parameter, or a parameter of the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// A body, by its place.
+    Body(usize, Inertial),
+    /// A parameter of the model, by its place.
+    Parameter(usize),
+}
+
+/// Column of a regressor: the force that one parameter adds, per unit of it.
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// The parameter of the column.
+    pub of: Of,
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: Unit,
+    /// Y_k: one entry a speed, in geometry, q, u and u̇.
+    pub forces: Vec<Expr>,
+    /// Value of the parameter by the model, in the parameters that it declares.
+    pub stated: Expr,
+}
+
+/// Regressor of a model: M u̇ − f = Σ π_k Y_k + rest.
+pub struct Regressor {
+    /// Store of the terms.
+    pub arena: Arena,
+    /// The columns, from the ground outward; for a body, in the order in which parameters are kept where several act as
+    /// one.
+    pub columns: Vec<Column>,
+    /// Required force of loads that belongs to no column: one entry a speed.
+    pub rest: Vec<Expr>,
+    /// M u̇ − f by Kane's method, in parameters, q, u and u̇.
+    pub required: Vec<Expr>,
+    /// Anchor of each body's parameters; empty for [`Varied::Declared`].
+    pub anchors: Vec<Anchor>,
+}
+
+impl Regressor {
+    /// The regressor of a model.
+    ///
+    /// # Errors
+    /// [`DeriveError`] if the model cannot be derived.
+    pub fn new(model: &Model, varied: Varied) -> Result<Self, DeriveError> {
+        let mut kinematics = Kinematics::in_form(model, true)?;
+        let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
+        let proved = equations.with_inverse_dynamics(&mut kinematics.arena);
+        let required = proved.map_err(|why| DeriveError::Unsolved(why.into()))?.required;
+        let candidates: Vec<usize> =
+            (0..model.parameters.len()).filter(|at| is_mass_like(&model.parameters[*at])).collect();
+        match varied {
+            Varied::Bodies => Ok(Self::of_bodies(model, kinematics, required, &candidates)),
+            Varied::Declared => Ok(Self::as_declared(model, kinematics.arena, required, candidates)),
+        }
+    }
+
+    fn of_bodies(model: &Model, mut kinematics: Kinematics, required: Vec<Expr>, candidates: &[usize]) -> Self {
+        let velocities = kinematics.in_speeds(model);
+        let accelerations =
+            kinematics.accelerations(model, &velocities, &mut motion_rates(model), (&Kinematics::fall(model), false));
+        let mut bodies: Vec<(usize, Vec<Column>)> = Vec::new();
+        let mut anchors = Vec::new();
+        for at in 0..model.bodies.len() {
+            let anchor = Anchor::of(model, at);
+            let motion = Motion::new(&mut kinematics, model, (&velocities, &accelerations), &anchor);
+            let deep = motion.moves_with();
+            bodies.push((deep, motion.columns(&mut kinematics, model, &anchor)));
+            anchors.push(anchor);
+        }
+        // From the ground outward: what an outer body shares with an inner one is counted to the inner.
+        bodies.sort_by_key(|(deep, _)| *deep);
+        let mut columns: Vec<Column> = bodies.into_iter().flat_map(|(_, columns)| columns).collect();
+        let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
+        let forces = kinematics.forces_along(&loads, &mut rates_to_speeds(model), &model.u());
+        let arena = &mut kinematics.arena;
+        let needed: Vec<Expr> = forces.iter().map(|e| arena.neg(*e)).collect();
+        let (of_loads, rest) = linear_part(model, arena, needed, candidates.to_vec());
+        columns.extend(of_loads);
+        Self { arena: kinematics.arena, columns, rest, required, anchors }
+    }
+
+    fn as_declared(model: &Model, mut arena: Arena, required: Vec<Expr>, candidates: Vec<usize>) -> Self {
+        let (columns, rest) = linear_part(model, &mut arena, required.clone(), candidates);
+        Self { arena, columns, rest, required, anchors: Vec::new() }
+    }
+}
+
+/// True if the unit of a parameter contains the unit of mass to the first power, and it is no input. Forces are linear
+/// in all such parameters together, unless they stand in ratios. An input, which drives loads, is no parameter of the
+/// mechanism.
+fn is_mass_like(parameter: &crate::model::Parameter) -> bool {
+    !parameter.is_input && parameter.unit.of_mass().is_one()
+}
+
+/// Splits forces into Σ θ Y_θ + rest, over those of the candidates in which they are linear; the other candidates count
+/// as known.
+fn linear_part(
+    model: &Model,
+    arena: &mut Arena,
+    forces: Vec<Expr>,
+    mut candidates: Vec<usize>,
+) -> (Vec<Column>, Vec<Expr>) {
+    let (slopes, kept) = loop {
+        let symbols: Vec<Expr> = candidates.iter().map(|at| model.parameters[*at].symbol).collect();
+        let slopes = slopes_of(arena, &forces, &symbols);
+        let bent = bent_along(arena, &slopes, &symbols);
+        if bent.iter().all(|bent| !bent) {
+            break (slopes, candidates);
+        }
+        let mut bent = bent.into_iter();
+        candidates.retain(|_| !bent.next().unwrap_or(false));
+    };
+    let mut rest = forces;
+    let mut columns = Vec::new();
+    for (k, at) in kept.into_iter().enumerate() {
+        let parameter = &model.parameters[at];
+        let forces: Vec<Expr> = slopes.iter().map(|row| row[k]).collect();
+        if forces.iter().all(|e| *e == Expr::ZERO) {
+            continue;
+        }
+        for (left, force) in rest.iter_mut().zip(&forces) {
+            let part = arena.mul(*force, parameter.symbol);
+            *left = arena.sub(*left, part);
+        }
+        let (name, unit, stated) = (parameter.name.clone(), parameter.unit.clone(), parameter.symbol);
+        columns.push(Column { of: Of::Parameter(at), name, unit, forces, stated });
+    }
+    (columns, rest)
+}
+
+/// The slopes of each term along each symbol.
+fn slopes_of(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Expr>> {
+    let mut gradient = Gradient::new(symbols);
+    let row = |term: &Expr| {
+        let mut row = vec![Expr::ZERO; symbols.len()];
+        for &(at, slope) in gradient.apply(arena, *term).iter() {
+            row[at] = slope;
+        }
+        row
+    };
+    terms.iter().map(row).collect()
+}
+
+/// For each symbol, whether the slopes along it, of which each row holds one, change with any of the symbols.
+fn bent_along(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<bool> {
+    let mut gradient = Gradient::new(symbols);
+    let mut bent = vec![false; symbols.len()];
+    for row in slopes {
+        for (at, slope) in row.iter().enumerate() {
+            let seconds = gradient.apply(arena, *slope);
+            bent[at] |= seconds.iter().any(|(_, second)| zero_test(arena, *second) != ZeroTest::Zero);
+        }
+    }
+    bent
+}
+
+/// Motion of a body, in the axes of its anchor.
+struct Motion {
+    /// b = a_P − g.
+    b: Components,
+    omega: Components,
+    alpha: Components,
+    /// ∂v_P/∂u_r and ∂ω/∂u_r.
+    along: Vec<[Components; 2]>,
+}
+
+impl Motion {
+    fn new(
+        kinematics: &mut Kinematics,
+        model: &Model,
+        (velocities, accelerations): (&Velocities, &Accelerations),
+        anchor: &Anchor,
+    ) -> Self {
+        let name = anchor_name(model, anchor);
+        let Kinematics { arena, frames, .. } = kinematics;
+        let mut carry = |vector: &Vector, letter: &str| frames.carry(arena, vector, anchor.frame, (letter, &name));
+        let v = carry(&velocities.linear[anchor.point], "v");
+        let b = carry(&accelerations.linear[anchor.point], "a");
+        let (omega, alpha) = match anchor.turns {
+            Some(frame) => (carry(&velocities.angular[frame], "w"), carry(&accelerations.angular[frame], "alpha")),
+            None => ([Expr::ZERO; 3], [Expr::ZERO; 3]),
+        };
+        let rows = slopes_of(arena, &[v, omega].concat(), &model.u());
+        let along = (0..model.speeds.len())
+            .map(|r| [[rows[0][r], rows[1][r], rows[2][r]], [rows[3][r], rows[4][r], rows[5][r]]])
+            .collect();
+        Self { b, omega, alpha, along }
+    }
+
+    /// Number of speeds that move the body.
+    fn moves_with(&self) -> usize {
+        self.along.iter().filter(|pair| pair.iter().flatten().any(|e| *e != Expr::ZERO)).count()
+    }
+
+    /// The columns of a body.
+    fn columns(&self, kinematics: &mut Kinematics, model: &Model, anchor: &Anchor) -> Vec<Column> {
+        let body = &model.bodies[anchor.body];
+        let stated = Stated::new(kinematics, body, anchor);
+        anchor
+            .parameters()
+            .into_iter()
+            .map(|inertial| {
+                let arena = &mut kinematics.arena;
+                let [force, moment] = self.wrench(arena, inertial);
+                let forces = self.along.iter().map(|[v, w]| {
+                    let products = v.iter().zip(&force).chain(w.iter().zip(&moment));
+                    let terms: Vec<Expr> = products.map(|(a, b)| arena.mul(*a, *b)).collect();
+                    arena.sum(&terms)
+                });
+                Column {
+                    of: Of::Body(anchor.body, inertial),
+                    forces: forces.collect(),
+                    name: format!("{}_{}", inertial.letters(), body.name),
+                    unit: inertial.unit(),
+                    stated: stated.of(inertial),
+                }
+            })
+            .collect()
+    }
+
+    /// F and N of a unit of a parameter.
+    fn wrench(&self, arena: &mut Arena, inertial: Inertial) -> [Components; 2] {
+        let zero = [Expr::ZERO; 3];
+        match inertial {
+            Inertial::Mass => [self.b, zero],
+            Inertial::FirstMoment(axis) => {
+                let mut e = zero;
+                e[axis] = Expr::ONE;
+                let turning = cross_components(arena, &self.alpha, &e);
+                let within = cross_components(arena, &self.omega, &e);
+                let inward = cross_components(arena, &self.omega, &within);
+                let force = std::array::from_fn(|i| arena.add(turning[i], inward[i]));
+                [force, cross_components(arena, &e, &self.b)]
+            }
+            Inertial::Inertia(i, j) => {
+                let mut unit = [zero; 3];
+                (unit[i][j], unit[j][i]) = (Expr::ONE, Expr::ONE);
+                let rate = apply_tensor(arena, &unit, &self.alpha);
+                let momentum = apply_tensor(arena, &unit, &self.omega);
+                let gyroscopic = cross_components(arena, &self.omega, &momentum);
+                [zero, std::array::from_fn(|k| arena.add(rate[k], gyroscopic[k]))]
+            }
+        }
+    }
+}
+
+fn anchor_name(model: &Model, anchor: &Anchor) -> String {
+    model.bodies[anchor.body].name.clone()
+}
+
+/// Inertial parameters of a body by the model: mass, first moments, and inertia about the anchor.
+struct Stated {
+    mass: Expr,
+    moment: Components,
+    inertia: [Components; 3],
+}
+
+impl Stated {
+    fn new(kinematics: &mut Kinematics, body: &Body, anchor: &Anchor) -> Self {
+        let back = kinematics.positions[anchor.point].neg(&mut kinematics.arena);
+        let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);
+        let Kinematics { arena, frames, simplifier, .. } = kinematics;
+        let r = frames.express(arena, &arm, anchor.frame).map(|e| plain(arena, e));
+        let r = r.map(|e| simplifier.simplify(arena, e));
+        let mut inertia = [[Expr::ZERO; 3]; 3];
+        if let Some((_, own)) = &body.rigid {
+            // R I Rᵀ, which is constant in the body.
+            let turn = frames.rotation(arena, own.frame, anchor.frame);
+            for i in 0..3 {
+                for j in 0..3 {
+                    let terms: Vec<Expr> = (0..9)
+                        .map(|k| arena.product(&[turn[i][k / 3], own.tensor[k / 3][k % 3], turn[j][k % 3]]))
+                        .collect();
+                    inertia[i][j] = arena.sum(&terms);
+                }
+            }
+        }
+        let squares = r.map(|e| arena.square(e));
+        for (i, row) in inertia.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                let away = if i == j {
+                    arena.add(squares[(i + 1) % 3], squares[(i + 2) % 3])
+                } else {
+                    let product = arena.mul(r[i], r[j]);
+                    arena.neg(product)
+                };
+                let shift = arena.mul(body.mass, away);
+                let sum = arena.add(*entry, shift);
+                let sum = at_rest(arena, sum, &anchor.moved);
+                *entry = simplifier.simplify(arena, sum);
+            }
+        }
+        let moment = r.map(|e| arena.mul(body.mass, e));
+        Self { mass: body.mass, moment, inertia }
+    }
+
+    fn of(&self, inertial: Inertial) -> Expr {
+        match inertial {
+            Inertial::Mass => self.mass,
+            Inertial::FirstMoment(axis) => self.moment[axis],
+            Inertial::Inertia(i, j) => self.inertia[i][j],
+        }
+    }
+}
+
+/// A term with the symbols of names written out.
+fn plain(arena: &mut Arena, e: Expr) -> Expr {
+    let names: Vec<(Expr, Expr)> =
+        arena.reachable(&[e]).into_iter().filter_map(|part| Some((part, arena.behind(part)?))).collect();
+    let mut put = Substitution::default();
+    for (name, term) in names {
+        let term = put.apply(arena, term);
+        put.set(name, term);
+    }
+    put.apply(arena, e)
+}
+
+/// Value of a term at coordinates 0; the term itself if it has no value there. For terms that do not depend on
+/// coordinates by meaning.
+fn at_rest(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
+    let e = plain(arena, e);
+    let mut put = Substitution::new(&coordinates.iter().map(|q| (*q, Expr::ZERO)).collect::<Vec<_>>());
+    let value = put.apply(arena, e);
+    if put.undefined.is_some() { e } else { value }
+}

@@ -1,0 +1,448 @@
+//! Frames, points and bodies, as the model file states them.
+
+use super::joints::Joints;
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::geometry::Turn;
+use crate::model::reading::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
+use crate::model::reading::reader::Loading;
+use crate::model::reading::tree::{Node, in_order};
+use crate::model::units::Unit;
+use crate::model::{
+    Body, Contacts, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque, physics,
+};
+use crate::read::{Entry, Located};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Elements of a mechanism: frames, points and bodies, with the loads, reactions and contacts on them.
+#[derive(Default)]
+pub struct Elements {
+    pub frames: Vec<Frame>,
+    pub points: Vec<Point>,
+    pub bodies: Vec<Body>,
+    pub gravity: Option<Gravity>,
+    pub forces: Vec<Force>,
+    pub torques: Vec<Torque>,
+    pub potentials: Vec<Potential>,
+    pub reactions: Vec<Reaction>,
+    pub contacts: Contacts,
+}
+
+impl Elements {
+    /// Reads everything; errors are added to those of the reader.
+    pub fn read<'a>(
+        &mut self,
+        loading: &mut Loading<'a>,
+        table: &'a DeTable<'a>,
+        joints: &Joints<'a>,
+        reactions: &[Entry<'a>],
+    ) {
+        self.read_inertial(loading, table);
+        self.read_frames(loading, table, joints);
+        self.read_points(loading, table, joints);
+        self.read_bodies(loading, table, joints);
+        self.read_particles(loading, table);
+        self.read_gravity(loading, table);
+        self.read_forces(loading, table);
+        self.read_torques(loading, table);
+        self.read_reactions(loading, reactions);
+    }
+
+    /// The one body that a coordinate moves against what that body is placed from.
+    pub fn placed_by(&self, arena: &Arena, coordinate: Expr) -> Option<usize> {
+        let depends = |terms: &[Expr]| arena.reachable(terms).contains(&coordinate);
+        let is_bodily =
+            |frame: usize| self.bodies.iter().any(|body| body.rigid.as_ref().is_some_and(|(own, _)| *own == frame));
+        let moves = |body: &Body| {
+            let steps = self.own_steps(body);
+            if steps.iter().any(|(_, position)| depends(*position)) {
+                return true;
+            }
+            let own = body.rigid.as_ref().map(|(frame, _)| *frame);
+            own.into_iter().chain(steps.into_iter().map(|(frame, _)| frame)).any(|frame| {
+                let mut at = Some(frame).filter(|frame| own == Some(*frame) || !is_bodily(*frame));
+                while let Some((parent, turn)) = at.and_then(|frame| self.frames[frame].rotation.as_ref()) {
+                    if depends(&turn.terms()) {
+                        return true;
+                    }
+                    at = Some(*parent).filter(|parent| !is_bodily(*parent));
+                }
+                false
+            })
+        };
+        let mut found = (0..self.bodies.len()).filter(|body| moves(&self.bodies[*body]));
+        found.next().filter(|_| found.next().is_none())
+    }
+
+    /// The axis of a frame, 0, 1 or 2, along which a coordinate moves a body against what it is placed from, and how
+    /// far for each unit;
+    /// `None` unless the coordinate stands in one component of one position alone.
+    pub fn axis_moved(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<(usize, usize, Expr)> {
+        let steps = self.own_steps(&self.bodies[body]);
+        let components = steps.iter().flat_map(|(frame, position)| {
+            position.iter().enumerate().map(|(axis, component)| (*frame, axis, *component))
+        });
+        let mut moved = components.filter(|(.., component)| arena.reachable(&[*component]).contains(&coordinate));
+        let (frame, axis, component) = moved.next().filter(|_| moved.next().is_none())?;
+        let slopes = Gradient::new(&[coordinate]).apply(arena, component);
+        slopes.first().map(|(_, slope)| (frame, axis, *slope))
+    }
+
+    /// The steps from the mass centre of a body back to that of the body from which it is placed, or to the origin:
+    /// frame and components.
+    fn own_steps(&self, body: &Body) -> Vec<(usize, &[Expr; 3])> {
+        let is_centre = |point: usize| self.bodies.iter().any(|body| body.centre == point);
+        let mut steps = Vec::new();
+        let mut at = Some(body.centre);
+        while let Some((parent, frame, position)) = at.and_then(|point| self.points[point].position.as_ref()) {
+            steps.push((*frame, position));
+            at = Some(*parent).filter(|parent| !is_centre(*parent));
+        }
+        steps
+    }
+
+    fn read_inertial<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        let what = "`inertial`";
+        let value = loading.reader.get(table, "inertial");
+        let entry = value.and_then(|v| Some((loading.reader.table(v, what, "[inertial]")?, v.span())));
+        let Some((entry, span)) = entry else { return loading.names.unread(&[Kind::Frame, Kind::Point]) };
+        loading.reader.allow(entry, what, &["frame", "origin"]);
+        for (key, kind) in [("frame", Kind::Frame), ("origin", Kind::Point)] {
+            let name = loading.reader.need(entry, key, what, &span);
+            let name = name.and_then(|v| loading.reader.string(v, &format!("`{key}`")));
+            let Some(name) = name else {
+                loading.names.unread(&[kind]);
+                continue;
+            };
+            loading.names.declare(&mut loading.reader, &name, kind, None);
+            match kind {
+                Kind::Frame => {
+                    loading.names.root.clone_from(&name.text);
+                    self.frames.push(Frame { name: name.text, rotation: None });
+                }
+                _ => self.points.push(Point { name: name.text, position: None }),
+            }
+        }
+    }
+
+    fn read_frames<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
+        let mut nodes = Vec::new();
+        let root = self.frames.first().map(|f| f.name.clone());
+        for (name, value) in loading.section(table, "frames", &[Kind::Frame]) {
+            let example = "{ from = \"N\", axis = 3, angle = \"q1\" }";
+            let Some((entry, what)) = loading.entry(&name, value, Kind::Frame, None, example) else { continue };
+            let stated = loading.reader.get(entry, "euler_parameters");
+            let by_turns = entry.contains_key("sequence");
+            let keys: &[&str] = match stated {
+                Some(_) => &["euler_parameters"],
+                None if by_turns => &["sequence", "angles", "fixed"],
+                None => &["axis", "angle"],
+            };
+            loading.reader.allow(entry, "a frame", &[keys, &["from", "about"]].concat());
+            let parent = loading.reader.need(entry, "from", &what, &name.span);
+            let parent = parent.and_then(|v| loading.reader.string(v, "`from`"));
+            let axis = if stated.is_some() || by_turns { None } else { loading.reader.get(entry, "axis") };
+            let is_vector = axis.is_some_and(|axis| axis.get_ref().is_array());
+            if by_turns || stated.is_some() || is_vector {
+                let turns = match (stated, axis) {
+                    (Some(value), _) => loading.euler_parameters(value).map(|turn| vec![turn]),
+                    (None, Some(axis)) => loading.turns_about(axis, entry, &what, &name.span),
+                    (None, None) => loading.frame_turns(entry, &what, &name.span),
+                };
+                if let (Some(parent), Some(turns)) = (parent, turns) {
+                    loading.chain(&mut nodes, (parent, name.clone()), turns);
+                }
+                continue;
+            }
+            let axis = loading.reader.need(entry, "axis", &what, &name.span).and_then(|v| loading.axis(v));
+            let angle = loading.angle(entry, &what, &name.span);
+            if let (Some(parent), Some(axis), Some(angle)) = (parent, axis, angle) {
+                nodes.push(Node { name, parent, payload: Turn::About(axis, angle) });
+            }
+        }
+        if let Some(root) = &root {
+            nodes.extend(loading.joint_frames(joints, root));
+        }
+        for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Frame) {
+            self.frames.push(Frame { name: node.name.text, rotation: Some((parent, node.payload)) });
+        }
+    }
+
+    fn read_points<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
+        let mut nodes = Vec::new();
+        for (name, value) in loading.section(table, "points", &[Kind::Point]) {
+            let example = "{ from = \"O\", frame = \"N\", position = [\"0\", \"0\", \"l\"] }";
+            let Some((entry, what)) = loading.entry(&name, value, Kind::Point, None, example) else { continue };
+            loading.reader.allow(entry, "a point", &["from", "frame", "position", "about"]);
+            let parent = loading.reader.need(entry, "from", &what, &name.span);
+            let parent = parent.and_then(|v| loading.reader.string(v, "`from`"));
+            let frame = self.frame(loading, entry, &what, &name.span);
+            let metre = Unit::new(1, 0, 0);
+            let position = vector(loading, entry, "position", &what, &name.span, CONFIGURATION, &metre);
+            if let (Some(parent), Some(frame), Some(position)) = (parent, frame, position) {
+                nodes.push(Node { name, parent, payload: (frame, position) });
+            }
+        }
+        let root = self.points.first().map(|p| p.name.clone());
+        if let (Some(frame), Some(point)) = (self.frames.first(), &root) {
+            for Node { name, parent, payload: (frame, position) } in
+                loading.joint_points(joints, table, (&frame.name, point))
+            {
+                if let Some(frame) = self.frame_named(loading, &frame) {
+                    nodes.push(Node { name, parent, payload: (frame, position) });
+                }
+            }
+        }
+        for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Point) {
+            let (frame, position) = node.payload;
+            self.points.push(Point { name: node.name.text, position: Some((parent, frame, position)) });
+        }
+    }
+
+    fn read_bodies<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
+        for (name, value) in loading.section(table, "bodies", &[Kind::Body]) {
+            let entry = loading.entry(&name, value, Kind::Body, None, "[bodies.NAME]");
+            let Some((entry, what)) = entry else { continue };
+            loading.reader.allow(entry, "a body", &["frame", "centre", "mass", "inertia", "about"]);
+            let carried = joints.bodies.get(&name.text).filter(|placed| placed.joint.is_some());
+            let frame = match (carried, loading.reader.get(entry, "frame")) {
+                (Some(placed), None) => self.frame_named(loading, &placed.frame),
+                _ => self.frame(loading, entry, &what, &name.span),
+            };
+            let centre = match (carried, loading.reader.get(entry, "centre")) {
+                (Some(placed), None) => self.point_named(loading, &placed.centre),
+                _ => self.point(loading, entry, "centre", &what, &name.span),
+            };
+            let mass = mass(loading, entry, &what, &name.span);
+            let inertia = loading.reader.need(entry, "inertia", &what, &name.span);
+            let inertia = inertia.and_then(|v| self.inertia(loading, v, frame, centre, mass));
+            if let (Some(frame), Some(centre), Some(mass), Some(inertia)) = (frame, centre, mass, inertia) {
+                self.bodies.push(Body { name: name.text, centre, mass, rigid: Some((frame, inertia)) });
+            }
+        }
+    }
+
+    fn read_particles<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        for (name, value) in loading.section(table, "particles", &[Kind::Body]) {
+            let entry = loading.entry(&name, value, Kind::Body, None, "{ point = \"P\", mass = \"m\" }");
+            let Some((entry, _)) = entry else { continue };
+            let what = format!("particle `{}`", name.text);
+            loading.reader.allow(entry, "a particle", &["point", "mass", "about"]);
+            let centre = self.point(loading, entry, "point", &what, &name.span);
+            let mass = mass(loading, entry, &what, &name.span);
+            if let (Some(centre), Some(mass)) = (centre, mass) {
+                self.bodies.push(Body { name: name.text, centre, mass, rigid: None });
+            }
+        }
+    }
+
+    fn inertia<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        value: &'a Spanned<DeValue<'a>>,
+        body_frame: Option<usize>,
+        centre: Option<usize>,
+        mass: Option<Expr>,
+    ) -> Option<Inertia> {
+        let what = "an inertia";
+        if !matches!(value.get_ref(), DeValue::Table(_)) {
+            return self.planar_inertia(loading, value, body_frame?);
+        }
+        let entry = loading.reader.table(value, what, "{ diagonal = [\"Ixx\", \"Iyy\", \"Izz\"] }")?;
+        loading.reader.allow(entry, what, &["frame", "diagonal", "products", "about_point"]);
+        let unit = Unit::new(2, 1, 0);
+        let frame = match loading.reader.get(entry, "frame") {
+            Some(_) => self.frame(loading, entry, what, &value.span()),
+            None => body_frame,
+        };
+        let diagonal = vector(loading, entry, "diagonal", what, &value.span(), PARAMETERS, &unit)?;
+        let products = match loading.reader.get(entry, "products") {
+            Some(_) => vector(loading, entry, "products", what, &value.span(), PARAMETERS, &unit)?,
+            None => [Expr::ZERO; 3],
+        };
+        let [xy, yz, zx] = products;
+        let mut tensor = [[diagonal[0], xy, zx], [xy, diagonal[1], yz], [zx, yz, diagonal[2]]];
+        if let Some(at) = loading.reader.get(entry, "about_point") {
+            let point = self.point(loading, entry, "about_point", what, &value.span())?;
+            let (frame, centre, mass) = (frame?, centre?, mass?);
+            let Some(arm) = self.arm(&mut loading.arena, point, centre, frame) else {
+                let help =
+                    "the mass centre must be placed from that point, or that point from it, in the inertia's frame";
+                loading.reader.error(at.span(), "the inertia cannot be moved to the mass centre", help);
+                return None;
+            };
+            tensor = to_centre(&mut loading.arena, tensor, mass, arm);
+        }
+        Some(Inertia { frame: frame?, tensor })
+    }
+
+    /// Inertia of a body that turns about one axis only, for which one moment matters. It is that of a thin plate
+    /// across the axis.
+    fn planar_inertia<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        value: &'a Spanned<DeValue<'a>>,
+        frame: usize,
+    ) -> Option<Inertia> {
+        let formula = loading.reader.formula(value, "an inertia")?;
+        let moment = loading.quantity(&formula, PARAMETERS, &Unit::new(2, 1, 0), "a moment of inertia")?;
+        let coordinates = loading.names.symbols_of(&[Kind::Coordinate]);
+        let mut turns = Vec::new();
+        let mut at = frame;
+        while let Some((parent, turn)) = &self.frames[at].rotation {
+            let moves = loading.arena.reachable(&turn.terms()).iter().any(|part| coordinates.contains(part));
+            match turn {
+                Turn::About(_, angle) if *angle == Expr::ZERO => {}
+                Turn::About(axis, _) => turns.push((Some(*axis), moves)),
+                Turn::Oriented(_) => turns.push((None, moves)),
+            }
+            at = *parent;
+        }
+        // How the plane of the motion lies in space does not matter.
+        while turns.last().is_some_and(|(_, moves)| !moves) {
+            turns.pop();
+        }
+        let axis = turns.first().map_or(Some(2), |(axis, _)| *axis);
+        let alone = axis.filter(|axis| turns.iter().all(|(other, _)| *other == Some(*axis)));
+        let Some(axis) = alone else {
+            let help = "state its three moments: inertia = { diagonal = [\"I1\", \"I2\", \"I3\"] }";
+            loading.reader.error(value.span(), "a body that turns about several axes has more than one moment", help);
+            return None;
+        };
+        let half = loading.arena.scale(moment, &Rational::fraction(1, 2)?);
+        let mut tensor = [[Expr::ZERO; 3]; 3];
+        for (i, row) in tensor.iter_mut().enumerate() {
+            row[i] = if i == axis { moment } else { half };
+        }
+        Some(Inertia { frame, tensor })
+    }
+
+    /// The components in `frame` of the vector between two points, one placed directly from the other.
+    fn arm(&self, arena: &mut Arena, from: usize, to: usize, frame: usize) -> Option<[Expr; 3]> {
+        if from == to {
+            return Some([Expr::ZERO; 3]);
+        }
+        let direct = |a: usize, b: usize| match &self.points[b].position {
+            Some((parent, f, r)) if *parent == a && *f == frame => Some(*r),
+            _ => None,
+        };
+        direct(from, to).or_else(|| direct(to, from).map(|r| r.map(|e| arena.neg(e))))
+    }
+
+    /// The position of the frame under the key `frame`.
+    pub fn frame<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        entry: &'a DeTable<'a>,
+        what: &str,
+        owner: &Range<usize>,
+    ) -> Option<usize> {
+        let value = loading.reader.need(entry, "frame", what, owner)?;
+        let name = loading.reader.string(value, "`frame`")?;
+        self.frame_named(loading, &name)
+    }
+
+    fn frame_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
+        let known = loading.names.expect(&mut loading.reader, name, Kind::Frame);
+        self.frames.iter().position(|f| known && f.name == name.text)
+    }
+
+    fn point_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
+        let known = loading.names.expect(&mut loading.reader, name, Kind::Point);
+        self.points.iter().position(|p| known && p.name == name.text)
+    }
+
+    /// The position of the point under a key.
+    pub fn point<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        entry: &'a DeTable<'a>,
+        key: &str,
+        what: &str,
+        owner: &Range<usize>,
+    ) -> Option<usize> {
+        let value = loading.reader.need(entry, key, what, owner)?;
+        let name = loading.reader.string(value, &format!("`{key}`"))?;
+        self.point_named(loading, &name)
+    }
+
+    /// Rewrites every expression: used to take constrained variables out.
+    pub fn rewrite(&mut self, map: &mut impl FnMut(Expr) -> Expr) {
+        for frame in &mut self.frames {
+            if let Some((_, turn)) = &mut frame.rotation {
+                turn.rewrite(map);
+            }
+        }
+        for point in &mut self.points {
+            if let Some((_, _, components)) = &mut point.position {
+                *components = components.map(&mut *map);
+            }
+        }
+        if let Some(gravity) = &mut self.gravity {
+            for (at, _) in &mut gravity.zero_at {
+                *at = map(*at);
+            }
+        }
+        let energies = self.forces.iter_mut().flat_map(|f| f.energy.iter_mut().chain(f.damper.iter_mut().flatten()));
+        for energy in energies.chain(self.potentials.iter_mut().map(|p| &mut p.energy)) {
+            *energy = map(*energy);
+        }
+        let vectors = self.forces.iter_mut().map(|f| &mut f.vector);
+        let vectors = vectors.chain(self.torques.iter_mut().map(|t| &mut t.vector));
+        for vector in vectors.chain(self.reactions.iter_mut().map(|r| &mut r.direction)) {
+            *vector = vector.map(&mut *map);
+        }
+    }
+
+    /// Makes the checks that need everything to be read.
+    pub fn check(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
+        let known = physics::defaults(parameters);
+        for body in &self.bodies {
+            if let Some((message, help)) = physics::objection(&loading.arena, &known, body, "the default") {
+                let span = loading.names.span(&body.name).unwrap_or_default();
+                loading.reader.error(span, message, help);
+            }
+        }
+    }
+}
+
+fn mass<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>, what: &str, owner: &Range<usize>) -> Option<Expr> {
+    let value = loading.reader.need(entry, "mass", what, owner)?;
+    let formula = loading.reader.formula(value, "`mass`")?;
+    loading.quantity(&formula, PARAMETERS, &Unit::new(0, 1, 0), &format!("the mass of {what}"))
+}
+
+/// Three formulas under a key, each in `unit`.
+pub fn vector<'a>(
+    loading: &mut Loading<'a>,
+    entry: &'a DeTable<'a>,
+    key: &str,
+    what: &str,
+    owner: &Range<usize>,
+    allowed: Allowed,
+    unit: &Unit,
+) -> Option<[Expr; 3]> {
+    let value = loading.reader.need(entry, key, what, owner)?;
+    let triple = loading.reader.triple(value, &format!("`{key}`"))?;
+    let what = format!("the {key} of {what}");
+    let [a, b, c] = triple.map(|formula| loading.quantity(&formula, allowed, unit, &what));
+    Some([a?, b?, c?])
+}
+
+/// I_C = I_P − m (|r|² 1 − r rᵀ), r from P to the mass centre C: Steiner.
+fn to_centre(arena: &mut Arena, tensor: [[Expr; 3]; 3], mass: Expr, arm: [Expr; 3]) -> [[Expr; 3]; 3] {
+    let squares = arm.map(|r| arena.square(r));
+    let length = arena.sum(&squares);
+    let mut result = tensor;
+    for (i, row) in result.iter_mut().enumerate() {
+        for (j, entry) in row.iter_mut().enumerate() {
+            let product = arena.mul(arm[i], arm[j]);
+            let shift = if i == j { arena.sub(length, product) } else { arena.neg(product) };
+            let shift = arena.mul(mass, shift);
+            *entry = arena.sub(*entry, shift);
+        }
+    }
+    result
+}

@@ -1,0 +1,269 @@
+//! Dry friction, smooth at rest: at a point of contact, and about an axis.
+//!
+//! Coulomb's law jumps where the slip changes sign. Here the resistance is R(s) s/√(|s|² + s₀²) against the slip s. It
+//! is within s₀²/(2|s|²) of Coulomb's law where |s| is well above s₀, and linear in s where it is well below. R is a
+//! resistance that may fall from its value at rest by A. Stribeck's curve: R(s) = R + (R_s − R) exp(−|s|²/s_S²) (B.
+//! Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30 (1994) 1083–1138).
+
+use super::elements::Elements;
+use super::motion::Moving;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr, Function};
+use crate::diagnostic::shown;
+use crate::geometry::Vector;
+use crate::model::reading::names::{Allowed, DRIVEN, Kind, PARAMETERS};
+use crate::model::reading::reader::Loading;
+use crate::model::units::Unit;
+use crate::model::{Force, Place, Torque};
+use crate::read::Located;
+use std::ops::Range;
+use toml::de::DeTable;
+
+/// Pair of bodies that rub on one another, or body that rubs on the ground.
+enum Contact {
+    /// Contact of the material of a body at a point with that of another or of the ground. If an axis of a frame is
+    /// normal to it, friction acts across that axis.
+    Point { on: Place, against: Option<usize>, frame: usize, normal: Option<usize> },
+    /// A body that turns against another or the ground, about an axis of a frame.
+    Axis { on: usize, against: Option<usize>, frame: usize, axis: usize },
+}
+
+/// Law by which a contact resists slip.
+#[derive(Clone, Copy)]
+struct Law {
+    /// Resistance while sliding, N or N m. If the resistance is higher at rest, `at_rest` has its value there and the
+    /// slip s_S over which the excess decays.
+    resistance: Expr,
+    at_rest: Option<(Expr, Expr)>,
+    /// Slip s₀ below which the law is smooth.
+    smoothing: Expr,
+}
+
+/// Friction as the file states it.
+pub struct StatedFriction {
+    name: Located,
+    contact: Contact,
+    law: Law,
+}
+
+impl<'a> Loading<'a> {
+    /// Reads `[friction.NAME]`.
+    pub fn friction(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedFriction> {
+        let mut list = Vec::new();
+        for (name, value) in self.section(table, "friction", &[]) {
+            let example = "[friction.NAME] with on = \"block\", coefficient = \"mu\", normal_force = \"m*g\" and smoothing = \"v0\"";
+            let Some((entry, _)) = self.entry(&name, value, Kind::Force, None, example) else { continue };
+            let what = format!("friction `{}`", name.text);
+            let found = if entry.contains_key("torque") {
+                self.about_an_axis(entry, elements, (&what, &name.span))
+            } else {
+                self.at_a_point(entry, elements, (&what, &name.span))
+            };
+            if let Some((contact, law)) = found {
+                list.push(StatedFriction { name, contact, law });
+            }
+        }
+        list
+    }
+
+    fn at_a_point(
+        &mut self,
+        entry: &'a DeTable<'a>,
+        elements: &Elements,
+        (what, span): (&str, &Range<usize>),
+    ) -> Option<(Contact, Law)> {
+        let keys = [
+            "on",
+            "at",
+            "against",
+            "frame",
+            "normal",
+            "coefficient",
+            "normal_force",
+            "static",
+            "stribeck",
+            "smoothing",
+            "about",
+        ];
+        self.reader.allow(entry, "friction", &keys);
+        let on = elements.place(self, entry, "on", "at", what, span);
+        let against = self.against(entry, elements);
+        let (frame, normal) = match self.reader.get(entry, "normal") {
+            Some(axis) => (elements.frame(self, entry, what, span)?, Some(self.axis(axis)?)),
+            None => (0, None),
+        };
+        let plain = Unit::default();
+        let speed = Unit::new(1, 0, -1);
+        let coefficient = self.needed(entry, "coefficient", DRIVEN, &plain, (what, span));
+        let load = self.needed(entry, "normal_force", DRIVEN, &Unit::new(1, 1, -2), (what, span))?;
+        let (coefficient, against, on) = (coefficient?, against?, on?);
+        let resistance = self.arena.mul(coefficient, load);
+        let at_rest = self.at_rest(entry, &plain, &speed, (what, span))?;
+        let at_rest = at_rest.map(|(coefficient, until)| (self.arena.mul(coefficient, load), until));
+        let smoothing = self.smoothing(entry, &speed, (what, span))?;
+        Some((Contact::Point { on, against, frame, normal }, Law { resistance, at_rest, smoothing }))
+    }
+
+    fn about_an_axis(
+        &mut self,
+        entry: &'a DeTable<'a>,
+        elements: &Elements,
+        (what, span): (&str, &Range<usize>),
+    ) -> Option<(Contact, Law)> {
+        let keys = ["on", "against", "frame", "axis", "torque", "static", "stribeck", "smoothing", "about"];
+        self.reader.allow(entry, "friction about an axis", &keys);
+        let on = self.reader.need(entry, "on", what, span)?;
+        let on = self.reader.string(on, "`on`")?;
+        let on = self.rigid(elements, &on)?;
+        let against = self.against(entry, elements)?;
+        let frame = elements.frame(self, entry, what, span);
+        let axis = self.reader.need(entry, "axis", what, span)?;
+        let axis = self.axis(axis);
+        let (moment, speed) = (Unit::new(2, 1, -2), Unit::new(0, 0, -1));
+        let resistance = self.needed(entry, "torque", DRIVEN, &moment, (what, span))?;
+        let at_rest = self.at_rest(entry, &moment, &speed, (what, span))?;
+        let smoothing = self.smoothing(entry, &speed, (what, span))?;
+        Some((Contact::Axis { on, against, frame: frame?, axis: axis? }, Law { resistance, at_rest, smoothing }))
+    }
+
+    /// The rigid body under `against`, if there is one.
+    #[allow(clippy::option_option, reason = "no body is the ground, no answer an error")]
+    fn against(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<Option<usize>> {
+        let Some(value) = self.reader.get(entry, "against") else { return Some(None) };
+        let name = self.reader.string(value, "`against`")?;
+        self.rigid(elements, &name).map(Some)
+    }
+
+    fn rigid(&mut self, elements: &Elements, name: &Located) -> Option<usize> {
+        let body = elements.body(self, name)?;
+        if elements.bodies[body].rigid.is_some() {
+            return Some(body);
+        }
+        let message = format!("`{}` is a particle", shown(&name.text));
+        self.reader.error(name.span.clone(), message, "name a rigid body, or leave `against` out for the ground");
+        None
+    }
+
+    fn needed(
+        &mut self,
+        entry: &'a DeTable<'a>,
+        key: &str,
+        allowed: Allowed,
+        unit: &Unit,
+        (what, span): (&str, &Range<usize>),
+    ) -> Option<Expr> {
+        let value = self.reader.need(entry, key, what, span)?;
+        let formula = self.reader.formula(value, &format!("`{key}`"))?;
+        self.quantity(&formula, allowed, unit, &format!("`{key}` of {what}"))
+    }
+
+    /// Reads `static` and `stribeck`, which must be stated together: `Some(None)` if neither is, `None` after an error.
+    #[allow(clippy::option_option, reason = "nothing stated is no error")]
+    fn at_rest(
+        &mut self,
+        entry: &'a DeTable<'a>,
+        unit: &Unit,
+        speed: &Unit,
+        owner: (&str, &Range<usize>),
+    ) -> Option<Option<(Expr, Expr)>> {
+        if !entry.contains_key("static") && !entry.contains_key("stribeck") {
+            return Some(None);
+        }
+        let more = self.needed(entry, "static", DRIVEN, unit, owner);
+        let until = self.needed(entry, "stribeck", PARAMETERS, speed, owner);
+        Some(Some((more?, until?)))
+    }
+
+    fn smoothing(&mut self, entry: &'a DeTable<'a>, speed: &Unit, (what, span): (&str, &Range<usize>)) -> Option<Expr> {
+        let smoothing = self.needed(entry, "smoothing", PARAMETERS, speed, (what, span))?;
+        if zero_test(&self.arena, smoothing) == ZeroTest::NonZero {
+            return Some(smoothing);
+        }
+        let help = "state a speed far below those that matter: the law is linear below it";
+        self.reader.error(span.clone(), format!("{what} jumps where the slip is 0"), help);
+        None
+    }
+
+    /// The loads that friction is.
+    pub fn friction_loads(&mut self, moving: &mut Moving, elements: &mut Elements, stated: Vec<StatedFriction>) {
+        for friction in stated {
+            match friction.contact {
+                Contact::Point { on, against, frame, normal } => {
+                    let slip = moving.material(&mut self.arena, elements, on.body, on.point);
+                    let other = against.map(|body| moving.material(&mut self.arena, elements, body, on.point));
+                    let slip = difference(&mut self.arena, slip, other);
+                    let mut components = [0, 1, 2].map(|axis| moving.component(&mut self.arena, &slip, frame, axis));
+                    if let Some(normal) = normal {
+                        components[normal] = Expr::ZERO;
+                    }
+                    let Some(vector) = self.resisting(&friction, components) else { continue };
+                    elements.contacts.rubbing.push((on.body, against));
+                    let against = against.map(|body| Place { body, point: on.point });
+                    let name = friction.name.text;
+                    elements.forces.push(Force {
+                        name,
+                        on,
+                        against,
+                        frame,
+                        vector,
+                        end: None,
+                        energy: None,
+                        damper: None,
+                    });
+                }
+                Contact::Axis { on, against, frame, axis } => {
+                    let frame_of = |body: usize| elements.bodies[body].rigid.as_ref().map_or(0, |(frame, _)| *frame);
+                    let spin = moving.turning(frame_of(on));
+                    let other = against.map(|body| moving.turning(frame_of(body)));
+                    let spin = difference(&mut self.arena, spin, other);
+                    let mut components = [Expr::ZERO; 3];
+                    components[axis] = moving.component(&mut self.arena, &spin, frame, axis);
+                    let Some(vector) = self.resisting(&friction, components) else { continue };
+                    elements.contacts.rubbing.push((on, against));
+                    let against = against.map(|body| (frame_of(body), Some(body)));
+                    let on = (frame_of(on), Some(on));
+                    elements.torques.push(Torque { name: friction.name.text, on, against, frame, vector });
+                }
+            }
+        }
+    }
+
+    /// −R(s) s/√(|s|² + s₀²); nothing where nothing slips, which is reported.
+    fn resisting(&mut self, friction: &StatedFriction, slip: [Expr; 3]) -> Option<[Expr; 3]> {
+        let arena = &mut self.arena;
+        let squares = slip.map(|s| arena.square(s));
+        let square = arena.sum(&squares);
+        if zero_test(arena, square) == ZeroTest::Zero {
+            let message = format!("nothing slips at friction `{}`", friction.name.text);
+            self.reader.error(friction.name.span.clone(), message, "name bodies that move against one another there");
+            return None;
+        }
+        let Law { mut resistance, at_rest, smoothing } = friction.law;
+        if let Some((at_rest, until)) = at_rest {
+            let scale = arena.square(until);
+            let part = arena.div(square, scale)?;
+            let part = arena.neg(part);
+            let fade = arena.apply(Function::Exp, part);
+            let more = arena.sub(at_rest, resistance);
+            let more = arena.mul(more, fade);
+            resistance = arena.add(resistance, more);
+        }
+        let smooth = arena.square(smoothing);
+        let size = arena.add(square, smooth);
+        let size = arena.apply(Function::Sqrt, size);
+        let by_slip = arena.div(resistance, size)?;
+        let by_slip = arena.neg(by_slip);
+        Some(slip.map(|s| arena.mul(by_slip, s)))
+    }
+}
+
+/// Difference of two vectors; the first vector if there is no second, as against the ground.
+fn difference(arena: &mut Arena, one: Vector, other: Option<Vector>) -> Vector {
+    match other {
+        Some(other) => {
+            let back = other.neg(arena);
+            one.add(arena, &back)
+        }
+        None => one,
+    }
+}

@@ -1,0 +1,358 @@
+//! Joints: each connects two bodies, and brings the frame, points, coordinates and speeds of the one that it carries.
+//!
+//! A joint adds entries to the sections of a file, so that people need not write them, by names that they may use. Only
+//! the reading of files knows of joints. The first joint that names a body carries it, unless its frame is declared. A
+//! further joint closes a loop.
+
+use super::joint_kinds::{Freedom, JointKind, KINDS, angular_velocity, by_euler_parameters};
+use crate::diagnostic::{nearest, shown};
+use crate::model::reading::names::Kind;
+use crate::model::reading::reader::Loading;
+use crate::model::units::Unit;
+use crate::model::{DependentSpeed, Speed};
+use crate::read::Located;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Word that asks for Euler parameters in place of a sequence of turns.
+const EULER: &str = "euler";
+
+/// A joint as the file states it.
+pub struct Joint<'a> {
+    pub name: Located,
+    pub entry: &'a DeTable<'a>,
+    /// Name of the joint in messages.
+    pub what: String,
+    pub kind: JointKind,
+    /// Axes in the order of the turns; a kind with one axis has one entry. Empty for a kind with three turns that has
+    /// Euler parameters.
+    pub axes: Vec<usize>,
+    /// The vector along which axis 3 of the joint lies, if it is stated so.
+    pub along: Option<&'a Spanned<DeValue<'a>>>,
+    /// The body that it connects to its holder.
+    pub body: Located,
+    /// The body that carries; the ground if there is none.
+    pub to: Option<Located>,
+    /// True if the joint carries its body; otherwise it closes a loop.
+    pub carries: bool,
+    /// The names of its coordinates.
+    pub coordinates: Vec<Located>,
+}
+
+/// Names of the frame, mass centre and joint that place a body.
+#[derive(Clone)]
+pub struct Placed {
+    pub frame: Located,
+    pub centre: Located,
+    /// The joint that carries it, whose name is that of its point on the body.
+    pub joint: Option<Located>,
+}
+
+/// All joints of a file, and the names by which they place bodies.
+#[derive(Default)]
+pub struct Joints<'a> {
+    pub list: Vec<Joint<'a>>,
+    /// Frames and mass centres of bodies by name, stated or those that joints bring.
+    pub bodies: FxHashMap<String, Placed>,
+    /// Names and definitions of the speeds that joints bring.
+    pub speeds: Vec<(Located, Located)>,
+    /// Names of those of them that the file states.
+    pub stated_speeds: FxHashSet<String>,
+    /// True if a joint could not be read, so that names it would bring are not reported as missing.
+    pub is_short: bool,
+}
+
+impl Joints<'_> {
+    /// True if a joint brings this speed.
+    pub fn brings(&self, speed: &Speed) -> bool {
+        self.speeds.iter().any(|(name, _)| name.text == speed.name)
+    }
+
+    /// A speed that follows from others.
+    pub fn dependent(&self, speed: Speed) -> DependentSpeed {
+        let is_stated = self.stated_speeds.contains(&speed.name);
+        DependentSpeed { name: speed.name, definition: speed.definition, is_stated }
+    }
+
+    /// Coordinates that joints bring, each with its unit and a description.
+    pub fn coordinates(&self) -> Vec<(Located, Unit, String)> {
+        let mut list = Vec::new();
+        for joint in self.list.iter().filter(|joint| joint.carries) {
+            for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
+                let unit = if let Freedom::Along(_) = freedom { Unit::new(1, 0, 0) } else { Unit::default() };
+                let about = match freedom {
+                    Freedom::Along(axis) => format!("way along axis {} of {}", axis + 1, joint.what),
+                    Freedom::About(axis) | Freedom::Screwed(axis) => {
+                        format!("turn about axis {} of {}", axis + 1, joint.what)
+                    }
+                    Freedom::Parameter => format!("Euler parameter of {}", joint.what),
+                };
+                list.push((name.clone(), unit, about.replace('`', "")));
+            }
+        }
+        list
+    }
+}
+
+impl<'a> Loading<'a> {
+    /// Reads `[joints]`, but for the formulas in it, which may name the coordinates that it brings.
+    pub fn joints(&mut self, table: &'a DeTable<'a>) -> Joints<'a> {
+        let mut joints = Joints::default();
+        let entries = self.section(table, "joints", &[Kind::Point, Kind::Frame, Kind::Coordinate, Kind::Speed]);
+        if entries.is_empty() {
+            return joints;
+        }
+        let keys = |section: &str| -> Vec<&str> {
+            let section = table.get(section).and_then(|v| v.get_ref().as_table());
+            section.map_or(Vec::new(), |section| section.keys().map(|key| key.get_ref().as_ref()).collect())
+        };
+        let mut frames = keys("frames");
+        let inertial = table.get("inertial").and_then(|v| v.get_ref().as_table());
+        frames.extend(inertial.and_then(|t| t.get("frame")).and_then(|v| v.get_ref().as_str()));
+        if let Some(bodies) = table.get("bodies").and_then(|v| v.get_ref().as_table()) {
+            for (name, body) in bodies {
+                let named = |key: &str, default: String| match body.get_ref().as_table().and_then(|b| b.get(key)) {
+                    Some(value) => {
+                        let text = value.get_ref().as_str().unwrap_or_default().to_owned();
+                        Located { text, span: value.span(), exact: false }
+                    }
+                    None => Located { text: default, span: name.span(), exact: false },
+                };
+                let frame = named("frame", format!("{}_frame", name.get_ref()));
+                let centre = named("centre", format!("{}_centre", name.get_ref()));
+                joints.bodies.insert(name.get_ref().to_string(), Placed { frame, centre, joint: None });
+            }
+        }
+        for (name, value) in entries {
+            let before = self.reader.errors.len();
+            if let Some(joint) = self.joint(&mut joints, &frames, name.clone(), value) {
+                joints.list.push(joint);
+                continue;
+            }
+            joints.is_short = true;
+            // What it would have brought is not missed.
+            let carried = joints.bodies.values().filter(|placed| placed.joint.as_ref() == Some(&name));
+            for placed in carried {
+                self.names.spoil(&placed.frame.text);
+                self.names.spoil(&placed.centre.text);
+            }
+            if self.reader.errors.len() == before {
+                // Its cause is reported elsewhere.
+                self.names.spoil(&name.text);
+            } else {
+                self.names.unread(&[Kind::Point, Kind::Frame, Kind::Coordinate, Kind::Rate, Kind::Speed]);
+            }
+        }
+        joints
+    }
+
+    fn joint(
+        &mut self,
+        joints: &mut Joints<'a>,
+        frames: &[&str],
+        name: Located,
+        value: &'a toml::Spanned<DeValue<'a>>,
+    ) -> Option<Joint<'a>> {
+        let what = format!("joint `{}`", shown(&name.text));
+        let entry = self.reader.table(value, &what, "[joints.NAME] with kind = \"pin\" and body = \"arm\"")?;
+        self.about(entry);
+        let body = self.jointed(joints, entry, "body", (&what, &name.span))?;
+        let placed = joints.bodies.get_mut(&body.text)?;
+        let carries = placed.joint.is_none() && !frames.contains(&placed.frame.text.as_str());
+        if carries {
+            placed.joint = Some(name.clone());
+        }
+        let stated = self.reader.need(entry, "kind", &what, &name.span)?;
+        let stated = self.reader.string(stated, "`kind`")?;
+        let Some((_, kind)) = KINDS.iter().find(|(known, _)| *known == stated.text) else {
+            let message = format!("there is no joint of the kind `{}`", shown(&stated.text));
+            self.reader.error(stated.span, message, nearest(&stated.text, KINDS.map(|(known, _)| known)));
+            return None;
+        };
+        let kind = *kind;
+        let to = match self.reader.get(entry, "to") {
+            Some(_) => Some(self.jointed(joints, entry, "to", (&what, &name.span))?),
+            None => None,
+        };
+        if to.as_ref().is_some_and(|to| to.text == body.text) {
+            self.reader.error(body.span, format!("{what} connects `{}` to itself", body.text), "name two bodies");
+            return None;
+        }
+        let along = self.reader.get(entry, "axis").filter(|axis| axis.get_ref().is_array());
+        let axes = if along.is_some() { vec![2] } else { self.axes(kind, entry, &what)? };
+        let mut keys = vec!["kind", "body", "to", "at", "turned", "about"];
+        keys.extend(if carries { &["coordinates", "speeds", "centre"][..] } else { &["body_at", "body_turned"][..] });
+        keys.extend(kind.keys());
+        self.reader.allow(entry, if carries { &what } else { "a joint that closes a loop" }, &keys);
+        if let (false, Some(along)) = (carries, along) {
+            let help = "turn its axes on both bodies by `turned` and `body_turned`";
+            self.reader.error(along.span(), "the axis of a joint that closes a loop is 1, 2 or 3", help);
+            return None;
+        }
+        if !carries && matches!(kind, JointKind::Free | JointKind::Screw) {
+            let message = format!("{what} cannot close a loop: `{}` is placed already", body.text);
+            let help = "leave out where it is placed otherwise, or state what ties it under [constraints]";
+            self.reader.error(stated.span, message, help);
+            return None;
+        }
+        let mut joint = Joint { name, entry, what, kind, axes, along, body, to, carries, coordinates: Vec::new() };
+        if carries {
+            let freedoms = kind.freedoms(&joint.axes);
+            joint.coordinates = self.joint_names(&joint, "coordinates", freedoms.len(), |at, one| {
+                if one { format!("q_{}", joint.name.text) } else { format!("q_{}_{}", joint.name.text, at + 1) }
+            })?;
+            let speeds = self.joint_speeds(&joint, &freedoms)?;
+            if self.reader.get(entry, "speeds").is_some() {
+                joints.stated_speeds.extend(speeds.iter().map(|(name, _)| name.text.clone()));
+            }
+            joints.speeds.extend(speeds);
+        }
+        Some(joint)
+    }
+
+    /// The rigid body under a key.
+    fn jointed(
+        &mut self,
+        joints: &Joints<'a>,
+        entry: &'a DeTable<'a>,
+        key: &str,
+        (what, span): (&str, &Range<usize>),
+    ) -> Option<Located> {
+        let value = self.reader.need(entry, key, what, span)?;
+        let name = self.reader.string(value, &format!("`{key}`"))?;
+        if joints.bodies.contains_key(&name.text) {
+            return Some(name);
+        }
+        let message = format!("there is no rigid body `{}`", shown(&name.text));
+        let mut known: Vec<&str> = joints.bodies.keys().map(String::as_str).collect();
+        known.sort_unstable();
+        self.reader.error_once(name.span, message, nearest(&name.text, known));
+        None
+    }
+
+    /// The axes of a kind's turns, from 0.
+    fn axes(&mut self, kind: JointKind, entry: &'a DeTable<'a>, what: &str) -> Option<Vec<usize>> {
+        match kind {
+            JointKind::Weld => Some(Vec::new()),
+            JointKind::Ball | JointKind::Free => match self.reader.get(entry, "sequence") {
+                Some(value) if value.get_ref().as_str() == Some(EULER) => Some(Vec::new()),
+                Some(value) => self.sequence(value, Some(3)),
+                None => Some(vec![0, 1, 2]),
+            },
+            JointKind::Universal => {
+                let Some(value) = self.reader.get(entry, "axes") else { return Some(vec![0, 1]) };
+                let DeValue::Array(list) = value.get_ref() else {
+                    self.reader.error(value.span(), "`axes` must be an array", "write axes = [1, 2]");
+                    return None;
+                };
+                let axes: Option<Vec<usize>> = list.iter().map(|v| self.axis(v)).collect();
+                let axes = axes?;
+                if axes.len() != 2 || axes[0] == axes[1] {
+                    let message = format!("the axes of {what} are not two different ones");
+                    self.reader.error(value.span(), message, "write axes = [1, 2]");
+                    return None;
+                }
+                Some(axes)
+            }
+            _ => match self.reader.get(entry, "axis") {
+                Some(value) => Some(vec![self.axis(value)?]),
+                None => Some(vec![2]),
+            },
+        }
+    }
+
+    /// An axis of a frame, from 0.
+    pub fn axis(&mut self, value: &'a toml::Spanned<DeValue<'a>>) -> Option<usize> {
+        let axis = match value.get_ref() {
+            DeValue::Integer(n) => ["1", "2", "3"].iter().position(|a| *a == n.as_str()),
+            _ => None,
+        };
+        if axis.is_none() {
+            self.reader.error(value.span(), "the axis of a rotation is 1, 2 or 3", "write axis = 3");
+        }
+        axis
+    }
+
+    /// The axes of turns that follow one another, from 0, such as those of `"313"`.
+    pub fn sequence(&mut self, value: &'a toml::Spanned<DeValue<'a>>, count: Option<usize>) -> Option<Vec<usize>> {
+        let text = self.reader.string(value, "`sequence`")?;
+        let axes: Option<Vec<usize>> =
+            text.text.chars().map(|c| ['1', '2', '3'].iter().position(|axis| *axis == c)).collect();
+        let good = axes.filter(|axes| {
+            let follow = axes.windows(2).all(|pair| pair[0] != pair[1]);
+            follow && (1..=12).contains(&axes.len()) && count.is_none_or(|n| n == axes.len())
+        });
+        if good.is_none() {
+            let message = format!("`{}` is not a sequence of turns", shown(&text.text));
+            let help = "write the axes of the turns one after the other, such as \"313\"; neighbours differ";
+            self.reader.error(text.span, message, help);
+        }
+        good
+    }
+
+    /// The names under a key, one for each of `count`, or those by default.
+    fn joint_names(
+        &mut self,
+        joint: &Joint<'a>,
+        key: &str,
+        count: usize,
+        default: impl Fn(usize, bool) -> String,
+    ) -> Option<Vec<Located>> {
+        let Some(value) = self.reader.get(joint.entry, key) else {
+            let span = joint.name.span.clone();
+            let name = |at| Located { text: default(at, count == 1), span: span.clone(), exact: false };
+            return Some((0..count).map(name).collect());
+        };
+        let help = format!("write {key} = [\"a\", \"b\", …], a name for each way in which it moves");
+        let DeValue::Array(list) = value.get_ref() else {
+            self.reader.error(value.span(), format!("`{key}` must be an array"), help);
+            return None;
+        };
+        if list.len() != count {
+            let message = format!("{} names {} {key}, but has {count}", joint.what, list.len());
+            self.reader.error(value.span(), message, help);
+            return None;
+        }
+        list.iter().map(|item| self.reader.string(item, &format!("one of `{key}`"))).collect()
+    }
+
+    /// Speeds that a joint brings: rates of displacements and of turns. For three turns they are the components of the
+    /// angular velocity relative to the holder, in the frame of the body.
+    fn joint_speeds(&mut self, joint: &Joint<'a>, freedoms: &[Freedom]) -> Option<Vec<(Located, Located)>> {
+        let none = self.reader.get(joint.entry, "speeds").and_then(|v| v.get_ref().as_array());
+        if none.is_some_and(|list| list.iter().next().is_none()) {
+            return Some(Vec::new());
+        }
+        let parameters = freedoms.iter().filter(|freedom| **freedom == Freedom::Parameter).count();
+        let has_parameters = parameters > 0;
+        let count = freedoms.len() - usize::from(has_parameters);
+        let turns_in_space = matches!(joint.kind, JointKind::Ball | JointKind::Free);
+        let first_turn = if turns_in_space { count - 3 } else { count };
+        let names = self.joint_names(joint, "speeds", count, |at, _| {
+            let coordinate = &joint.coordinates[at].text;
+            // A component along an axis of the body is not the rate of a coordinate. It gets the number of its axis,
+            // and no letter of an angle.
+            let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit());
+            if at >= first_turn && (has_parameters || !coordinate.strip_prefix('q').is_some_and(is_number)) {
+                return format!("u_{}_{}", joint.name.text, at + 1);
+            }
+            match coordinate.strip_prefix('q') {
+                Some(rest) => format!("u{rest}"),
+                None => format!("u_{coordinate}"),
+            }
+        })?;
+        let mut formulas: Vec<String> = joint.coordinates.iter().map(|q| format!("{}'", q.text)).collect();
+        if turns_in_space {
+            let q: Vec<&str> = joint.coordinates[first_turn..].iter().map(|q| q.text.as_str()).collect();
+            let components = match q.as_slice() {
+                [w, x, y, z] => by_euler_parameters([w, x, y, z]).into(),
+                angles => angular_velocity(&joint.axes, angles),
+            };
+            formulas.splice(first_turn.., components);
+        }
+        let definition = |text, name: &Located| Located { text, span: name.span.clone(), exact: false };
+        Some(names.into_iter().zip(formulas).map(|(name, text)| (name.clone(), definition(text, &name))).collect())
+    }
+}

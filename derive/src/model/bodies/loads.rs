@@ -1,0 +1,307 @@
+//! Gravity, forces, torques and reactions, as the model file states them.
+
+use super::elements::{Elements, vector};
+use crate::algebra::Expr;
+use crate::algebra::text::parse::VelocityOf;
+use crate::diagnostic::shown;
+use crate::model::reading::names::{CONFIGURATION, DRIVEN, Kind, PARAMETERS};
+use crate::model::reading::reader::Loading;
+use crate::model::units::Unit;
+use crate::model::velocities::StatedVelocity;
+use crate::model::{Force, Gravity, NamedVelocity, Place, Reaction, ReactionKind, Torque};
+use crate::read::{Entry, Located};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+impl Elements {
+    /// Reads `[gravity]`.
+    pub fn read_gravity<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        let Some(value) = loading.reader.get(table, "gravity") else { return };
+        let what = "`gravity`";
+        let Some(entry) = loading.reader.table(value, what, "[gravity]") else { return };
+        loading.reader.allow(entry, what, &["frame", "acceleration", "zero_at"]);
+        let frame = self.frame(loading, entry, what, &value.span());
+        if let (Some(frame), Some(stated)) = (frame.filter(|f| *f != 0), loading.reader.get(entry, "frame")) {
+            let (name, inertial) = (&self.frames[frame].name, &self.frames[0].name);
+            let message = format!("gravity is stated in the frame `{name}`, not in the inertial frame `{inertial}`");
+            loading.reader.error(stated.span(), message, format!("state its components in `{inertial}`"));
+        }
+        let unit = Unit::new(1, 0, -2);
+        let acceleration = vector(loading, entry, "acceleration", what, &value.span(), PARAMETERS, &unit);
+        let zero_at = loading.reader.get(entry, "zero_at").map_or(Vec::new(), |v| zero_at(loading, v));
+        if let (Some(frame), Some(acceleration)) = (frame, acceleration) {
+            self.gravity = Some(Gravity { frame, acceleration, zero_at });
+        }
+    }
+
+    /// Reads `[forces]`.
+    pub fn read_forces<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        for (name, value) in loading.section(table, "forces", &[]) {
+            let entry = loading.entry(&name, value, Kind::Force, None, "[forces.NAME]");
+            let Some((entry, what)) = entry else { continue };
+            let keys = ["on", "at", "against", "against_at", "frame", "vector", "about"];
+            loading.reader.allow(entry, "a force", &keys);
+            let on = self.place(loading, entry, "on", "at", &what, &name.span);
+            let against = self.opposite(loading, entry, on, &what, &name.span);
+            let frame = self.frame(loading, entry, &what, &name.span);
+            let unit = Unit::new(1, 1, -2);
+            let vector = vector(loading, entry, "vector", &what, &name.span, DRIVEN, &unit);
+            if let (Some(on), Some(frame), Some(vector)) = (on, frame, vector) {
+                self.forces.push(Force {
+                    name: name.text,
+                    on,
+                    against,
+                    frame,
+                    vector,
+                    end: None,
+                    energy: None,
+                    damper: None,
+                });
+            }
+        }
+    }
+
+    /// Reads `[torques]`.
+    pub fn read_torques<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
+        for (name, value) in loading.section(table, "torques", &[]) {
+            let entry = loading.entry(&name, value, Kind::Torque, None, "[torques.NAME]");
+            let Some((entry, what)) = entry else { continue };
+            loading.reader.allow(entry, "a torque", &["on", "against", "frame", "vector", "about"]);
+            let on = loading.reader.need(entry, "on", &what, &name.span);
+            let on = on.and_then(|v| self.turned(loading, v, "on"));
+            let against = loading.reader.get(entry, "against").and_then(|v| self.turned(loading, v, "against"));
+            // What turns the ground does nothing.
+            let against = against.filter(|(frame, _)| *frame != 0);
+            let frame = self.frame(loading, entry, &what, &name.span);
+            let unit = Unit::new(2, 1, -2);
+            let vector = vector(loading, entry, "vector", &what, &name.span, DRIVEN, &unit);
+            if let (Some(on), Some(frame), Some(vector)) = (on, frame, vector) {
+                self.torques.push(Torque { name: name.text, on, against, frame, vector });
+            }
+        }
+    }
+
+    /// Reads the target of a torque, a rigid body or a frame without mass: the frame, and its body if it has one.
+    fn turned<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        value: &'a Spanned<DeValue<'a>>,
+        key: &str,
+    ) -> Option<(usize, Option<usize>)> {
+        let name = loading.reader.string(value, &format!("`{key}`"))?;
+        if loading.names.kind(&name.text) == Some(Kind::Frame) {
+            let frame = self.frames.iter().position(|f| f.name == name.text)?;
+            let body = self.bodies.iter().position(|b| b.rigid.as_ref().is_some_and(|(f, _)| *f == frame));
+            return Some((frame, body));
+        }
+        let body = self.body(loading, &name)?;
+        match &self.bodies[body].rigid {
+            Some((frame, _)) => Some((*frame, Some(body))),
+            None => {
+                let message = format!("`{}` is a particle: no torque can act on it", name.text);
+                loading.reader.error(name.span, message, "name a rigid body or a frame");
+                None
+            }
+        }
+    }
+
+    /// The rigid body that a reaction torque turns, if it is not the ground; reports any other frame.
+    fn turned_body<'a>(&self, loading: &mut Loading<'a>, entry: &'a DeTable<'a>, key: &str) -> Option<usize> {
+        let value = loading.reader.get(entry, key)?;
+        let (frame, body) = self.turned(loading, value, key)?;
+        if body.is_none() && (frame != 0 || key == "on") {
+            let message = format!("the frame `{}` carries no body that a reaction could turn", self.frames[frame].name);
+            loading.reader.error(value.span(), message, "name a rigid body");
+            return None;
+        }
+        body
+    }
+
+    /// Reads the reactions, whose names are declared already.
+    pub fn read_reactions<'a>(&mut self, loading: &mut Loading<'a>, entries: &[Entry<'a>]) {
+        for (name, value) in entries {
+            let what = format!("reaction `{}`", name.text);
+            let Some(entry) = loading.reader.table(value, &what, "[reactions.NAME]") else {
+                loading.names.spoil(&name.text);
+                continue;
+            };
+            let Some(torque) = is_torque(loading, entry) else { continue };
+            let symbol = loading.arena.symbol(&name.text);
+            let (keys, unit): (&[&str], _) = if torque {
+                (&["kind", "on", "against", "frame", "direction", "about"], Unit::new(2, 1, -2))
+            } else {
+                (&["kind", "on", "at", "against", "against_at", "frame", "direction", "about"], Unit::new(1, 1, -2))
+            };
+            loading.units.insert(symbol, unit);
+            loading.reader.allow(entry, if torque { "a reaction torque" } else { "a reaction" }, keys);
+            let frame = self.frame(loading, entry, &what, &name.span);
+            let plain = Unit::default();
+            let direction = vector(loading, entry, "direction", &what, &name.span, CONFIGURATION, &plain);
+            if let (Some([Expr::ZERO, Expr::ZERO, Expr::ZERO]), Some(value)) =
+                (direction, loading.reader.get(entry, "direction"))
+            {
+                let help = "a direction has a component that is not 0, as in [0, 0, 1]";
+                loading.reader.error(value.span(), format!("the direction of {what} is zero"), help);
+            }
+            let kind = if torque {
+                loading.reader.need(entry, "on", &what, &name.span);
+                let on = self.turned_body(loading, entry, "on");
+                let against = self.turned_body(loading, entry, "against");
+                on.map(|on| ReactionKind::Torque { on, against })
+            } else {
+                let on = self.place(loading, entry, "on", "at", &what, &name.span);
+                let against = self.opposite(loading, entry, on, &what, &name.span);
+                on.map(|on| ReactionKind::Force { on, against })
+            };
+            if let (Some(kind), Some(frame), Some(direction)) = (kind, frame, direction) {
+                self.reactions.push(Reaction {
+                    name: name.text.clone(),
+                    symbol,
+                    kind,
+                    frame,
+                    direction,
+                    is_stated: true,
+                    is_shared: false,
+                });
+            }
+        }
+    }
+
+    /// The velocities that formulas name, by their places in the lists of the model; reports a particle that is not at
+    /// the point.
+    pub fn velocities(&self, loading: &mut Loading<'_>) -> Vec<NamedVelocity> {
+        let stated = std::mem::take(&mut loading.names.velocities);
+        stated.iter().filter_map(|velocity| self.velocity(loading, velocity)).collect()
+    }
+
+    fn velocity(&self, loading: &mut Loading<'_>, stated: &StatedVelocity) -> Option<NamedVelocity> {
+        let StatedVelocity { symbol, axis, .. } = *stated;
+        let point_of = |name: &Located| self.points.iter().position(|p| p.name == name.text);
+        let frame_of = |name: &Located| self.frames.iter().position(|f| f.name == name.text);
+        let body_of = |name: &Located| self.bodies.iter().position(|b| b.name == name.text);
+        let frame = frame_of(&stated.frame)?;
+        let of = match &stated.of {
+            VelocityOf::Point(name) => VelocityOf::Point(point_of(name)?),
+            VelocityOf::Place(name) => VelocityOf::Place(point_of(name)?),
+            VelocityOf::Turning(name) => match body_of(name) {
+                Some(body) => VelocityOf::Turning(self.frame_of_body(loading, name, body)?),
+                None => VelocityOf::Turning(frame_of(name)?),
+            },
+            VelocityOf::Material(name, place) => {
+                let (body, point) = (body_of(name)?, point_of(place)?);
+                if self.bodies[body].rigid.is_none() && self.bodies[body].centre != point {
+                    let help = format!("write v({}): a particle has no material elsewhere", place.text);
+                    let message = format!("the particle `{}` is not at the point `{}`", name.text, place.text);
+                    loading.reader.error(place.span.clone(), message, help);
+                    return None;
+                }
+                VelocityOf::Material(body, point)
+            }
+        };
+        Some(NamedVelocity { symbol, of, frame, axis })
+    }
+
+    /// The frame of a rigid body; reports a particle, which has none.
+    fn frame_of_body(&self, loading: &mut Loading<'_>, name: &Located, body: usize) -> Option<usize> {
+        let frame = self.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
+        if frame.is_none() {
+            let message = format!("the particle `{}` has no angular velocity", name.text);
+            loading.reader.error(name.span.clone(), message, "name a rigid body or a frame");
+        }
+        frame
+    }
+
+    pub fn body(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
+        let known = loading.names.expect(&mut loading.reader, name, Kind::Body);
+        self.bodies.iter().position(|b| known && b.name == name.text)
+    }
+
+    /// The body and point under two keys; the point is the mass centre unless stated.
+    pub fn place<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        entry: &'a DeTable<'a>,
+        body_key: &str,
+        point_key: &str,
+        what: &str,
+        owner: &Range<usize>,
+    ) -> Option<Place> {
+        let value = loading.reader.need(entry, body_key, what, owner)?;
+        let name = loading.reader.string(value, &format!("`{body_key}`"))?;
+        let body = self.body(loading, &name);
+        let stated = loading.reader.get(entry, point_key);
+        let point = stated.and_then(|_| self.point(loading, entry, point_key, what, owner));
+        let body = body?;
+        let centre = self.bodies[body].centre;
+        let point = if stated.is_some() { point? } else { centre };
+        if self.bodies[body].rigid.is_none() && point != centre {
+            let help = "leave the point out: a force on a particle acts where the particle is";
+            let span = stated.map_or(owner.clone(), Spanned::span);
+            loading.reader.error(span, format!("the particle `{}` is not at this point", name.text), help);
+            return None;
+        }
+        Some(Place { body, point })
+    }
+
+    /// Reads where the opposite of a force acts: on the body `against`, at `against_at` or where the force acts.
+    fn opposite<'a>(
+        &self,
+        loading: &mut Loading<'a>,
+        entry: &'a DeTable<'a>,
+        on: Option<Place>,
+        what: &str,
+        owner: &Range<usize>,
+    ) -> Option<Place> {
+        let stated = loading.reader.get(entry, "against");
+        if let (None, Some(at)) = (stated, loading.reader.get(entry, "against_at")) {
+            let help = "add `against = …`, or leave `against_at` out";
+            loading.reader.error(at.span(), format!("{what} has `against_at` without `against`"), help);
+        }
+        let value = stated?;
+        if loading.reader.get(entry, "against_at").is_some() {
+            return self.place(loading, entry, "against", "against_at", what, owner);
+        }
+        let name = loading.reader.string(value, "`against`")?;
+        let body = self.body(loading, &name)?;
+        let point = if self.bodies[body].rigid.is_some() { on?.point } else { self.bodies[body].centre };
+        Some(Place { body, point })
+    }
+}
+
+/// True if a reaction is a torque, false if it is a force; reports any other kind.
+fn is_torque<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>) -> Option<bool> {
+    let Some(value) = loading.reader.get(entry, "kind") else { return Some(false) };
+    let kind = loading.reader.string(value, "`kind`")?;
+    match kind.text.as_str() {
+        "force" => Some(false),
+        "torque" => Some(true),
+        other => {
+            let message = format!("unknown kind of reaction: `{}`", shown(other));
+            loading.reader.error(kind.span, message, "a reaction is a \"force\" or a \"torque\"");
+            None
+        }
+    }
+}
+
+fn zero_at<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Vec<(Expr, Expr)> {
+    let mut pairs = Vec::new();
+    let Some(entry) = loading.reader.table(value, "`zero_at`", "{ q2 = 0 }") else { return pairs };
+    for (name, value) in loading.reader.entries(entry) {
+        if !loading.names.expect(&mut loading.reader, &name, Kind::Coordinate) {
+            continue;
+        }
+        let Some(formula) = loading.reader.formula(value, "a coordinate's value") else { continue };
+        let symbol = loading.arena.symbol(&name.text);
+        let Some(unit) = loading.units.get(&symbol).cloned() else { continue };
+        let what = "a coordinate's value";
+        // A plain number is in the coordinate's own unit.
+        let plain = loading.names.formula(&mut loading.reader, &mut loading.arena, &formula, PARAMETERS, what);
+        let Some(e) = plain else { continue };
+        if loading.arena.as_number(e).is_none() {
+            loading.quantity(&formula, PARAMETERS, &unit, what);
+        }
+        pairs.push((symbol, e));
+    }
+    pairs
+}

@@ -1,0 +1,11 @@
+//! Frames, points, bodies and joints, the loads on them, and shapes.
+
+pub(super) mod elements;
+pub(super) mod friction;
+pub(super) mod joint_kinds;
+pub(super) mod joints;
+pub(super) mod loads;
+pub(super) mod motion;
+pub(super) mod potentials;
+pub(super) mod shapes;
+pub(super) mod springs;

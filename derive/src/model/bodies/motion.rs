@@ -1,0 +1,88 @@
+//! Positions and velocities of the frames and points that were read, in q and q̇.
+
+use super::elements::Elements;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::text::parse::VelocityOf;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Frames, Motion, Vector};
+use crate::model::velocities::NamedVelocity;
+use crate::model::{Coordinate, Place};
+
+/// Frames and points of a mechanism along every motion of its coordinates.
+pub struct Moving {
+    frames: Frames,
+    motion: Motion,
+    rates: Differential,
+    simplifier: Simplifier,
+}
+
+impl Moving {
+    /// The motion of elements without errors.
+    pub fn new(arena: &mut Arena, elements: &Elements, coordinates: &[Coordinate]) -> Self {
+        let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let mut rates = Differential::along(&rates);
+        let mut frames = Frames::new(&elements.frames);
+        let motion = Motion::new(arena, &mut frames, &elements.frames, &elements.points, &mut rates);
+        Self { frames, motion, rates, simplifier: Simplifier::default() }
+    }
+
+    /// Component of a velocity or position that a formula names.
+    pub fn named(&mut self, arena: &mut Arena, elements: &Elements, name: &NamedVelocity) -> Expr {
+        let vector = match name.of {
+            VelocityOf::Material(body, point) => self.material(arena, elements, body, point),
+            VelocityOf::Point(point) => self.motion.linear[point].clone(),
+            VelocityOf::Turning(frame) => self.motion.angular[frame].clone(),
+            VelocityOf::Place(point) => self.motion.positions[point].clone(),
+        };
+        self.component(arena, &vector, name.frame, name.axis)
+    }
+
+    /// One component of a vector, simplified.
+    pub fn component(&mut self, arena: &mut Arena, vector: &Vector, frame: usize, axis: usize) -> Expr {
+        let component = self.frames.component(arena, vector, frame, axis);
+        self.simplifier.simplify(arena, component)
+    }
+
+    /// The velocity of the material of a body at a point.
+    pub fn material(&mut self, arena: &mut Arena, elements: &Elements, body: usize, point: usize) -> Vector {
+        let body = &elements.bodies[body];
+        match &body.rigid {
+            Some((frame, _)) => self.motion.of_material(arena, &mut self.frames, (*frame, body.centre), point),
+            None => self.motion.linear[body.centre].clone(),
+        }
+    }
+
+    /// The angular velocity of a frame.
+    pub fn turning(&self, frame: usize) -> Vector {
+        self.motion.angular[frame].clone()
+    }
+
+    /// From one point to another.
+    pub fn way(&self, arena: &mut Arena, from: usize, to: usize) -> Vector {
+        let back = self.motion.positions[from].neg(arena);
+        self.motion.positions[to].add(arena, &back)
+    }
+
+    /// |v|² of a vector, simplified.
+    pub fn square(&mut self, arena: &mut Arena, vector: &Vector) -> Expr {
+        let square = self.frames.dot(arena, vector, vector);
+        self.simplifier.simplify(arena, square)
+    }
+
+    /// The time derivative of a term in q.
+    pub fn rate(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        let rate = self.rates.apply(arena, e);
+        self.simplifier.simplify(arena, rate)
+    }
+
+    /// True if a body always has the same material at a point. Otherwise the work of a force there is not that along
+    /// the path of the point.
+    pub fn stays(&mut self, arena: &mut Arena, elements: &Elements, Place { body, point }: Place) -> bool {
+        let back = self.motion.linear[point].neg(arena);
+        let slip = self.material(arena, elements, body, point).add(arena, &back);
+        let components = self.frames.express(arena, &slip, 0);
+        components.iter().all(|e| zero_test(arena, *e) == ZeroTest::Zero)
+    }
+}

@@ -1,0 +1,64 @@
+//! Potentials that the file gives: energies that depend on where everything is, and on nothing else.
+
+use crate::algebra::Expr;
+use crate::algebra::term::calculus::{Gradient, Substitution};
+use crate::model::Potential;
+use crate::model::reading::names::{Kind, PLACES};
+use crate::model::reading::reader::Loading;
+use crate::model::units::Unit;
+use crate::read::Located;
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// A potential as the file states it, with the place of its formula.
+pub struct StatedPotential {
+    name: Located,
+    energy: Expr,
+    span: Range<usize>,
+}
+
+impl<'a> Loading<'a> {
+    /// Reads `[potentials]`.
+    pub fn potentials(&mut self, table: &'a DeTable<'a>) -> Vec<StatedPotential> {
+        let mut list = Vec::new();
+        for (name, value) in self.section(table, "potentials", &[]) {
+            self.names.declare(&mut self.reader, &name, Kind::Potential, None);
+            let what = format!("potential `{}`", name.text);
+            let value = match value.get_ref() {
+                DeValue::Table(entry) => {
+                    self.reader.allow(entry, "a potential", &["value", "about"]);
+                    self.about(entry);
+                    self.reader.need(entry, "value", &what, &name.span)
+                }
+                _ => Some(value),
+            };
+            let Some(formula) = value.and_then(|value| self.reader.formula(value, &what)) else { continue };
+            let Some(energy) = self.quantity(&formula, PLACES, &Unit::new(2, 1, -2), &what) else { continue };
+            list.push(StatedPotential { name, energy, span: formula.span });
+        }
+        list
+    }
+
+    /// Potentials with the positions that they name put in; reports one that exerts nothing.
+    pub fn placed_potentials(&mut self, put: &mut Substitution, stated: Vec<StatedPotential>) -> Vec<Potential> {
+        let time = self.arena.find_symbol(crate::model::TIME);
+        let mut coordinates = self.names.symbols_of(&[Kind::Coordinate]);
+        coordinates.retain(|symbol| Some(*symbol) != time);
+        let mut along = Gradient::new(&coordinates);
+        let mut list = Vec::new();
+        for StatedPotential { name, energy, span } in stated {
+            let energy = put.apply(&mut self.arena, energy);
+            if let Some(term) = put.undefined {
+                let term = crate::algebra::text::print::text(&self.arena, term);
+                let message = format!("potential `{}` divides by what is zero at all times, in {term}", name.text);
+                self.reader.error(span, message, "name places that move apart");
+            } else if along.apply(&mut self.arena, energy).is_empty() {
+                let message = format!("potential `{}` depends on no coordinate: it exerts nothing", name.text);
+                self.reader.error(span, message, "name a coordinate, a position or a distance that changes");
+            } else {
+                list.push(Potential { name: name.text, energy });
+            }
+        }
+        list
+    }
+}

@@ -1,0 +1,358 @@
+//! Shapes of a mechanism, `[shapes]` of a model file, which views draw and no equation uses.
+//!
+//! Invariant: no derived result depends on a shape. Neither does the hash of a model's text, if its shapes are at the
+//! end of the file ([`without_shapes`]).
+
+use super::elements::{Elements, vector};
+use crate::algebra::Expr;
+use crate::diagnostic::{nearest, shown};
+use crate::model::Parameter;
+use crate::model::physics::{defaults, values_at};
+use crate::model::reading::names::{Kind, PARAMETERS};
+use crate::model::reading::reader::Loading;
+use crate::model::units::Unit;
+use crate::read::{Located, Reader};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Something to be seen, fixed in a frame.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// Its name in the file.
+    pub name: String,
+    /// Description in words.
+    pub about: String,
+    /// Form of the shape.
+    pub form: ShapeForm,
+    /// The body that it belongs to, if the file says one.
+    pub body: Option<usize>,
+    /// The frame that it is fixed in.
+    pub frame: usize,
+    /// Point from which the position of its middle is measured.
+    pub point: usize,
+    /// Position of its middle relative to that point, in the frame, m.
+    pub position: [Expr; 3],
+}
+
+/// Form of a shape: lengths in m, in parameters.
+#[derive(Clone, Debug)]
+pub enum ShapeForm {
+    /// A ball about its middle.
+    Sphere {
+        /// Its radius.
+        radius: Expr,
+    },
+    /// A disk about an axis of its frame, 0, 1 or 2.
+    Disk {
+        /// The axis.
+        axis: usize,
+        /// Its radius.
+        radius: Expr,
+        /// Thickness; the disk is thin if the file states none.
+        thickness: Option<Expr>,
+    },
+    /// A cylinder about an axis of its frame, 0, 1 or 2.
+    Cylinder {
+        /// The axis.
+        axis: usize,
+        /// Its radius.
+        radius: Expr,
+        /// Its length.
+        length: Expr,
+    },
+    /// A box along the axes of its frame.
+    Box {
+        /// Its three edges.
+        size: [Expr; 3],
+    },
+    /// A line through points, one after the other.
+    Line {
+        /// The points, two at least.
+        through: Vec<usize>,
+        /// Its radius; thin if the file does not say.
+        radius: Option<Expr>,
+    },
+    /// A plane across an axis of its frame, 0, 1 or 2.
+    Ground {
+        /// The axis.
+        axis: usize,
+    },
+}
+
+impl ShapeForm {
+    /// Every length, with the key that states it.
+    #[must_use]
+    pub fn lengths(&self) -> Vec<(&'static str, Expr)> {
+        match self {
+            Self::Sphere { radius } => vec![("radius", *radius)],
+            Self::Disk { radius, thickness, .. } => {
+                [("radius", *radius)].into_iter().chain(thickness.map(|e| ("thickness", e))).collect()
+            }
+            Self::Cylinder { radius, length, .. } => vec![("radius", *radius), ("length", *length)],
+            Self::Box { size } => size.iter().map(|edge| ("size", *edge)).collect(),
+            Self::Line { radius, .. } => radius.iter().map(|radius| ("radius", *radius)).collect(),
+            Self::Ground { .. } => Vec::new(),
+        }
+    }
+}
+
+/// The kinds, each with its keys and an example.
+const KINDS: [(&str, &[&str], &str); 6] = [
+    ("sphere", &["radius"], "{ kind = \"sphere\", body = \"bob\", radius = \"r\" }"),
+    ("disk", &["radius", "thickness", "axis"], "{ kind = \"disk\", body = \"wheel\", axis = 3, radius = \"R\" }"),
+    (
+        "cylinder",
+        &["radius", "length", "axis"],
+        "{ kind = \"cylinder\", body = \"drum\", axis = 3, radius = \"r\", length = \"l\" }",
+    ),
+    ("box", &["size"], "{ kind = \"box\", body = \"crate\", size = [\"a\", \"b\", \"c\"] }"),
+    ("line", &["through", "radius"], "{ kind = \"line\", through = [\"O\", \"P\"] }"),
+    ("ground", &["axis"], "{ kind = \"ground\", axis = 3 }"),
+];
+
+/// Their names.
+pub(crate) const SHAPE_KINDS: [&str; KINDS.len()] = {
+    let mut names = [""; KINDS.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = KINDS[at].0;
+        at += 1;
+    }
+    names
+};
+
+/// Keys of every kind but a line.
+const PLACE: [&str; 4] = ["body", "frame", "at", "position"];
+
+/// One entry, as it is read.
+struct Entry<'a, 'b> {
+    table: &'a DeTable<'a>,
+    what: &'b str,
+    owner: &'b Range<usize>,
+}
+
+impl<'a> Loading<'a> {
+    /// Reads `[shapes]`. Names of shapes are theirs alone: a disk may be called as the body is.
+    pub fn shapes(&mut self, table: &'a DeTable<'a>, elements: &Elements, parameters: &[Parameter]) -> Vec<Shape> {
+        let mut list = Vec::new();
+        for (name, value) in self.section(table, "shapes", &[]) {
+            if name.text.trim().is_empty() {
+                self.reader.error(name.span, "a shape has no name", "name it, such as [shapes.wheel]");
+                continue;
+            }
+            let what = format!("shape `{}`", shown(&name.text));
+            let Some(table) = self.reader.table(value, &what, KINDS[0].2) else { continue };
+            let before = self.reader.errors.len();
+            let shape = self.shape(elements, &name, &Entry { table, what: &what, owner: &name.span });
+            let Some(shape) = shape.filter(|_| self.reader.errors.len() == before) else { continue };
+            self.positive_lengths(parameters, &shape, &name.span, table);
+            list.push(shape);
+        }
+        list
+    }
+
+    fn shape(&mut self, elements: &Elements, name: &Located, entry: &Entry<'a, '_>) -> Option<Shape> {
+        let kind = self.reader.need(entry.table, "kind", entry.what, entry.owner)?;
+        let kind = self.reader.string(kind, "`kind`")?;
+        let Some((kind, keys, _)) = KINDS.iter().find(|(known, ..)| *known == kind.text) else {
+            let message = format!("there is no kind of shape `{}`", shown(&kind.text));
+            self.reader.error(kind.span, message, nearest(&kind.text, KINDS.iter().map(|(known, ..)| *known)));
+            return None;
+        };
+        let place: &[&str] = if *kind == "line" { &[] } else { &PLACE };
+        let article = if *kind == "ground" { "the ground".to_owned() } else { format!("a {kind}") };
+        self.reader.allow(entry.table, &article, &[&["kind", "about"], *keys, place].concat());
+        let about = self.about(entry.table);
+        let form = self.form(elements, kind, entry);
+        let (body, frame, point) =
+            if *kind == "line" { (None, 0, 0) } else { self.where_it_is(elements, kind, entry)? };
+        let position = match self.reader.get(entry.table, "position") {
+            Some(_) => {
+                let metre = Unit::new(1, 0, 0);
+                vector(self, entry.table, "position", entry.what, entry.owner, PARAMETERS, &metre)?
+            }
+            None => [Expr::ZERO; 3],
+        };
+        Some(Shape { name: name.text.clone(), about, form: form?, body, frame, point, position })
+    }
+
+    fn form(&mut self, elements: &Elements, kind: &str, entry: &Entry<'a, '_>) -> Option<ShapeForm> {
+        let axis = match self.reader.get(entry.table, "axis") {
+            Some(value) => self.shape_axis(value)?,
+            None => 2,
+        };
+        Some(match kind {
+            "sphere" => ShapeForm::Sphere { radius: self.size(entry, "radius")? },
+            "disk" => {
+                let thickness = self.optional_size(entry, "thickness");
+                ShapeForm::Disk { axis, radius: self.size(entry, "radius")?, thickness }
+            }
+            "cylinder" => {
+                let length = self.size(entry, "length");
+                ShapeForm::Cylinder { axis, radius: self.size(entry, "radius")?, length: length? }
+            }
+            "box" => {
+                let metre = Unit::new(1, 0, 0);
+                let size = vector(self, entry.table, "size", entry.what, entry.owner, PARAMETERS, &metre)?;
+                ShapeForm::Box { size }
+            }
+            "line" => {
+                let radius = self.optional_size(entry, "radius");
+                ShapeForm::Line { through: self.through(elements, entry)?, radius }
+            }
+            _ => ShapeForm::Ground { axis },
+        })
+    }
+
+    fn shape_axis(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<usize> {
+        let axis = match value.get_ref() {
+            DeValue::Integer(n) => ["1", "2", "3"].iter().position(|axis| *axis == n.as_str()),
+            _ => None,
+        };
+        if axis.is_none() {
+            self.reader.error(value.span(), "the axis of a shape is 1, 2 or 3", "write axis = 3");
+        }
+        axis
+    }
+
+    /// A length that must be there.
+    fn size(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
+        self.reader.need(entry.table, key, entry.what, entry.owner)?;
+        self.optional_size(entry, key)
+    }
+
+    /// A length that may be absent; one that is wrong is reported, and the shape with it left out.
+    fn optional_size(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
+        let value = self.reader.get(entry.table, key)?;
+        let formula = self.reader.formula(value, &format!("`{key}`"))?;
+        let what = format!("the {key} of {}", entry.what);
+        self.quantity(&formula, PARAMETERS, &Unit::new(1, 0, 0), &what)
+    }
+
+    /// The points of a line.
+    fn through(&mut self, elements: &Elements, entry: &Entry<'a, '_>) -> Option<Vec<usize>> {
+        let value = self.reader.need(entry.table, "through", entry.what, entry.owner)?;
+        let help = "name two points or more, such as through = [\"O\", \"P\"]";
+        let DeValue::Array(array) = value.get_ref() else {
+            self.reader.error(value.span(), "`through` must be a list of points", help);
+            return None;
+        };
+        if array.len() < 2 {
+            self.reader.error(value.span(), format!("{} goes through fewer than two points", entry.what), help);
+            return None;
+        }
+        let points: Vec<Option<usize>> = array
+            .iter()
+            .map(|name| {
+                let name = self.reader.string(name, "a point of `through`")?;
+                let known = self.names.expect(&mut self.reader, &name, Kind::Point);
+                elements.points.iter().position(|point| known && point.name == name.text)
+            })
+            .collect();
+        points.into_iter().collect()
+    }
+
+    /// The body, the frame and the point of a shape: those of its body, unless it names others.
+    fn where_it_is(
+        &mut self,
+        elements: &Elements,
+        kind: &str,
+        entry: &Entry<'a, '_>,
+    ) -> Option<(Option<usize>, usize, usize)> {
+        let body = match self.reader.get(entry.table, "body") {
+            None => None,
+            Some(value) => {
+                let name = self.reader.string(value, "`body`")?;
+                let known = self.names.expect(&mut self.reader, &name, Kind::Body);
+                Some(elements.bodies.iter().position(|body| known && body.name == name.text)?)
+            }
+        };
+        let stated = |loading: &Self, key: &str| loading.reader.get(entry.table, key).is_some();
+        let has_place = body.is_some() || kind == "ground" || (stated(self, "frame") && stated(self, "at"));
+        if !has_place {
+            let help = "add `body = …`, or both `frame = …` and `at = …`";
+            self.reader.error(entry.owner.clone(), format!("{} is nowhere", entry.what), help);
+            return None;
+        }
+        let of_body = body.map(|body| &elements.bodies[body]);
+        let frame = if stated(self, "frame") {
+            elements.frame(self, entry.table, entry.what, entry.owner)
+        } else {
+            Some(of_body.and_then(|body| body.rigid.as_ref()).map_or(0, |(frame, _)| *frame))
+        };
+        let point = if stated(self, "at") {
+            elements.point(self, entry.table, "at", entry.what, entry.owner)
+        } else {
+            Some(of_body.map_or(0, |body| body.centre))
+        };
+        Some((body, frame?, point?))
+    }
+
+    /// Reports lengths that are nothing at the default values.
+    fn positive_lengths(
+        &mut self,
+        parameters: &[Parameter],
+        shape: &Shape,
+        owner: &Range<usize>,
+        table: &'a DeTable<'a>,
+    ) {
+        let known = defaults(parameters);
+        for (key, length) in shape.form.lengths() {
+            let value = values_at(&self.arena, &known, &[length]).map(|values| values[0]);
+            if let Some(value) = value.filter(|value| value.is_nan() || *value <= 0.0) {
+                let span = self.reader.get(table, key).map_or_else(|| owner.clone(), Spanned::span);
+                let message = format!("the {key} of shape `{}` is {value} at the default values", shown(&shape.name));
+                self.reader.error(span, message, "what can be seen is longer than 0");
+            }
+        }
+    }
+}
+
+/// Text of a model without the sections `[shapes]` at its end, and without blank lines before them: all that equations
+/// are derived from.
+///
+/// Shapes elsewhere in the file stay; so does text that only looks like them, such as a line in a longer text.
+#[must_use]
+pub fn without_shapes(text: &str) -> &str {
+    let is_shapes = |line: &str| line.starts_with("[shapes]") || line.starts_with("[shapes.");
+    let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
+    let mut headers = starts.filter(|at| text[*at..].starts_with('[')).skip_while(|at| !is_shapes(&text[*at..]));
+    let Some(first) = headers.next() else { return text };
+    if !headers.all(|at| is_shapes(&text[at..])) {
+        return text;
+    }
+    let mut rest = &text[..first];
+    while rest.ends_with("\n\n") {
+        rest = &rest[..rest.len() - 1];
+    }
+    // If this cuts through a text or a list, the rest is no longer a valid file.
+    let source = crate::diagnostic::Source::from_text("model.toml", rest);
+    if Reader::parse(&source).is_ok() { rest } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_shapes;
+
+    /// Goal: only shapes at the end are left out. Method: texts with them there, elsewhere, and in what is no section.
+    #[test]
+    fn shapes_at_the_end_of_a_file_are_no_part_of_its_equations() {
+        let model = "name = \"a\"\n[points]\nP = 1\n";
+        for shapes in
+            ["[shapes]\nx = 1\n", "\n\n[shapes]\n# a\nx = { y = 1 }\n", "[shapes.x]\ny = 1\n[shapes.z]\ny = 2\n"]
+        {
+            assert_eq!(without_shapes(&format!("{model}{shapes}")), model, "{shapes}");
+        }
+        for whole in [
+            model.to_owned(),
+            format!("[shapes]\nx = 1\n{model}[points]\n"),
+            format!("{model}[shapes]\nx = 1\n[frames]\n"),
+            format!("{model}about = \"\"\"\n[shapes]\n\"\"\"\n"),
+            format!("{model}list = [\n[shapes]\n]\n"),
+            format!("{model}[shapesque]\nx = 1\n"),
+        ] {
+            assert_eq!(without_shapes(&whole), whole);
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Springs and dampers between two points.
+//!
+//! A spring of stiffness k and free length l₀, and a damper c, pull the ends together with the force k (d − l₀) + c ḋ,
+//! where d is their distance. At rest the potential is k (d − l₀)²/2.
+
+use super::elements::Elements;
+use super::motion::Moving;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Expr, Function, Rational};
+use crate::model::reading::names::{Kind, PARAMETERS};
+use crate::model::reading::reader::Loading;
+use crate::model::units::Unit;
+use crate::model::{Force, Place};
+use crate::read::Located;
+use toml::de::DeTable;
+
+/// A spring as the file states it.
+pub struct StatedSpring {
+    name: Located,
+    on: Place,
+    /// The body at the other end; the ground if there is none.
+    against: Option<usize>,
+    /// The point at the other end.
+    to: usize,
+    stiffness: Expr,
+    free_length: Expr,
+    damping: Expr,
+}
+
+impl<'a> Loading<'a> {
+    /// Reads `[springs.NAME]`.
+    pub fn springs(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedSpring> {
+        let mut list = Vec::new();
+        for (name, value) in self.section(table, "springs", &[]) {
+            let example = "[springs.NAME] with on = \"bob\", against_at = \"O\" and stiffness = \"k\"";
+            let Some((entry, what)) = self.entry(&name, value, Kind::Force, None, example) else { continue };
+            let keys = ["on", "at", "against", "against_at", "stiffness", "free_length", "damping", "about"];
+            self.reader.allow(entry, "a spring", &keys);
+            let on = elements.place(self, entry, "on", "at", &what, &name.span);
+            let against = match self.reader.get(entry, "against") {
+                Some(_) => elements
+                    .place(self, entry, "against", "against_at", &what, &name.span)
+                    .map(|p| (Some(p.body), p.point)),
+                None => elements.point(self, entry, "against_at", &what, &name.span).map(|point| (None, point)),
+            };
+            if self.reader.get(entry, "stiffness").is_none() && self.reader.get(entry, "damping").is_none() {
+                let message = format!("{what} has neither `stiffness` nor `damping`");
+                self.reader.error(
+                    name.span.clone(),
+                    message,
+                    "add stiffness = \"k\", in N/m, or damping = \"c\", in N*s/m",
+                );
+                continue;
+            }
+            let stiffness = self.spring_number(entry, "stiffness", &Unit::new(0, 1, -2));
+            let free_length = self.spring_number(entry, "free_length", &Unit::new(1, 0, 0));
+            let damping = self.spring_number(entry, "damping", &Unit::new(0, 1, -1));
+            if let (Some(on), Some((against, to)), Some(stiffness), Some(free_length), Some(damping)) =
+                (on, against, stiffness, free_length, damping)
+            {
+                list.push(StatedSpring { name, on, against, to, stiffness, free_length, damping });
+            }
+        }
+        list
+    }
+
+    /// A formula of parameters under a key; 0 if it is left out.
+    fn spring_number(&mut self, entry: &'a DeTable<'a>, key: &str, unit: &Unit) -> Option<Expr> {
+        let Some(value) = self.reader.get(entry, key) else { return Some(Expr::ZERO) };
+        let what = format!("`{key}`");
+        let formula = self.reader.formula(value, &what)?;
+        self.quantity(&formula, PARAMETERS, unit, &what)
+    }
+
+    /// Forces of springs. Reports a spring whose ends coincide at all times, or of which an end moves in its body.
+    pub fn spring_forces(
+        &mut self,
+        moving: &mut Moving,
+        elements: &Elements,
+        springs: Vec<StatedSpring>,
+    ) -> Vec<Force> {
+        let mut list = Vec::new();
+        for StatedSpring { name, on, against, to, stiffness, free_length, damping } in springs {
+            let way = moving.way(&mut self.arena, on.point, to);
+            let square = moving.square(&mut self.arena, &way);
+            if zero_test(&self.arena, square) == ZeroTest::Zero {
+                let message = format!("both ends of spring `{}` are in one place at all times", name.text);
+                self.reader.error(name.span, message, "name two points that move apart");
+                continue;
+            }
+            let other = against.map(|body| Place { body, point: to });
+            let ends = [Some(on), other];
+            if let Some(end) = ends.into_iter().flatten().find(|end| !moving.stays(&mut self.arena, elements, *end)) {
+                let (point, body) = (&elements.points[end.point].name, &elements.bodies[end.body].name);
+                let message = format!("the end `{point}` of spring `{}` moves in `{body}`", name.text);
+                self.reader.error(name.span, message, "fix each end to a point of its body");
+                continue;
+            }
+            let arena = &mut self.arena;
+            let distance = arena.apply(Function::Sqrt, square);
+            let stretch = arena.sub(distance, free_length);
+            let lengthening = moving.rate(arena, distance);
+            let (elastic, viscous) = (arena.mul(stiffness, stretch), arena.mul(damping, lengthening));
+            let pull = arena.add(elastic, viscous);
+            let Some(by_length) = arena.div(pull, distance) else { continue };
+            let vector = [0, 1, 2].map(|axis| {
+                let component = moving.component(arena, &way, 0, axis);
+                arena.mul(by_length, component)
+            });
+            let half = Rational::fraction(1, 2).expect("not zero");
+            let energy = arena.product(&[stiffness, stretch, stretch]);
+            let energy = Some(arena.scale(energy, &half));
+            let damper = Some([damping, lengthening]);
+            list.push(Force { name: name.text, on, against: other, frame: 0, vector, end: Some(to), energy, damper });
+        }
+        list
+    }
+}

@@ -1,0 +1,89 @@
+//! Decisions made in the closed poses of a mechanism: the constraints that follow from others there, and the joint
+//! speeds that determine the motion best.
+
+use super::closed_poses::{Closed, Dependent, Poses, reach};
+use super::motion::Ties;
+use crate::algebra::Expr;
+use crate::algebra::solve::linear::LinearForm;
+use crate::model::reading::reader::Loading;
+use crate::model::{Coordinate, DependentConstraint, Tie, Unit};
+use std::ops::{Range, RangeInclusive};
+
+impl Loading<'_> {
+    /// Takes constraints that follow from others wherever the loops are closed out of the independent ones. Where there
+    /// are too many speeds, it chooses among those that joints bring (`brought`). Without closed poses it takes out
+    /// those of `also`, whose rates follow from the others everywhere.
+    pub fn when_closed(
+        &mut self,
+        coordinates: &[Coordinate],
+        (speeds, brought): (&[Expr], &[bool]),
+        (defaults, also): (&[(Expr, f64)], Range<usize>),
+        ties: &mut Ties,
+    ) {
+        if ties.loops.is_empty() {
+            return;
+        }
+        let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
+        let Some(closed) = self.closed_poses(coordinates, (speeds, declared), defaults, ties) else {
+            for at in also.rev() {
+                take_out(ties, at);
+            }
+            return;
+        };
+        let count = ties.motion.len();
+        ties.branch = Some(closed.branch().clone());
+        let (stated, may_go): (Vec<usize>, Vec<usize>) = (0..speeds.len()).partition(|at| !brought[*at]);
+        let kept: Vec<usize> = closed.independent().iter().copied().chain(stated.iter().map(|at| count + at)).collect();
+        let wanted = coordinates.len().saturating_sub(kept.len());
+        if may_go.len() > wanted {
+            let among = may_go.iter().map(|at| count + at).collect();
+            let chosen = closed.choose(kept, among, wanted);
+            ties.speeds = Some(stated.into_iter().chain(chosen.into_iter().map(|row| row - count)).collect());
+        }
+        let names: Vec<String> = ties.motion.iter().map(|(c, _)| c.name.clone()).collect();
+        for Dependent { at, of } in closed.dependent().iter().rev() {
+            let (name, equation) = take_out(ties, *at);
+            let of = of.iter().map(|at| names[*at].clone()).collect();
+            ties.dependent.insert(0, DependentConstraint { name, equation, of, poses: closed.count() });
+        }
+    }
+
+    /// Slopes of constraints and speeds in closed poses, on a branch with as many freedoms as are declared; `None` if
+    /// none are found.
+    fn closed_poses(
+        &mut self,
+        coordinates: &[Coordinate],
+        (speeds, declared): (&[Expr], RangeInclusive<usize>),
+        defaults: &[(Expr, f64)],
+        ties: &Ties,
+    ) -> Option<Closed> {
+        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
+        let mut form = LinearForm::new(&rates);
+        let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(speeds.iter().copied());
+        let rows: Result<Vec<Vec<Expr>>, _> =
+            equations.map(|e| form.coefficients(&mut self.arena, e).map(|(row, _)| row)).collect();
+        // A row that is not linear is reported where the rates are solved for.
+        let rows = rows.ok()?;
+        let lengths = defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
+        let reach = reach(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
+        let places: Vec<Expr> = coordinates.iter().map(|c| c.symbol).collect();
+        let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
+        let poses = Poses { known: defaults, coordinates: &places, reach: &reach, loops: &equations, flat: 0.0 };
+        let count = ties.motion.len();
+        Closed::new(&mut self.arena.clone(), &poses, (count, &rows), declared)
+    }
+}
+
+/// Takes a constraint out of the independent ones; if it closes a loop, it continues to do that. Returns its name, and
+/// the expression that is zero if the constraint is between velocities.
+fn take_out(ties: &mut Ties, at: usize) -> (String, Option<Expr>) {
+    let (constraint, _) = ties.motion.remove(at);
+    let Tie::Loop(place) = constraint.tie else { return (constraint.name, Some(constraint.equation)) };
+    ties.closed.insert(0, ties.loops.remove(place));
+    for (other, _) in &mut ties.motion {
+        if let Tie::Loop(at) = &mut other.tie {
+            *at -= usize::from(*at > place);
+        }
+    }
+    (constraint.name, None)
+}

@@ -1,0 +1,460 @@
+//! Closed poses of a mechanism with loops, at the default values of its parameters, and the constraints that are
+//! independent there.
+//!
+//! Loops may tie more at random places than when closed. Six pins in space prevent all motion of six bars, except
+//! for special lengths. In the closed poses of such bars, one equation follows from the others (R. Bricard 1897). So
+//! independence is decided in closed poses, in doubles. Values that count as zero are far below the smallest value that
+//! does not.
+//! The poses are found by the method of Levenberg and Marquardt. If its damping is the square of the residual, it
+//! converges quadratically to solutions that are not isolated (N. Yamashita & M. Fukushima 2001).
+
+use crate::algebra::Arena;
+use crate::algebra::Expr;
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::value::evaluate::Tape;
+use crate::model::constraint::Branch;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+
+/// Largest number of random starts of a search for closed poses, which is smaller for large mechanisms. `ENOUGH` poses
+/// end the search, and `STEPS` bounds the steps from one start.
+const TRIES: usize = 40;
+const ENOUGH: usize = 6;
+const STEPS: usize = 200;
+/// Number of poses on a walk through closed poses. `STRIDE` is the step between them, over the reach of the
+/// coordinates. Mechanisms with more than `WALKED` loops are not walked.
+const WALK: usize = 60;
+const STRIDE: f64 = 0.05;
+const WALKED: usize = 24;
+/// Largest number of loops for which poses are also found by closing one loop after another. There are `GROWTHS` random
+/// starts, and walks from `WAYS` of the poses found.
+const GROWN: usize = 60;
+const GROWTHS: usize = 16;
+const WAYS: usize = 2;
+/// Residual up to which a loop counts as closed, over the length of its row of slopes.
+const CLOSED: f64 = 1e-13;
+/// Residual above which a row of length 1 is independent of the others, which are projected out of it.
+const INDEPENDENT: f64 = 1e-6;
+/// Residual below which such a row depends on the others. A residual between the two bounds decides nothing.
+const DEPENDENT: f64 = 1e-8;
+
+/// Equations between coordinates, and the ranges from which coordinates are drawn.
+pub struct Poses<'m> {
+    pub known: &'m [(Expr, f64)],
+    pub coordinates: &'m [Expr],
+    /// Largest absolute value at which a coordinate is drawn: π for angles, a length of the mechanism for distances.
+    pub reach: &'m [f64],
+    pub loops: &'m [Expr],
+    /// Additional residual allowed for each equation, over the norm of all slopes, since an equation may have no slope
+    /// of its own in the pose; 0 if every equation has one.
+    pub flat: f64,
+}
+
+/// A constraint that follows from others in every closed pose that was found.
+pub struct Dependent {
+    /// Index of the constraint; `of` has the indices of the others.
+    pub at: usize,
+    pub of: Vec<usize>,
+}
+
+/// Slopes of constraints, and of speeds that may be chosen, in closed poses: rows of length 1.
+pub struct Closed {
+    poses: Vec<DMatrix<f64>>,
+    /// Indices of the rows that are independent of those before them, in order, in the pose where most rows are
+    /// independent.
+    independent: Vec<usize>,
+    /// The dependent rows, each with those that it follows from.
+    dependent: Vec<Dependent>,
+    branch: Branch,
+}
+
+/// Coordinates, slopes, and independent rows of one closed pose.
+struct Found {
+    q: Vec<f64>,
+    matrix: DMatrix<f64>,
+    rows: Rows,
+}
+
+/// Rows that are independent of those before them, and rows that depend on them.
+struct Rows {
+    independent: Vec<usize>,
+    dependent: Vec<Dependent>,
+    /// Smallest residual of an independent row, and largest residual of a dependent one.
+    left: (f64, f64),
+}
+
+/// A generator of numbers that are the same on every machine (G. Marsaglia 2003, xorshift64*).
+pub struct Chance(u64);
+
+impl Chance {
+    /// A generator that gives equal numbers in every run.
+    pub fn new() -> Self {
+        Self(SEED)
+    }
+
+    /// Between -1 and 1.
+    pub fn draw(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        let bits = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11;
+        #[allow(clippy::cast_precision_loss, reason = "53 bits")]
+        let unit = bits as f64 / (1_u64 << 53) as f64;
+        2.0 * unit - 1.0
+    }
+}
+
+/// Seed of the random numbers.
+const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
+
+/// Factor by which the least singular value of a later choice must exceed that of the first in order.
+const BETTER: f64 = 1.5;
+
+impl Closed {
+    /// Rows in q of constraints and then of speeds, in poses where the loops are closed. The poses are on a branch with
+    /// as many freedoms as are `declared`, if there is one. `None` if no pose was found, or a value is not known.
+    pub fn new(
+        arena: &mut Arena,
+        poses: &Poses<'_>,
+        (constraints, rows): (usize, &[Vec<Expr>]),
+        declared: RangeInclusive<usize>,
+    ) -> Option<Self> {
+        let of_loops = poses.tape(arena)?;
+        let flat: Vec<Expr> = rows.iter().flatten().copied().collect();
+        let tape = Tape::new(arena, &poses.inputs(), &flat).ok()?;
+        let judged = |q: Vec<f64>| {
+            let values = tape.evaluate(&poses.with_known(&q));
+            let mut matrix = DMatrix::from_row_slice(rows.len(), poses.coordinates.len(), &values);
+            for mut row in matrix.row_iter_mut() {
+                row.normalize_mut();
+            }
+            let rows = dependent_rows(&matrix, constraints)?;
+            Some(Found { q, matrix, rows })
+        };
+        let freedoms = |found: &Found| poses.coordinates.len() - found.rows.independent.len();
+        let is_declared = |found: &Found| declared.contains(&freedoms(found));
+        let mut all: Vec<Found> = poses.find(&of_loops).into_iter().filter_map(judged).collect();
+        // Random poses come to where most may move, though a mechanism is meant to be assembled otherwise.
+        if !all.iter().any(is_declared) || all.iter().any(|found| freedoms(found) != freedoms(&all[0])) {
+            let moves = |found: &&Found| is_declared(found) && (freedoms(found) > 0 || *declared.end() == 0);
+            let best = |list: &[Found]| list.iter().filter(moves).map(|found| found.rows.independent.len()).max();
+            let grown: Vec<Found> = poses.grown(&of_loops).into_iter().filter_map(judged).collect();
+            if best(&grown) > best(&all) {
+                all.extend(grown);
+            }
+        }
+        let larger = all.iter().max_by_key(|found| freedoms(found)).map(|found| (freedoms(found), found.q.clone()));
+        if all.iter().any(is_declared) {
+            all.retain(is_declared);
+        }
+        // A mechanism that is closed the other way round, or only in one pose, may be unable to move there. Such a pose
+        // says nothing of the poses in which it moves.
+        let moves = |found: &Found| found.rows.independent.len() < poses.coordinates.len();
+        if all.iter().filter(|found| moves(found)).count() > ENOUGH {
+            all.retain(moves);
+        }
+        // At singular poses more is dependent than elsewhere: they say nothing of the others.
+        let most = all.iter().map(|found| found.rows.independent.len()).max()?;
+        all.retain(|found| found.rows.independent.len() == most);
+        let branch = Branch {
+            pose: all[0].q.clone(),
+            poses: all.len(),
+            constraints,
+            rank: most,
+            independent: all.iter().map(|found| found.rows.left.0).fold(f64::INFINITY, f64::min),
+            larger: larger.filter(|(freedoms, _)| *freedoms > poses.coordinates.len() - most),
+            dependent: (most < constraints).then(|| all.iter().map(|found| found.rows.left.1).fold(0.0, f64::max)),
+        };
+        let mut closed = Self { poses: Vec::new(), independent: Vec::new(), dependent: Vec::new(), branch };
+        for (at, Found { matrix, rows, .. }) in all.into_iter().enumerate() {
+            closed.poses.push(matrix);
+            if at == 0 {
+                (closed.independent, closed.dependent) = (rows.independent, rows.dependent);
+            }
+        }
+        closed.choose_dependent();
+        Some(closed)
+    }
+
+    /// Number of poses in which independence was decided.
+    pub fn count(&self) -> usize {
+        self.poses.len()
+    }
+
+    /// Branch of closed poses on which independence was decided.
+    pub fn branch(&self) -> &Branch {
+        &self.branch
+    }
+
+    /// Constraints that follow from others.
+    pub fn dependent(&self) -> &[Dependent] {
+        &self.dependent
+    }
+
+    /// Least singular value of these rows over all poses: their distance from dependent rows.
+    fn least(&self, rows: &[usize]) -> f64 {
+        let value = |pose: &DMatrix<f64>| pose.select_rows(rows).singular_values().min();
+        self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Chooses the dependent row of each dependent group: the one without which the rest is farthest from dependent.
+    fn choose_dependent(&mut self) {
+        for at in 0..self.dependent.len() {
+            let Dependent { at: last, of } = &self.dependent[at];
+            let (last, of) = (*last, of.clone());
+            let mut best = (self.independent.clone(), self.least(&self.independent), last);
+            for out in &of {
+                let rest = self.independent.iter().copied().filter(|row| row != out).chain([last]);
+                let mut rows: Vec<usize> = rest.collect();
+                rows.sort_unstable();
+                let least = self.least(&rows);
+                if least > BETTER * best.1 {
+                    best = (rows, least, *out);
+                }
+            }
+            let (rows, _, out) = best;
+            let mut of: Vec<usize> = of.into_iter().chain([last]).filter(|row| *row != out).collect();
+            of.sort_unstable();
+            self.independent = rows;
+            self.dependent[at] = Dependent { at: out, of };
+        }
+        self.dependent.sort_by_key(|dependent| dependent.at);
+    }
+
+    /// Chooses up to `wanted` rows of `among` that stay independent in all poses, together with those `kept`. Rows
+    /// whose choice leaves the largest least singular value come first.
+    pub fn choose(&self, mut kept: Vec<usize>, mut among: Vec<usize>, wanted: usize) -> Vec<usize> {
+        let mut chosen = Vec::new();
+        while chosen.len() < wanted {
+            let mut best: Option<(usize, f64)> = None;
+            for (place, row) in among.iter().enumerate() {
+                let rows: Vec<usize> = kept.iter().copied().chain([*row]).collect();
+                let least = self.least(&rows);
+                if best.is_none_or(|(_, most)| least > BETTER * most) {
+                    best = Some((place, least));
+                }
+            }
+            let Some((place, _)) = best else { break };
+            let row = among.remove(place);
+            kept.push(row);
+            chosen.push(row);
+        }
+        chosen.sort_unstable();
+        chosen
+    }
+
+    /// Constraints that do not follow from others.
+    pub fn independent(&self) -> &[usize] {
+        &self.independent
+    }
+}
+
+/// The first rows that do not follow from those before them, and those that do; nothing where it is not clear.
+fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    let mut rows = Rows { independent: Vec::new(), dependent: Vec::new(), left: (f64::INFINITY, 0.0) };
+    for at in 0..count {
+        let row: DVector<f64> = matrix.row(at).transpose();
+        let mut left = row.clone();
+        // Twice, for what rounding leaves.
+        for _ in 0..2 {
+            for other in &basis {
+                left -= other * other.dot(&left);
+            }
+        }
+        let size = left.norm();
+        if size > INDEPENDENT {
+            rows.independent.push(at);
+            rows.left.0 = rows.left.0.min(size);
+            basis.push(left / size);
+        } else if size < DEPENDENT {
+            rows.dependent.push(Dependent { at, of: shares(matrix, &rows.independent, &row)? });
+            rows.left.1 = rows.left.1.max(size);
+        } else {
+            return None;
+        }
+    }
+    Some(rows)
+}
+
+/// The rows, of those kept, that a row is a sum of.
+fn shares(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
+    let shares = matrix.select_rows(kept).transpose().svd(true, true).solve(row, 1e-12).ok()?;
+    Some(kept.iter().zip(shares.iter()).filter(|(_, share)| share.abs() > INDEPENDENT).map(|(at, _)| *at).collect())
+}
+
+impl Poses<'_> {
+    fn inputs(&self) -> Vec<Expr> {
+        self.known.iter().map(|(symbol, _)| *symbol).chain(self.coordinates.iter().copied()).collect()
+    }
+
+    fn with_known(&self, q: &[f64]) -> Vec<f64> {
+        self.known.iter().map(|(_, value)| *value).chain(q.iter().copied()).collect()
+    }
+
+    /// Closed poses, from random places and on the way from those.
+    fn find(&self, tape: &Tape) -> Vec<Vec<f64>> {
+        let mut chance = Chance(SEED);
+        let mut found = self.seek(tape, &mut chance, ENOUGH);
+        if self.loops.len() <= WALKED {
+            for first in found.clone() {
+                self.walk(tape, first, &mut chance, &mut found);
+            }
+        }
+        found
+    }
+
+    /// Closed poses on the branches with the fewest freedoms, found by closing one loop after another. A search that
+    /// closes all loops at once ends where most freedoms are left.
+    fn grown(&self, tape: &Tape) -> Vec<Vec<f64>> {
+        let mut chance = Chance(SEED ^ 1);
+        let (rows, columns) = (self.loops.len(), self.coordinates.len());
+        if rows > GROWN {
+            return Vec::new();
+        }
+        let mut best: (usize, Vec<Vec<f64>>) = (0, Vec::new());
+        for _ in 0..GROWTHS {
+            let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
+            if !(1..=rows).all(|some| self.closes(tape, some, &mut q)) {
+                continue;
+            }
+            let values = tape.evaluate(&self.with_known(&q));
+            let slopes = DMatrix::from_row_slice(rows, columns, &values[rows..]);
+            let svd = slopes.singular_values();
+            let rank = svd.iter().filter(|value| **value > INDEPENDENT * svd.max()).count();
+            if rank > best.0 {
+                best = (rank, Vec::new());
+            }
+            if rank == best.0 {
+                best.1.push(q);
+            }
+        }
+        let mut found = best.1;
+        for first in found.iter().take(WAYS).cloned().collect::<Vec<_>>() {
+            self.walk(tape, first, &mut chance, &mut found);
+        }
+        found
+    }
+
+    /// Some poses, from random places alone, at most as many as are asked for; nothing where a value is not known.
+    pub fn some(&self, arena: &mut Arena, most: usize) -> Option<Vec<Vec<f64>>> {
+        let tape = self.tape(arena)?;
+        Some(self.seek(&tape, &mut Chance(SEED), most))
+    }
+
+    /// Number of random starts of a search for closed poses.
+    pub fn tries(&self) -> usize {
+        (TRIES * 1000 / (self.loops.len().pow(2) + 1)).clamp(3, TRIES)
+    }
+
+    /// The equations and their slopes.
+    fn tape(&self, arena: &mut Arena) -> Option<Tape> {
+        let mut gradient = Gradient::new(self.coordinates);
+        let mut all = self.loops.to_vec();
+        for equation in self.loops {
+            let mut slopes = vec![Expr::ZERO; self.coordinates.len()];
+            for &(at, slope) in gradient.apply(arena, *equation).iter() {
+                slopes[at] = slope;
+            }
+            all.extend(slopes);
+        }
+        Tape::new(arena, &self.inputs(), &all).ok()
+    }
+
+    fn seek(&self, tape: &Tape, chance: &mut Chance, most: usize) -> Vec<Vec<f64>> {
+        let mut found = Vec::new();
+        for _ in 0..self.tries() {
+            let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
+            if self.closes(tape, self.loops.len(), &mut q) {
+                found.push(q);
+                if found.len() == most {
+                    break;
+                }
+            }
+        }
+        found
+    }
+
+    /// Closed poses on the way from one, on and on into a direction that the loops leave open.
+    fn walk(&self, tape: &Tape, mut q: Vec<f64>, chance: &mut Chance, found: &mut Vec<Vec<f64>>) {
+        let (rows, columns) = (self.loops.len(), self.coordinates.len());
+        let start: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
+        let mut direction = DVector::from_vec(start);
+        for _ in 0..WALK {
+            let values = tape.evaluate(&self.with_known(&q));
+            let svd = DMatrix::from_row_slice(rows, columns, &values[rows..]).svd(false, true);
+            let (Some(axes), largest) = (svd.v_t, svd.singular_values.max()) else { return };
+            // Along the way so far, as far as the loops let it.
+            let mut onward = direction.clone();
+            for (axis, value) in axes.row_iter().zip(svd.singular_values.iter()) {
+                if *value > INDEPENDENT * largest {
+                    onward -= axis.transpose() * axis.transpose().dot(&direction);
+                }
+            }
+            let ahead = onward.iter().zip(self.reach).map(|(x, reach)| (x / reach).powi(2)).sum::<f64>().sqrt();
+            if ahead.is_nan() || ahead < 1e-9 {
+                return;
+            }
+            onward *= STRIDE / ahead;
+            let mut next: Vec<f64> = q.iter().zip(onward.iter()).map(|(q, step)| q + step).collect();
+            if !self.closes(tape, rows, &mut next) {
+                return;
+            }
+            direction = DVector::from_iterator(columns, next.iter().zip(&q).map(|(next, q)| next - q));
+            q.clone_from(&next);
+            found.push(next);
+        }
+    }
+
+    /// Goes to a pose in which the first `rows` loops are closed, if it comes to one.
+    fn closes(&self, tape: &Tape, rows: usize, q: &mut Vec<f64>) -> bool {
+        let (columns, all) = (q.len(), self.loops.len());
+        let at = |q: &[f64]| {
+            let values = tape.evaluate(&self.with_known(q));
+            let open = DVector::from_column_slice(&values[..rows]);
+            (open, DMatrix::from_row_slice(rows, columns, &values[all..all + rows * columns]))
+        };
+        let (mut open, mut slopes) = at(q);
+        for _ in 0..STEPS {
+            let left = open.norm_squared();
+            if !left.is_finite() {
+                return false;
+            }
+            let scale = slopes.norm_squared();
+            let flat = self.flat * scale.sqrt();
+            let is_closed = |(row, open): (usize, &f64)| open.abs() <= CLOSED * slopes.row(row).norm() + flat;
+            if open.iter().enumerate().all(is_closed) {
+                return true;
+            }
+            let mut damping = left.min(scale);
+            let mut better = None;
+            for _ in 0..20 {
+                let normal = slopes.tr_mul(&slopes) + DMatrix::identity(columns, columns) * damping;
+                let Some(factor) = normal.cholesky() else {
+                    damping = (damping * 10.0).max(1e-16 * scale);
+                    continue;
+                };
+                let step = factor.solve(&slopes.tr_mul(&open));
+                let next: Vec<f64> = q.iter().zip(step.iter()).map(|(q, step)| q - step).collect();
+                let (next_open, next_slopes) = at(&next);
+                if next_open.norm_squared() < left {
+                    better = Some((next, next_open, next_slopes));
+                    break;
+                }
+                damping = (damping * 10.0).max(1e-16 * scale);
+            }
+            let Some(better) = better else { return false };
+            (*q, open, slopes) = better;
+        }
+        false
+    }
+}
+
+/// Largest absolute values at which coordinates are drawn: π for angles, and twice the longest known length for
+/// distances (1 if no length is known).
+pub fn reach(is_angle: impl Iterator<Item = bool>, lengths: impl Iterator<Item = f64>) -> Vec<f64> {
+    let longest = lengths.fold(0.0, |most: f64, length| most.max(length.abs()));
+    let longest = if longest > 0.0 { 2.0 * longest } else { 1.0 };
+    is_angle.map(|is_angle| if is_angle { PI } else { longest }).collect()
+}

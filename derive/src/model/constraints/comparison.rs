@@ -1,0 +1,96 @@
+//! Bodies that a constraint of the file ties, and the test that it compares them.
+//!
+//! An equation compares two bodies if it stays true while both move together: along each direction the slopes of its
+//! variables sum to zero, as in `y2 = y1 + h`. A rope over a pulley, `a + b = l`, ties two bodies and compares none:
+//! the pulley carries both.
+
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::text::parse::VelocityOf;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::model::bodies::elements::Elements;
+use crate::model::contacts::Compared;
+use crate::model::reading::names::Kind;
+use crate::model::reading::reader::Loading;
+use crate::model::{Coordinate, NamedVelocity};
+
+/// A variable of an equation, with the frame and axis (0, 1 or 2) along which it moves a body and the distance for each
+/// unit; `None` if it moves the body otherwise.
+struct Tied {
+    symbol: Expr,
+    motion: Option<(usize, usize, Expr)>,
+}
+
+impl Loading<'_> {
+    /// Finds the bodies that an equation ties, before values replace its names.
+    pub fn compared(
+        &mut self,
+        elements: &Elements,
+        coordinates: &[Coordinate],
+        velocities: &[NamedVelocity],
+        equation: Expr,
+    ) -> Compared {
+        let parts = self.arena.reachable(&[equation]);
+        let names: Vec<&NamedVelocity> = velocities.iter().filter(|v| parts.contains(&v.symbol)).collect();
+        let named: Vec<VelocityOf<usize>> = names.iter().map(|v| v.of.clone()).collect();
+        let has_speeds = self.names.symbols_of(&[Kind::Speed]).iter().any(|speed| parts.contains(speed));
+        let moved = self.moved(elements, coordinates, equation);
+        let translations = names.iter().filter(|v| !matches!(v.of, VelocityOf::Turning(_)));
+        let mut tied: Vec<Tied> =
+            translations.map(|v| Tied { symbol: v.symbol, motion: Some((v.frame, v.axis, Expr::ONE)) }).collect();
+        let mut own = Vec::new();
+        // Coordinates beside several names, or beside speeds, are coefficients.
+        if names.len() <= 1 && !has_speeds {
+            for (body, symbol, coordinate) in own_variables(&self.arena, elements, coordinates, equation) {
+                own.push(body);
+                tied.push(Tied { symbol, motion: elements.axis_moved(&mut self.arena, body, coordinate) });
+            }
+            own.sort_unstable();
+            own.dedup();
+        }
+        let may_compare = !names.is_empty() || own.len() == 2;
+        let is_difference = may_compare && is_difference(&mut self.arena, &tied, equation);
+        Compared { named, own, moved, is_difference }
+    }
+
+    /// Bodies whose own coordinates an equation ties, or the rates of these if it contains any, in the order of the
+    /// file.
+    pub fn moved(&self, elements: &Elements, coordinates: &[Coordinate], equation: Expr) -> Vec<usize> {
+        let own = own_variables(&self.arena, elements, coordinates, equation);
+        let mut bodies: Vec<usize> = own.into_iter().map(|(body, ..)| body).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        bodies
+    }
+}
+
+/// Coordinates that move one body alone and stand in an equation, or the rates of these if it contains any: the body,
+/// the symbol in the equation, and the coordinate.
+fn own_variables(
+    arena: &Arena,
+    elements: &Elements,
+    coordinates: &[Coordinate],
+    equation: Expr,
+) -> Vec<(usize, Expr, Expr)> {
+    let parts = arena.reachable(&[equation]);
+    let moves = coordinates.iter().any(|c| parts.contains(&c.rate));
+    let tied = coordinates.iter().map(|c| (if moves { c.rate } else { c.symbol }, c.symbol));
+    let tied = tied.filter(|(symbol, _)| parts.contains(symbol));
+    tied.filter_map(|(symbol, coordinate)| Some((elements.placed_by(arena, coordinate)?, symbol, coordinate))).collect()
+}
+
+/// True if an equation stays true while all that it ties moves together along any of its directions; false if a
+/// direction is unknown.
+fn is_difference(arena: &mut Arena, tied: &[Tied], equation: Expr) -> bool {
+    let Some(motions) = tied.iter().map(|one| one.motion).collect::<Option<Vec<_>>>() else { return false };
+    let symbols: Vec<Expr> = tied.iter().map(|one| one.symbol).collect();
+    let slopes = Gradient::new(&symbols).apply(arena, equation);
+    let mut stays = |along: (usize, usize)| {
+        let moved = slopes.iter().filter(|(at, _)| (motions[*at].0, motions[*at].1) == along);
+        let moved: Vec<(Expr, Expr)> = moved.map(|(at, slope)| (*slope, motions[*at].2)).collect();
+        let terms: Option<Vec<Expr>> = moved.into_iter().map(|(slope, way)| arena.div(slope, way)).collect();
+        let sum = terms.map(|terms| arena.sum(&terms));
+        sum.is_some_and(|sum| zero_test(arena, sum) == ZeroTest::Zero)
+    };
+    !motions.is_empty() && motions.iter().all(|(frame, axis, _)| stays((*frame, *axis)))
+}

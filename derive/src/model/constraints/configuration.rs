@@ -1,0 +1,181 @@
+//! Constraints between coordinates, which are solved for one coordinate if possible, and constraints between
+//! velocities.
+//!
+//! A coordinate that a constraint is solved for leaves the model. A prescribed coordinate stays, tied by its
+//! constraint, if a potential pushes along it. If its value were put in, the potential would depend on time alone there
+//! and push nothing. The drive of the coordinate would then seem to need no more power than without the potential.
+
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::model::bodies::elements::Elements;
+use crate::model::reading::names::{Kind, MOTION, TIME};
+use crate::model::reading::reader::Loading;
+use crate::model::{Constraint, Coordinate, Potential};
+use crate::read::Reader;
+use std::ops::Range;
+use toml::de::DeTable;
+
+/// A constraint as read, before it is solved.
+pub struct Stated {
+    /// Its name.
+    pub name: String,
+    /// The expression that is zero.
+    pub equation: Expr,
+    /// The reaction that enforces it.
+    pub enforced_by: Option<usize>,
+    /// Byte range of the equation in the file.
+    pub span: Range<usize>,
+    /// True if the equation may follow from others: it then counts as no constraint.
+    pub may_repeat: bool,
+}
+
+impl<'a> Loading<'a> {
+    /// Reads `[constraints]`.
+    pub fn constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<Stated> {
+        let mut stated = Vec::new();
+        for (name, value) in self.section(table, "constraints", &[]) {
+            let entry = self.entry(&name, value, Kind::Constraint, None, "{ equation = \"z = 0\" }");
+            let Some((entry, what)) = entry else { continue };
+            self.reader.allow(entry, "a constraint", &["equation", "enforced_by", "about"]);
+            let enforced_by = self.reader.get(entry, "enforced_by").and_then(|v| {
+                let reaction = self.reader.string(v, "`enforced_by`")?;
+                let known = self.names.expect(&mut self.reader, &reaction, Kind::Reaction);
+                elements.reactions.iter().position(|r| known && r.name == reaction.text)
+            });
+            let Some(value) = self.reader.need(entry, "equation", &what, &name.span) else { continue };
+            let Some(text) = self.reader.string(value, "`equation`") else { continue };
+            let help = "write the equation as \"z = 0\"";
+            let Some((left, (_, right))) = self.split(&text, &["="], help) else { continue };
+            let what = "a constraint";
+            let left = self.names.formula(&mut self.reader, &mut self.arena, &left, MOTION, what);
+            let right = self.names.formula(&mut self.reader, &mut self.arena, &right, MOTION, what);
+            let (Some(left), Some(right)) = (left, right) else { continue };
+            self.know_units_of_velocities();
+            if !self.comparable(left, right, &text.span) {
+                continue;
+            }
+            let equation = self.arena.sub(left, right);
+            stated.push(Stated { name: name.text, equation, enforced_by, span: text.span, may_repeat: false });
+        }
+        stated
+    }
+}
+
+/// Constraints between coordinates, sorted out.
+pub struct Solved {
+    /// Those that were solved for a coordinate.
+    pub constraints: Vec<Constraint>,
+    /// Coordinates that they fix and the time derivatives of these, each with its replacement.
+    pub replacements: Vec<(Expr, Expr)>,
+    /// Those that could not be solved: loops.
+    pub kept: Vec<Stated>,
+    /// Names of constraints that follow from others and may do so.
+    pub repeated: Vec<String>,
+    /// The names of those of the file that are kept and name one coordinate.
+    pub prescribing: Vec<String>,
+}
+
+/// Solves the constraints one after the other, in a model with these potentials.
+pub fn solve_all(
+    reader: &mut Reader<'_>,
+    arena: &mut Arena,
+    coordinates: &mut Vec<Coordinate>,
+    potentials: &[Potential],
+    stated: Vec<Stated>,
+) -> Solved {
+    let (mut solved, mut kept, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
+    let mut replacements: Vec<(Expr, Expr)> = Vec::new();
+    let (mut prescribing, every) = (Vec::new(), own(coordinates));
+    for constraint in stated {
+        let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
+        let all = own(coordinates);
+        let mentions = |e: Expr| all.iter().any(|symbol| arena.mentions(e, *symbol));
+        let depends = equation != constraint.equation && constraint.equation != Expr::ZERO;
+        if zero_test(arena, equation) == ZeroTest::Zero {
+            if constraint.may_repeat {
+                repeated.push(constraint.name);
+                continue;
+            }
+            let name = &constraint.name;
+            let (message, help) = if depends {
+                (format!("the constraint `{name}` follows from those before it"), "remove it")
+            } else {
+                let help = "remove it, or state a relation that restricts the coordinates";
+                (format!("the constraint `{name}` is always fulfilled"), help)
+            };
+            reader.error(constraint.span, message, help);
+            continue;
+        }
+        if !mentions(equation) {
+            let name = &constraint.name;
+            let (message, help) = if depends {
+                (format!("the constraint `{name}` contradicts those before it"), "remove one of them")
+            } else if arena.as_number(equation).is_some() {
+                let help = "a holonomic constraint is an equation between coordinates";
+                (format!("the constraint `{name}` is never fulfilled"), help)
+            } else {
+                let help = "a holonomic constraint is an equation between coordinates";
+                (format!("the constraint `{name}` has no coordinate"), help)
+            };
+            reader.error(constraint.span, message, help);
+            continue;
+        }
+        let mut put = Substitution::new(&replacements);
+        let energies: Vec<Expr> = potentials.iter().map(|potential| put.apply(arena, potential.energy)).collect();
+        let Some((at, solution)) = solve_one(arena, coordinates, &energies, equation) else {
+            let named = every.iter().filter(|symbol| arena.mentions(constraint.equation, **symbol)).count();
+            if named == 1 && !constraint.may_repeat {
+                prescribing.push(constraint.name.clone());
+            }
+            kept.push(Stated { equation, ..constraint });
+            continue;
+        };
+        let fixed = coordinates.remove(at);
+        let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let rate = Differential::along(&rates).apply(arena, solution);
+        let mut earlier = Substitution::new(&[(fixed.symbol, solution), (fixed.rate, rate)]);
+        for (_, replacement) in &mut replacements {
+            *replacement = earlier.apply(arena, *replacement);
+        }
+        replacements.extend([(fixed.symbol, solution), (fixed.rate, rate)]);
+        solved.push(Constraint {
+            name: constraint.name,
+            equation: constraint.equation,
+            fixes: fixed.name,
+            value: solution,
+            enforced_by: constraint.enforced_by,
+        });
+    }
+    Solved { constraints: solved, replacements, kept, repeated, prescribing }
+}
+
+/// Coordinates other than time.
+fn own(coordinates: &[Coordinate]) -> Vec<Expr> {
+    coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
+}
+
+/// The last coordinate in which the equation is linear with a constant, nonzero factor, and its value. If the equation
+/// contains time, coordinates that these energies contain are excluded.
+fn solve_one(
+    arena: &mut Arena,
+    coordinates: &[Coordinate],
+    energies: &[Expr],
+    equation: Expr,
+) -> Option<(usize, Expr)> {
+    let is_driven = coordinates.iter().any(|c| c.name == TIME && arena.mentions(equation, c.symbol));
+    // An equation is never solved for time.
+    for (at, coordinate) in coordinates.iter().enumerate().rev().filter(|(_, c)| c.name != TIME) {
+        if is_driven && energies.iter().any(|energy| arena.mentions(*energy, coordinate.symbol)) {
+            continue;
+        }
+        let Ok((factors, rest)) = LinearForm::new(&[coordinate.symbol]).coefficients(arena, equation) else { continue };
+        let constant = !coordinates.iter().any(|c| arena.mentions(factors[0], c.symbol));
+        if constant && zero_test(arena, factors[0]) == ZeroTest::NonZero {
+            let quotient = arena.div(rest, factors[0])?;
+            return Some((at, arena.neg(quotient)));
+        }
+    }
+    None
+}

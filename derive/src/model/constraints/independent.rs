@@ -1,0 +1,319 @@
+//! Choice of independent motion constraints.
+//!
+//! Components of rolling that follow from other constraints are left out: the coordinates often already keep a body
+//! from penetrating the ground. Along some axes a component follows in most poses only. An example is two wheels on an
+//! axle: the second wheel's slip along a fixed axis of the ground tells how that wheel turns, except where it heads
+//! across the axis. So a contact whose frame the file does not state is taken along the axes of another frame. In that
+//! frame every component that follows does so in every pose, if the mechanism has such a frame.
+
+use super::closed_poses::{Poses, reach};
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::rank::{follows_everywhere, rank};
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Frames, Vector};
+use crate::model::bodies::elements::Elements;
+use crate::model::reading::names::Kind;
+use crate::model::reading::reader::Loading;
+use crate::model::{Coordinate, Loop, MotionConstraint, Repeated, Rolled, Tie, Unit};
+use crate::read::Located;
+use rustc_hash::FxHashSet;
+use std::ops::Range;
+
+/// An equation A q̇ + a = 0 before it is known to say something new.
+pub struct Candidate {
+    pub name: String,
+    pub equation: Expr,
+    pub tie: Tie,
+    pub enforced_by: Option<usize>,
+    pub span: Range<usize>,
+    pub may_repeat: bool,
+}
+
+/// Independent constraints, and those that follow from them.
+#[derive(Default)]
+pub struct Independent {
+    pub motion: Vec<(MotionConstraint, Range<usize>)>,
+    pub repeated: Vec<Repeated>,
+    /// Loops of joints whose rates follow from the others: they may be closed or open where the others are closed.
+    pub also: Vec<(MotionConstraint, Range<usize>)>,
+}
+
+/// Coordinates, elements and loops to which constraints refer.
+pub struct Given<'m> {
+    pub coordinates: &'m [Coordinate],
+    pub elements: &'m Elements,
+    /// Equations between coordinates, by their places in [`Tie::Loop`].
+    pub loops: &'m [Loop],
+    /// Default values of parameters.
+    pub defaults: &'m [(Expr, f64)],
+}
+
+/// Number of closed poses in which an equation that restricts no further velocity is tested.
+const POSES: usize = 6;
+/// Residual up to which such an equation holds in a closed pose, over its slopes and the reach of the coordinates.
+const CLOSED: f64 = 1e-8;
+
+/// Constraints taken so far, and the rows against which others are tested.
+struct Taken {
+    form: LinearForm,
+    /// Slopes along the rates, then the term without rates.
+    rows: Vec<Vec<Expr>>,
+    /// Slopes along the rates of constraints that are not contacts.
+    others: Vec<Vec<Expr>>,
+    /// The slips of contacts, all three components of each.
+    slips: Vec<Vector>,
+    frames: Frames,
+    simplifier: Simplifier,
+    /// The coordinates, and time.
+    places: FxHashSet<Expr>,
+    found: Independent,
+}
+
+impl Taken {
+    /// Slopes along the rates of an equation, without what is left at rest.
+    fn slopes(&self) -> Vec<Vec<Expr>> {
+        self.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect()
+    }
+
+    fn components(&mut self, arena: &mut Arena, slip: &Vector, frame: usize) -> [Expr; 3] {
+        let components = self.frames.express(arena, slip, frame);
+        components.map(|e| self.simplifier.simplify(arena, e))
+    }
+
+    /// True if every component of a contact along the axes of a frame that follows from other constraints does so in
+    /// every pose. It may also follow from other components. Earlier contacts are taken along the same axes: their
+    /// three components together say the same along any axes.
+    fn follow_everywhere(&mut self, arena: &mut Arena, slip: &Vector, frame: usize) -> bool {
+        let mut kept = self.others.clone();
+        for before in self.slips.clone() {
+            let components = self.components(arena, &before, frame);
+            if self.keep_independent(arena, &mut kept, &components).is_none() {
+                return true;
+            }
+        }
+        let components = self.components(arena, slip, frame);
+        let Some(left) = self.keep_independent(arena, &mut kept, &components) else { return true };
+        left.iter().all(|row| follows_everywhere(arena, &kept, row, &self.places))
+    }
+
+    /// Adds the rows of equations that are independent of those kept, and returns the others; `None` if independence is
+    /// not known.
+    fn keep_independent(
+        &mut self,
+        arena: &mut Arena,
+        kept: &mut Vec<Vec<Expr>>,
+        equations: &[Expr],
+    ) -> Option<Vec<Vec<Expr>>> {
+        let mut left = Vec::new();
+        for equation in equations {
+            let (row, _) = self.form.coefficients(arena, *equation).ok()?;
+            kept.push(row);
+            if rank(arena, kept)?.dependent.is_some() {
+                left.extend(kept.pop());
+            }
+        }
+        Some(left)
+    }
+}
+
+impl Loading<'_> {
+    /// Those that say something new, each independent of those before it; reports what contradicts or repeats others.
+    pub fn independent(&mut self, given: &Given<'_>, candidates: Vec<Candidate>) -> Independent {
+        let coordinates = given.coordinates;
+        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
+        let form = LinearForm::new(&rates);
+        let places = coordinates.iter().map(|c| c.symbol).collect();
+        let mut taken = Taken {
+            form,
+            rows: Vec::new(),
+            others: Vec::new(),
+            slips: Vec::new(),
+            frames: Frames::new(&given.elements.frames),
+            simplifier: Simplifier::default(),
+            places,
+            found: Independent::default(),
+        };
+        let mut waiting = candidates.into_iter();
+        while let Some(candidate) = waiting.next() {
+            let Tie::Rolling(rolled) = candidate.tie else {
+                self.take(&mut taken, given, candidate, true);
+                continue;
+            };
+            // The three components of a contact come one after another.
+            let mut group = vec![candidate];
+            group.extend(waiting.by_ref().take(2));
+            let everywhere = self.turn_contact(&mut taken, given.elements, rolled, &mut group);
+            for candidate in group {
+                self.take(&mut taken, given, candidate, everywhere);
+            }
+        }
+        taken.found
+    }
+
+    /// Takes a contact along the axes of another frame if a component along its own axes follows from others in most
+    /// poses only. Returns true if the components that follow then do so in every pose.
+    fn turn_contact(
+        &mut self,
+        taken: &mut Taken,
+        elements: &Elements,
+        rolled: Rolled,
+        group: &mut [Candidate],
+    ) -> bool {
+        let stated: Vec<Expr> = group.iter().map(|c| c.equation).collect();
+        let &[x, y, z] = stated.as_slice() else { return true };
+        let slip = Vector::in_frame(rolled.frame, [x, y, z]);
+        let mut everywhere = taken.follow_everywhere(&mut self.arena, &slip, rolled.frame);
+        let others = if everywhere || rolled.is_stated { Vec::new() } else { frames_at(elements, rolled) };
+        if let Some(frame) = others.into_iter().find(|frame| taken.follow_everywhere(&mut self.arena, &slip, *frame)) {
+            let turned = taken.components(&mut self.arena, &slip, frame);
+            for (candidate, equation) in group.iter_mut().zip(turned) {
+                candidate.equation = equation;
+                candidate.tie = match candidate.tie {
+                    Tie::Rolling(rolled) => Tie::Rolling(Rolled { frame, ..rolled }),
+                    tie => tie,
+                };
+            }
+            everywhere = true;
+        }
+        taken.slips.push(slip);
+        everywhere
+    }
+
+    /// Takes a candidate if it says something new; else it follows from those before it, `everywhere` or in most poses.
+    fn take(&mut self, taken: &mut Taken, given: &Given<'_>, candidate: Candidate, everywhere: bool) {
+        let Candidate { name, equation, tie, enforced_by, span, may_repeat } = candidate;
+        let (row, rest) = match taken.form.coefficients(&mut self.arena, equation) {
+            Ok(linear) => linear,
+            Err(not_linear) => {
+                let of = self.arena.symbol_name(not_linear.symbol).unwrap_or_default();
+                let message = format!(
+                    "the constraint `{name}` is not linear in velocities: its slope along {of} depends on them"
+                );
+                self.reader.error(span, message, "a motion constraint must read  Σ a_i(q) q_i' + a(q) = 0");
+                return;
+            }
+        };
+        let is_zero = |arena: &Arena, e: &Expr| zero_test(arena, *e) == ZeroTest::Zero;
+        if row.iter().all(|e| is_zero(&self.arena, e)) {
+            match (may_repeat, is_zero(&self.arena, &rest)) {
+                (true, true) => taken.found.repeated.push(Repeated::of(name, tie, None)),
+                (_, true) => self.repeated(&name, span, "is always fulfilled"),
+                (_, false) => self.repeated(&name, span, "is never fulfilled"),
+            }
+            return;
+        }
+        taken.rows.push([row.as_slice(), &[rest]].concat());
+        let Some(found) = rank(&self.arena, &taken.slopes()) else {
+            self.undecided(&name, span);
+            taken.rows.pop();
+            return;
+        };
+        let is_new = found.dependent.is_none();
+        if is_new || may_repeat && matches!(tie, Tie::Loop(_)) {
+            let unit = self.unit_of_difference(equation);
+            let drive = if is_zero(&self.arena, &rest) { Expr::ZERO } else { rest };
+            let stated = Located { text: format!("lambda_{name}"), span: span.clone(), exact: false };
+            let multiplier = self.arena.symbol(&stated.text);
+            self.names.declare(&mut self.reader, &stated, Kind::Multiplier, Some(multiplier));
+            if is_new && !matches!(tie, Tie::Rolling(_)) {
+                taken.others.push(row);
+            }
+            let list = if is_new { &mut taken.found.motion } else { &mut taken.found.also };
+            list.push((MotionConstraint { name, equation, drive, unit, multiplier, tie, enforced_by }, span));
+            if !is_new {
+                taken.rows.pop();
+            }
+            return;
+        }
+        let all = rank(&self.arena, &taken.rows).map(|found| found.dependent.is_some());
+        taken.rows.pop();
+        match (may_repeat, all) {
+            (_, None) => self.undecided(&name, span),
+            (_, Some(false)) => self.repeated(&name, span, "contradicts those before it"),
+            (true, Some(true)) => {
+                taken.found.repeated.push(Repeated::of(name, tie, (!everywhere).then_some(equation)));
+            }
+            (_, Some(true)) => {
+                let how = match tie {
+                    Tie::Loop(place) => self.where_others_hold(taken, given, place),
+                    _ => "follows from those before it",
+                };
+                self.repeated(&name, span, how);
+            }
+        }
+    }
+
+    /// Describes an equation between coordinates whose rate follows from earlier ones: it follows from them or
+    /// contradicts them, in the poses where these hold.
+    fn where_others_hold(&mut self, taken: &Taken, given: &Given<'_>, place: usize) -> &'static str {
+        let others = taken.found.motion.iter().filter_map(|(c, _)| match c.tie {
+            Tie::Loop(at) => Some(given.loops[at].equation),
+            _ => None,
+        });
+        let others: Vec<Expr> = others.collect();
+        match self.closed_share(given, &others, given.loops[place].equation) {
+            Some((0, _)) => "contradicts those before it",
+            Some((closed, all)) if closed == all => "follows from those before it",
+            Some(_) => {
+                "follows from those before it in some of the poses in which they hold, and contradicts them in the others"
+            }
+            None => "restricts no velocity that those before it do not: it follows from them, or contradicts them",
+        }
+    }
+
+    /// Number of poses in which an equation holds, and number of poses tested, in which the other equations hold, at
+    /// the default values. `None` if no pose was found.
+    fn closed_share(&mut self, given: &Given<'_>, others: &[Expr], equation: Expr) -> Option<(usize, usize)> {
+        let lengths = given.defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
+        let reach = reach(given.coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
+        let places: Vec<Expr> = given.coordinates.iter().map(|c| c.symbol).collect();
+        let poses = Poses { known: given.defaults, coordinates: &places, reach: &reach, loops: others, flat: 0.0 };
+        let found = poses.some(&mut self.arena, POSES)?;
+        let mut values = vec![equation];
+        for place in &places {
+            values.push(Differential::partial(*place).apply(&mut self.arena, equation));
+        }
+        let inputs: Vec<Expr> = given.defaults.iter().map(|(symbol, _)| *symbol).chain(places).collect();
+        let tape = Tape::new(&self.arena, &inputs, &values).ok()?;
+        let is_closed = |q: &&Vec<f64>| {
+            let known = given.defaults.iter().map(|(_, value)| *value);
+            let values = tape.evaluate(&known.chain(q.iter().copied()).collect::<Vec<f64>>());
+            let size: f64 = values[1..].iter().zip(&reach).map(|(slope, reach)| (slope * reach).abs()).sum();
+            values[0].abs() <= CLOSED * size
+        };
+        (!found.is_empty()).then(|| (found.iter().filter(is_closed).count(), found.len()))
+    }
+
+    fn undecided(&mut self, name: &str, span: Range<usize>) {
+        let message = format!("it cannot be decided whether the constraint `{name}` follows from those before it");
+        self.reader.error(
+            span,
+            message,
+            "none of the random points at which it was asked gives it a value: state it otherwise",
+        );
+    }
+
+    fn repeated(&mut self, name: &str, span: Range<usize>, how: &str) {
+        self.reader.error(span, format!("the constraint `{name}` {how}"), "remove it, or correct one of the others");
+    }
+}
+
+/// Frames along whose axes a contact may be taken, from the ground outwards: those that carry its bodies and its point.
+fn frames_at(elements: &Elements, rolled: Rolled) -> Vec<usize> {
+    let of_body = |body: usize| elements.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
+    let of_point = elements.points[rolled.point].position.as_ref().map(|(_, frame, _)| *frame);
+    let mut list: Vec<usize> = Vec::new();
+    for last in [of_body(rolled.body), rolled.against.and_then(of_body), of_point].into_iter().flatten() {
+        let parent = |at: &usize| elements.frames[*at].rotation.as_ref().map(|(parent, _)| *parent);
+        let mut chain: Vec<usize> = std::iter::successors(Some(last), parent).collect();
+        chain.reverse();
+        list.extend(chain.into_iter().filter(|at| *at != rolled.frame));
+    }
+    let mut seen = FxHashSet::default();
+    list.retain(|at| seen.insert(*at));
+    list
+}

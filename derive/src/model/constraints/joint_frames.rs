@@ -1,0 +1,399 @@
+//! Frames and points that joints place, and equations of joints that close loops.
+
+use super::configuration::Stated;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::{Expr, Rational};
+use crate::geometry::{Frame, Turn, Vector, cross_components};
+use crate::model::bodies::elements::{Elements, vector};
+use crate::model::bodies::joint_kinds::{Freedom, JointKind};
+use crate::model::bodies::joints::{Joint, Joints, Placed};
+use crate::model::bodies::motion::Moving;
+use crate::model::reading::names::{CONFIGURATION, Kind, PARAMETERS};
+use crate::model::reading::reader::Loading;
+use crate::model::reading::tree::Node;
+use crate::model::units::Unit;
+use crate::model::{Hung, Model, Place, Reaction, ReactionKind};
+use crate::read::Located;
+use toml::de::{DeTable, DeValue};
+
+/// A frame as it is placed.
+type FrameNode = Node<Turn>;
+/// A point as it is placed: the frame of its components, and those.
+type PointNode = Node<(Located, [Expr; 3])>;
+
+/// A joint that closes a loop.
+pub struct Closing {
+    name: Located,
+    kind: JointKind,
+    axes: Vec<usize>,
+    /// The frame of the joint on the body that carries, and that of the other.
+    frames: [usize; 2],
+    /// True if the two sides of the loop are turned from no frame except the inertial one.
+    parts_at_ground: bool,
+    /// The joint's points on the two.
+    points: [usize; 2],
+    /// The body, and that which carries.
+    bodies: (usize, Option<usize>),
+}
+
+/// Reaction that holds a closed joint, with the name of its equation.
+pub type Holding = (String, Reaction);
+
+impl Joint<'_> {
+    /// A name of its own.
+    fn named(&self, part: &str) -> Located {
+        Located { text: format!("{}_{part}", self.name.text), span: self.name.span.clone(), exact: false }
+    }
+
+    /// The frame on the body that carries, in which its coordinates start from 0.
+    fn base(&self, joints: &Joints<'_>, root: &str) -> Located {
+        let has_own = self.entry.contains_key("turned") || self.along.is_some();
+        if has_own { self.named("base") } else { self.frame_below(joints, root) }
+    }
+
+    /// The frame of the body that carries.
+    fn frame_below(&self, joints: &Joints<'_>, root: &str) -> Located {
+        match self.to.as_ref().and_then(|to| Some((to, joints.bodies.get(&to.text)?))) {
+            Some((to, placed)) => Located { text: placed.frame.text.clone(), ..to.clone() },
+            None => Located { text: root.to_owned(), span: self.name.span.clone(), exact: false },
+        }
+    }
+
+    /// The point from which places on a body are told: that of the joint that carries it, else its mass centre.
+    fn home(&self, body: Option<&Located>, joints: &Joints<'_>, origin: &str) -> Located {
+        let text = match body.and_then(|body| joints.bodies.get(&body.text)) {
+            Some(Placed { joint: Some(joint), .. }) => joint.text.clone(),
+            Some(placed) => placed.centre.text.clone(),
+            None => origin.to_owned(),
+        };
+        Located { text, span: body.unwrap_or(&self.name).span.clone(), exact: false }
+    }
+}
+
+impl<'a> Joints<'a> {
+    /// The joints that close loops, once frames and points are in order.
+    pub fn closings(&self, elements: &Elements) -> Vec<Closing> {
+        let frame = |name: &str| elements.frames.iter().position(|f| f.name == name);
+        let point = |name: &str| elements.points.iter().position(|p| p.name == name);
+        let body = |name: &str| elements.bodies.iter().position(|b| b.name == name);
+        let root = elements.frames.first().map_or("", |f| f.name.as_str());
+        let closing = |joint: &Joint<'a>| {
+            let frames = [
+                frame(&joint.base(self, root).text)?,
+                frame(&joint.named("closed_base").text)
+                    .or_else(|| frame(&self.bodies.get(&joint.body.text)?.frame.text))?,
+            ];
+            Some(Closing {
+                name: joint.name.clone(),
+                kind: joint.kind,
+                axes: joint.axes.clone(),
+                frames,
+                parts_at_ground: parting(&elements.frames, frames) == 0,
+                points: [point(&joint.name.text)?, point(&joint.named("closed").text)?],
+                bodies: (
+                    body(&joint.body.text)?,
+                    match &joint.to {
+                        Some(to) => Some(body(&to.text)?),
+                        None => None,
+                    },
+                ),
+            })
+        };
+        self.list.iter().filter(|joint| !joint.carries).filter_map(closing).collect()
+    }
+}
+
+impl Joints<'_> {
+    /// Bodies that joints carry, each with its holder and its point at the joint.
+    pub fn hung(&self, elements: &Elements) -> Vec<Hung> {
+        let body = |name: &str| elements.bodies.iter().position(|body| body.name == name);
+        let carries = |joint: &Joint<'_>| {
+            let on = match &joint.to {
+                Some(to) => Some(body(&to.text)?),
+                None => None,
+            };
+            let point = elements.points.iter().position(|point| point.name == joint.name.text)?;
+            Some(Hung { body: body(&joint.body.text)?, on, point })
+        };
+        self.list.iter().filter(|joint| joint.carries).filter_map(carries).collect()
+    }
+}
+
+impl<'a> Loading<'a> {
+    /// Declares the frames that joints bring.
+    pub fn joint_frames(&mut self, joints: &Joints<'a>, root: &str) -> Vec<FrameNode> {
+        let mut nodes = Vec::new();
+        for joint in &joints.list {
+            let mut parent = joint.frame_below(joints, root);
+            let (turned, mut tilted) = (self.reader.get(joint.entry, "turned"), None);
+            if turned.is_some() || joint.along.is_some() {
+                let base = joint.named("base");
+                let turns = turned.map_or(Some(Vec::new()), |value| self.turned(joint, "turned", value));
+                let turns = turns.and_then(|mut turns| {
+                    if let Some(along) = joint.along {
+                        let [there, back] = self.towards(along, &format!("the axis of {}", joint.what))?;
+                        turns.push(there);
+                        tilted = Some(back);
+                    }
+                    Some(turns)
+                });
+                let Some(turns) = turns else {
+                    self.names.spoil(&base.text);
+                    if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
+                        self.names.spoil(&placed.frame.text);
+                    }
+                    continue;
+                };
+                parent = self.chain(&mut nodes, (parent, base), turns);
+            }
+            if let Some(turned) = self.reader.get(joint.entry, "body_turned")
+                && let Some(placed) = joints.bodies.get(&joint.body.text)
+            {
+                let last = joint.named("closed_base");
+                match self.turned(joint, "body_turned", turned) {
+                    Some(turns) => drop(self.chain(&mut nodes, (placed.frame.clone(), last), turns)),
+                    None => self.names.spoil(&last.text),
+                }
+            }
+            let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) else { continue };
+            let turns = self.turns_of(joint).into_iter().chain(tilted).collect();
+            self.chain(&mut nodes, (parent, placed.frame.clone()), turns);
+        }
+        nodes
+    }
+
+    /// Turns by which a joint orients the body that it carries.
+    fn turns_of(&mut self, joint: &Joint<'a>) -> Vec<Turn> {
+        let mut turns = Vec::new();
+        let mut parameters = Vec::new();
+        for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
+            let symbol = self.arena.symbol(&name.text);
+            match freedom {
+                Freedom::About(axis) | Freedom::Screwed(axis) => turns.push(Turn::About(axis, symbol)),
+                Freedom::Parameter => parameters.push(symbol),
+                Freedom::Along(_) => {}
+            }
+        }
+        if let Ok(parameters) = <[Expr; 4]>::try_from(parameters) {
+            turns.push(Turn::by_euler_parameters(&mut self.arena, parameters));
+        }
+        if turns.is_empty() {
+            turns.push(Turn::About(2, Expr::ZERO));
+        }
+        turns
+    }
+
+    /// Frames from one to another, `last`, by turns; those on the way are declared.
+    pub fn chain(
+        &mut self,
+        nodes: &mut Vec<FrameNode>,
+        (mut parent, last): (Located, Located),
+        turns: Vec<Turn>,
+    ) -> Located {
+        let count = turns.len();
+        for (at, payload) in turns.into_iter().enumerate() {
+            let is_last = at + 1 == count;
+            let turned = || Located { text: format!("{}_turn{}", last.text, at + 1), ..last.clone() };
+            let name = if is_last { last.clone() } else { turned() };
+            // A frame of the file is declared where it stands.
+            if !is_last || self.names.kind(&name.text).is_none() {
+                self.names.declare_brought(&mut self.reader, &name, Kind::Frame);
+            }
+            nodes.push(Node { name: name.clone(), parent, payload });
+            parent = name;
+        }
+        parent
+    }
+
+    /// Declares the points that joints bring: that of each on its body, of the same name, and the mass centre.
+    pub fn joint_points(&mut self, joints: &Joints<'a>, table: &'a DeTable<'a>, root: (&str, &str)) -> Vec<PointNode> {
+        let stated = table.get("points").and_then(|v| v.get_ref().as_table());
+        let mut nodes = Vec::new();
+        for joint in &joints.list {
+            let (below, base) = (joint.frame_below(joints, root.0), joint.base(joints, root.0));
+            let home = joint.home(joint.to.as_ref(), joints, root.1);
+            let Some((mut from, at)) = self.place(joint, "at", home) else {
+                self.spoil_points(joint, joints);
+                continue;
+            };
+            let Some(way) = self.way_along(joint) else {
+                self.spoil_points(joint, joints);
+                continue;
+            };
+            let mut payload = (below.clone(), at);
+            if base.text == below.text {
+                payload.1 = [0, 1, 2].map(|i| self.arena.add(at[i], way[i]));
+            } else if way != [Expr::ZERO; 3] {
+                if at != [Expr::ZERO; 3] {
+                    let name = joint.named("on");
+                    self.names.declare_brought(&mut self.reader, &name, Kind::Point);
+                    nodes.push(Node { name: name.clone(), parent: from, payload });
+                    from = name;
+                }
+                payload = (base, way);
+            }
+            self.names.declare_brought(&mut self.reader, &joint.name, Kind::Point);
+            nodes.push(Node { name: joint.name.clone(), parent: from, payload });
+            let Some(placed) = joints.bodies.get(&joint.body.text) else { continue };
+            if !joint.carries {
+                let home = joint.home(Some(&joint.body), joints, root.1);
+                let Some((from, at)) = self.place(joint, "body_at", home) else { continue };
+                let name = joint.named("closed");
+                self.names.declare_brought(&mut self.reader, &name, Kind::Point);
+                nodes.push(Node { name, parent: from, payload: (placed.frame.clone(), at) });
+            } else if stated.is_none_or(|points| !points.contains_key(placed.centre.text.as_str())) {
+                let Some((from, at)) = self.place(joint, "centre", joint.name.clone()) else {
+                    self.names.spoil(&placed.centre.text);
+                    continue;
+                };
+                self.names.declare_brought(&mut self.reader, &placed.centre, Kind::Point);
+                nodes.push(Node { name: placed.centre.clone(), parent: from, payload: (placed.frame.clone(), at) });
+            } else if let Some(value) = self.reader.get(joint.entry, "centre") {
+                let message = format!("the mass centre of `{}` is a point already", joint.body.text);
+                self.reader.error(value.span(), message, "state it in one of the two places");
+            }
+        }
+        nodes
+    }
+
+    /// Notes that it is reported why a joint has no points.
+    fn spoil_points(&mut self, joint: &Joint<'a>, joints: &Joints<'a>) {
+        self.names.spoil(&joint.name.text);
+        if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
+            self.names.spoil(&placed.centre.text);
+        }
+    }
+
+    /// Location of a joint on a body: a point, or components from `home`. Without the key it is `home`.
+    fn place(&mut self, joint: &Joint<'a>, key: &str, home: Located) -> Option<(Located, [Expr; 3])> {
+        match self.reader.get(joint.entry, key) {
+            None => Some((home, [Expr::ZERO; 3])),
+            Some(value) => match value.get_ref() {
+                DeValue::String(_) => Some((self.reader.string(value, key)?, [Expr::ZERO; 3])),
+                _ => {
+                    let metre = Unit::new(1, 0, 0);
+                    let (what, span) = (&joint.what, &joint.name.span);
+                    Some((home, vector(self, joint.entry, key, what, span, CONFIGURATION, &metre)?))
+                }
+            },
+        }
+    }
+
+    /// Displacement of a joint's point by the coordinates of the joint, in its base frame, m.
+    fn way_along(&mut self, joint: &Joint<'a>) -> Option<[Expr; 3]> {
+        let mut way = [Expr::ZERO; 3];
+        for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
+            let q = self.arena.symbol(&name.text);
+            match freedom {
+                Freedom::Along(axis) => way[axis] = q,
+                Freedom::Screwed(axis) => {
+                    let lead = self.reader.need(joint.entry, "lead", &joint.what, &joint.name.span)?;
+                    let lead = self.reader.formula(lead, "`lead`")?;
+                    let lead = self.quantity(&lead, PARAMETERS, &Unit::new(1, 0, 0), "the lead of a screw")?;
+                    let turn = self.arena.pi();
+                    let turn = self.arena.scale(turn, &Rational::integer(2));
+                    let advance = self.arena.mul(lead, q);
+                    way[axis] = self.arena.div(advance, turn)?;
+                }
+                Freedom::About(_) | Freedom::Parameter => {}
+            }
+        }
+        Some(way)
+    }
+
+    /// Equations that closed joints state: components of the vector between their two points, and cosines of axes that
+    /// stay at right angles.
+    /// The force on the body acts at the joint's point. Its opposite acts on the other body at that body's own joint
+    /// point, or at its material at the first point. So they do no work in open loops either.
+    pub fn closed(&mut self, moving: &mut Moving, closings: &[Closing]) -> (Vec<Stated>, Vec<Holding>) {
+        let (mut list, mut holding) = (Vec::new(), Vec::new());
+        for Closing { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in closings {
+            let axis = axes.first().copied().unwrap_or(2);
+            let across = [(axis + 1) % 3, (axis + 2) % 3];
+            // (axis of the body, axis of the base) pairs that stay at right angles.
+            let (ways, right): (Vec<usize>, Vec<(usize, usize)>) = match kind {
+                JointKind::Pin => (vec![0, 1, 2], across.map(|i| (axis, i)).to_vec()),
+                JointKind::Ball => (vec![0, 1, 2], Vec::new()),
+                JointKind::Universal => (vec![0, 1, 2], vec![(axes[1], axes[0])]),
+                JointKind::Slider => (across.to_vec(), vec![(0, 1), (1, 2), (2, 0)]),
+                JointKind::Cylinder => (across.to_vec(), across.map(|i| (axis, i)).to_vec()),
+                JointKind::Planar => (vec![axis], across.map(|i| (axis, i)).to_vec()),
+                JointKind::Weld => (vec![0, 1, 2], vec![(0, 1), (1, 2), (2, 0)]),
+                JointKind::Free | JointKind::Screw => (Vec::new(), Vec::new()),
+            };
+            let mut state =
+                |loading: &mut Self, part: String, equation: Expr, kind: ReactionKind, along: (usize, [Expr; 3])| {
+                    let name_of = format!("{}_{part}", name.text);
+                    let what = if let ReactionKind::Force { .. } = kind { "force" } else { "torque" };
+                    let called = format!("{}_{what}{}", name.text, part.trim_start_matches("turn"));
+                    let symbol = loading.arena.symbol(&called);
+                    let located = Located { text: called.clone(), ..name.clone() };
+                    loading.names.declare(&mut loading.reader, &located, Kind::Reaction, Some(symbol));
+                    let (frame, direction) = along;
+                    let reaction =
+                        Reaction { name: called, symbol, kind, frame, direction, is_stated: false, is_shared: false };
+                    holding.push((name_of.clone(), reaction));
+                    list.push(Stated {
+                        name: name_of,
+                        equation,
+                        enforced_by: None,
+                        span: name.span.clone(),
+                        may_repeat: true,
+                    });
+                };
+            let way = moving.way(&mut self.arena, *on, *at);
+            // Points that coincide do so in any frame; formulas are shortest in the frame from which both points are
+            // stated. In an open loop the vector changes in the inertial frame as the joint's two points move, in
+            // another frame as two points at one place do.
+            let is_told_there = *parts_at_ground && ways.len() == 3;
+            let (frame, held) = if is_told_there { (0, on) } else { (*base, at) };
+            for i in ways {
+                let equation = moving.component(&mut self.arena, &way, frame, i);
+                let against = bodies.1.map(|body| Place { body, point: *held });
+                let kind = ReactionKind::Force { on: Place { body: bodies.0, point: *at }, against };
+                let mut direction = [Expr::ZERO; 3];
+                direction[i] = Expr::ONE;
+                state(self, format!("{}", i + 1), equation, kind, (frame, direction));
+            }
+            for (of, along) in right {
+                let mut unit = [Expr::ZERO; 3];
+                unit[of] = Expr::ONE;
+                let axis = Vector::in_frame(*body, unit);
+                let [x, y, z] = [0, 1, 2].map(|i| moving.component(&mut self.arena, &axis, *base, i));
+                // The cosine of two axes changes as they turn about the normal of both.
+                let mut other = [Expr::ZERO; 3];
+                other[along] = Expr::ONE;
+                let direction = cross_components(&mut self.arena, &[x, y, z], &other);
+                let kind = ReactionKind::Torque { on: bodies.0, against: bodies.1 };
+                state(self, format!("turn{}{}", of + 1, along + 1), [x, y, z][along], kind, (*base, direction));
+            }
+        }
+        (list, holding)
+    }
+}
+
+/// The nearest frame from which both of two are turned.
+fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
+    // A frame comes after the one that it is turned from.
+    while a != b {
+        let later = if a > b { &mut a } else { &mut b };
+        *later = frames[*later].rotation.as_ref().map_or(0, |(parent, _)| *parent);
+    }
+    a
+}
+
+impl Model {
+    /// Takes the reactions of joint equations that are constraints; those of dependent equations are redundant.
+    /// Coordinates that constraints fix are replaced by their values in directions.
+    pub(in crate::model) fn hold_joints(&mut self, holding: Vec<Holding>, fixed: &mut Substitution) {
+        for (name, mut reaction) in holding {
+            let solved = self.constraints.iter().any(|c| c.name == name);
+            reaction.direction = reaction.direction.map(|e| fixed.apply(&mut self.arena, e));
+            if solved || self.motion_constraints.iter().any(|c| c.name == name) {
+                self.reactions.push(reaction);
+            } else {
+                self.redundant.push((name, reaction));
+            }
+        }
+    }
+}

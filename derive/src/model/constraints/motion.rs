@@ -1,0 +1,201 @@
+//! Motion constraints: equations between velocities.
+//!
+//! Let there be p generalized speeds u = J q̇ + d and m motion constraints A q̇ + a = 0, p + m = n. The rates of the n
+//! coordinates follow from
+//!
+//! ```text
+//! [ A ]        [  −a   ]
+//! [ J ] q̇  =  [ u − d ]
+//! ```
+//!
+//! as q̇ = W u + w. An equation between coordinates that cannot be solved for one of them ties their rates by its time
+//! derivative.
+
+use super::configuration::Stated;
+use super::independent::{Candidate, Given, Independent};
+use crate::algebra::Expr;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::diagnostic::shown;
+use crate::model::bodies::elements::Elements;
+use crate::model::bodies::joints::Joints;
+use crate::model::bodies::motion::Moving;
+use crate::model::physics::defaults;
+use crate::model::reading::names::{Kind, TIME};
+use crate::model::reading::reader::Loading;
+use crate::model::{
+    Branch, Coordinate, DependentConstraint, Loop, MotionConstraint, Parameter, Repeated, Rolled, Speed, Tie,
+};
+use crate::read::Located;
+use std::ops::Range;
+use toml::de::DeTable;
+
+/// Rolling of a body, as the file states it.
+pub struct StatedRolling {
+    name: Located,
+    body: usize,
+    point: usize,
+    against: Option<usize>,
+    frame: usize,
+    is_stated: bool,
+}
+
+/// Parts from which motion constraints are formed, in the remaining coordinates.
+pub struct Tied<'m> {
+    pub coordinates: &'m [Coordinate],
+    pub elements: &'m Elements,
+    pub speeds: &'m [(Speed, Range<usize>)],
+    pub joints: &'m Joints<'m>,
+    pub parameters: &'m [Parameter],
+    /// Equations between coordinates that were not solved.
+    pub kept: Vec<Stated>,
+    /// Equations between velocities.
+    pub stated: Vec<Stated>,
+    /// Components of velocities of bodies that roll.
+    pub rolling: Vec<(Stated, Rolled)>,
+}
+
+/// Motion constraints, with their places in the file, and the equations between coordinates that some are of.
+#[derive(Default)]
+pub struct Ties {
+    pub motion: Vec<(MotionConstraint, Range<usize>)>,
+    pub loops: Vec<Loop>,
+    /// Components of rolling that follow from the rest.
+    pub repeated: Vec<Repeated>,
+    /// Equations between coordinates whose rates follow from those of the others wherever all of them hold.
+    pub closed: Vec<Loop>,
+    /// Constraints that depend on others in the closed poses.
+    pub dependent: Vec<DependentConstraint>,
+    /// Branch of closed poses on which dependence was decided.
+    pub branch: Option<Branch>,
+    /// Indices, among all speeds, of those to keep; `None` if no speed of a joint is left out because of closed poses.
+    pub speeds: Option<Vec<usize>>,
+}
+
+impl<'a> Loading<'a> {
+    /// Reads `[rolling.NAME]`.
+    pub fn rolling(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedRolling> {
+        let mut list = Vec::new();
+        for (name, value) in self.section(table, "rolling", &[]) {
+            let example = "[rolling.NAME] with body = \"wheel\" and at = \"P\"";
+            let Some((entry, what)) = self.entry(&name, value, Kind::Constraint, None, example) else { continue };
+            self.reader.allow(entry, &what, &["body", "at", "against", "frame", "about"]);
+            let mut named = |key: &str, needed: bool| {
+                let value =
+                    if needed { self.reader.need(entry, key, &what, &name.span) } else { self.reader.get(entry, key) };
+                let stated = self.reader.string(value?, &format!("`{key}`"))?;
+                let body = elements.body(self, &stated)?;
+                if elements.bodies[body].rigid.is_none() {
+                    let message = format!("the particle `{}` cannot roll", shown(&stated.text));
+                    self.reader.error(
+                        stated.span,
+                        message,
+                        "name a rigid body, or hold a velocity under [constraints]",
+                    );
+                    return None;
+                }
+                Some(body)
+            };
+            let (body, against) = (named("body", true), named("against", false));
+            let point = elements.point(self, entry, "at", &what, &name.span);
+            let is_stated = self.reader.get(entry, "frame").is_some();
+            let frame = if is_stated { elements.frame(self, entry, &what, &name.span) } else { Some(0) };
+            if let (Some(body), Some(point), Some(frame)) = (body, point, frame) {
+                list.push(StatedRolling { name, body, point, against, frame, is_stated });
+            }
+        }
+        list
+    }
+
+    /// The components of the velocities at which bodies would slip that roll, as equations.
+    pub fn slips(
+        &mut self,
+        moving: &mut Moving,
+        elements: &Elements,
+        rolling: Vec<StatedRolling>,
+    ) -> Vec<(Stated, Rolled)> {
+        let mut list = Vec::new();
+        for StatedRolling { name, body, point, against, frame, is_stated } in rolling {
+            let span = name.span.clone();
+            let mut slip = moving.material(&mut self.arena, elements, body, point);
+            if let Some(other) = against {
+                let back = moving.material(&mut self.arena, elements, other, point).neg(&mut self.arena);
+                slip = slip.add(&mut self.arena, &back);
+            }
+            for axis in 0..3 {
+                let equation = moving.component(&mut self.arena, &slip, frame, axis);
+                let name = format!("{}_{}", name.text, axis + 1);
+                let stated = Stated { name, equation, enforced_by: None, span: span.clone(), may_repeat: true };
+                list.push((stated, Rolled { body, against, point, frame, axis, is_stated }));
+            }
+        }
+        list
+    }
+
+    /// The motion constraints of a mechanism, each independent of those before it; reports what contradicts or repeats
+    /// others.
+    pub fn ties(&mut self, tied: Tied<'_>) -> Option<Ties> {
+        let Tied { coordinates, elements, speeds, joints, parameters, kept, stated, rolling } = tied;
+        let clock = coordinates.iter().any(|c| c.name == TIME);
+        if !clock && kept.is_empty() && stated.is_empty() && rolling.is_empty() {
+            return Some(Ties::default());
+        }
+        let before = self.reader.errors.len();
+        if before > 0 {
+            return None;
+        }
+        let (mut loops, mut candidates) = (Vec::new(), Vec::new());
+        let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let mut d_dt = Differential::along(&rates);
+        let mut simplifier = Simplifier::default();
+        for Stated { name, equation, enforced_by, span, may_repeat } in kept {
+            let rate = d_dt.apply(&mut self.arena, equation);
+            let rate = simplifier.simplify(&mut self.arena, rate);
+            let tie = Tie::Loop(loops.len());
+            candidates.push(Candidate { name: name.clone(), equation: rate, tie, enforced_by, span, may_repeat });
+            let unit = self.unit_of_difference(equation);
+            loops.push(Loop { name, equation, unit, prescribes: false });
+        }
+        let definitions: Vec<_> = speeds.iter().map(|(s, _)| (s.symbol, s.definition)).collect();
+        let mut put = Substitution::new(&definitions);
+        let stated = stated.into_iter().map(|c| (c, Tie::Stated));
+        for (Stated { name, equation, enforced_by, span, may_repeat }, tie) in
+            stated.chain(rolling.into_iter().map(|(c, rolled)| (c, Tie::Rolling(rolled))))
+        {
+            let equation = put.apply(&mut self.arena, equation);
+            candidates.push(Candidate { name, equation, tie, enforced_by, span, may_repeat });
+        }
+        if let Some(time) = coordinates.iter().find(|c| c.name == TIME) {
+            let equation = self.arena.sub(time.rate, Expr::ONE);
+            let name = TIME.to_owned();
+            candidates.push(Candidate {
+                name,
+                equation,
+                tie: Tie::Clock,
+                enforced_by: None,
+                span: 0..0,
+                may_repeat: false,
+            });
+        }
+        let known = defaults(parameters);
+        let given = Given { coordinates, elements, loops: &loops, defaults: &known };
+        let Independent { mut motion, repeated, also } = self.independent(&given, candidates);
+        if self.reader.errors.len() > before {
+            return None;
+        }
+        // Loops come first.
+        let place = motion.iter().take_while(|(c, _)| matches!(c.tie, Tie::Loop(_))).count();
+        let also_at = place..place + also.len();
+        motion.splice(place..place, also);
+        let mut ties = Ties { motion, loops, repeated, ..Ties::default() };
+        let brought: Vec<bool> = speeds.iter().map(|(speed, _)| joints.brings(speed)).collect();
+        let speeds: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.definition).collect();
+        self.when_closed(coordinates, (&speeds, &brought), (&known, also_at), &mut ties);
+        Some(ties)
+    }
+
+    /// The unit of what is zero, in which sums were checked when they were read.
+    pub fn unit_of_difference(&self, e: Expr) -> crate::model::Unit {
+        crate::model::units::unit_of(&self.arena, e, &self.units).ok().flatten().unwrap_or_default()
+    }
+}

@@ -1,0 +1,318 @@
+//! Generalized speeds and the kinematic equations they give.
+
+use super::motion::Ties;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::blocks::solve_blocks;
+use crate::algebra::solve::elimination::divisors;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::contract::contract;
+use crate::algebra::value::rank::rank;
+use crate::algebra::{Arena, Expr, Node};
+use crate::diagnostic::shown;
+use crate::model::bodies::joints::Joints;
+use crate::model::reading::names::{Kind, VELOCITY};
+use crate::model::reading::reader::Loading;
+use crate::model::{Coordinate, KinematicEquations, MotionConstraint, Speed};
+use crate::read::{Located, Reader};
+use std::ops::Range;
+use toml::de::DeTable;
+
+/// Speeds with their places in the file, and those that were left out.
+type Chosen = (Vec<(Speed, Range<usize>)>, Vec<Speed>);
+
+impl<'a> Loading<'a> {
+    /// Declares the speeds; their definitions are read once the coordinates are known.
+    pub fn speed_symbols(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<(Located, Located)> {
+        let mut texts = Vec::new();
+        for (name, value) in self.section(table, "speeds", &[Kind::Speed]) {
+            let symbol = self.arena.symbol(&name.text);
+            self.names.declare(&mut self.reader, &name, Kind::Speed, Some(symbol));
+            let what = format!("speed `{}`", shown(&name.text));
+            match self.reader.formula(value, &what) {
+                Some(formula) => texts.push((name, formula)),
+                None => self.names.spoil(&name.text),
+            }
+        }
+        for (name, formula) in &joints.speeds {
+            let symbol = self.arena.symbol(&name.text);
+            self.names.declare(&mut self.reader, name, Kind::Speed, Some(symbol));
+            texts.push((name.clone(), formula.clone()));
+        }
+        let expressions = self.expressions(table);
+        for (name, formula) in &texts {
+            let what = "the definition of a speed";
+            // The unit of a speed is that of its definition: read here, since forces may use speeds.
+            let e = self.names.formula(&mut self.reader, &mut self.arena, formula, VELOCITY, what);
+            let unit = e.and_then(|e| self.unit_of(e, &formula.span));
+            let symbol = self.arena.symbol(&name.text);
+            self.units.extend(unit.map(|unit| (symbol, unit)));
+        }
+        // Those of speeds are known only now.
+        for (e, span) in expressions {
+            self.unit_of(e, &span);
+        }
+        texts
+    }
+
+    /// The speeds, in which constrained variables are replaced by their values.
+    pub fn speeds(
+        &mut self,
+        texts: Vec<(Located, Located)>,
+        replacements: &[(Expr, Expr)],
+    ) -> Vec<(Speed, Range<usize>)> {
+        let mut fixed = Substitution::new(replacements);
+        let mut speeds = Vec::new();
+        for (name, formula) in texts {
+            // Already reported where it was declared, if it has errors.
+            let mut scratch = Reader::new(self.reader.source);
+            let Some(e) = self.names.formula(&mut scratch, &mut self.arena, &formula, VELOCITY, "a speed") else {
+                continue;
+            };
+            let definition = fixed.apply(&mut self.arena, e);
+            let rate = self.arena.symbol(&format!("{}'", name.text));
+            let symbol = self.arena.symbol(&name.text);
+            let unit = self.units.get(&symbol).cloned().unwrap_or_default();
+            speeds.push((Speed { name: name.text, symbol, rate, definition, unit }, formula.span));
+        }
+        speeds
+    }
+
+    /// Splits speeds into those that constraints leave independent, and the others, whose definitions replace them in
+    /// formulas. A speed that a joint brings is left out if it follows from the constraints and the speeds before it.
+    /// Speeds of the file all stay.
+    pub fn independent_speeds(
+        &mut self,
+        coordinates: &[Coordinate],
+        speeds: Vec<(Speed, Range<usize>)>,
+        joints: &Joints<'_>,
+        ties: &Ties,
+    ) -> Chosen {
+        let mut left_out = Vec::new();
+        if let Some(chosen) = &ties.speeds {
+            let mut stay = Vec::new();
+            for (at, (speed, span)) in speeds.into_iter().enumerate() {
+                if chosen.contains(&at) {
+                    stay.push((speed, span));
+                } else {
+                    left_out.push(speed);
+                }
+            }
+            return (stay, left_out);
+        }
+        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
+        let mut form = LinearForm::new(&rates);
+        let (mut stay, mut brought): (Vec<_>, Vec<_>) =
+            speeds.into_iter().partition(|(speed, _)| !joints.brings(speed));
+        let mut row = |arena: &mut Arena, e: Expr| form.coefficients(arena, e).ok().map(|(row, _)| row);
+        let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(stay.iter().map(|(s, _)| s.definition));
+        let rows: Option<Vec<_>> = equations.map(|e| row(&mut self.arena, e)).collect();
+        let of_brought: Option<Vec<_>> = brought.iter().map(|(s, _)| row(&mut self.arena, s.definition)).collect();
+        // What is not linear is reported where the rates are solved for.
+        if let (Some(mut rows), Some(of_brought)) = (rows, of_brought) {
+            let first = rows.len();
+            rows.extend(of_brought);
+            while rows.len() > coordinates.len() {
+                let Some(at) = rank(&self.arena, &rows).and_then(|found| found.dependent).filter(|at| *at >= first)
+                else {
+                    break;
+                };
+                rows.remove(at);
+                let (speed, _) = brought.remove(at - first);
+                left_out.push(speed);
+            }
+        }
+        stay.append(&mut brought);
+        (stay, left_out)
+    }
+
+    /// Solves u = J q̇ + d and A q̇ + a = 0 for q̇; reports speeds too few, too many, not linear or not independent.
+    pub fn kinematic_equations(
+        &mut self,
+        table: &DeTable<'_>,
+        coordinates: &[Coordinate],
+        speeds: &[(Speed, Range<usize>)],
+        constraints: &[(MotionConstraint, Range<usize>)],
+    ) -> Option<KinematicEquations> {
+        if coordinates.is_empty() || speeds.len() + constraints.len() != coordinates.len() {
+            self.report_count(table, coordinates, speeds, constraints);
+            return None;
+        }
+        let before = self.reader.errors.len();
+        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
+        let mut form = LinearForm::new(&rates);
+        let (mut matrix, mut right) = (Vec::new(), Vec::new());
+        for (constraint, _) in constraints {
+            // They were found linear when they were read.
+            let (row, rest) = form.coefficients(&mut self.arena, constraint.equation).ok()?;
+            matrix.push(row);
+            right.push(self.arena.neg(rest));
+        }
+        for (speed, span) in speeds {
+            match form.coefficients(&mut self.arena, speed.definition) {
+                Ok((row, rest)) => {
+                    matrix.push(row);
+                    right.push(self.arena.sub(speed.symbol, rest));
+                }
+                Err(not_linear) => {
+                    let names: Vec<String> = coordinates.iter().map(|c| format!("{}'", c.name)).collect();
+                    let message = format!(
+                        "speed `{}` is not linear in the time derivatives {}: its coefficient of {} is {}",
+                        speed.name,
+                        names.join(", "),
+                        self.arena.symbol_name(not_linear.symbol).unwrap_or_default(),
+                        shown(&crate::algebra::text::print::text(&self.arena, not_linear.coefficient)),
+                    );
+                    self.reader.error(span.clone(), message, "a generalized speed must read  u = Σ c_i(q) q_i' + d(q)");
+                }
+            }
+        }
+        if self.reader.errors.len() > before {
+            return None;
+        }
+        match solve_blocks(&mut self.arena, &mut Simplifier::default(), &matrix, &right) {
+            Ok((rates, divisors)) => {
+                let divisors = divisors.iter().map(|e| contract(&mut self.arena, *e)).collect::<Vec<_>>();
+                let divisors = self.moving_factors(&divisors, coordinates);
+                let rates = if constraints.is_empty() { rates } else { self.with_names(coordinates, speeds, &rates) };
+                Some(KinematicEquations { rates, divisors })
+            }
+            Err(singular) => {
+                // The constraints, which come first, are independent.
+                let (speed, span) = &speeds[singular.row.saturating_sub(constraints.len())];
+                let message = if constraints.is_empty() {
+                    format!(
+                        "the speeds are not independent: rank {} of {}; `{}` follows from the others",
+                        singular.rank,
+                        speeds.len(),
+                        speed.name
+                    )
+                } else {
+                    format!(
+                        "the speeds are not independent: `{}` follows from the others and the constraints",
+                        speed.name
+                    )
+                };
+                self.reader.error(span.clone(), message, "the speeds must determine every q' uniquely");
+                None
+            }
+        }
+    }
+
+    /// q̇ = W u + w, with names for terms in W and w that divide by sums. `ratio_q2_u1` is the factor of u1 in q2', up
+    /// to a number. Without names, loops would grow with every product that contains these terms.
+    fn with_names(
+        &mut self,
+        coordinates: &[Coordinate],
+        speeds: &[(Speed, Range<usize>)],
+        rates: &[Expr],
+    ) -> Vec<Expr> {
+        let symbols: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.symbol).collect();
+        let mut form = LinearForm::new(&symbols);
+        let mut simplifier = Simplifier::default();
+        let mut named = |arena: &mut Arena, e: Expr, name: String| {
+            let e = simplifier.simplify(arena, e);
+            let e = contract(arena, e);
+            if divides_by_sum(arena, e) { arena.name(e, &name) } else { e }
+        };
+        let mut result = Vec::new();
+        for (rate, coordinate) in rates.iter().zip(coordinates) {
+            let Ok((row, rest)) = form.coefficients(&mut self.arena, *rate) else {
+                result.push(*rate);
+                continue;
+            };
+            let mut terms = vec![named(&mut self.arena, rest, format!("drift_{}", coordinate.name))];
+            for (coefficient, (speed, _)) in row.into_iter().zip(speeds) {
+                let by = named(&mut self.arena, coefficient, format!("ratio_{}_{}", coordinate.name, speed.name));
+                terms.push(self.arena.mul(by, speed.symbol));
+            }
+            result.push(self.arena.sum(&terms));
+        }
+        result
+    }
+
+    /// The factors of divisors that depend on coordinates, each once: a length that divides does not vanish
+    /// on the way.
+    fn moving_factors(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
+        let mut factors = Vec::new();
+        for divisor in divisors {
+            let inner = match self.arena.node(*divisor) {
+                Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+                _ => *divisor,
+            };
+            let bases: Vec<Expr> = match self.arena.node(inner) {
+                Node::Product(list) => list.iter().filter(|(_, n)| *n > 0).map(|(base, _)| *base).collect(),
+                _ => vec![inner],
+            };
+            for base in bases {
+                if coordinates.iter().any(|c| self.arena.mentions(base, c.symbol)) && !factors.contains(&base) {
+                    factors.push(base);
+                }
+            }
+        }
+        factors
+    }
+
+    fn report_count(
+        &mut self,
+        table: &DeTable<'_>,
+        coordinates: &[Coordinate],
+        speeds: &[(Speed, Range<usize>)],
+        constraints: &[(MotionConstraint, Range<usize>)],
+    ) {
+        if coordinates.is_empty() {
+            let place = table.iter().find(|(key, _)| key.get_ref() == "constraints").map(|(key, _)| key.span());
+            let message = "the constraints fix every coordinate: there is no state";
+            let help = "leave one of them out, and let its coordinate start where it is to be";
+            self.reader.error(place.unwrap_or_default(), message, help);
+            return;
+        }
+        let (n, m) = (speeds.len(), coordinates.len());
+        let plural = |n: usize| if n == 1 { "" } else { "s" };
+        let section = table.iter().find(|(key, _)| key.get_ref() == "speeds").map(|(key, _)| key.span());
+        let needed = m.saturating_sub(constraints.len());
+        let surplus = speeds.get(needed).and_then(|(speed, _)| self.names.span(&speed.name));
+        let names: Vec<&str> = coordinates.iter().take(20).map(|c| c.name.as_str()).collect();
+        let names = names.join(", ");
+        let held: Vec<String> = constraints.iter().take(20).map(|(c, _)| format!("`{}`", c.name)).collect();
+        let place = surplus.or(section).unwrap_or_default();
+        let (message, help) = if constraints.is_empty() {
+            let message =
+                format!("{n} speed{} for {m} generalized coordinate{}: the numbers must agree", plural(n), plural(m));
+            let help = format!(
+                "define one speed for each coordinate that no constraint fixes ({names}); constraints on velocities, each of which \
+                 takes a speed away, stand under [constraints] and [rolling]"
+            );
+            (message, help)
+        } else if needed == 0 {
+            let count = constraints.len();
+            let message =
+                format!("{count} motion constraint{} on {m} coordinate{}: nothing can move", plural(count), plural(m));
+            let other = format!("leave one of {} out", held.join(", "));
+            let help = if count == m { format!("define no speed, since all rates follow, or {other}") } else { other };
+            (message, help)
+        } else {
+            let count = constraints.len();
+            let message = format!(
+                "{n} speed{} for {m} generalized coordinates and {count} motion constraint{}: {needed} {} left",
+                plural(n),
+                plural(count),
+                if needed == 1 { "is" } else { "are" }
+            );
+            let help = format!(
+                "define {needed} speed{} that the constraints ({}) leave independent; the other rates of {names} follow",
+                plural(needed),
+                held.join(", ")
+            );
+            (message, help)
+        };
+        self.reader.error(place, message, help);
+    }
+}
+
+/// True if a term divides by a sum.
+fn divides_by_sum(arena: &Arena, e: Expr) -> bool {
+    let is_sum =
+        |e: &Expr| matches!(arena.node(*e), Node::Sum(constant, terms) if !constant.is_zero() || terms.len() > 1);
+    divisors(arena, &[e]).iter().any(is_sum)
+}

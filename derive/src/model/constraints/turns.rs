@@ -1,0 +1,158 @@
+//! Turns of frames, as files state them.
+
+use super::configuration::Stated;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Expr, Function};
+use crate::diagnostic::shown;
+use crate::geometry::{Frame, Turn};
+use crate::model::bodies::joints::Joint;
+use crate::model::reading::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
+use crate::model::reading::reader::Loading;
+use crate::model::units::Unit;
+use crate::read::Located;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+impl<'a> Loading<'a> {
+    /// Turns that are written one after the other: `{ sequence = "13", angles = ["pi/2", "a"] }`.
+    pub fn turns(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Vec<Turn>> {
+        let sequence = self.reader.need(entry, "sequence", what, span)?;
+        let axes = self.sequence(sequence, None)?;
+        let angles = self.reader.need(entry, "angles", what, span)?;
+        let DeValue::Array(list) = angles.get_ref() else {
+            self.reader.error(angles.span(), "`angles` must be an array", "write an angle for each turn");
+            return None;
+        };
+        if list.len() != axes.len() {
+            let message = format!("{} turns have {} angles", axes.len(), list.len());
+            self.reader.error(angles.span(), message, "write an angle for each digit of `sequence`");
+            return None;
+        }
+        let mut turns = Vec::new();
+        for (axis, angle) in axes.into_iter().zip(list.iter()) {
+            let angle = self.reader.formula(angle, "an angle")?;
+            turns.push(Turn::About(axis, self.quantity(&angle, CONFIGURATION, &Unit::default(), "an angle")?));
+        }
+        Some(turns)
+    }
+
+    /// The turns of a frame, in the order in which they lead to it: those about fixed axes come last to first.
+    pub fn frame_turns(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Vec<Turn>> {
+        let mut turns = self.turns(entry, what, span)?;
+        match self.reader.get(entry, "fixed") {
+            None => {}
+            Some(value) => {
+                let fixed = self.reader.string(value, "`fixed`")?;
+                match fixed.text.as_str() {
+                    "body" => {}
+                    "space" => turns.reverse(),
+                    other => {
+                        let message = format!("turns are fixed in body or space, not in `{}`", shown(other));
+                        self.reader.error(fixed.span, message, "write fixed = \"space\", or leave it out");
+                        return None;
+                    }
+                }
+            }
+        }
+        Some(turns)
+    }
+
+    /// The turns under a key of a joint.
+    pub fn turned(&mut self, joint: &Joint<'a>, key: &str, value: &'a toml::Spanned<DeValue<'a>>) -> Option<Vec<Turn>> {
+        let what = format!("`{key}` of {}", joint.what);
+        let table = self.reader.table(value, &what, "{ sequence = \"13\", angles = [\"pi/2\", \"a\"] }")?;
+        self.reader.allow(table, &what, &["sequence", "angles"]);
+        self.turns(table, &what, &value.span())
+    }
+
+    /// The turn that takes axis 3 along a vector under a key, and that back.
+    pub fn towards(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Turn; 2]> {
+        let components = self.plain(value, what, PARAMETERS)?;
+        let squares = components.map(|e| self.arena.square(e));
+        let square = self.arena.sum(&squares);
+        let square = Simplifier::default().simplify(&mut self.arena, square);
+        if zero_test(&self.arena, square) != ZeroTest::NonZero {
+            self.reader.error(value.span(), format!("{what} has no direction"), "write axis = [1, 0, 1], or axis = 3");
+            return None;
+        }
+        let length = self.arena.apply(Function::Sqrt, square);
+        let unit = components.map(|e| self.arena.div(e, length).expect("it is not zero"));
+        Some(Turn::of_axis(&mut self.arena, 2, &unit))
+    }
+
+    /// The turns that lead to a frame which is turned by an angle about a vector.
+    pub fn turns_about(
+        &mut self,
+        axis: &'a Spanned<DeValue<'a>>,
+        entry: &'a DeTable<'a>,
+        what: &str,
+        span: &Range<usize>,
+    ) -> Option<Vec<Turn>> {
+        let way = self.towards(axis, &format!("the axis of {what}"));
+        let angle = self.angle(entry, what, span)?;
+        let [there, back] = way?;
+        Some(vec![there, Turn::About(2, angle), back])
+    }
+
+    /// The angle of a frame.
+    pub fn angle(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Expr> {
+        let angle = self.reader.need(entry, "angle", what, span)?;
+        let angle = self.reader.formula(angle, "an angle")?;
+        self.quantity(&angle, CONFIGURATION, &Unit::default(), "an angle")
+    }
+
+    /// Plain numbers, one formula for each.
+    fn plain<const N: usize>(
+        &mut self,
+        value: &'a Spanned<DeValue<'a>>,
+        what: &str,
+        allowed: Allowed,
+    ) -> Option<[Expr; N]> {
+        let list = value.get_ref().as_array().filter(|list| list.len() == N);
+        let Some(list) = list else {
+            self.reader.error(value.span(), format!("{what} must be an array of {N}"), "write one formula for each");
+            return None;
+        };
+        let mut values = Vec::new();
+        for item in list {
+            let formula = self.reader.formula(item, what)?;
+            values.push(self.quantity(&formula, allowed, &Unit::default(), what)?);
+        }
+        values.try_into().ok()
+    }
+
+    /// The turn by four Euler parameters under a key.
+    pub fn euler_parameters(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<Turn> {
+        let what = "`euler_parameters`";
+        let parameters: [Expr; 4] = self.plain(value, what, CONFIGURATION)?;
+        let squares = parameters.map(|e| self.arena.square(e));
+        let square = self.arena.sum(&squares);
+        if zero_test(&self.arena, square) != ZeroTest::NonZero {
+            self.reader.error(value.span(), format!("{what} are all 0"), "name four coordinates, the scalar first");
+            return None;
+        }
+        Some(Turn::by_euler_parameters(&mut self.arena, parameters))
+    }
+
+    /// Constraints that the Euler parameters of a frame have length 1: `FRAME_norm` for each frame that is turned by
+    /// such parameters.
+    pub fn norms(&mut self, frames: &[Frame]) -> Vec<Stated> {
+        let mut list = Vec::new();
+        for frame in frames {
+            let Some((_, turn @ Turn::Oriented(oriented))) = &frame.rotation else { continue };
+            if oriented.spins.is_empty() {
+                continue;
+            }
+            let squares: Vec<Expr> = turn.quantities().into_iter().map(|e| self.arena.square(e)).collect();
+            let length = self.arena.sum(&squares);
+            let equation = self.arena.sub(length, Expr::ONE);
+            let span = self.names.span(&frame.name).unwrap_or_default();
+            let name = Located { text: format!("{}_norm", frame.name), span: span.clone(), exact: false };
+            self.names.declare_brought(&mut self.reader, &name, Kind::Constraint);
+            list.push(Stated { name: name.text, equation, enforced_by: None, span, may_repeat: true });
+        }
+        list
+    }
+}

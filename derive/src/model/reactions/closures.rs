@@ -1,0 +1,83 @@
+//! Forces and torques that may act where equations of the file keep two points of bodies together, beyond those that
+//! the equations state.
+//!
+//! A pin that is stated as two equations in the plane of a linkage holds there. It may also hold across the plane:
+//! equations between coordinates do not tell. So a force or a torque may act along each direction without motion in any
+//! permitted motion, in equilibrium with other reactions. Closings are sought where two forces or more were found
+//! between two bodies at a pair of points. The bodies must neither hang on one another nor be connected by a joint of
+//! the file. A single force, as that of a tooth or a slot, holds nothing else.
+
+use super::relative_motion::{Holder, Relative};
+use crate::algebra::Expr;
+use crate::model::{Place, Reaction, ReactionKind, Tie};
+
+/// Two bodies, or a body and the ground, kept together at a point of each.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Closing {
+    on: Place,
+    against: Option<Place>,
+    frame: usize,
+}
+
+impl Relative<'_> {
+    /// Forces and torques that may act where equations keep points together, each with an empty text.
+    pub fn closings(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
+        let found: Vec<Closing> = self.model.reactions.iter().filter_map(|r| self.closing(r, holders)).collect();
+        let mut list = Vec::new();
+        for (at, closing) in found.iter().enumerate() {
+            let is_first = !found[..at].contains(closing);
+            if is_first && found.iter().filter(|other| *other == closing).count() > 1 {
+                list.extend(self.held_at(closing));
+            }
+        }
+        list
+    }
+
+    /// Pair of points that a reaction keeps together, if it was found and closes a loop of equations.
+    fn closing(&self, reaction: &Reaction, holders: &[(usize, Holder)]) -> Option<Closing> {
+        let ReactionKind::Force { on, against } = reaction.kind else { return None };
+        let by = against.map(|place| place.body);
+        let pairs = [(Some(on.body), by), (by, Some(on.body))];
+        let rolls = self.model.motion_constraints.iter().any(|c| match c.tie {
+            Tie::Rolling(rolled) => pairs.contains(&(Some(rolled.body), rolled.against)),
+            _ => false,
+        });
+        let hangs = holders.iter().any(|(body, holder)| pairs.contains(&(Some(*body), *holder)));
+        // What a joint of the file closes has a name that the file declares.
+        let is_named = reaction.is_stated || self.model.declared.contains_key(&reaction.name);
+        let is_axis = reaction.direction.iter().all(|e| [Expr::ZERO, Expr::ONE].contains(e));
+        (is_axis && !is_named && !reaction.is_shared && !rolls && !hangs).then_some(Closing {
+            on,
+            against,
+            frame: reaction.frame,
+        })
+    }
+
+    /// Reactions at a closing that do no work in any permitted motion, each with an empty text.
+    fn held_at(&self, closing: &Closing) -> Vec<(String, Reaction)> {
+        let &Closing { on, against, frame } = closing;
+        let (body, holder, space) = (on.body, against.map(|place| place.body), self.drawn.space);
+        let force = ReactionKind::Force { on, against };
+        let slips = self.slips(body, holder, (on.point, against.map_or(on.point, |place| place.point)));
+        let mut kinds = vec![("force", force, slips)];
+        if self.is_rigid(Some(body)) && self.is_rigid(holder) {
+            kinds.push(("torque", ReactionKind::Torque { on: body, against: holder }, self.turns(body, holder)));
+        }
+        let mut list = Vec::new();
+        for (what, kind, velocities) in kinds {
+            for axis in 0..3 {
+                let along = self.drawn.frames[frame].axes[axis];
+                if velocities.iter().all(|v| space.dot(*v, along) == 0) {
+                    let name = format!("{what} along {} [{}]", self.model.frames[frame].name, axis + 1);
+                    let mut direction = [Expr::ZERO; 3];
+                    direction[axis] = Expr::ONE;
+                    let symbol = Expr::ONE;
+                    let reaction =
+                        Reaction { name, symbol, kind, frame, direction, is_stated: false, is_shared: false };
+                    list.push((String::new(), reaction));
+                }
+            }
+        }
+        list
+    }
+}

@@ -1,0 +1,116 @@
+//! Reactions that nobody named: what holds bodies to each other and to the ground, for the Newton–Euler equations.
+//!
+//! The connections of the file are visited in order, those first that the file states most plainly ([`held`]):
+//! reactions that it names, contacts without slip, joints and placement on other bodies, contacts, and the ground last.
+//! Each connection carries forces along axes of frames and torques about them, if these do no work in the motions that
+//! the connection itself permits. It carries only what those before it leave open, in all directions, felt or not. If
+//! that is not enough, as when equations tie coordinates, forces and torques are sought wherever they do no work
+//! ([`elsewhere`]). In closed loops, the joints of the tree hold what they would hold in open loops: a pin takes no
+//! torque about its axis, even if a loop prevents it from turning.
+//!
+//! A contact, or the ground, that carries none of these reactions is left out ([`crate::model::Contacts::idle`]): no
+//! load is handed on to it.
+//!
+//! Some directions are held along no axis of a frame, as by gears or along a direction that a formula states. They are
+//! held by all axes together: by forces and torques where bodies rest. Each of these does work, but their powers along
+//! each speed add up to zero ([`Reaction::is_shared`]).
+//! All of this is decided in one random pose ([`super::random_pose`]). The derivation of the equations proves that
+//! reactions do no work.
+
+mod elsewhere;
+mod held;
+mod search;
+
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::{Expr, Function};
+use crate::geometry::Frames;
+use crate::model::{Model, Reaction, ReactionKind};
+use search::{Along, Found, Search};
+
+/// Equations of bodies up to which reactions are found: larger systems must name them.
+pub(in crate::model) const MOST_EQUATIONS: usize = 72;
+/// The longest name of a reaction, before its number.
+const MAX_LENGTH: usize = 56;
+
+impl Model {
+    /// The reactions that the file names: the first.
+    #[must_use]
+    pub fn stated_reactions(&self) -> &[Reaction] {
+        let found = self.reactions.iter().position(|r| !r.is_stated);
+        &self.reactions[..found.unwrap_or(self.reactions.len())]
+    }
+
+    /// Number of Newton–Euler equations of all bodies, if it is too large to find reactions for; otherwise `None`.
+    pub(in crate::model) fn too_many_equations(&self) -> Option<usize> {
+        let equations = |body: &crate::model::Body| if body.rigid.is_some() { 6 } else { 3 };
+        Some(self.bodies.iter().map(equations).sum()).filter(|all| *all > MOST_EQUATIONS)
+    }
+
+    /// Adds reactions until there are as many as the Newton–Euler equations of all bodies need. Leaves them as they are
+    /// if that cannot be done.
+    pub(in crate::model) fn complete_reactions(&mut self) {
+        let on_nothing =
+            |t: &crate::model::Torque| t.on.1.is_none() || t.against.is_some_and(|(_, body)| body.is_none());
+        if self.too_many_equations().is_some() || self.torques.iter().any(on_nothing) {
+            return;
+        }
+        let Some(mut search) = Search::new(self) else { return };
+        search.held();
+        search.elsewhere();
+        // An incomplete set would make the equations unsolvable, and would not be what the file says.
+        if search.missing > 0 {
+            return;
+        }
+        let (found, idle) = search.results();
+        for one in found {
+            self.name_reaction(one);
+        }
+        self.contacts.idle = idle;
+    }
+
+    /// Adds a reaction that was found, under a name that is free.
+    fn name_reaction(&mut self, Found { kind, along, is_shared }: Found) {
+        let (what, body) = match kind {
+            ReactionKind::Force { on, .. } => ("force", on.body),
+            ReactionKind::Torque { on, .. } => ("torque", on),
+        };
+        let (frame, direction, along) = match along {
+            Along::Axis(frame, axis) => {
+                let mut direction = [Expr::ZERO; 3];
+                direction[axis] = Expr::ONE;
+                (frame, direction, format!("{}{}", self.frames[frame].name.to_lowercase(), axis + 1))
+            }
+            Along::Line(from, to) => {
+                (0, self.unit_along(from, to), format!("to_{}", self.points[to].name.to_lowercase()))
+            }
+        };
+        let mut wanted = format!("{}_{what}_{along}", self.bodies[body].name);
+        wanted.truncate(MAX_LENGTH);
+        let mut name = wanted.clone();
+        let mut times = 1;
+        while self.arena.find_symbol(&name).is_some() || self.declared.contains_key(&name) {
+            times += 1;
+            name = format!("{wanted}_{times}");
+        }
+        let symbol = self.arena.symbol(&name);
+        self.reactions.push(Reaction { name, symbol, kind, frame, direction, is_stated: false, is_shared });
+    }
+
+    /// The unit vector from one point to another, in the inertial frame.
+    fn unit_along(&mut self, from: usize, to: usize) -> [Expr; 3] {
+        let mut arena = std::mem::take(&mut self.arena);
+        let mut frames = Frames::new(&self.frames);
+        let back = self.position(&mut arena, from).neg(&mut arena);
+        let way = self.position(&mut arena, to).add(&mut arena, &back);
+        let mut simplifier = Simplifier::default();
+        let square = frames.dot(&mut arena, &way, &way);
+        let square = simplifier.simplify(&mut arena, square);
+        let length = arena.apply(Function::Sqrt, square);
+        let direction = frames.express(&mut arena, &way, 0).map(|e| {
+            let e = simplifier.simplify(&mut arena, e);
+            arena.div(e, length).unwrap_or(e)
+        });
+        self.arena = arena;
+        direction
+    }
+}

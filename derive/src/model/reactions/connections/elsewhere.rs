@@ -1,0 +1,152 @@
+//! Reactions that no connection of the file states: where equations tie coordinates, and along lines and directions
+//! that belong to no frame.
+//!
+//! Loops and contacts are visited pair by pair, and massless rods between two points. A reaction is kept if it does no
+//! work, is felt, and is independent of those kept before. The search ends when there are as many as the equations of
+//! all bodies leave over.
+
+use super::held::works_alone;
+use super::search::{Along, Found, Search};
+use crate::model::reactions::random_pose::{DrawnModel, Triple};
+use crate::model::reactions::relative_motion::Holder;
+use crate::model::{Place, ReactionKind};
+
+impl Search<'_> {
+    /// Chooses the reactions that are still missing.
+    pub fn elsewhere(&mut self) {
+        // Points where bodies hold fast come first: a force where they slide along it is tried last.
+        for holds in [true, false] {
+            self.contacts(holds);
+            if !holds {
+                self.spins();
+            }
+            self.loops(holds);
+        }
+        self.lines();
+        self.tree();
+        self.shared();
+    }
+
+    /// Chooses reactions between each body and its holder, in the motions that all constraints together permit.
+    fn tree(&mut self) {
+        for rest in self.rests.clone() {
+            for (kind, velocities) in self.relative.between(rest.body, rest.holder) {
+                self.along_wanted_axes(kind, &velocities, (rest.body, rest.holder));
+            }
+        }
+    }
+
+    /// Keeps the reactions of a kind along axes that do no work on these velocities, which are along each speed.
+    fn along_wanted_axes(&mut self, kind: ReactionKind, velocities: &[Triple], (body, holder): (usize, Holder)) {
+        if self.missing == 0 {
+            return;
+        }
+        for (frame, axis) in self.relative.axes_between(body, holder) {
+            let direction = self.relative.drawn.frames[frame].axes[axis];
+            let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
+            if !works && self.is_wanted(kind, direction) {
+                self.choose(self.last_place(), Found::along_axis(kind, (frame, axis)), direction, Vec::new());
+            }
+        }
+    }
+
+    /// Chooses forces along massless rods: between points of two bodies, or of a body and the ground, at a constant
+    /// distance.
+    fn lines(&mut self) {
+        let count = self.relative.model.points.len();
+        for (body, holder) in self.relative.pairs() {
+            if self.missing == 0 {
+                return;
+            }
+            let is_end = |at: &usize| holder.map_or_else(|| self.relative.stays(*at), |b| self.relative.has(b, *at));
+            let ends: Vec<usize> = (0..count).filter(is_end).collect();
+            for point in (0..count).filter(|at| self.relative.has(body, *at)).collect::<Vec<_>>() {
+                for opposite in &ends {
+                    self.line(body, holder, (point, *opposite));
+                }
+            }
+        }
+    }
+
+    fn line(&mut self, body: usize, holder: Holder, (point, opposite): (usize, usize)) {
+        let DrawnModel { space, points, .. } = &self.relative.drawn;
+        let way = space.sub(points[opposite].place, points[point].place);
+        if self.missing == 0 || way == [0; 3] {
+            return;
+        }
+        let slips = self.relative.slips(body, holder, (point, opposite));
+        if slips.iter().any(|slip| space.dot(*slip, way) != 0) {
+            return;
+        }
+        let against = holder.map(|body| Place { body, point: opposite });
+        let kind = ReactionKind::Force { on: Place { body, point }, against };
+        if self.is_wanted(kind, way) {
+            let found = Found { kind, along: Along::Line(point, opposite), is_shared: false };
+            self.choose(self.last_place(), found, way, Vec::new());
+        }
+    }
+
+    /// Chooses forces and torques where bodies rest that each do work, and together hold directions that no axis holds.
+    /// Each brings an unknown. They bring as many equations as their powers along the speeds have independent ones.
+    fn shared(&mut self) {
+        let all: Vec<_> = self.rests.iter().flat_map(|rest| self.relative.working(rest.body, rest.holder)).collect();
+        let powers: Vec<Vec<u64>> = all.iter().map(|(_, power)| power.clone()).collect();
+        let field = self.relative.drawn.space.0;
+        for (at, (found, power)) in all.into_iter().enumerate() {
+            let Some(direction) = self.relative.direction(&found) else { continue };
+            if !works_alone(field, &powers, at) && self.is_wanted(found.kind, direction) {
+                self.choose(self.last_place(), found, direction, power);
+            }
+        }
+    }
+
+    /// Forces where bodies touch at a point, without slip or with it.
+    fn contacts(&mut self, holds: bool) {
+        for (body, holder) in self.relative.pairs() {
+            for point in 0..self.relative.model.points.len() {
+                let is_there =
+                    |b: usize| self.relative.is_rigid(Some(b)) || self.relative.model.bodies[b].centre == point;
+                if is_there(body) && holder.is_none_or(is_there) {
+                    self.meeting(body, holder, (point, point), holds);
+                }
+            }
+        }
+    }
+
+    /// Torques that hold bodies from turning against the ground, then against one another.
+    fn spins(&mut self) {
+        for (body, holder) in self.relative.pairs() {
+            if self.missing > 0 && self.relative.is_rigid(Some(body)) && self.relative.is_rigid(holder) {
+                let turns = self.relative.turns(body, holder);
+                self.along_wanted_axes(ReactionKind::Torque { on: body, against: holder }, &turns, (body, holder));
+            }
+        }
+    }
+
+    /// Forces between points that loops hold together.
+    fn loops(&mut self, holds: bool) {
+        for (body, holder) in self.relative.pairs() {
+            let Some(other) = holder else { continue };
+            for point in 0..self.relative.model.points.len() {
+                for opposite in 0..self.relative.model.points.len() {
+                    if point != opposite && self.relative.has(body, point) && self.relative.has(other, opposite) {
+                        self.meeting(body, holder, (point, opposite), holds);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Forces where two bodies meet, without slip or with it.
+    fn meeting(&mut self, body: usize, holder: Holder, (point, opposite): (usize, usize), holds: bool) {
+        if self.missing == 0 {
+            return;
+        }
+        let slips = self.relative.slips(body, holder, (point, opposite));
+        if !holds || slips.iter().all(|slip| *slip == [0; 3]) {
+            let against = holder.map(|body| Place { body, point: opposite });
+            let kind = ReactionKind::Force { on: Place { body, point }, against };
+            self.along_wanted_axes(kind, &slips, (body, holder));
+        }
+    }
+}

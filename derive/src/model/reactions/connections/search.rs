@@ -1,0 +1,187 @@
+//! Search for reactions in one random pose: those chosen, the balances in which bodies feel them, and the number still
+//! missing.
+
+use crate::algebra::value::rank::Basis;
+use crate::algebra::{Arena, Expr};
+use crate::model::reactions::random_pose::{DrawnModel, Triple};
+use crate::model::reactions::relative_motion::{Relative, sides};
+use crate::model::reactions::supports::{Reason, Rest};
+use crate::model::{Model, ReactionKind};
+
+/// Direction along which a reaction acts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Along {
+    /// An axis of a frame.
+    Axis(usize, usize),
+    /// From one point to another.
+    Line(usize, usize),
+}
+
+/// A reaction that was found.
+#[derive(Clone, Copy)]
+pub struct Found {
+    pub kind: ReactionKind,
+    pub along: Along,
+    pub is_shared: bool,
+}
+
+impl Found {
+    /// A reaction along an axis of a frame that does no work by itself.
+    pub fn along_axis(kind: ReactionKind, (frame, axis): (usize, usize)) -> Self {
+        Self { kind, along: Along::Axis(frame, axis), is_shared: false }
+    }
+
+    /// True if both are the same component between the same bodies.
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.kind == other.kind && self.along == other.along
+    }
+}
+
+/// A reaction that was chosen: one of the file, or one that was found.
+struct Chosen {
+    /// Contribution of the reaction to all balances.
+    action: Vec<u64>,
+    /// Its power along each speed; none if it does no work by itself.
+    power: Vec<u64>,
+    /// Reaction that was found, after its place in the list of reactions; `None` for one of the file.
+    found: Option<(usize, Found)>,
+    /// True if bodies feel the reaction: it acts in a balance that is not 0 = 0.
+    is_felt: bool,
+}
+
+/// The search in one pose.
+pub struct Search<'m> {
+    pub relative: Relative<'m>,
+    /// Each body with its holder, from the outside in.
+    pub rests: Vec<Rest>,
+    /// Reactions that are still to be found.
+    pub missing: usize,
+    /// Balances that are not 0 = 0 without reactions, six for each body, in the frame of its inertia. `felt` has those
+    /// that are not 0 = 0 with the chosen reactions.
+    moved: Vec<bool>,
+    felt: Vec<bool>,
+    chosen: Vec<Chosen>,
+    /// Basis of the contributions of the chosen reactions to all balances.
+    basis: Basis,
+}
+
+impl<'m> Search<'m> {
+    /// Starts the search from the stated reactions; `None` if they leave nothing to be found.
+    pub fn new(model: &'m Model) -> Option<Self> {
+        let arena = &mut model.arena.clone();
+        let drawn = DrawnModel::new(model, arena)?;
+        let (basis, chosen) = (Basis::new(drawn.space.0), Vec::new());
+        let moved: Vec<bool> = drawn.balances(model, arena)?.iter().map(|x| *x != 0).collect();
+        let relative = Relative { model, drawn, ways_if_open: None };
+        let rests = relative.rests();
+        let mut search = Self { felt: moved.clone(), moved, relative, rests, basis, chosen, missing: 0 };
+        let stated = search.stated(arena)?;
+        for action in stated {
+            search.basis.take(action.clone())?;
+            search.chosen.push(Chosen { action, power: Vec::new(), found: None, is_felt: true });
+        }
+        search.feel();
+        (search.missing > 0).then_some(search)
+    }
+
+    /// Contributions of the stated reactions to the balances.
+    fn stated(&self, arena: &mut Arena) -> Option<Vec<Vec<u64>>> {
+        let directions: Vec<Expr> = self.relative.model.reactions.iter().flat_map(|r| r.direction).collect();
+        let mut values = self.relative.drawn.values(self.relative.model, arena, &directions)?;
+        let actions = self.relative.model.reactions.iter().map(|reaction| {
+            let direction =
+                self.relative.drawn.space.along(&self.relative.drawn.frames[reaction.frame].axes, values.triple());
+            self.relative.drawn.action(self.relative.model, reaction.kind, direction)
+        });
+        Some(actions.collect())
+    }
+
+    /// Contribution of a reaction of size 1 in this direction to all balances.
+    fn action(&self, kind: ReactionKind, direction: Triple) -> Vec<u64> {
+        self.relative.drawn.action(self.relative.model, kind, direction)
+    }
+
+    /// The place of a body's reactions in the list: bodies stand in it from the outside in.
+    pub fn place_of(&self, body: usize) -> usize {
+        1 + self.rests.iter().position(|rest| rest.body == body).unwrap_or(self.rests.len())
+    }
+
+    /// The place of reactions that come after those of all bodies.
+    pub fn last_place(&self) -> usize {
+        2 + self.rests.len()
+    }
+
+    /// True if reactions are missing, and one in this direction acts in a balance that bodies feel.
+    pub fn is_wanted(&self, kind: ReactionKind, direction: Triple) -> bool {
+        self.missing > 0 && self.action(kind, direction).iter().zip(&self.felt).any(|(x, felt)| *x != 0 && *felt)
+    }
+
+    /// Chooses a reaction in this direction, at this place of the list, unless those already chosen carry the same
+    /// load. Returns true if it is chosen.
+    pub fn choose(&mut self, place: usize, found: Found, direction: Triple, power: Vec<u64>) -> bool {
+        let action = self.action(found.kind, direction);
+        let is_new = self.basis.take(action.clone()).is_some();
+        if is_new {
+            self.chosen.push(Chosen { action, power, found: Some((place, found)), is_felt: false });
+            self.feel();
+        }
+        is_new
+    }
+
+    /// Finds the chosen reactions that bodies feel, and counts the missing ones: each equation needs an unknown.
+    fn feel(&mut self) {
+        while let Some(at) = self.chosen.iter().position(|chosen| !chosen.is_felt && self.acts(chosen)) {
+            self.chosen[at].is_felt = true;
+        }
+        let mut felt = self.moved.clone();
+        for chosen in self.chosen.iter().filter(|chosen| chosen.is_felt) {
+            felt.iter_mut().zip(&chosen.action).for_each(|(felt, x)| *felt |= *x != 0);
+        }
+        self.felt = felt;
+        let mut powers = Basis::new(self.relative.drawn.space.0);
+        let mut unknowns = self.relative.model.speeds.len();
+        for chosen in self.chosen.iter().filter(|chosen| chosen.is_felt) {
+            unknowns += 1;
+            if !chosen.power.is_empty() {
+                powers.take(chosen.power.clone());
+            }
+        }
+        let equations = self.felt.iter().filter(|felt| **felt).count() + powers.len();
+        self.missing = equations.saturating_sub(unknowns);
+    }
+
+    /// True if a reaction acts in a balance that is felt, or shares its power with a reaction that does.
+    fn acts(&self, one: &Chosen) -> bool {
+        let meets = |a: &[u64], b: &[u64]| a.iter().zip(b).any(|(x, y)| *x != 0 && *y != 0);
+        let felt = self.chosen.iter().filter(|chosen| chosen.is_felt);
+        one.action.iter().zip(&self.moved).any(|(x, moved)| *x != 0 && *moved)
+            || felt.into_iter().any(|other| meets(&one.action, &other.action) || meets(&one.power, &other.power))
+    }
+
+    /// Reactions that were found and that bodies feel, in the order of their places. Also the bodies under which the
+    /// ground, or the body they touch, is left out, because it carries nothing except what the file names.
+    pub fn results(mut self) -> (Vec<Found>, Vec<usize>) {
+        self.chosen.retain(|chosen| chosen.is_felt);
+        self.leave_out_zeros();
+        let mut found: Vec<(usize, Found)> = self.chosen.iter().filter_map(|chosen| chosen.found).collect();
+        found.sort_by_key(|(place, _)| *place);
+        let found: Vec<Found> = found.into_iter().map(|(_, found)| found).collect();
+        let carries = |rest: &Rest| found.iter().any(|found| sides(found.kind) == (rest.body, rest.holder));
+        let is_open = |rest: &&Rest| matches!(rest.reason, Reason::Ground | Reason::Touch) && !carries(rest);
+        let idle = self.rests.iter().filter(is_open).map(|rest| rest.body).collect();
+        (found, idle)
+    }
+
+    /// Leaves out reactions that are 0, being alone in a balance in which nothing moves and no load acts.
+    fn leave_out_zeros(&mut self) {
+        while let Some(zero) = (0..self.moved.len()).filter(|row| !self.moved[*row]).find_map(|row| {
+            let mut acting = (0..self.chosen.len()).filter(|at| self.chosen[*at].action[row] != 0);
+            let only = acting.next()?;
+            let chosen = &self.chosen[only];
+            // What is shared holds something elsewhere.
+            (acting.next().is_none() && chosen.found.is_some_and(|(_, found)| !found.is_shared)).then_some(only)
+        }) {
+            self.chosen.remove(zero);
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! Potentials as forces and torques between bodies, for the Newton–Euler equations.
+//!
+//! A potential in coordinates states the work that it does, but not the bodies on which it acts, which the Newton–Euler
+//! equations need. It is exerted as motors and springs in joints would exert it: along and about axes of frames,
+//! between each body and its holder ([`super::relative_motion`]). The velocities along these axes, r = R q̇, determine
+//! q̇; those that fewest coordinates change come first. The efforts w do the work of the potential in every motion: Rᵀ
+//! w = −∂V/∂q. If the bodies do not determine q̇, as with Euler parameters, they determine u. The efforts then do that
+//! work in every permitted motion. Accelerations do not depend on the choice of axes; reactions are those with this
+//! choice.
+
+use super::random_pose::{DrawnModel, Triple};
+use super::relative_motion::{Holder, Relative};
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::linear::solve;
+use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::rank::Basis;
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Frames, Motion, Vector};
+use crate::model::{Effort, Model, Place, ReactionKind};
+
+/// Bodies up to which efforts are sought.
+const MOST_BODIES: usize = 24;
+
+/// Axis of a frame along or about which an effort acts: kind, frame, axis.
+type Axis = (ReactionKind, usize, usize);
+
+impl Model {
+    /// Finds the loads that the file leaves open: potentials as forces and torques, then reactions.
+    pub(in crate::model) fn complete_loads(&mut self) {
+        self.place_potentials();
+        self.complete_reactions();
+    }
+
+    /// Finds the efforts of potentials; leaves none where there are none that do their work.
+    fn place_potentials(&mut self) {
+        if self.potentials.is_empty() || self.bodies.len() > MOST_BODIES {
+            return;
+        }
+        let mut arena = self.arena.clone();
+        let Some(drawn) = DrawnModel::new(self, &mut arena) else { return };
+        let relative = Relative { model: self, drawn, ways_if_open: None };
+        let own: Vec<usize> = relative.own_motions().collect();
+        let along_rates = relative.axes(own.len(), |velocity| own.iter().map(|at| velocity(*at)).collect());
+        let found = match along_rates {
+            Some(axes) => {
+                let rates: Vec<Expr> = own.iter().map(|at| self.coordinates[*at].rate).collect();
+                self.efforts_along(&axes, &rates, &mut Substitution::new(&[]))
+            }
+            None => {
+                let rates = self.q_dot().into_iter().zip(self.kinematic_equations.rates.iter().copied());
+                let mut to_speeds = Substitution::new(&rates.collect::<Vec<_>>());
+                let axes = relative.axes(self.speeds.len(), |velocity| relative.permitted(velocity));
+                axes.and_then(|axes| self.efforts_along(&axes, &self.u(), &mut to_speeds))
+            }
+        };
+        if let Some((arena, efforts)) = found {
+            self.arena = arena;
+            self.efforts = efforts;
+        }
+    }
+
+    /// Solves Rᵀ w = Q for velocities along these axes, in q̇ or in its substitutes `put`.
+    fn efforts_along(&self, axes: &[Axis], variables: &[Expr], put: &mut Substitution) -> Option<(Arena, Vec<Effort>)> {
+        let mut arena = self.arena.clone();
+        let mut simplifier = Simplifier::default();
+        let rates: Vec<(Expr, Expr)> = self.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let mut frames = Frames::new(&self.frames);
+        let mut d_dt = Differential::along(&rates);
+        let motion = Motion::new(&mut arena, &mut frames, &self.frames, &self.points, &mut d_dt);
+        let mut along = Gradient::new(variables);
+        let mut slopes = |arena: &mut Arena, e: Expr| {
+            let e = put.apply(arena, e);
+            let mut list = vec![Expr::ZERO; variables.len()];
+            for (at, slope) in along.apply(arena, e).iter() {
+                list[*at] = simplifier.simplify(arena, *slope);
+            }
+            list
+        };
+        let mut columns = Vec::new();
+        for (kind, frame, axis) in axes {
+            let velocity = self.relative_velocity(&mut arena, &mut frames, &motion, *kind);
+            let component = frames.component(&mut arena, &velocity, *frame, *axis);
+            columns.push(slopes(&mut arena, component));
+        }
+        let power = self.potential_power(&mut arena);
+        let right: Vec<Vec<Expr>> = slopes(&mut arena, power).into_iter().map(|e| vec![e]).collect();
+        let matrix: Vec<Vec<Expr>> =
+            (0..variables.len()).map(|row| columns.iter().map(|column| column[row]).collect()).collect();
+        let (sizes, _) = solve(&mut arena, &mut simplifier, &matrix, &right).ok()?;
+        let mut efforts = Vec::new();
+        for ((kind, frame, axis), size) in axes.iter().zip(sizes) {
+            if zero_test(&arena, size[0]) != ZeroTest::Zero {
+                let mut vector = [Expr::ZERO; 3];
+                vector[*axis] = size[0];
+                efforts.push(Effort { kind: *kind, frame: *frame, vector });
+            }
+        }
+        Some((arena, efforts))
+    }
+
+    /// −∂V/∂q · q̇ of all potentials; time is no coordinate that they push.
+    fn potential_power(&self, arena: &mut Arena) -> Expr {
+        let energies: Vec<Expr> = self.potentials.iter().map(|potential| potential.energy).collect();
+        let energy = arena.sum(&energies);
+        let time = self.time();
+        let own = self.coordinates.iter().enumerate().filter(|(at, _)| Some(*at) != time);
+        let rates: Vec<(Expr, Expr)> = own.map(|(_, c)| (c.symbol, c.rate)).collect();
+        let growth = Differential::along(&rates).apply(arena, energy);
+        arena.neg(growth)
+    }
+
+    /// Velocity, or angular velocity, of the side that is pushed, relative to the side that the opposite pushes.
+    pub(in crate::model) fn relative_velocity(
+        &self,
+        arena: &mut Arena,
+        frames: &mut Frames,
+        motion: &Motion,
+        kind: ReactionKind,
+    ) -> Vector {
+        let mut material = |arena: &mut Arena, Place { body, point }: Place| {
+            let body = &self.bodies[body];
+            match &body.rigid {
+                Some((frame, _)) => motion.of_material(arena, frames, (*frame, body.centre), point),
+                None => motion.linear[body.centre].clone(),
+            }
+        };
+        let turning =
+            |body: usize| motion.angular[self.bodies[body].rigid.as_ref().map_or(0, |(frame, _)| *frame)].clone();
+        let (velocity, opposite) = match kind {
+            ReactionKind::Force { on, against } => (material(arena, on), against.map(|place| material(arena, place))),
+            ReactionKind::Torque { on, against } => (turning(on), against.map(turning)),
+        };
+        opposite.map_or(velocity.clone(), |opposite| {
+            let back = opposite.neg(arena);
+            velocity.add(arena, &back)
+        })
+    }
+}
+
+impl Relative<'_> {
+    /// Finds `count` axes along which relative velocities are independent, preferring those that depend on the fewest
+    /// variables. `listed` maps velocities along q̇ to velocities along the variables. `None` if there are not enough.
+    fn axes(&self, count: usize, listed: impl Fn(&dyn Fn(usize) -> Triple) -> Vec<Triple>) -> Option<Vec<Axis>> {
+        let mut candidates: Vec<(usize, Vec<u64>, Axis)> = Vec::new();
+        for (body, holder) in self.holders() {
+            for (kind, velocities) in self.pushes(body, holder, &listed) {
+                for frame in self.frames(body, holder) {
+                    for axis in 0..3 {
+                        let direction = self.drawn.frames[frame].axes[axis];
+                        let row: Vec<u64> = velocities.iter().map(|v| self.drawn.space.dot(*v, direction)).collect();
+                        let changing = row.iter().filter(|x| **x != 0).count();
+                        candidates.push((changing, row, (kind, frame, axis)));
+                    }
+                }
+            }
+        }
+        candidates.sort_by_key(|(changing, ..)| *changing);
+        let mut basis = Basis::new(self.drawn.space.0);
+        candidates.retain(|(_, row, _)| basis.len() < count && basis.take(row.clone()).is_some());
+        (basis.len() == count).then(|| candidates.into_iter().map(|(.., axis)| axis).collect())
+    }
+
+    /// Force and torque that may act between a body and its holder, each with the velocities at which it does work.
+    fn pushes(
+        &self,
+        body: usize,
+        holder: Holder,
+        listed: &impl Fn(&dyn Fn(usize) -> Triple) -> Vec<Triple>,
+    ) -> Vec<(ReactionKind, Vec<Triple>)> {
+        let space = self.drawn.space;
+        let mut list = Vec::new();
+        if self.is_rigid(Some(body)) {
+            // A particle takes no torque: the ground does.
+            let against = holder.filter(|_| self.is_rigid(holder));
+            let turns = |along: usize| space.sub(self.turning(Some(body), along), self.turning(against, along));
+            list.push((ReactionKind::Torque { on: body, against }, listed(&turns)));
+        }
+        let point = self.least_moving_point(body, holder);
+        let against = holder.map(|body| Place { body, point });
+        let slips =
+            |along: usize| space.sub(self.material(Some(body), point, along), self.material(holder, point, along));
+        list.push((ReactionKind::Force { on: Place { body, point }, against }, listed(&slips)));
+        list
+    }
+}

@@ -1,0 +1,351 @@
+//! Force or torque that one body exerts on another through their connections: the sum of all reactions between the two.
+//!
+//! A formula names a component of it, `force(base on arm) @ N [1]`. While the file is read a symbol stands for it,
+//! since reactions that nobody named are found last. Then the sum is put in, so that only the reading of files knows of
+//! it.
+
+use super::connections::MOST_EQUATIONS;
+use super::relative_motion::{Holder, sides};
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::text::parse::InteractionName;
+use crate::algebra::{Arena, Expr};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::geometry::{Frames, Vector};
+use crate::model::units::Unit;
+use crate::model::{Hung, Model, Place, Reaction, ReactionKind};
+use crate::read::Located;
+use std::ops::Range;
+
+/// Name of the ground where bodies are named. If a body has this name, the body is meant.
+pub const GROUND: &str = "ground";
+
+/// Component of the force or torque that a body exerts on another, by names with their places in the file.
+#[derive(Clone, Debug)]
+pub struct StatedInteraction {
+    /// Symbol that stands for it until reactions are known.
+    pub symbol: Expr,
+    /// Its name in canonical form.
+    pub text: String,
+    pub is_torque: bool,
+    pub by: Located,
+    pub on: Located,
+    pub about: Option<Located>,
+    pub frame: Located,
+    pub axis: usize,
+    /// Byte range of the whole name in the file.
+    pub span: Range<usize>,
+}
+
+/// Component of the force or torque that a body exerts on another, by indices into the lists of a model.
+#[derive(Clone, Copy, Debug)]
+pub struct Interaction {
+    pub is_torque: bool,
+    pub by: Holder,
+    pub on: Holder,
+    pub about: Option<usize>,
+    pub frame: usize,
+    pub axis: usize,
+}
+
+impl StatedInteraction {
+    pub fn new(arena: &mut Arena, formula: &Located, name: &InteractionName<'_>) -> Self {
+        let located = |(text, place): &(&str, Range<usize>)| Located {
+            text: (*text).to_owned(),
+            span: formula.part(place.clone()),
+            exact: formula.exact,
+        };
+        let text = name.text();
+        let span = formula.part(name.by.1.start..name.frame.1.end);
+        Self {
+            symbol: arena.symbol(&text),
+            text,
+            is_torque: name.is_torque,
+            by: located(&name.by),
+            on: located(&name.on),
+            about: name.about.as_ref().map(located),
+            frame: located(&name.frame),
+            axis: name.axis,
+            span,
+        }
+    }
+
+    /// N or N m.
+    pub fn unit(&self) -> Unit {
+        Unit::new(if self.is_torque { 2 } else { 1 }, 1, -2)
+    }
+}
+
+impl Interaction {
+    /// True if a reaction belongs to it with a positive sign, false if with a negative one; `None` if it does not.
+    fn sign(&self, reaction: &Reaction) -> Option<bool> {
+        let (on, against) = sides(reaction.kind);
+        match (Some(on), against) {
+            pair if pair == (self.on, self.by) => Some(true),
+            pair if pair == (self.by, self.on) => Some(false),
+            _ => None,
+        }
+    }
+}
+
+impl Model {
+    /// Term in the reactions of this model and in q for the component that a formula names.
+    ///
+    /// # Errors
+    /// A [`Diagnostic`] at its place if a name is unknown, nothing acts between the two, the point of a torque is open,
+    /// or equilibrium does not determine the component.
+    pub fn interaction(&mut self, stated: &StatedInteraction) -> Result<Expr, Diagnostic> {
+        let mut sought = self.found_interaction(stated)?;
+        let acting: Vec<(Reaction, bool)> =
+            self.reactions.iter().filter_map(|r| Some((r.clone(), sought.sign(r)?))).collect();
+        if acting.is_empty() {
+            return Err(self.nothing_acts(stated));
+        }
+        if sought.is_torque {
+            sought.about = self.point_of(stated, sought, &acting)?;
+        }
+        if let Some((message, help)) = self.undetermined(&sought, &stated.text) {
+            return Err(Diagnostic::new(stated.span.clone(), message, help));
+        }
+        let mut arena = std::mem::take(&mut self.arena);
+        let value = self.sum_of(&mut arena, sought, &acting);
+        self.arena = arena;
+        Ok(value)
+    }
+
+    /// The sum of reactions, with the moments of forces about a point.
+    fn sum_of(&self, arena: &mut Arena, sought: Interaction, acting: &[(Reaction, bool)]) -> Expr {
+        let mut frames = Frames::new(&self.frames);
+        let mut sum = Vector::default();
+        for (reaction, is_along) in acting {
+            let mut vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
+            if !is_along {
+                vector = vector.neg(arena);
+            }
+            let part = match (reaction.kind, sought.about) {
+                (ReactionKind::Force { .. }, _) if !sought.is_torque => vector,
+                (ReactionKind::Torque { .. }, _) if sought.is_torque => vector,
+                (ReactionKind::Force { on, against }, Some(about)) => {
+                    let point = felt_at(on, against, *is_along);
+                    let back = self.position(arena, about).neg(arena);
+                    let arm = self.position(arena, point).add(arena, &back);
+                    frames.cross(arena, &arm, &vector)
+                }
+                _ => continue,
+            };
+            sum = sum.add(arena, &part);
+        }
+        let component = frames.component(arena, &sum, sought.frame, sought.axis);
+        Simplifier::default().simplify(arena, component)
+    }
+
+    /// A point from the origin.
+    pub(in crate::model) fn position(&self, arena: &mut Arena, point: usize) -> Vector {
+        let (mut at, mut sum) = (point, Vector::default());
+        while let Some((parent, frame, components)) = self.points[at].position {
+            sum = sum.add(arena, &Vector::in_frame(frame, components));
+            at = parent;
+        }
+        sum
+    }
+
+    /// The point about which a torque is meant: that which is named, that of the joint, or the one where forces act.
+    fn point_of(
+        &self,
+        stated: &StatedInteraction,
+        sought: Interaction,
+        acting: &[(Reaction, bool)],
+    ) -> Result<Option<usize>, Diagnostic> {
+        if sought.about.is_some() {
+            return Ok(sought.about);
+        }
+        let joins = |hung: &&Hung| {
+            let pair = (Some(hung.body), hung.on);
+            pair == (sought.on, sought.by) || pair == (sought.by, sought.on)
+        };
+        if let Some(joint) = self.hung.iter().find(joins) {
+            return Ok(Some(joint.point));
+        }
+        let mut points = Vec::new();
+        for (reaction, is_along) in acting {
+            if let ReactionKind::Force { on, against } = reaction.kind {
+                let point = felt_at(on, against, *is_along);
+                if !points.contains(&point) {
+                    points.push(point);
+                }
+            }
+        }
+        if points.len() < 2 {
+            return Ok(points.first().copied());
+        }
+        let names: Vec<String> = points.iter().map(|at| format!("`{}`", self.points[*at].name)).collect();
+        let message = format!("forces act between the two at several points, {}", names.join(", "));
+        let help = format!(
+            "name the point about which the torque is meant: torque({} on {} about {}) @ {} [{}]",
+            stated.by.text,
+            stated.on.text,
+            self.points[points[0]].name,
+            stated.frame.text,
+            stated.axis + 1
+        );
+        Err(Diagnostic::new(stated.span.clone(), message, help))
+    }
+
+    /// The bodies, the point and the frame that a formula names.
+    fn found_interaction(&self, stated: &StatedInteraction) -> Result<Interaction, Diagnostic> {
+        let (by, on) = (self.holder(&stated.by)?, self.holder(&stated.on)?);
+        if by == on {
+            let message = format!("`{}` names one body twice", stated.text);
+            return Err(Diagnostic::new(stated.span.clone(), message, "name two that are connected"));
+        }
+        let find = |name: &Located, noun: &str, names: Vec<&str>| {
+            names.iter().position(|known| *known == name.text).ok_or_else(|| {
+                let message = format!("the model has no {noun} `{}`", name.text);
+                Diagnostic::new(name.span.clone(), message, nearest(&name.text, names))
+            })
+        };
+        let frame = find(&stated.frame, "frame", self.frames.iter().map(|f| f.name.as_str()).collect())?;
+        let point = |name: &Located| find(name, "point", self.points.iter().map(|p| p.name.as_str()).collect());
+        let about = stated.about.as_ref().map(point).transpose()?;
+        Ok(Interaction { is_torque: stated.is_torque, by, on, about, frame, axis: stated.axis })
+    }
+
+    /// A body, or the ground under its own name or that of the inertial frame.
+    fn holder(&self, name: &Located) -> Result<Holder, Diagnostic> {
+        if let Some(at) = self.bodies.iter().position(|b| b.name == name.text) {
+            return Ok(Some(at));
+        }
+        if name.text == GROUND || name.text == self.frames[0].name {
+            return Ok(None);
+        }
+        let names = self.bodies.iter().map(|b| b.name.as_str()).chain([GROUND]);
+        let message = format!("the model has no body `{}`", name.text);
+        Err(Diagnostic::new(name.span.clone(), message, nearest(&name.text, names)))
+    }
+
+    /// The name of a body, or of the ground.
+    pub(in crate::model) fn holder_name(&self, holder: Holder) -> &str {
+        holder.map_or(GROUND, |at| &self.bodies[at].name)
+    }
+
+    fn nothing_acts(&self, stated: &StatedInteraction) -> Diagnostic {
+        let mut pairs: Vec<String> = Vec::new();
+        for (on, against) in self.reactions.iter().map(|r| sides(r.kind)) {
+            let pair = format!("{} on {}", self.holder_name(against), self.bodies[on].name);
+            if !pairs.contains(&pair) {
+                pairs.push(pair);
+            }
+        }
+        let message = format!("no reaction acts between `{}` and `{}`", stated.by.text, stated.on.text);
+        let help = if let Some(count) = self.too_many_equations() {
+            format!(
+                "reactions are found of up to {MOST_EQUATIONS} equations of Newton and Euler, and the bodies of this model have {count}: name \
+                 those between the two under [reactions]"
+            )
+        } else if pairs.is_empty() {
+            "none of this model is known: `tripos derive MODEL --by newton-euler` says why".to_owned()
+        } else {
+            pairs.truncate(20);
+            format!("reactions are of {}, or the other way round", pairs.join(", "))
+        };
+        Diagnostic::new(stated.span.clone(), message, help)
+    }
+}
+
+/// Index of the point at which a force acts, or if `is_along` is false, its opposite.
+fn felt_at(on: Place, against: Option<Place>, is_along: bool) -> usize {
+    against.filter(|_| !is_along).unwrap_or(on).point
+}
+
+/// A reaction that a condition of the domain names, by its own name or by the bodies.
+#[derive(Clone, Debug)]
+pub enum AskedReaction {
+    /// One that is yet to be found: the symbol that stands for it, its name, and its unit.
+    Found(Expr, Located, Unit),
+    /// Force or torque that a body exerts on another.
+    Between(StatedInteraction),
+}
+
+impl AskedReaction {
+    /// Symbol that stands for the reaction, and its unit.
+    pub fn symbol(&self) -> (Expr, Unit) {
+        match self {
+            Self::Between(stated) => (stated.symbol, stated.unit()),
+            Self::Found(symbol, _, unit) => (*symbol, unit.clone()),
+        }
+    }
+}
+
+impl Model {
+    /// Puts the reactions that conditions of the domain name into these conditions, now that all reactions are known.
+    /// Returns a diagnostic, at its place, for each reaction that cannot be determined.
+    pub(in crate::model) fn name_reactions(&mut self, asked: Vec<AskedReaction>) -> Vec<Diagnostic> {
+        let (mut pairs, mut errors) = (Vec::new(), Vec::new());
+        for reaction in asked {
+            let (symbol, _) = reaction.symbol();
+            let value = match reaction {
+                AskedReaction::Between(stated) => self.interaction(&stated),
+                AskedReaction::Found(_, name, _) => self.found_reaction(&name),
+            };
+            match value {
+                Ok(value) => pairs.push((symbol, value)),
+                Err(error) => errors.push(error),
+            }
+        }
+        let mut put = Substitution::new(&pairs);
+        for condition in &mut self.domain {
+            let positive = put.apply(&mut self.arena, condition.positive);
+            if positive != condition.positive && self.arena.as_number(positive).is_some() {
+                let place = self.declared.get(&condition.name).cloned().unwrap_or_default();
+                let message =
+                    format!("the condition `{}` does not depend on the motion: the reaction is zero", condition.name);
+                errors.push(Diagnostic::new(place, message, "remove the condition"));
+            }
+            condition.positive = positive;
+        }
+        let redundant = self
+            .redundant
+            .iter()
+            .filter(|(_, r)| self.domain.iter().any(|c| self.arena.mentions(c.positive, r.symbol)));
+        errors.extend(redundant.map(|(_, r)| {
+            let place = self.declared.get(&r.name).cloned().unwrap_or_default();
+            let (message, help) = is_redundant(&r.name);
+            Diagnostic::new(place, message, help)
+        }));
+        errors
+    }
+
+    /// A reaction by the name under which it was found.
+    fn found_reaction(&self, name: &Located) -> Result<Expr, Diagnostic> {
+        self.reactions.iter().find(|r| r.name == name.text).map(|r| r.symbol).ok_or_else(|| {
+            let names = self.reactions.iter().map(|r| r.name.as_str());
+            let message = format!("no reaction `{}` is found", name.text);
+            Diagnostic::new(name.span.clone(), message, nearest(&name.text, names))
+        })
+    }
+}
+
+/// Why a reaction has no value that joints hold more than once, and what can be had.
+pub fn is_redundant(name: &str) -> (String, &'static str) {
+    let message = format!("equilibrium does not determine `{name}`: what it holds is held otherwise as well");
+    (
+        message,
+        "let a joint of the loop leave that free, or name a reaction that is determined: `tripos check` shows what follows from what",
+    )
+}
+
+/// The unit of a reaction that might be found under such a name: after a body, with what it is.
+pub fn may_be_found<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
+    let is_of = |body: &str| {
+        let rest = name.strip_prefix(body)?;
+        let starts = |what: &str| rest.starts_with(what);
+        if starts("_force_") {
+            Some(Unit::new(1, 1, -2))
+        } else if starts("_torque_") {
+            Some(Unit::new(2, 1, -2))
+        } else {
+            None
+        }
+    };
+    bodies.find_map(is_of)
+}

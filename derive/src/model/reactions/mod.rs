@@ -1,0 +1,11 @@
+//! Forces that bodies exert on each other through connections, stated in the file or not.
+
+pub(super) mod actions;
+pub(super) mod closures;
+pub(super) mod connections;
+pub(super) mod efforts;
+pub(super) mod interactions;
+pub(super) mod random_pose;
+pub(super) mod relative_motion;
+pub(super) mod self_stress;
+pub(super) mod supports;

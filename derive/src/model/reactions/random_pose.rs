@@ -1,0 +1,346 @@
+//! A mechanism in one random pose and motion, in residues modulo a prime. A term whose residue is zero is identically
+//! zero, except with a chance below 2⁻⁵⁰.
+//!
+//! Frames and points are visited once, parents first. Each frame costs a few multiplications, where a symbolic
+//! derivation would multiply out all turns.
+
+use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
+use crate::algebra::text::parse::VelocityOf;
+use crate::algebra::value::field::Field;
+use crate::algebra::value::points::Drawn;
+use crate::algebra::{Arena, Expr, Function, Rational};
+use crate::geometry::Turn;
+use crate::model::Model;
+use std::collections::BTreeMap;
+
+/// Three components, of inertial axes if nothing else is said.
+pub type Triple = [u64; 3];
+
+/// Arithmetic of triples.
+#[derive(Clone, Copy)]
+pub struct Space(pub Field);
+
+impl Space {
+    pub fn add(self, a: Triple, b: Triple) -> Triple {
+        std::array::from_fn(|i| self.0.add(a[i], b[i]))
+    }
+
+    pub fn sub(self, a: Triple, b: Triple) -> Triple {
+        std::array::from_fn(|i| self.0.sub(a[i], b[i]))
+    }
+
+    pub fn scale(self, k: u64, a: Triple) -> Triple {
+        a.map(|x| self.0.mul(k, x))
+    }
+
+    pub fn dot(self, a: Triple, b: Triple) -> u64 {
+        (0..3).fold(0, |sum, i| self.0.add(sum, self.0.mul(a[i], b[i])))
+    }
+
+    pub fn cross(self, a: Triple, b: Triple) -> Triple {
+        let f = self.0;
+        std::array::from_fn(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            f.sub(f.mul(a[j], b[k]), f.mul(a[k], b[j]))
+        })
+    }
+
+    /// Σ components · axes.
+    pub fn along(self, axes: &[Triple; 3], components: Triple) -> Triple {
+        (0..3).fold([0; 3], |sum, i| self.add(sum, self.scale(components[i], axes[i])))
+    }
+}
+
+/// Residues of terms, read in the order of the terms.
+pub struct Residues(std::vec::IntoIter<u64>);
+
+impl Residues {
+    pub fn new(list: Vec<u64>) -> Self {
+        Self(list.into_iter())
+    }
+
+    /// The next.
+    pub fn one(&mut self) -> u64 {
+        self.0.next().expect("each term that was asked for has a residue")
+    }
+
+    /// The next three.
+    pub fn triple(&mut self) -> Triple {
+        std::array::from_fn(|_| self.one())
+    }
+}
+
+/// A frame: its axes, its angular velocity along each q̇ and in all, its angular acceleration.
+#[derive(Clone)]
+pub struct Turned {
+    pub axes: [Triple; 3],
+    pub along: Vec<Triple>,
+    pub velocity: Triple,
+    pub acceleration: Triple,
+}
+
+/// A point: its place, its velocity along each q̇ and in all, its acceleration.
+#[derive(Clone)]
+pub struct Moved {
+    pub place: Triple,
+    pub along: Vec<Triple>,
+    pub velocity: Triple,
+    pub acceleration: Triple,
+}
+
+/// A model in a random pose and motion.
+pub struct DrawnModel {
+    pub space: Space,
+    pub frames: Vec<Turned>,
+    pub points: Vec<Moved>,
+    /// ∂q̇/∂u, a row for each coordinate.
+    pub partial_rates: Vec<Vec<u64>>,
+    drawn: Drawn,
+}
+
+/// Terms needed of a quantity that depends on coordinates: its value, its slopes along coordinates, and two time
+/// derivatives.
+struct Followed {
+    value: Expr,
+    slopes: Vec<(usize, Expr)>,
+    rate: Expr,
+    second: Expr,
+}
+
+/// Residues of the terms of a `Followed` quantity.
+#[derive(Clone, Default)]
+struct Values {
+    value: u64,
+    slopes: Vec<(usize, u64)>,
+    rate: u64,
+    second: u64,
+}
+
+impl Followed {
+    fn terms(&self) -> impl Iterator<Item = Expr> {
+        [self.value, self.rate, self.second].into_iter().chain(self.slopes.iter().map(|(_, slope)| *slope))
+    }
+
+    fn read(&self, residues: &mut Residues) -> Values {
+        let [value, rate, second] = residues.triple();
+        Values { value, rate, second, slopes: self.slopes.iter().map(|(at, _)| (*at, residues.one())).collect() }
+    }
+}
+
+/// Follows quantities along the motion of a model.
+struct Follower {
+    slopes: Gradient,
+    d_dt: Differential,
+}
+
+impl Follower {
+    fn new(model: &Model) -> Self {
+        let rates = model.kinematic_equations.rates.iter();
+        let flow = model.coordinates.iter().zip(rates).map(|(c, rate)| (c.symbol, *rate));
+        let flow: Vec<_> = flow.chain(model.speeds.iter().map(|s| (s.symbol, s.rate))).collect();
+        Self { slopes: Gradient::new(&model.q()), d_dt: Differential::along(&flow) }
+    }
+
+    fn follow(&mut self, arena: &mut Arena, value: Expr) -> Followed {
+        let rate = self.d_dt.apply(arena, value);
+        let second = self.d_dt.apply(arena, rate);
+        Followed { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
+    }
+
+    /// The angular velocity that a turn adds, by its axes.
+    fn spins(&mut self, arena: &mut Arena, turn: &Turn) -> Vec<(usize, Followed)> {
+        let oriented = match turn {
+            Turn::About(axis, angle) => return vec![(*axis, self.follow(arena, *angle))],
+            Turn::Oriented(oriented) => oriented,
+        };
+        let of: Vec<Vec<(usize, Expr)>> =
+            oriented.spins.iter().map(|(of, _)| self.slopes.apply(arena, *of).iter().copied().collect()).collect();
+        let spin = turn.spin(arena, &mut self.d_dt);
+        let component = |axis: usize| {
+            let mut slopes: BTreeMap<usize, Expr> = BTreeMap::new();
+            for (slopes_of, (_, along)) in of.iter().zip(&oriented.spins) {
+                for (at, slope) in slopes_of {
+                    let share = arena.mul(*slope, along[axis]);
+                    let sum = slopes.entry(*at).or_insert(Expr::ZERO);
+                    *sum = arena.add(*sum, share);
+                }
+            }
+            let second = self.d_dt.apply(arena, spin[axis]);
+            (axis, Followed { value: Expr::ZERO, slopes: slopes.into_iter().collect(), rate: spin[axis], second })
+        };
+        [0, 1, 2].map(component).into()
+    }
+}
+
+/// Terms that place a turned frame: its cosines (cosine and sine for a turn about one axis), and the angular velocity
+/// that it adds.
+struct Turning {
+    cosines: Vec<Expr>,
+    spins: Vec<(usize, Followed)>,
+}
+
+impl DrawnModel {
+    /// Draws a pose, with new terms in a store of their own, a copy of the model's; nothing if none was found in which
+    /// everything has a value.
+    pub fn new(model: &Model, arena: &mut Arena) -> Option<Self> {
+        let mut follower = Follower::new(model);
+        let mut terms = Vec::new();
+        let turns: Vec<Option<Turning>> = model
+            .frames
+            .iter()
+            .map(|frame| {
+                let (_, turn) = frame.rotation.as_ref()?;
+                let cosines = match turn {
+                    Turn::About(_, angle) => [Function::Cos, Function::Sin].map(|f| arena.apply(f, *angle)).to_vec(),
+                    Turn::Oriented(oriented) => oriented.cosines.concat(),
+                };
+                Some(Turning { cosines, spins: follower.spins(arena, turn) })
+            })
+            .collect();
+        let places: Vec<Option<[Followed; 3]>> = model
+            .points
+            .iter()
+            .map(|point| point.position.map(|(_, _, position)| position.map(|e| follower.follow(arena, e))))
+            .collect();
+        for turning in turns.iter().flatten() {
+            let spins = turning.spins.iter().flat_map(|(_, followed)| followed.terms());
+            terms.extend(turning.cosines.iter().copied().chain(spins));
+        }
+        terms.extend(places.iter().flatten().flatten().flat_map(Followed::terms));
+        let mut along_speeds = Gradient::new(&model.speeds.iter().map(|s| s.symbol).collect::<Vec<_>>());
+        let mut partial = Vec::new();
+        for rate in &model.kinematic_equations.rates {
+            partial.push(along_speeds.apply(arena, *rate).iter().copied().collect::<Vec<(usize, Expr)>>());
+        }
+        terms.extend(partial.iter().flatten().map(|(_, slope)| *slope));
+        let (drawn, residues) = Drawn::new(arena, &terms)?;
+        let mut residues = Residues::new(residues);
+        let space = Space(drawn.field());
+        let (n, p) = (model.coordinates.len(), model.speeds.len());
+        let mut frames: Vec<Turned> = Vec::new();
+        for (frame, turning) in model.frames.iter().zip(&turns) {
+            let (Some((parent, turn)), Some(turning)) = (&frame.rotation, turning) else {
+                frames.push(Turned::still(n));
+                continue;
+            };
+            let before: &Turned = &frames[*parent];
+            let axes = match turn {
+                Turn::About(axis, _) => before.about(space, *axis, [residues.one(), residues.one()]),
+                Turn::Oriented(_) => [0, 1, 2].map(|_| space.along(&before.axes, residues.triple())),
+            };
+            let spins: Vec<(usize, Values)> =
+                turning.spins.iter().map(|(axis, followed)| (*axis, followed.read(&mut residues))).collect();
+            frames.push(before.turned(space, axes, &spins));
+        }
+        let mut points: Vec<Moved> = Vec::new();
+        for (point, place) in model.points.iter().zip(&places) {
+            let (Some((parent, frame, _)), Some(followed)) = (point.position, place) else {
+                points.push(Moved::still(n));
+                continue;
+            };
+            let place = [0, 1, 2].map(|i: usize| followed[i].read(&mut residues));
+            points.push(points[parent].moved(space, &frames[frame], &place));
+        }
+        let mut partial_rates = vec![vec![0; p]; n];
+        for (row, slopes) in partial_rates.iter_mut().zip(&partial) {
+            for (at, _) in slopes {
+                row[*at] = residues.one();
+            }
+        }
+        Some(Self { space, frames, points, partial_rates, drawn })
+    }
+
+    /// Residues of other terms in the same pose; the velocities that they name are put in.
+    pub fn values(&self, model: &Model, arena: &mut Arena, terms: &[Expr]) -> Option<Residues> {
+        let symbols = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
+        let mut known: Vec<(Expr, Expr)> = symbols.collect();
+        for name in &model.velocities {
+            let vector = match name.of {
+                VelocityOf::Material(body, point) => self.material(model, body, point, None),
+                VelocityOf::Point(point) => self.points[point].velocity,
+                VelocityOf::Place(point) => self.points[point].place,
+                VelocityOf::Turning(frame) => self.frames[frame].velocity,
+            };
+            let residue = self.space.dot(vector, self.frames[name.frame].axes[name.axis]);
+            let number = Rational::integer(i64::try_from(residue).ok()?);
+            known.push((name.symbol, arena.number(number)));
+        }
+        let mut put = Substitution::new(&known);
+        let terms: Vec<Expr> = terms.iter().map(|e| put.apply(arena, *e)).collect();
+        self.drawn.values(arena, &terms).map(Residues::new)
+    }
+
+    /// The velocity of the material of a body at a point, along one q̇ or in all.
+    pub fn material(&self, model: &Model, body: usize, point: usize, along: Option<usize>) -> Triple {
+        let body = &model.bodies[body];
+        let centre = &self.points[body.centre];
+        let velocity = along.map_or(centre.velocity, |at| centre.along[at]);
+        let Some((frame, _)) = &body.rigid else { return velocity };
+        let turning = along.map_or(self.frames[*frame].velocity, |at| self.frames[*frame].along[at]);
+        let arm = self.space.sub(self.points[point].place, centre.place);
+        self.space.add(velocity, self.space.cross(turning, arm))
+    }
+}
+
+impl Turned {
+    fn still(n: usize) -> Self {
+        let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+        Self { axes, along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
+    }
+
+    /// The axes of a frame turned about one of them.
+    fn about(&self, space: Space, axis: usize, [cos, sin]: [u64; 2]) -> [Triple; 3] {
+        let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+        let mut axes = self.axes;
+        axes[j] = space.add(space.scale(cos, self.axes[j]), space.scale(sin, self.axes[k]));
+        axes[k] = space.sub(space.scale(cos, self.axes[k]), space.scale(sin, self.axes[j]));
+        axes
+    }
+
+    /// A frame turned from this one to these axes, with the components of the angular velocity that this adds.
+    fn turned(&self, space: Space, axes: [Triple; 3], spins: &[(usize, Values)]) -> Self {
+        let mut along = self.along.clone();
+        let (mut spin, mut second) = ([0; 3], [0; 3]);
+        for (axis, values) in spins {
+            let e = axes[*axis];
+            for (at, slope) in &values.slopes {
+                along[*at] = space.add(along[*at], space.scale(*slope, e));
+            }
+            spin = space.add(spin, space.scale(values.rate, e));
+            second = space.add(second, space.scale(values.second, e));
+        }
+        let carried = space.cross(self.velocity, spin);
+        let own = space.add(carried, second);
+        Self { axes, along, velocity: space.add(self.velocity, spin), acceleration: space.add(self.acceleration, own) }
+    }
+}
+
+impl Moved {
+    fn still(n: usize) -> Self {
+        Self { place: [0; 3], along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
+    }
+
+    /// A point placed from this one in a frame.
+    fn moved(&self, space: Space, frame: &Turned, place: &[Values; 3]) -> Self {
+        let of = |part: fn(&Values) -> u64| space.along(&frame.axes, [0, 1, 2].map(|i: usize| part(&place[i])));
+        let (arm, slip, second) = (of(|v| v.value), of(|v| v.rate), of(|v| v.second));
+        let mut along: Vec<Triple> =
+            self.along.iter().zip(&frame.along).map(|(v, turn)| space.add(*v, space.cross(*turn, arm))).collect();
+        for (axis, component) in frame.axes.iter().zip(place) {
+            for (at, slope) in &component.slopes {
+                along[*at] = space.add(along[*at], space.scale(*slope, *axis));
+            }
+        }
+        let turning = space.cross(frame.velocity, arm);
+        // a = a₀ + α × r + ω × (ω × r + 2 v_rel) + a_rel.
+        let twice = space.add(turning, space.add(slip, slip));
+        let centripetal = space.cross(frame.velocity, twice);
+        let own = space.add(space.cross(frame.acceleration, arm), space.add(centripetal, second));
+        Self {
+            place: space.add(self.place, arm),
+            along,
+            velocity: space.add(self.velocity, space.add(turning, slip)),
+            acceleration: space.add(self.acceleration, own),
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Motion of bodies relative to one another and to the ground, in one random pose ([`super::random_pose`]).
+
+use super::random_pose::{DrawnModel, Triple};
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::value::rank::Basis;
+use crate::algebra::{Arena, Expr};
+use crate::model::{Model, MotionConstraint, ReactionKind};
+
+/// A body, or the ground.
+pub type Holder = Option<usize>;
+
+/// Body on which a reaction acts, and body or ground on which the opposite acts.
+pub fn sides(kind: ReactionKind) -> (usize, Holder) {
+    match kind {
+        ReactionKind::Force { on, against } => (on.body, against.map(|place| place.body)),
+        ReactionKind::Torque { on, against } => (on, against),
+    }
+}
+
+/// A model in a random pose, and how its bodies move there.
+pub struct Relative<'m> {
+    pub model: &'m Model,
+    pub drawn: DrawnModel,
+    /// Ways to move, each a value for every q̇, in whose stead those along the speeds count if there are none here.
+    pub ways_if_open: Option<Vec<Vec<u64>>>,
+}
+
+impl Relative<'_> {
+    /// The velocity of the material of a body, or of the ground, at a point, along q̇.
+    pub fn material(&self, body: Holder, point: usize, along: usize) -> Triple {
+        body.map_or([0; 3], |body| self.drawn.material(self.model, body, point, Some(along)))
+    }
+
+    /// The angular velocity of a rigid body, or of the ground, along q̇.
+    pub fn turning(&self, body: Holder, along: usize) -> Triple {
+        let frame = body.and_then(|body| Some(self.model.bodies[body].rigid.as_ref()?.0));
+        frame.map_or([0; 3], |frame| self.drawn.frames[frame].along[along])
+    }
+
+    pub fn is_rigid(&self, body: Holder) -> bool {
+        body.is_none_or(|body| self.model.bodies[body].rigid.is_some())
+    }
+
+    /// Coordinates other than time.
+    pub fn own_motions(&self) -> impl Iterator<Item = usize> + use<'_> {
+        let time = self.model.time();
+        (0..self.model.coordinates.len()).filter(move |at| Some(*at) != time)
+    }
+
+    /// Number of independent ways in which triples change along the coordinates and time. Time counts: a body that
+    /// hangs on a driven crank does not hang on the ground.
+    pub fn ways(&self, of: impl Fn(usize) -> Vec<Triple>) -> usize {
+        let mut basis = Basis::new(self.drawn.space.0);
+        for along in 0..self.model.coordinates.len() {
+            basis.take(of(along).concat());
+        }
+        basis.len()
+    }
+
+    /// Number of independent ways in which a body moves relative to another, or to the ground.
+    pub fn freedom(&self, body: usize, against: Holder) -> usize {
+        let space = self.drawn.space;
+        // A particle holds nothing that turns.
+        let turns = self.is_rigid(Some(body));
+        // The material of a particle is at its own point alone.
+        let particle = against.filter(|_| !self.is_rigid(against));
+        let point = self.model.bodies[particle.unwrap_or(body)].centre;
+        self.ways(|along| {
+            let slip = space.sub(self.material(Some(body), point, along), self.material(against, point, along));
+            let turn = space.sub(self.turning(Some(body), along), self.turning(against, along));
+            if turns { vec![slip, turn] } else { vec![slip] }
+        })
+    }
+
+    /// Index of the point at which the material of two bodies moves least relative to one another. If the mass centre
+    /// is among several such points, it is taken.
+    pub fn least_moving_point(&self, body: usize, holder: Holder) -> usize {
+        let centre = self.model.bodies[body].centre;
+        let own: Vec<usize> = [Some(body), holder]
+            .into_iter()
+            .flatten()
+            .filter(|body| !self.is_rigid(Some(*body)))
+            .map(|body| self.model.bodies[body].centre)
+            .collect();
+        let points: Vec<usize> = match own.first() {
+            Some(own) => vec![*own],
+            None => std::iter::once(centre).chain((0..self.model.points.len()).filter(|at| *at != centre)).collect(),
+        };
+        let space = self.drawn.space;
+        let slip = |point: usize| {
+            self.ways(|along| {
+                vec![space.sub(self.material(Some(body), point, along), self.material(holder, point, along))]
+            })
+        };
+        points.into_iter().min_by_key(|point| slip(*point)).unwrap_or(centre)
+    }
+
+    /// The frames along whose axes reactions are sought: that of the holder, that of the body, all others.
+    pub fn frames(&self, body: usize, holder: Holder) -> Vec<usize> {
+        let of = |body: usize| self.model.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
+        let mut list = vec![holder.and_then(of).unwrap_or(0)];
+        let others = of(body).into_iter().chain(0..self.model.frames.len());
+        for frame in others {
+            if !list.contains(&frame) {
+                list.push(frame);
+            }
+        }
+        list
+    }
+
+    /// Motions of the mechanism if only these motion constraints held: a basis of their null space.
+    pub fn open_ways(&self, arena: &mut Arena, holds: &dyn Fn(&MotionConstraint) -> bool) -> Option<Vec<Vec<u64>>> {
+        let model = self.model;
+        let held: Vec<Expr> = model.motion_constraints.iter().filter(|c| holds(c)).map(|c| c.equation).collect();
+        let mut along = Gradient::new(&model.q_dot());
+        let n = model.coordinates.len();
+        let mut terms = vec![Expr::ZERO; n * held.len()];
+        for (row, equation) in held.iter().enumerate() {
+            for (at, slope) in along.apply(arena, *equation).iter() {
+                terms[row * n + at] = *slope;
+            }
+        }
+        let mut values = self.drawn.values(model, arena, &terms)?;
+        let mut basis = Basis::new(self.drawn.space.0);
+        for _ in &held {
+            basis.take((0..n).map(|_| values.one()).collect());
+        }
+        Some(basis.null_space(n))
+    }
+
+    /// Velocities along each speed, or each of the ways that count in their stead, from those along q̇.
+    pub fn permitted(&self, along: impl Fn(usize) -> Triple) -> Vec<Triple> {
+        let space = self.drawn.space;
+        if let Some(ways) = &self.ways_if_open {
+            let velocity = |way: &Vec<u64>| {
+                let moving = way.iter().enumerate().filter(|(_, rate)| **rate != 0);
+                moving.fold([0; 3], |sum, (at, rate)| space.add(sum, space.scale(*rate, along(at))))
+            };
+            return ways.iter().map(velocity).collect();
+        }
+        let mut list = vec![[0; 3]; self.model.speeds.len()];
+        for (at, rates) in self.drawn.partial_rates.iter().enumerate() {
+            let velocity = along(at);
+            for (sum, rate) in list.iter_mut().zip(rates) {
+                *sum = space.add(*sum, space.scale(*rate, velocity));
+            }
+        }
+        list
+    }
+
+    /// Velocities of the material of a body at a point relative to that of its holder at another, one for each speed.
+    pub fn slips(&self, body: usize, holder: Holder, (point, opposite): (usize, usize)) -> Vec<Triple> {
+        let space = self.drawn.space;
+        self.permitted(|along| {
+            space.sub(self.material(Some(body), point, along), self.material(holder, opposite, along))
+        })
+    }
+
+    /// Pairs of a body with the ground, then with each body after it, that both may have material at a point.
+    pub fn pairs(&self) -> Vec<(usize, Holder)> {
+        let count = self.model.bodies.len();
+        let on_ground = (0..count).map(|body| (body, None));
+        on_ground.chain((0..count).flat_map(|a| (a + 1..count).map(move |b| (a, Some(b))))).collect()
+    }
+
+    /// True if the material of a body is at a point, and stays there.
+    pub fn has(&self, body: usize, point: usize) -> bool {
+        if !self.is_rigid(Some(body)) {
+            return self.model.bodies[body].centre == point;
+        }
+        let moves = |along: usize| self.drawn.points[point].along[along] != self.material(Some(body), point, along);
+        !self.own_motions().any(moves)
+    }
+
+    /// True if a point rests on the ground.
+    pub fn stays(&self, point: usize) -> bool {
+        self.own_motions().all(|along| self.drawn.points[point].along[along] == [0; 3])
+    }
+
+    /// Angular velocities of a body relative to its holder, one for each speed.
+    pub fn turns(&self, body: usize, holder: Holder) -> Vec<Triple> {
+        let space = self.drawn.space;
+        self.permitted(|along| space.sub(self.turning(Some(body), along), self.turning(holder, along)))
+    }
+}

@@ -1,0 +1,428 @@
+//! Reactions that equilibrium does not determine. They occur in a loop that joints or rolling contacts hold more often
+//! than necessary. They may also occur where equations keep two points together and do not state what else holds there.
+//!
+//! For each equation of a joint or contact that follows from others, there are forces and torques that do no work along
+//! any q', are in equilibrium with one another, and may have any size. They satisfy A λ = 0, where A has a column for
+//! the work of each of them along q'. They are computed in one closed pose, in doubles, at the default values. From
+//! loops they go down the tree of bodies to the ground.
+//! S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically indeterminate frameworks,
+//! *International Journal of Solids and Structures* 22 (1986) 409–428.
+
+use super::interactions::Interaction;
+use super::random_pose::DrawnModel;
+use super::relative_motion::{Holder, Relative, sides};
+use crate::algebra::term::calculus::{Differential, Gradient};
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Frames, Motion, Vector};
+use crate::model::physics::{defaults, values_at};
+use crate::model::{Model, Place, Reaction, ReactionKind, Rolled};
+use nalgebra::{DMatrix, DVector, Vector3};
+
+/// Residual, over its length, up to which a column depends on others; these are projected out of it.
+const DEPENDENT: f64 = 1e-6;
+/// A component below this fraction of the largest counts as zero.
+const NOTHING: f64 = 1e-7;
+
+/// Largest number of poses that are drawn if a required value does not exist.
+const MOST_POSES: usize = 20;
+
+/// A force, and its moment about the origin.
+type Wrench = (Vector3<f64>, Vector3<f64>);
+
+/// Frames, points and reactions in one pose.
+struct Pose {
+    /// Axes of each frame, in columns.
+    axes: Vec<[Vector3<f64>; 3]>,
+    points: Vec<Vector3<f64>>,
+    /// Directions of reactions, and their work along q', those of the model first.
+    acting: Vec<(Vector3<f64>, DVector<f64>)>,
+}
+
+/// Forces and torques between bodies that are in equilibrium without loads, by pairs (on, by).
+struct SelfStress {
+    between: Vec<((usize, Holder), Wrench)>,
+    /// The largest force, and the largest moment.
+    size: (f64, f64),
+    reach: f64,
+}
+
+impl Model {
+    /// Why equilibrium does not determine what a formula asks for, if it does not, and a way out.
+    pub(in crate::model) fn undetermined(&self, sought: &Interaction, text: &str) -> Option<(String, String)> {
+        let is_simple =
+            self.redundant.is_empty() && self.loops.is_empty() && self.repeated.iter().all(|r| r.rolled.is_none());
+        if is_simple && self.stated_reactions().is_empty() {
+            return None;
+        }
+        let drawn = DrawnModel::new(self, &mut self.arena.clone());
+        let relative = drawn.map(|drawn| Relative { model: self, drawn, ways_if_open: None });
+        let holders = relative.as_ref().map(Relative::holders);
+        let repeated = self.held_again(holders.as_deref().unwrap_or_default());
+        if repeated.is_empty() {
+            return self.undetermined_by_equations(&relative?, &holders?, sought, text);
+        }
+        let (Some(pose), Some(holders)) = (self.closed_pose(&repeated), holders) else {
+            let held = repeated.iter().filter(|(_, reaction)| !reaction.is_stated);
+            let names: Vec<String> = held.map(|(name, _)| format!("`{name}`")).collect();
+            if names.is_empty() {
+                return None;
+            }
+            let message = format!(
+                "it is not known whether equilibrium determines `{text}`: joints or contacts hold {} more than once, and no closed pose is known \
+                 at the default values",
+                names.join(", ")
+            );
+            return Some((
+                message,
+                "give every parameter a default value, or let something leave that free".to_owned(),
+            ));
+        };
+        let first = self.reactions.len();
+        let twice = repeated.iter().enumerate().find_map(|(at, (name, reaction))| {
+            let stress = self.self_stress(&pose, (first + at, reaction), &holders)?;
+            let share = stress.share(&pose, sought)?;
+            Some(self.words(text, (name, reaction), share, &stress, sought.is_torque))
+        });
+        twice.or_else(|| self.undetermined_by_equations(&relative?, &holders, sought, text))
+    }
+
+    /// Finds a component left undetermined by equations that keep two points together, and explains it as
+    /// [`Self::undetermined`] does.
+    fn undetermined_by_equations(
+        &self,
+        relative: &Relative<'_>,
+        holders: &[(usize, Holder)],
+        sought: &Interaction,
+        text: &str,
+    ) -> Option<(String, String)> {
+        let closings = relative.closings(holders);
+        if closings.is_empty() {
+            return None;
+        }
+        // If no closed pose is known, any pose shows what a plane mechanism leaves undetermined.
+        let pose = self.closed_pose(&closings).or_else(|| self.any_pose(&closings))?;
+        let first = self.reactions.len();
+        closings.iter().enumerate().find_map(|(at, (_, reaction))| {
+            let stress = self.self_stress(&pose, (first + at, reaction), holders)?;
+            let share = stress.share(&pose, sought)?;
+            let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
+            let (on, by) = sides(reaction.kind);
+            let message = format!(
+                "equilibrium does not determine `{text}`: equations keep `{}` together with `{}`, and do not say what else holds there; each {} of a \
+                 {} adds {} {} to it, whatever moves",
+                self.bodies[on].name,
+                self.holder_name(by),
+                unit(matches!(reaction.kind, ReactionKind::Torque { .. })),
+                reaction.name,
+                rounded(share),
+                unit(sought.is_torque)
+            );
+            let help = "close the loop by [joints] or name under [reactions] what holds it, or ask for a component that is determined";
+            Some((message, help.to_owned()))
+        })
+    }
+
+    /// Reactions of size 1 along directions that are held otherwise as well: those of joints, and forces where bodies
+    /// roll. Examples are the ground that presses on one of two wheels, and a gear that presses on another along the
+    /// line of their pinned centres. If a body's own holder holds a direction twice, this is one force of the holder.
+    fn held_again(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
+        let contacts = self.repeated.iter().filter_map(|r| Some((r.name.clone(), r.rolled?)));
+        let contacts = contacts.filter(|(_, rolled)| {
+            let ways = [(Some(rolled.body), rolled.against), (rolled.against, Some(rolled.body))];
+            !holders.iter().any(|(body, holder)| ways.contains(&(Some(*body), *holder)))
+        });
+        let contacts = contacts.map(|(name, Rolled { body, against, point, frame, axis, .. })| {
+            let (on, against) = (Place { body, point }, against.map(|body| Place { body, point }));
+            let kind = ReactionKind::Force { on, against };
+            let (label, symbol) = (format!("{name}_force"), Expr::ONE);
+            let direction = unit(axis);
+            (name, Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false })
+        });
+        // A reaction that the file names between bodies that do not rest on one another may be held by their holders.
+        let named = self.stated_reactions().iter().filter(|reaction| {
+            let (on, by) = sides(reaction.kind);
+            let ways = [(Some(on), by), (by, Some(on))];
+            !holders.iter().any(|(body, holder)| ways.contains(&(Some(*body), *holder)))
+        });
+        let named = named.map(|reaction| (reaction.name.clone(), reaction.clone()));
+        self.redundant.iter().cloned().chain(contacts).chain(named).collect()
+    }
+
+    fn words(
+        &self,
+        text: &str,
+        (name, reaction): (&str, &Reaction),
+        share: f64,
+        stress: &SelfStress,
+        is_torque: bool,
+    ) -> (String, String) {
+        let is_contact = self.repeated.iter().any(|r| r.rolled.is_some() && r.name == name);
+        let is_named = reaction.is_stated;
+        let what = match (is_contact, is_named) {
+            (true, _) => "contacts hold",
+            (_, true) => "connections hold",
+            _ => "the joints hold",
+        };
+        let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
+        let is_free_torque = matches!(reaction.kind, ReactionKind::Torque { .. });
+        let way: Vec<String> = stress
+            .between
+            .iter()
+            .filter(|(_, wrench)| !stress.is_nothing(wrench))
+            .map(|((on, by), _)| format!("{}–{}", self.holder_name(*by), self.bodies[*on].name))
+            .collect();
+        let message = format!(
+            "equilibrium does not determine `{text}`: {what} `{name}` more than once, so that each {} of `{}` adds {} {} to it, \
+             whatever moves; the same goes through {}",
+            unit(is_free_torque),
+            reaction.name,
+            rounded(share),
+            unit(is_torque),
+            way.join(", ")
+        );
+        let joint = name.rsplit_once('_').map_or(name, |(joint, _)| joint);
+        let free = if is_contact {
+            format!("let something give way where `{joint}` rolls")
+        } else if is_named {
+            "name under [reactions] all that holds these bodies".to_owned()
+        } else {
+            format!(
+                "let the joint `{joint}`, or another of the loop, leave that free (a ball or a cylinder instead of a pin)"
+            )
+        };
+        (message, format!("{free}, or ask for a component that is determined"))
+    }
+
+    /// The pose in which independence was asked, with what acts there.
+    fn closed_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
+        match &self.branch {
+            Some(branch) => self.pose(repeated, branch.pose.clone(), 0),
+            // Any pose and any values will do where nothing has to be closed.
+            None if self.loops.is_empty() => self.any_pose(repeated),
+            None => None,
+        }
+    }
+
+    /// A pose in which all required terms have values.
+    fn any_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
+        (0..MOST_POSES).find_map(|at| {
+            let first = at * (self.coordinates.len() + self.parameters.len());
+            self.pose(repeated, (first..).take(self.coordinates.len()).map(scattered).collect(), first)
+        })
+    }
+
+    /// Evaluates frames, points and reactions in a pose. Parameters without a default are drawn, from index `first` on.
+    /// `None` if a value does not exist.
+    fn pose(&self, repeated: &[(String, Reaction)], pose: Vec<f64>, first: usize) -> Option<Pose> {
+        let mut known = defaults(&self.parameters);
+        if self.branch.is_none() {
+            let open = self.parameters.iter().map(|p| p.symbol).filter(|symbol| known.iter().all(|(s, _)| s != symbol));
+            let open: Vec<Expr> = open.collect();
+            let drawn = (first + self.coordinates.len()..).map(|at| 1.0 + scattered(at));
+            known.extend(open.into_iter().zip(drawn));
+        }
+        known.extend(self.coordinates.iter().map(|c| c.symbol).zip(pose));
+        let mut arena = self.arena.clone();
+        let mut frames = Frames::new(&self.frames);
+        let mut wanted = Vec::new();
+        for frame in 0..self.frames.len() {
+            for axis in 0..3 {
+                wanted.extend(frames.express(&mut arena, &Vector::in_frame(frame, unit(axis)), 0));
+            }
+        }
+        for point in 0..self.points.len() {
+            let position = self.position(&mut arena, point);
+            wanted.extend(frames.express(&mut arena, &position, 0));
+        }
+        let rates: Vec<_> = self.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let mut d_dt = Differential::along(&rates);
+        let motion = Motion::new(&mut arena, &mut frames, &self.frames, &self.points, &mut d_dt);
+        let mut along = Gradient::new(&self.q_dot());
+        let all: Vec<&Reaction> = self.reactions.iter().chain(repeated.iter().map(|(_, r)| r)).collect();
+        for reaction in &all {
+            let direction = Vector::in_frame(reaction.frame, reaction.direction);
+            wanted.extend(frames.express(&mut arena, &direction, 0));
+            let velocity = self.relative_velocity(&mut arena, &mut frames, &motion, reaction.kind);
+            let power = frames.dot(&mut arena, &direction, &velocity);
+            wanted.extend(self.slopes(&mut arena, &mut along, power));
+        }
+        let values = values_at(&arena, &known, &wanted)?;
+        if !values.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        let mut values = values.into_iter();
+        let mut triple = || {
+            let mut next = || values.next();
+            Some(Vector3::new(next()?, next()?, next()?))
+        };
+        let axes = (0..self.frames.len()).map(|_| Some([triple()?, triple()?, triple()?])).collect::<Option<_>>()?;
+        let points = (0..self.points.len()).map(|_| triple()).collect::<Option<_>>()?;
+        let n = self.coordinates.len();
+        let mut rest = values;
+        let mut acting = Vec::new();
+        for _ in &all {
+            let own: Vec<f64> = rest.by_ref().take(3 + n).collect();
+            acting.push((Vector3::from_row_slice(&own[..3]), DVector::from_row_slice(&own[3..])));
+        }
+        Some(Pose { axes, points, acting })
+    }
+
+    /// A power along each coordinate other than time, 0 along that.
+    fn slopes(&self, arena: &mut Arena, along: &mut Gradient, power: Expr) -> Vec<Expr> {
+        let mut list = vec![Expr::ZERO; self.coordinates.len()];
+        for (at, slope) in along.apply(arena, power).iter().filter(|(at, _)| Some(*at) != self.time()) {
+            list[*at] = *slope;
+        }
+        list
+    }
+
+    /// The work of a reaction of size 1 along q̇, and what it would hand on to what is left out, which must be nothing.
+    fn effect(&self, pose: &Pose, (at, reaction): (usize, &Reaction), holders: &[(usize, Holder)]) -> DVector<f64> {
+        let (direction, work) = &pose.acting[at];
+        let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
+        put_on(&mut on_bodies, reaction, wrench_of(pose, reaction, *direction));
+        let mut all: Vec<f64> = work.iter().copied().collect();
+        for ((body, _), (force, moment)) in handed_on(&mut on_bodies, holders) {
+            if self.contacts.idle.contains(&body) {
+                all.extend(force.iter().chain(moment.iter()));
+            }
+        }
+        DVector::from_vec(all)
+    }
+
+    /// Self-stress that contains one redundant reaction, with size 1; `None` if other reactions cannot balance it.
+    fn self_stress(
+        &self,
+        pose: &Pose,
+        (redundant, its_reaction): (usize, &Reaction),
+        holders: &[(usize, Holder)],
+    ) -> Option<SelfStress> {
+        let all = self.reactions.len();
+        let effect = |at: usize, reaction: &Reaction| self.effect(pose, (at, reaction), holders);
+        let work = &effect(redundant, its_reaction);
+        let columns: Vec<DVector<f64>> = self.reactions.iter().enumerate().map(|(at, r)| effect(at, r)).collect();
+        let matrix = DMatrix::from_fn(work.len(), all, |row, column| columns[column][row]);
+        let length = work.norm();
+        let mut sizes = if length > 0.0 && all > 0 {
+            let found = matrix.clone().svd(true, true).solve(work, NOTHING * matrix.norm()).ok()?;
+            if (&matrix * &found - work).norm() > DEPENDENT * length {
+                return None;
+            }
+            -found
+        } else if length > 0.0 {
+            return None;
+        } else {
+            DVector::zeros(all)
+        };
+        sizes = sizes.push(1.0);
+        let mut between: Vec<((usize, Holder), Wrench)> = Vec::new();
+        let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
+        let reactions = self.reactions.iter().chain([its_reaction]);
+        let places = (0..all).chain([redundant]);
+        for ((reaction, place), size) in reactions.zip(places).zip(sizes.iter()) {
+            let wrench = wrench_of(pose, reaction, pose.acting[place].0 * *size);
+            put_on(&mut on_bodies, reaction, wrench);
+            add_between(&mut between, sides(reaction.kind), wrench);
+        }
+        for ((body, holder), (force, moment)) in handed_on(&mut on_bodies, holders) {
+            add_between(&mut between, (body, holder), (-force, -moment));
+        }
+        let reach = pose.points.iter().map(Vector3::norm).fold(0.0, f64::max);
+        // It is one of them itself, though what balances it may leave nothing of it.
+        let own = if let ReactionKind::Force { .. } = its_reaction.kind { (1.0, 0.0) } else { (0.0, 1.0) };
+        let size = between
+            .iter()
+            .fold(own, |(f, m): (f64, f64), (_, wrench)| (f.max(wrench.0.norm()), m.max(wrench.1.norm())));
+        Some(SelfStress { between, size, reach: if reach > 0.0 { reach } else { 1.0 } })
+    }
+}
+
+impl SelfStress {
+    fn is_nothing(&self, (force, moment): &Wrench) -> bool {
+        force.norm() <= NOTHING * (self.size.0 + self.size.1 / self.reach)
+            && moment.norm() <= NOTHING * (self.size.0 * self.reach + self.size.1)
+    }
+
+    /// Change of the wanted reaction per unit of self-stress; `None` if zero.
+    fn share(&self, pose: &Pose, sought: &Interaction) -> Option<f64> {
+        let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        for ((on, by), wrench) in &self.between {
+            let sign = match (Some(*on), *by) {
+                pair if pair == (sought.on, sought.by) => 1.0,
+                pair if pair == (sought.by, sought.on) => -1.0,
+                _ => continue,
+            };
+            force += wrench.0 * sign;
+            moment += wrench.1 * sign;
+        }
+        let axis = pose.axes[sought.frame][sought.axis];
+        let about = sought.about.map_or_else(Vector3::zeros, |at| pose.points[at]);
+        let (value, size) = if sought.is_torque {
+            ((moment - about.cross(&force)).dot(&axis), self.size.0 * self.reach + self.size.1)
+        } else {
+            (force.dot(&axis), self.size.0 + self.size.1 / self.reach)
+        };
+        (value.abs() > NOTHING * size).then_some(value)
+    }
+}
+
+/// Adds the wrench of a reaction to the bodies between which it acts.
+fn put_on(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
+    let (on, by) = sides(reaction.kind);
+    add(&mut on_bodies[on], wrench, 1.0);
+    if let Some(by) = by {
+        add(&mut on_bodies[by], wrench, -1.0);
+    }
+}
+
+/// Force and moment that each body hands on to its holder, from the outside in, given those that act on the bodies.
+fn handed_on(on_bodies: &mut [Wrench], holders: &[(usize, Holder)]) -> Vec<((usize, Holder), Wrench)> {
+    let mut list = Vec::with_capacity(holders.len());
+    for (body, holder) in holders {
+        let wrench = on_bodies[*body];
+        if let Some(holder) = holder {
+            add(&mut on_bodies[*holder], wrench, 1.0);
+        }
+        list.push(((*body, *holder), wrench));
+    }
+    list
+}
+
+/// Sums the wrenches that bodies exert on one another, by pairs.
+fn add_between(list: &mut Vec<((usize, Holder), Wrench)>, pair: (usize, Holder), wrench: Wrench) {
+    let other = pair.1.map(|by| (by, Some(pair.0)));
+    match list.iter_mut().find(|(known, _)| *known == pair || Some(*known) == other) {
+        Some((known, sum)) => add(sum, wrench, if *known == pair { 1.0 } else { -1.0 }),
+        None => list.push((pair, wrench)),
+    }
+}
+
+fn add(sum: &mut Wrench, wrench: Wrench, sign: f64) {
+    sum.0 += wrench.0 * sign;
+    sum.1 += wrench.1 * sign;
+}
+
+/// A force at its place, or a torque, with its moment about the origin.
+fn wrench_of(pose: &Pose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
+    match reaction.kind {
+        ReactionKind::Force { on, .. } => (vector, pose.points[on.point].cross(&vector)),
+        ReactionKind::Torque { .. } => (Vector3::zeros(), vector),
+    }
+}
+
+fn unit(axis: usize) -> [Expr; 3] {
+    let mut unit = [Expr::ZERO; 3];
+    unit[axis] = Expr::ONE;
+    unit
+}
+
+/// Numbers between 0 and 1 in no order: multiples of the golden ratio.
+fn scattered(at: usize) -> f64 {
+    (0.618_033_988_749_895 * (at + 1) as f64).fract()
+}
+
+/// In three digits.
+fn rounded(value: f64) -> String {
+    let text = format!("{value:.2e}");
+    text.parse::<f64>().map_or(text, |value| value.to_string())
+}

@@ -1,0 +1,238 @@
+//! Body, or the ground, on which each body rests, as the file states it.
+//!
+//! A joint states it. Otherwise a body rests where it moves least. If it moves equally little against several, it rests
+//! first on a body that the file says it touches. Two bodies touch if one rolls on the other, a reaction or friction
+//! acts between them, or one constraint compares their motions. Next comes a body from whose points or in whose frames
+//! it is placed, then the ground: the ground holds nothing that a body holds.
+//! A statement has a direction: a body that rolls, or that a reaction or friction acts *on*, rests on the body
+//! *against* which it does. An equation has none. Of two bodies that it compares, the one further from the ground rests
+//! on the other; the distance is counted in such equations.
+//! An equation that ties two bodies and compares none, such as a rope over a pulley, does not make them touch.
+
+use super::relative_motion::{Holder, Relative};
+use crate::algebra::text::parse::VelocityOf;
+use crate::model::{Compared, Rolled, Tie};
+use std::cmp::{Ordering, Reverse};
+
+/// Why a body may rest on another, the strongest reason first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Reason {
+    /// A joint of the file carries it.
+    Joint,
+    /// The file states that the two touch.
+    Touch,
+    /// It is placed from a point of the other, or in its frame.
+    Placed,
+    /// The ground, of which all places are told.
+    Ground,
+    /// It moves least against the other, of which the file states nothing.
+    Least,
+}
+
+/// A body, its holder, and the reason for it.
+#[derive(Clone, Copy, Debug)]
+pub struct Rest {
+    pub body: usize,
+    pub holder: Holder,
+    pub reason: Reason,
+}
+
+impl Relative<'_> {
+    /// Each body with its holder, from the outside in: bodies that a body carries come before it.
+    pub fn rests(&self) -> Vec<Rest> {
+        let count = self.model.bodies.len();
+        let free = self.freedoms();
+        let touches = self.touches(&free);
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by_key(|body| (free[*body], *body));
+        let mut found: Vec<Rest> = Vec::with_capacity(count);
+        for body in &order {
+            found.push(self.rest(*body, &free, &touches, &found));
+        }
+        found.sort_by_key(|rest| Reverse((free[rest.body], rest.body)));
+        let mut list = Vec::with_capacity(count);
+        while !found.is_empty() {
+            // The next on which nothing rests any more.
+            let is_free = |rest: &Rest| found.iter().all(|other| other.holder != Some(rest.body));
+            let next = found.iter().position(is_free).unwrap_or(0);
+            list.push(found.remove(next));
+        }
+        list
+    }
+
+    /// Each body with its holder, in the order of [`Self::rests`].
+    pub fn holders(&self) -> Vec<(usize, Holder)> {
+        self.rests().into_iter().map(|rest| (rest.body, rest.holder)).collect()
+    }
+
+    /// Finds the body, or the ground, on which a body rests, given the bodies that rest already.
+    fn rest(&self, body: usize, free: &[usize], touches: &[(usize, Holder)], found: &[Rest]) -> Rest {
+        if let Some(hung) = self.model.hung.iter().find(|hung| hung.body == body) {
+            return Rest { body, holder: hung.on, reason: Reason::Joint };
+        }
+        let reason = |holder: Holder| {
+            let is_stated = touches.contains(&(body, holder));
+            let is_behind = |other: usize| free[other] < free[body] && touches.contains(&(other, Some(body)));
+            match holder {
+                _ if is_stated => Reason::Touch,
+                Some(other) if is_behind(other) => Reason::Touch,
+                Some(other) if self.is_placed_on(body, other) => Reason::Placed,
+                Some(_) => Reason::Least,
+                None => Reason::Ground,
+            }
+        };
+        let candidates = (0..free.len()).filter(|other| *other != body && !rests_on(found, *other, body));
+        let rests = std::iter::once(None).chain(candidates.map(Some)).map(|holder| (holder, reason(holder)));
+        // One that moves more rests on this one, if at all; one that moves as much holds it only if the file says so.
+        let rests = rests.filter(|(holder, reason)| {
+            holder.is_none_or(|other| {
+                let is_before = (free[other], other) < (free[body], body);
+                is_before || *reason < Reason::Ground && free[other] <= free[body]
+            })
+        });
+        let least = rests.min_by_key(|(holder, reason)| {
+            (self.freedom(body, *holder), *reason, holder.map_or(0, |other| free[other]))
+        });
+        let (holder, reason) = least.unwrap_or((None, Reason::Ground));
+        Rest { body, holder, reason }
+    }
+
+    /// Number of ways in which each body moves against the ground.
+    pub fn freedoms(&self) -> Vec<usize> {
+        (0..self.model.bodies.len()).map(|body| self.freedom(body, None)).collect()
+    }
+
+    /// Pairs that the file states to touch: a body, and the body or ground that it rests on or is held against, with
+    /// [`Self::freedoms`].
+    pub fn touches(&self, free: &[usize]) -> Vec<(usize, Holder)> {
+        let model = self.model;
+        let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.tie {
+            Tie::Rolling(rolled) => Some(rolled),
+            _ => None,
+        });
+        let rolled = rolled.chain(model.repeated.iter().filter_map(|repeated| repeated.rolled));
+        let mut list: Vec<(usize, Holder)> = rolled.map(|Rolled { body, against, .. }| (body, against)).collect();
+        list.extend(model.stated_reactions().iter().map(|reaction| super::relative_motion::sides(reaction.kind)));
+        // Friction on the ground may be that of the air.
+        list.extend(model.contacts.rubbing.iter().filter(|(_, against)| against.is_some()));
+        list.extend(self.compared(free, &list));
+        list
+    }
+
+    /// Pairs of bodies that one constraint compares, the one that rests first, where others are `stated` to touch.
+    fn compared(&self, free: &[usize], stated: &[(usize, Holder)]) -> Vec<(usize, Holder)> {
+        let constraints = &self.model.contacts.compared;
+        let tied: Vec<(Vec<usize>, bool)> =
+            constraints.iter().map(|compared| (self.bodies_of(compared), compared.is_difference)).collect();
+        let compared = tied.iter().filter(|(_, is_difference)| *is_difference);
+        let pairs: Vec<[usize; 2]> = compared.filter_map(|(bodies, _)| bodies.as_slice().try_into().ok()).collect();
+        // What another constraint or contact holds, but against what it is compared with.
+        let is_pair = |one: usize, other: usize| pairs.iter().any(|pair| pair.contains(&one) && pair.contains(&other));
+        let is_apart =
+            |body: usize| (0..free.len()).all(|other| !is_pair(body, other) || !self.is_placed_on(body, other));
+        let alone = tied.iter().filter_map(|(bodies, _)| <[usize; 1]>::try_from(bodies.as_slice()).ok()).flatten();
+        let mut held: Vec<usize> = alone.filter(|body| is_apart(*body)).collect();
+        let touches = stated.iter().filter(|(body, other)| !other.is_some_and(|other| is_pair(*body, other)));
+        held.extend(touches.map(|(body, _)| *body));
+        let steps = self.steps(free, &pairs, &held);
+        let rests = |[one, other]: [usize; 2]| match (free[one], steps[one]).cmp(&(free[other], steps[other])) {
+            Ordering::Greater => Some((one, Some(other))),
+            Ordering::Less => Some((other, Some(one))),
+            Ordering::Equal => None,
+        };
+        pairs.into_iter().filter_map(rests).collect()
+    }
+
+    /// Number of these pairs between each body and the nearest one that is `held`, or that no constraint moves; `None`
+    /// for a body in no pair. In a group with neither, the body that moves least counts as held; the first of equals
+    /// does.
+    fn steps(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
+        let is_moved = |body: usize| self.model.contacts.compared.iter().any(|compared| compared.moved.contains(&body));
+        let mut steps = vec![None; free.len()];
+        let mut left: Vec<usize> = pairs.as_flattened().to_vec();
+        left.sort_by_key(|body| (free[*body], *body));
+        left.dedup();
+        for body in left.extract_if(.., |body| held.contains(body) || !is_moved(*body)) {
+            steps[body] = Some(0);
+        }
+        while !left.is_empty() {
+            let from = |body: usize| pairs.iter().filter(move |pair| pair.contains(&body)).flatten();
+            let near = |body: &usize| from(*body).filter_map(|other| steps[*other]).min();
+            let nearest = (0..left.len()).filter_map(|at| Some((near(&left[at])? + 1, at))).min();
+            let (step, at) = nearest.unwrap_or((0, 0));
+            steps[left.remove(at)] = Some(step);
+        }
+        steps
+    }
+
+    /// The bodies whose motion or places a constraint names, and those whose own coordinates it ties if it names none
+    /// or compares both.
+    fn bodies_of(&self, compared: &Compared) -> Vec<usize> {
+        let named = compared.named.iter().filter_map(|of| match of {
+            VelocityOf::Material(body, _) => Some(*body),
+            VelocityOf::Point(point) | VelocityOf::Place(point) => self.owner(*point),
+            VelocityOf::Turning(_) => None,
+        });
+        let mut bodies: Vec<usize> = Vec::new();
+        let own = compared.own.iter().filter(|_| compared.named.is_empty() || compared.is_difference);
+        for body in named.chain(own.copied()) {
+            if !bodies.contains(&body) {
+                bodies.push(body);
+            }
+        }
+        bodies
+    }
+
+    /// The one body that has a point: as its mass centre, or else in its material.
+    fn owner(&self, point: usize) -> Option<usize> {
+        let bodies = &self.model.bodies;
+        if let Some(body) = bodies.iter().position(|body| body.centre == point) {
+            return Some(body);
+        }
+        let mut owners = (0..bodies.len()).filter(|body| self.has(*body, point));
+        owners.next().filter(|_| owners.next().is_none())
+    }
+
+    /// True if a body is placed from a point of another, or in its frame.
+    fn is_placed_on(&self, body: usize, other: usize) -> bool {
+        let model = self.model;
+        let frame_of = |body: usize| model.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
+        let own = frame_of(body);
+        let mut frames: Vec<usize> = own.into_iter().collect();
+        let mut at = model.bodies[body].centre;
+        while let Some((parent, frame, _)) = model.points[at].position {
+            frames.push(frame);
+            if parent != 0 && !self.has(body, parent) {
+                if self.has(other, parent) {
+                    return true;
+                }
+                // Beyond a third body, it is the third body that is placed on the other.
+                if (0..model.bodies.len()).any(|third| self.has(third, parent)) {
+                    break;
+                }
+            }
+            at = parent;
+        }
+        // The frame of the ground is nobody's, though a body that does not turn may have it.
+        let Some(wanted) = frame_of(other).filter(|frame| *frame != 0 && Some(*frame) != own) else { return false };
+        frames.into_iter().any(|mut frame| {
+            while frame != wanted {
+                let Some((parent, _)) = &model.frames[frame].rotation else { return false };
+                frame = *parent;
+            }
+            true
+        })
+    }
+}
+
+/// True if a body rests on another, directly or through others.
+fn rests_on(found: &[Rest], body: usize, other: usize) -> bool {
+    let mut at = Some(body);
+    while let Some(next) = at {
+        if next == other {
+            return true;
+        }
+        at = found.iter().find(|rest| rest.body == next).and_then(|rest| rest.holder);
+    }
+    false
+}

@@ -1,0 +1,40 @@
+//! Named expressions: a formula that has a name, and may stand wherever its parts may.
+
+use super::names::{Allowed, Kind};
+use super::reader::Loading;
+use crate::algebra::Expr;
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// Quantities that a named expression may contain.
+const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
+
+impl<'a> Loading<'a> {
+    /// Reads `[expressions]`, in the order of the file: each may name those before it. Returns them with their places.
+    pub fn expressions(&mut self, table: &'a DeTable<'a>) -> Vec<(Expr, Range<usize>)> {
+        let mut list = Vec::new();
+        for (name, value) in self.section(table, "expressions", &[Kind::Expression]) {
+            let value = match value.get_ref() {
+                DeValue::Table(entry) => {
+                    self.reader.allow(entry, "an expression", &["value", "about"]);
+                    self.about(entry);
+                    self.reader.need(entry, "value", &format!("expression `{}`", name.text), &name.span)
+                }
+                _ => Some(value),
+            };
+            let what = "an expression";
+            let formula = value.and_then(|value| self.reader.formula(value, what));
+            let e = formula
+                .as_ref()
+                .and_then(|formula| self.names.formula(&mut self.reader, &mut self.arena, formula, PARTS, what));
+            let (Some(formula), Some(e)) = (formula, e) else {
+                self.names.spoil(&name.text);
+                continue;
+            };
+            let parts = self.arena.reachable(&[e]);
+            self.names.declare_expression(&mut self.reader, &name, e, &parts);
+            list.push((e, formula.span));
+        }
+        list
+    }
+}

@@ -1,0 +1,113 @@
+//! Signals that drive loads: parameters that a program may change during a run, or formulas that scenes put in their
+//! place.
+//!
+//! A formula is put in before anything is derived, so that slopes and series include it. Only the reading of files
+//! knows which loads it affects.
+
+use super::names::{Allowed, Kind};
+use super::reader::Loading;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::model::bodies::elements::Elements;
+use crate::model::input::{Binding, Input};
+use crate::model::{Condition, Parameter};
+use crate::read::Located;
+use toml::de::{DeTable, DeValue};
+
+/// Quantities that a formula of an input may contain.
+const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
+
+/// Inputs, and replacements of those that are formulas.
+pub struct Signals {
+    pub list: Vec<Input>,
+    replacements: Vec<(Expr, Expr)>,
+}
+
+impl Signals {
+    /// Puts formulas in the place of inputs.
+    pub fn put_in(&self, arena: &mut Arena, elements: &mut Elements, domain: &mut [Condition]) {
+        if self.replacements.is_empty() {
+            return;
+        }
+        let mut put = Substitution::new(&self.replacements);
+        elements.rewrite(&mut |e| put.apply(arena, e));
+        for condition in domain {
+            condition.positive = put.apply(arena, condition.positive);
+        }
+    }
+}
+
+impl<'a> Loading<'a> {
+    /// Reads `[inputs]`; those without a formula become parameters.
+    pub fn inputs(&mut self, table: &'a DeTable<'a>, parameters: &mut Vec<Parameter>) -> Signals {
+        let (mut list, mut replacements) = (Vec::new(), Vec::new());
+        for (name, value) in self.section(table, "inputs", &[Kind::Input]) {
+            let symbol = self.arena.symbol(&name.text);
+            let example = "{ unit = \"N\", value = 0 }";
+            let Some((entry, what)) = self.entry(&name, value, Kind::Input, Some(symbol), example) else { continue };
+            self.reader.allow(entry, "an input", &["unit", "value", "about"]);
+            let Some(unit) = self.unit(entry, &name) else { continue };
+            self.units.insert(symbol, unit.clone());
+            let about = self.about(entry);
+            let bound = self.bindings.iter().find(|binding| binding.input == name.text);
+            let formula = match (bound, self.reader.get(entry, "value")) {
+                // Errors in it were reported with the file that it stands in.
+                (Some(binding), _) => {
+                    Some(Located { text: binding.formula.clone(), span: name.span.clone(), exact: false })
+                }
+                (None, Some(value)) => self.reader.formula(value, &format!("the value of {what}")),
+                (None, None) => Some(Located { text: "0".to_owned(), span: name.span.clone(), exact: false }),
+            };
+            let e = formula.and_then(|formula| {
+                self.names.formula(&mut self.reader, &mut self.arena, &formula, PARTS, &format!("the value of {what}"))
+            });
+            let Some(e) = e else {
+                self.names.spoil(&name.text);
+                continue;
+            };
+            let number = match self.arena.as_number(e) {
+                Some(number) => Some(number.clone()),
+                None if self.arena.reachable(&[e]).iter().all(|part| self.arena.symbol_name(*part).is_none()) => {
+                    crate::model::physics::values_at(&self.arena, &[], &[e])
+                        .and_then(|values| Rational::from_f64_exact(values[0]))
+                }
+                None => None,
+            };
+            let is_varied = number.is_none() && self.varied.contains(&name.text);
+            let is_parameter = number.is_some();
+            if is_parameter || is_varied {
+                let (name, unit, about) = (name.text.clone(), unit.clone(), about.clone());
+                parameters.push(Parameter {
+                    name,
+                    symbol,
+                    unit,
+                    value: number.or(Some(Rational::ZERO)),
+                    positive: false,
+                    is_input: true,
+                    about,
+                });
+            }
+            let value = match (is_parameter, is_varied) {
+                (true, _) => symbol,
+                (false, true) => self.arena.add(e, symbol),
+                (false, false) => e,
+            };
+            if !is_parameter {
+                replacements.push((symbol, value));
+            }
+            list.push(Input { name: name.text, unit, about, value, is_parameter });
+        }
+        Signals { list, replacements }
+    }
+}
+
+/// Formulas of inputs that are in force: those that scenes give, and those of the file for all other inputs.
+pub fn formulas<'t>(table: &'t DeTable<'_>, bindings: &'t [Binding]) -> Vec<&'t str> {
+    let inputs = table.get("inputs").and_then(|value| value.get_ref().as_table());
+    let stated = inputs.into_iter().flat_map(|inputs| inputs.iter()).filter_map(|(name, value)| {
+        let is_bound = bindings.iter().any(|binding| binding.input == *name.get_ref());
+        let value = value.get_ref().as_table()?.get("value")?;
+        if let (false, DeValue::String(text)) = (is_bound, value.get_ref()) { Some(text.as_ref()) } else { None }
+    });
+    stated.chain(bindings.iter().map(|binding| binding.formula.as_str())).collect()
+}

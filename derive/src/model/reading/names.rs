@@ -1,0 +1,427 @@
+//! Names of a model file: the kind of each, and where it may be used.
+
+use crate::algebra::text::parse::{InteractionName, VelocityName, VelocityOf, is_reserved, parse_with_quantities};
+use crate::algebra::value::modular::zero_divisor;
+use crate::algebra::{Arena, Expr};
+use crate::diagnostic::{Diagnostic, nearest, shown};
+use crate::model::reactions::interactions::{AskedReaction, GROUND, StatedInteraction, may_be_found};
+use crate::model::units::Unit;
+use crate::model::velocities::StatedVelocity;
+use crate::read::{Located, Reader};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::cell::RefCell;
+use std::ops::Range;
+
+/// Kind of thing that a name stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
+pub enum Kind {
+    Parameter,
+    Coordinate,
+    Rate,
+    Speed,
+    Velocity,
+    Position,
+    Expression,
+    Input,
+    Reaction,
+    Frame,
+    Point,
+    Body,
+    Force,
+    Torque,
+    Potential,
+    Constraint,
+    Multiplier,
+    Condition,
+}
+
+impl Kind {
+    /// Noun for the kind in messages.
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Parameter => "parameter",
+            Self::Coordinate => "coordinate",
+            Self::Rate => "time derivative",
+            Self::Speed => "speed",
+            Self::Velocity => "velocity",
+            Self::Position => "position",
+            Self::Expression => "expression",
+            Self::Input => "input",
+            Self::Reaction => "reaction",
+            Self::Frame => "frame",
+            Self::Point => "point",
+            Self::Body => "body",
+            Self::Force => "force",
+            Self::Torque => "torque",
+            Self::Potential => "potential",
+            Self::Constraint => "constraint",
+            Self::Multiplier => "multiplier",
+            Self::Condition => "condition",
+        }
+    }
+
+    /// Plural noun for the kind in messages.
+    fn plural(self) -> String {
+        if self == Self::Velocity { "velocities".to_owned() } else { format!("{}s", self.noun()) }
+    }
+}
+
+/// Kinds of quantities that a formula may contain.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Allowed(pub &'static [Kind]);
+
+/// Nothing but numbers.
+pub const CONSTANT: Allowed = Allowed(&[]);
+/// Parameters.
+pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
+/// Parameters and coordinates.
+pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
+/// Quantities that potentials may contain: parameters, coordinates and positions.
+pub const PLACES: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Position]);
+/// Parameters, coordinates and their time derivatives.
+pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
+/// Quantities that constraints may contain: parameters, coordinates, their rates, speeds, and velocities of points.
+pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity]);
+/// Quantities that loads may contain: those of constraints, and inputs.
+pub const DRIVEN: Allowed =
+    Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity, Kind::Input]);
+/// Everything that has a value during a run.
+pub const ANYTHING: Allowed =
+    Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Reaction, Kind::Input]);
+
+/// The name of time in formulas. Nothing else may have it.
+pub const TIME: &str = "t";
+
+/// The longest name: it becomes an identifier in generated code.
+const MAX_LENGTH: usize = 60;
+
+/// All names of a file.
+///
+/// Invariant: what is wrong with a declaration is reported once, there. A name so spoiled is known
+/// to be spoiled, and what uses it fails in silence.
+#[derive(Default)]
+pub struct Names {
+    known: FxHashMap<String, (Kind, Range<usize>, Option<Expr>)>,
+    order: Vec<String>,
+    spoiled: FxHashSet<String>,
+    /// Kinds whose section could not be read: an unknown name may be one of them.
+    unread: Vec<Kind>,
+    /// The inertial frame, once it is read.
+    pub root: String,
+    /// Names that each named expression contains, with their kinds.
+    made_of: FxHashMap<String, Vec<(String, Kind)>>,
+    /// Names that something refers to.
+    used: RefCell<FxHashSet<String>>,
+    /// The velocities that formulas name, each once.
+    pub velocities: Vec<StatedVelocity>,
+    /// The reactions that formulas name before they are known.
+    pub reactions: Vec<AskedReaction>,
+}
+
+/// Why a text cannot be a name: it is no identifier, or it is reserved.
+pub fn not_a_name(name: &Located) -> Option<Diagnostic> {
+    let text = &name.text;
+    let is_valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        && text.len() <= MAX_LENGTH;
+    if !is_valid {
+        let message = format!("`{}` cannot be a name", shown(text));
+        let help = format!("a name is an ASCII letter and up to {} letters, digits and `_`", MAX_LENGTH - 1);
+        return Some(Diagnostic::new(name.span.clone(), message, help));
+    }
+    let help = "choose another name: this one belongs to the expression language";
+    (is_reserved(text) || text == TIME || text == "deg")
+        .then(|| Diagnostic::new(name.span.clone(), format!("`{text}` is reserved"), help))
+}
+
+impl Names {
+    /// Declares a name; reports one that is not an identifier, is reserved or is taken.
+    pub fn declare(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind, symbol: Option<Expr>) {
+        let text = &name.text;
+        let twice = || {
+            let (other, span, _) = self.known.get(text)?;
+            let message = format!("`{text}` is declared twice: as a {} and as a {}", other.noun(), kind.noun());
+            let twice = Diagnostic::new(name.span.clone(), message, "rename one of the two");
+            Some(twice.with_other(span.clone(), "first declared here"))
+        };
+        match not_a_name(name).or_else(twice) {
+            Some(diagnostic) => {
+                reader.errors.push(diagnostic);
+                self.spoil(text);
+            }
+            None => self.insert(text, kind, name.span.clone(), symbol),
+        }
+    }
+
+    /// Declares a name without checks: for derived names such as `q1'`.
+    pub fn insert(&mut self, text: &str, kind: Kind, span: Range<usize>, symbol: Option<Expr>) {
+        self.known.insert(text.to_owned(), (kind, span, symbol));
+        self.order.push(text.to_owned());
+    }
+
+    /// Declares the name of an expression, which is made of these parts.
+    pub fn declare_expression(&mut self, reader: &mut Reader<'_>, name: &Located, e: Expr, parts: &[Expr]) {
+        let is_part = |symbol: &Option<Expr>| symbol.is_some_and(|symbol| parts.contains(&symbol));
+        let known = self.known.iter().filter(|(_, (kind, _, symbol))| *kind != Kind::Expression && is_part(symbol));
+        let mut made_of: Vec<(String, Kind)> = known.map(|(name, (kind, ..))| (name.clone(), *kind)).collect();
+        made_of.sort();
+        self.made_of.insert(name.text.clone(), made_of);
+        self.declare(reader, name, Kind::Expression, Some(e));
+    }
+
+    /// Declares a frame or point that a joint brings, which nobody need refer to.
+    pub fn declare_brought(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind) {
+        self.declare(reader, name, kind, None);
+        self.used.borrow_mut().insert(name.text.clone());
+    }
+
+    /// Notes that the declaration of a name is wrong and that this is reported.
+    pub fn spoil(&mut self, name: &str) {
+        self.spoiled.insert(name.to_owned());
+        self.spoiled.insert(format!("{name}'"));
+    }
+
+    /// Notes that the names of these kinds could not be read and that this is reported.
+    pub fn unread(&mut self, kinds: &[Kind]) {
+        self.unread.extend(kinds);
+    }
+
+    /// True if an error already explains why `name` is not one of `kinds`.
+    fn excused(&self, name: &str, kinds: &[Kind]) -> bool {
+        self.spoiled.contains(name)
+            || (!self.known.contains_key(name) && self.unread.iter().any(|kind| kinds.contains(kind)))
+    }
+
+    /// The names of some kinds, in order of declaration.
+    pub fn of_kind(&self, kinds: &[Kind]) -> Vec<&str> {
+        self.order.iter().filter(|n| kinds.contains(&self.known[*n].0)).map(String::as_str).collect()
+    }
+
+    /// Symbols of all names of these kinds.
+    pub fn symbols_of(&self, kinds: &[Kind]) -> Vec<Expr> {
+        self.known.values().filter(|(kind, ..)| kinds.contains(kind)).filter_map(|(.., symbol)| *symbol).collect()
+    }
+
+    /// True if a name is of this kind; reports one that is not. If false, the name cannot be used.
+    pub fn expect(&self, reader: &mut Reader<'_>, name: &Located, kind: Kind) -> bool {
+        if self.excused(&name.text, &[kind]) {
+            return false;
+        }
+        let message = match self.known.get(&name.text) {
+            Some((found, _, _)) if *found == kind => {
+                self.used.borrow_mut().insert(name.text.clone());
+                return true;
+            }
+            Some((other, _, _)) => format!("`{}` is a {}, not a {}", name.text, other.noun(), kind.noun()),
+            None => format!("there is no {} `{}`", kind.noun(), shown(&name.text)),
+        };
+        reader.error_once(name.span.clone(), message, nearest(&name.text, self.of_kind(&[kind])));
+        false
+    }
+
+    /// Parameters, expressions, inputs, frames and points that nothing refers to, in order of declaration, each after
+    /// the noun of its kind.
+    pub fn unused(&self) -> Vec<(&'static str, String)> {
+        let used = self.used.borrow();
+        let kinds = [Kind::Parameter, Kind::Expression, Kind::Input, Kind::Frame, Kind::Point];
+        let names = self.of_kind(&kinds).into_iter().filter(|name| !used.contains(*name));
+        names.map(|name| (self.known[name].0.noun(), name.to_owned())).collect()
+    }
+
+    /// The kind of a name.
+    pub fn kind(&self, name: &str) -> Option<Kind> {
+        self.known.get(name).map(|(kind, _, _)| *kind)
+    }
+
+    /// Byte range in the file of a name's declaration.
+    pub fn span(&self, name: &str) -> Option<Range<usize>> {
+        self.known.get(name).map(|(_, span, _)| span.clone())
+    }
+
+    /// Byte range in the file of every name's declaration.
+    pub fn places(&self) -> FxHashMap<String, Range<usize>> {
+        self.known.iter().map(|(name, (_, span, _))| (name.clone(), span.clone())).collect()
+    }
+
+    /// Reads a formula; reports its errors.
+    pub fn formula(
+        &mut self,
+        reader: &mut Reader<'_>,
+        arena: &mut Arena,
+        formula: &Located,
+        allowed: Allowed,
+        what: &str,
+    ) -> Option<Expr> {
+        let (mut spoiled, mut unknown) = (false, false);
+        let (mut velocities, mut found, mut interactions) = (Vec::new(), Vec::new(), Vec::new());
+        let mut resolve = |arena: &mut Arena, name: &str| {
+            if self.excused(name, allowed.0) {
+                spoiled = true;
+                return Ok(arena.symbol(name));
+            }
+            if let Some((symbol, unit)) = self.yet_to_be_found(arena, name, allowed) {
+                found.push((symbol, name.to_owned(), unit));
+                return Ok(symbol);
+            }
+            unknown = !self.known.contains_key(name);
+            self.resolve(name, allowed, what)
+        };
+        let mut velocity = |arena: &mut Arena, name: &VelocityName<'_>| {
+            let is_position = matches!(name.of, VelocityOf::Place(_)) && allowed.0.contains(&Kind::Position);
+            if !is_position && !allowed.0.contains(&Kind::Velocity) {
+                return Err(cannot_stand(Kind::Velocity, &name.text(), allowed, what));
+            }
+            let mut name = name.clone();
+            if name.frame.0.is_empty() {
+                name.frame.0 = &self.root;
+            }
+            velocities.push(StatedVelocity::new(arena, formula, &name));
+            Ok(arena.symbol(&name.text()))
+        };
+        let mut interaction = |arena: &mut Arena, name: &InteractionName<'_>| {
+            if !allowed.0.contains(&Kind::Reaction) {
+                return Err(cannot_stand(Kind::Reaction, &name.text(), allowed, what));
+            }
+            let stated = StatedInteraction::new(arena, formula, name);
+            let symbol = stated.symbol;
+            interactions.push(stated);
+            Ok(symbol)
+        };
+        let result = parse_with_quantities(arena, &formula.text, &mut resolve, &mut velocity, &mut interaction);
+        match result {
+            Ok(_) if spoiled => None,
+            Ok(e) => {
+                self.name_velocities(reader, velocities)?;
+                self.name_interactions(reader, interactions)?;
+                let located = |name: String| Located { text: name, ..formula.clone() };
+                self.reactions.extend(
+                    found.into_iter().map(|(symbol, name, unit)| AskedReaction::Found(symbol, located(name), unit)),
+                );
+                let e = no_hidden_zero(reader, arena, formula, e)?;
+                reader.is_computable(arena, formula, e).then_some(e)
+            }
+            Err(error) => {
+                let (span, help) = (formula.part(error.span), error.help.unwrap_or_default());
+                if unknown {
+                    reader.error_once(span, error.message, help);
+                } else {
+                    reader.error(span, error.message, help);
+                }
+                None
+            }
+        }
+    }
+
+    /// Symbol and unit of a reaction that the model may find, if no declared name is equal to this one.
+    fn yet_to_be_found(&self, arena: &mut Arena, name: &str, allowed: Allowed) -> Option<(Expr, Unit)> {
+        if !allowed.0.contains(&Kind::Reaction) || self.known.contains_key(name) {
+            return None;
+        }
+        let unit = may_be_found(name, self.of_kind(&[Kind::Body]).into_iter())?;
+        // A reaction is found under a name that no symbol has.
+        Some((arena.symbol(&format!("reaction {name}")), unit))
+    }
+
+    /// Keeps the forces and torques between bodies that a formula names; `None` if one of them refers to an undeclared
+    /// name.
+    fn name_interactions(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedInteraction>) -> Option<()> {
+        let knows_body = |name: &Located, reader: &mut Reader<'_>| {
+            let is_ground =
+                (name.text == GROUND || name.text == self.root) && self.kind(&name.text) != Some(Kind::Body);
+            is_ground || self.expect(reader, name, Kind::Body)
+        };
+        let mut are_known = true;
+        for name in &stated {
+            let bodies = [&name.by, &name.on].into_iter().filter(|body| !knows_body(body, reader)).count();
+            let point = name.about.as_ref().is_none_or(|point| self.expect(reader, point, Kind::Point));
+            are_known &= bodies == 0 && point && self.expect(reader, &name.frame, Kind::Frame);
+        }
+        self.reactions.extend(stated.into_iter().filter(|_| are_known).map(AskedReaction::Between));
+        are_known.then_some(())
+    }
+
+    /// Keeps the velocities that a formula names; `None`, with an error, if one of them refers to an undeclared name.
+    fn name_velocities(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedVelocity>) -> Option<()> {
+        let unknown = stated.iter().filter(|velocity| !self.knows(reader, velocity)).count();
+        for velocity in stated {
+            if unknown == 0 && self.velocities.iter().all(|other| other.symbol != velocity.symbol) {
+                self.velocities.push(velocity);
+            }
+        }
+        (unknown == 0).then_some(())
+    }
+
+    /// True if each name in a velocity is declared as the kind for which it is used; reports all that are not.
+    fn knows(&self, reader: &mut Reader<'_>, velocity: &StatedVelocity) -> bool {
+        let of: &[(&Located, Kind)] = match &velocity.of {
+            VelocityOf::Point(point) | VelocityOf::Place(point) => &[(point, Kind::Point)],
+            VelocityOf::Material(body, point) => &[(body, Kind::Body), (point, Kind::Point)],
+            VelocityOf::Turning(body) if self.kind(&body.text) == Some(Kind::Body) => &[(body, Kind::Body)],
+            VelocityOf::Turning(frame) => &[(frame, Kind::Frame)],
+        };
+        let all = of.iter().copied().chain([(&velocity.frame, Kind::Frame)]);
+        all.filter(|(name, kind)| !self.expect(reader, name, *kind)).count() == 0
+    }
+
+    fn resolve(&self, name: &str, allowed: Allowed, what: &str) -> Result<Expr, (String, Option<String>)> {
+        let plain = name.trim_end_matches('\'');
+        match self.known.get(name) {
+            Some((kind, _, Some(symbol))) if allowed.0.contains(kind) => {
+                self.used.borrow_mut().insert(name.to_owned());
+                Ok(*symbol)
+            }
+            Some((Kind::Expression, _, Some(e))) => {
+                let parts = self.made_of.get(name).map(Vec::as_slice).unwrap_or_default();
+                match parts.iter().find(|(_, kind)| !allowed.0.contains(kind)) {
+                    None => {
+                        self.used.borrow_mut().insert(name.to_owned());
+                        Ok(*e)
+                    }
+                    Some((part, kind)) => {
+                        let (message, help) = cannot_stand(*kind, part, allowed, what);
+                        Err((format!("{message}: it is in `{name}`"), help))
+                    }
+                }
+            }
+            Some((kind, _, _)) => Err(cannot_stand(*kind, name, allowed, what)),
+            None if name == TIME => {
+                Err((format!("time cannot stand in {what}"), Some("what has mass, and how much, stays".to_owned())))
+            }
+            None if ["deg", "degree", "degrees"].contains(&name) => Err((
+                format!("unknown name `{name}`"),
+                Some("angles are in radians: write 10 degrees as `10*pi/180`".to_owned()),
+            )),
+            None if self.known.get(plain).is_some_and(|(kind, _, _)| *kind != Kind::Coordinate) => Err((
+                format!("`{name}` does not exist: `{plain}` is a {}", self.known[plain].0.noun()),
+                Some("a prime stands after coordinates only".to_owned()),
+            )),
+            None if may_be_found(name, self.of_kind(&[Kind::Body]).into_iter()).is_some() => {
+                Err(cannot_stand(Kind::Reaction, name, allowed, what))
+            }
+            None => Err((format!("unknown name `{}`", shown(name)), Some(nearest(name, self.of_kind(allowed.0))))),
+        }
+    }
+}
+
+/// A name of a kind that may not stand in a formula: what is wrong, and what may.
+fn cannot_stand(kind: Kind, name: &str, allowed: Allowed, what: &str) -> (String, Option<String>) {
+    let may: Vec<String> = allowed.0.iter().map(|kind| kind.plural()).collect();
+    let may = if may.is_empty() { "numbers only".to_owned() } else { may.join(", ") };
+    let message = format!("the {} `{name}` cannot stand in {what}", kind.noun());
+    // What may depend on the motion may not depend on what the motion makes of it.
+    if kind == Kind::Reaction && allowed.0.contains(&Kind::Speed) {
+        let why = "a reaction follows from the accelerations, which a load that depends on it would change";
+        let help = "state what presses there as a formula of parameters and of the motion, such as `m*g`";
+        return (format!("{message}: {why}"), Some(format!("{help}; allowed: {may}")));
+    }
+    (message, Some(format!("allowed: {may}")))
+}
+
+/// Refuses a divisor that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1.
+fn no_hidden_zero(reader: &mut Reader<'_>, arena: &Arena, formula: &Located, e: Expr) -> Option<Expr> {
+    let zero = zero_divisor(arena, e);
+    let Some(zero) = zero else { return Some(e) };
+    let message = format!("division by zero: {} is zero", shown(&crate::algebra::text::print::text(arena, zero)));
+    reader.error(formula.span.clone(), message, "this divisor vanishes identically");
+    None
+}

@@ -1,0 +1,186 @@
+//! The state of reading one model file, and the questions that every section asks of it.
+
+use super::names::Kind;
+use super::names::{Allowed, Names};
+use crate::algebra::{Arena, Expr};
+use crate::diagnostic::shown;
+use crate::model::input::Binding;
+use crate::model::units::{StatedUnit, Unit, bare_number, unit_of};
+use crate::read::{Entry, Located, Reader};
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Entries that one section may have: no mechanism derived by symbols comes near.
+const MAX_ENTRIES: usize = 5000;
+
+/// The state of reading one file.
+pub struct Loading<'a> {
+    pub reader: Reader<'a>,
+    pub arena: Arena,
+    pub names: Names,
+    /// The unit of each symbol; none for a symbol whose declaration is wrong.
+    pub units: FxHashMap<Expr, Unit>,
+    /// The formulas that a scene gives to inputs.
+    pub bindings: Vec<Binding>,
+    /// Inputs that a parameter of their name is added to where they are formulas.
+    pub varied: Vec<String>,
+}
+
+impl<'a> Loading<'a> {
+    pub fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
+        self.reader.prose(table, key)
+    }
+
+    /// The named entries of a section, in the order of the file; none if the section is absent.
+    /// If it cannot be read, names of `kinds` are not missed elsewhere.
+    pub fn section(&mut self, table: &'a DeTable<'a>, key: &str, kinds: &[Kind]) -> Vec<Entry<'a>> {
+        let Some(value) = self.reader.get(table, key) else { return Vec::new() };
+        let Some(section) = self.reader.table(value, &format!("`{key}`"), &format!("[{key}]")) else {
+            self.names.unread(kinds);
+            return Vec::new();
+        };
+        let mut entries = self.reader.entries(section);
+        if entries.len() > MAX_ENTRIES {
+            let message = format!("`{key}` has {} entries: more than {MAX_ENTRIES}", entries.len());
+            self.reader.error(entries[MAX_ENTRIES].0.span.clone(), message, "state a smaller mechanism");
+            self.names.unread(kinds);
+            entries.truncate(MAX_ENTRIES);
+        }
+        entries
+    }
+
+    /// Declares a named entry and opens its table; returns with it what to call the entry.
+    pub fn entry(
+        &mut self,
+        name: &Located,
+        value: &'a Spanned<DeValue<'a>>,
+        kind: Kind,
+        symbol: Option<Expr>,
+        example: &str,
+    ) -> Option<(&'a DeTable<'a>, String)> {
+        let what = format!("{} `{}`", kind.noun(), shown(&name.text));
+        self.names.declare(&mut self.reader, name, kind, symbol);
+        let Some(entry) = self.reader.table(value, &what, example) else {
+            self.names.spoil(&name.text);
+            return None;
+        };
+        self.about(entry);
+        Some((entry, what))
+    }
+
+    pub fn unit(&mut self, table: &'a DeTable<'a>, owner: &Located) -> Option<Unit> {
+        let value = self.reader.need(table, "unit", &format!("`{}`", shown(&owner.text)), &owner.span)?;
+        let text = self.reader.string(value, "`unit`")?;
+        match Unit::parse(&text.text) {
+            Ok(unit) => Some(unit),
+            Err(message) => {
+                self.reader.error(text.span, message, Unit::help(&text.text));
+                None
+            }
+        }
+    }
+
+    pub fn about(&mut self, table: &'a DeTable<'a>) -> String {
+        self.text(table, "about").unwrap_or_default()
+    }
+
+    /// True if two sides have one unit; reports an error if not.
+    pub fn comparable(&mut self, left: Expr, right: Expr, span: &Range<usize>) -> bool {
+        let before = self.reader.errors.len();
+        if let (Some(a), Some(b)) = (self.unit_of(left, span), self.unit_of(right, span))
+            && a != b
+        {
+            let message = format!("the left side is in {}, the right side in {}", a.words(), b.words());
+            self.reader.error(span.clone(), message, "check the units of the parameters and coordinates");
+        }
+        self.reader.errors.len() == before
+    }
+
+    /// Splits a relation at its one sign: the left side, the sign and the right side.
+    pub fn split<'s>(
+        &mut self,
+        text: &Located,
+        signs: &[&'s str],
+        help: &str,
+    ) -> Option<(Located, (&'s str, Located))> {
+        let found: Vec<(usize, &'s str)> =
+            signs.iter().flat_map(|sign| text.text.match_indices(sign).map(|(at, _)| (at, *sign))).collect();
+        let weak = found.iter().map(|(at, _)| *at).find(|at| signs.len() > 1 && text.text[at + 1..].starts_with('='));
+        if let Some(at) = weak {
+            let sign = &text.text[at..at + 2];
+            self.reader.error(text.part(at..at + 2), format!("`{sign}` is not a strict inequality"), help);
+            return None;
+        }
+        let [(at, sign)] = found.as_slice() else {
+            let expected = signs.join("` or `");
+            self.reader.error(text.span.clone(), format!("expected exactly one `{expected}` here"), help);
+            return None;
+        };
+        let side = |range: Range<usize>| {
+            let part = &text.text[range.clone()];
+            let start = range.start + (part.len() - part.trim_start().len());
+            let trimmed = part.trim();
+            Located { text: trimmed.to_owned(), span: text.part(start..start + trimmed.len()), exact: text.exact }
+        };
+        Some((side(0..*at), (*sign, side(at + 1..text.text.len()))))
+    }
+
+    /// The unit of a formula, where it is known; reports a sum of unlike quantities.
+    pub fn unit_of(&mut self, e: Expr, span: &Range<usize>) -> Option<Unit> {
+        match unit_of(&self.arena, e, &self.units) {
+            Ok(unit) => unit,
+            Err((message, help)) => {
+                self.reader.error(span.clone(), message, help);
+                None
+            }
+        }
+    }
+
+    /// Reads a formula whose unit is known.
+    pub fn quantity(&mut self, formula: &Located, allowed: Allowed, unit: &Unit, what: &str) -> Option<Expr> {
+        if let Some(stated) = StatedUnit::of(&formula.text) {
+            let number = stated.number(formula);
+            let e = self.names.formula(&mut self.reader, &mut self.arena, &number, allowed, what)?;
+            if !unit.is_plain() {
+                // A number in a formula has no unit to be checked by: what has one has a name.
+                let message = format!("a number with a unit cannot stand in {what}");
+                let help = format!("declare a parameter such as `x0 = \"{}\"` and use its name", shown(&formula.text));
+                self.reader.error(formula.span.clone(), message, help);
+                return None;
+            }
+            if !stated.unit.is_plain() {
+                let message = format!(
+                    "{what} must be in {}, but `{}` is in {}",
+                    unit.words(),
+                    shown(&formula.text),
+                    stated.unit.words()
+                );
+                self.reader.error(formula.span.clone(), message, "state it in rad or deg");
+                return None;
+            }
+            return Some(stated.apply(&mut self.arena, e));
+        }
+        let e = self.names.formula(&mut self.reader, &mut self.arena, formula, allowed, what)?;
+        self.know_units_of_velocities();
+        if let Some(found) = self.unit_of(e, &formula.span)
+            && found != *unit
+        {
+            let (needed, found) = (unit.words(), found.words());
+            let message = format!("{what} must be in {needed}, but `{}` is in {found}", shown(&formula.text));
+            let help = if self.arena.reachable(&[e]).iter().any(|part| self.arena.symbol_name(*part).is_some()) {
+                "check the units of the parameters and coordinates".to_owned()
+            } else {
+                bare_number(&needed)
+            };
+            self.reader.error(formula.span.clone(), message, help);
+        }
+        Some(e)
+    }
+
+    /// Notes the units of the velocities that formulas have named so far.
+    pub fn know_units_of_velocities(&mut self) {
+        self.units.extend(self.names.velocities.iter().map(|velocity| (velocity.symbol, velocity.unit())));
+    }
+}

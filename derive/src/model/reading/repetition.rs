@@ -1,0 +1,249 @@
+//! Repetition: an entry whose key has a range stands for one entry for each number in it.
+//!
+//! ```toml
+//! [counts]
+//! n = 10
+//!
+//! [joints."pin{i in 2..n}"]
+//! body = "rod{i}"
+//! to = "rod{i-1}"
+//! ```
+//!
+//! So it is read before anything else, and what is read then has no ranges.
+
+use crate::algebra::text::parse::parse;
+use crate::algebra::{Arena, Rational};
+use crate::diagnostic::shown;
+use crate::read::Reader;
+use std::borrow::Cow;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Entries that one file may be repeated to: no mechanism derived by symbols comes near.
+const MAX_REPEATED: usize = 20_000;
+
+/// Keys under which braces are prose.
+const PROSE: [&str; 3] = ["name", "source", "about"];
+
+/// Named numbers with their values. A later one hides an earlier one of the same name.
+type Numbers = Vec<(String, i64)>;
+
+/// Tables of a file with every repetition written out; `None` if the file repeats nothing. Errors are added to those of
+/// the reader.
+pub fn written_out<'a>(reader: &mut Reader<'_>, table: &DeTable<'a>) -> Option<DeTable<'a>> {
+    if !table.contains_key("counts") && !has_ranges(table) {
+        return None;
+    }
+    let mut repeating = Repeating { reader, arena: Arena::new(), entries: 0 };
+    let mut counts = Numbers::new();
+    if let Some(stated) = table.get("counts") {
+        repeating.counts(stated, &mut counts);
+    }
+    let mut whole = DeTable::new();
+    for (key, value) in table {
+        if key.get_ref() != "counts" {
+            let value = repeating.value(value, &counts, PROSE.contains(&key.get_ref().as_ref()));
+            whole.insert(key.clone(), value);
+        }
+    }
+    Some(whole)
+}
+
+/// True if a key at any depth contains an opening brace.
+fn has_ranges(table: &DeTable<'_>) -> bool {
+    table.iter().any(|(key, value)| key.get_ref().contains('{') || value.get_ref().as_table().is_some_and(has_ranges))
+}
+
+struct Repeating<'r, 'a> {
+    reader: &'r mut Reader<'a>,
+    arena: Arena,
+    entries: usize,
+}
+
+impl Repeating<'_, '_> {
+    /// Reads `[counts]`: names of whole numbers.
+    fn counts(&mut self, stated: &Spanned<DeValue<'_>>, counts: &mut Numbers) {
+        let DeValue::Table(table) = stated.get_ref() else {
+            return self.reader.error(stated.span(), "`counts` must be a table", "write it as [counts], with n = 10");
+        };
+        for (name, value) in table {
+            let number = match value.get_ref() {
+                DeValue::Integer(n) if n.radix() == 10 => n.as_str().replace('_', "").parse::<i64>().ok(),
+                _ => None,
+            };
+            match number.filter(|n| n.abs() <= 1_000_000) {
+                Some(number) => counts.push((name.get_ref().to_string(), number)),
+                None => {
+                    let message = format!("the count `{}` is not a whole number up to 1000000", shown(name.get_ref()));
+                    self.reader.error(value.span(), message, "write n = 10");
+                }
+            }
+        }
+    }
+
+    /// A value, in which the formulas in braces are replaced by numbers.
+    fn value<'a>(&mut self, value: &Spanned<DeValue<'a>>, numbers: &Numbers, is_prose: bool) -> Spanned<DeValue<'a>> {
+        let span = value.span();
+        let new = match value.get_ref() {
+            DeValue::String(text) if text.contains('{') && !is_prose => {
+                DeValue::String(Cow::Owned(self.put(text, numbers, &span)))
+            }
+            DeValue::String(text) if text.contains('{') => DeValue::String(Cow::Owned(self.prose(text, numbers))),
+            DeValue::Array(list) => {
+                let mut array = toml::de::DeArray::new();
+                for item in list {
+                    array.push(self.value(item, numbers, is_prose));
+                }
+                DeValue::Array(array)
+            }
+            DeValue::Table(table) => DeValue::Table(self.table(table, numbers)),
+            other => other.clone(),
+        };
+        Spanned::new(span, new)
+    }
+
+    fn table<'a>(&mut self, table: &DeTable<'a>, numbers: &Numbers) -> DeTable<'a> {
+        let mut result = DeTable::new();
+        for (key, value) in table {
+            if !key.get_ref().contains('{') {
+                result.insert(key.clone(), self.value(value, numbers, PROSE.contains(&key.get_ref().as_ref())));
+                continue;
+            }
+            let span = key.span();
+            for (name, numbers) in self.keys(key.get_ref(), numbers, &span) {
+                self.entries += 1;
+                if self.entries == MAX_REPEATED + 1 {
+                    let message = format!("more than {MAX_REPEATED} entries are repeated");
+                    self.reader.error(span.clone(), message, "state a smaller mechanism");
+                }
+                if self.entries > MAX_REPEATED {
+                    return result;
+                }
+                let value = self.value(value, &numbers, false);
+                if result.insert(Spanned::new(span.clone(), Cow::Owned(name.clone())), value).is_some() {
+                    let message = format!("`{}` is stated twice by what is repeated", shown(&name));
+                    self.reader.error(span.clone(), message, "name the index of the range in the key");
+                }
+            }
+        }
+        result
+    }
+
+    /// The names that a key with ranges stands for, with what its indices are for each.
+    fn keys(&mut self, key: &str, numbers: &Numbers, span: &Range<usize>) -> Vec<(String, Numbers)> {
+        let mut open = vec![(String::new(), numbers.clone())];
+        let mut rest = key;
+        while let Some((before, after)) = rest.split_once('{') {
+            let Some((inside, after)) = after.split_once('}') else {
+                self.reader.error(span.clone(), "this `{` is never closed", "write a range as {i in 1..4}");
+                return Vec::new();
+            };
+            let mut next = Vec::new();
+            for (text, numbers) in open {
+                let text = text + before;
+                let Some((index, from, to)) = range(inside) else {
+                    match self.number(inside, &numbers, span) {
+                        Some(number) => next.push((format!("{text}{number}"), numbers)),
+                        None => return Vec::new(),
+                    }
+                    continue;
+                };
+                let is_name =
+                    index.starts_with(|c: char| c.is_ascii_alphabetic()) && index.chars().all(char::is_alphanumeric);
+                if !is_name || numbers.iter().any(|(name, _)| name == index) {
+                    let message = format!("`{}` cannot be the index of a range", shown(index));
+                    self.reader.error(span.clone(), message, "choose another name for it, such as i");
+                    return Vec::new();
+                }
+                let (Some(from), Some(to)) = (self.number(from, &numbers, span), self.number(to, &numbers, span))
+                else {
+                    return Vec::new();
+                };
+                if to.saturating_sub(from) >= i64::try_from(MAX_REPEATED).unwrap_or(i64::MAX) {
+                    let message = format!("the range {from}..{to} has more than {MAX_REPEATED} numbers");
+                    self.reader.error(span.clone(), message, "state a smaller mechanism");
+                    return Vec::new();
+                }
+                for n in from..=to {
+                    let mut numbers = numbers.clone();
+                    numbers.push((index.to_owned(), n));
+                    next.push((format!("{text}{n}"), numbers));
+                }
+            }
+            (open, rest) = (next, after);
+        }
+        open.into_iter().map(|(text, numbers)| (text + rest, numbers)).collect()
+    }
+
+    /// A text, in which the formulas in braces are replaced by numbers.
+    fn put(&mut self, text: &str, numbers: &Numbers, span: &Range<usize>) -> String {
+        let mut result = String::new();
+        let mut rest = text;
+        while let Some((before, after)) = rest.split_once('{') {
+            result += before;
+            let Some((inside, after)) = after.split_once('}') else {
+                self.reader.error(span.clone(), "this `{` is never closed", "write an index as {i} or {i-1}");
+                return result;
+            };
+            match self.number(inside, numbers, span) {
+                Some(number) => result += &number.to_string(),
+                None => return result,
+            }
+            rest = after;
+        }
+        result + rest
+    }
+
+    /// Prose, in which braces that hold no number are braces.
+    fn prose(&mut self, text: &str, numbers: &Numbers) -> String {
+        let mut result = String::new();
+        let mut rest = text;
+        while let Some((before, after)) = rest.split_once('{') {
+            result += before;
+            let known =
+                after.split_once('}').and_then(|(inside, after)| Some((self.known(inside, numbers).ok()?, after)));
+            match known {
+                Some((number, after)) => {
+                    result += &number.to_string();
+                    rest = after;
+                }
+                None => {
+                    result.push('{');
+                    rest = after;
+                }
+            }
+        }
+        result + rest
+    }
+
+    /// A whole number from a formula of named numbers; reports a value that is not whole.
+    fn number(&mut self, formula: &str, numbers: &Numbers, span: &Range<usize>) -> Option<i64> {
+        match self.known(formula, numbers) {
+            Ok(number) => Some(number),
+            Err(message) => {
+                let help = "write an index as {i} or {i-1}, a range as {i in 1..4}; counts stand under [counts]";
+                self.reader.error(span.clone(), format!("`{{{}}}`: {message}", shown(formula)), help);
+                None
+            }
+        }
+    }
+
+    fn known(&mut self, formula: &str, numbers: &Numbers) -> Result<i64, String> {
+        let value = parse(&mut self.arena, formula, &mut |arena, name| {
+            let known = numbers.iter().rev().find(|(known, _)| known == name);
+            let known = known.map(|(_, number)| arena.number(Rational::integer(*number)));
+            known.ok_or_else(|| (format!("`{}` is no index and no count", shown(name)), None))
+        });
+        let value = value.map_err(|error| error.message)?;
+        let whole = self.arena.as_number(value).filter(|n| n.is_integer()).and_then(Rational::to_i64);
+        whole.ok_or_else(|| "this is not a whole number".to_owned())
+    }
+}
+
+/// The index and the ends of `i in 1..n`.
+fn range(inside: &str) -> Option<(&str, &str, &str)> {
+    let (index, ends) = inside.split_once(" in ")?;
+    let (from, to) = ends.split_once("..")?;
+    Some((index.trim(), from, to))
+}

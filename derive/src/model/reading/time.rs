@@ -1,0 +1,110 @@
+//! Explicit time: a coordinate `t` whose rate a constraint holds at 1.
+//!
+//! So only the reading of files knows of time. Terms that depend on t have a rate along t', and prescribed motions are
+//! coordinates that are solved for. The multiplier of the constraint is the power of the drive: energy proves constant
+//! only where that is 0. C. Lanczos, *The Variational Principles of Mechanics*, 4th edition (1970), chapter V, §6.
+
+use super::inputs::formulas;
+use super::names::{Kind, TIME};
+use super::reader::Loading;
+use crate::algebra::Expr;
+use crate::model::{Coordinate, Model, Tie, Unit};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Sections whose formulas may name time.
+const TIMED: [&str; 13] = [
+    "speeds",
+    "joints",
+    "expressions",
+    "frames",
+    "points",
+    "forces",
+    "torques",
+    "springs",
+    "friction",
+    "potentials",
+    "constraints",
+    "reactions",
+    "domain",
+];
+
+/// Keys under which there is prose.
+const PROSE: &str = "about";
+
+impl<'a> Loading<'a> {
+    /// Time as the last coordinate, if a formula of the file names it.
+    pub fn time(&mut self, table: &'a DeTable<'a>, coordinates: &mut Vec<Coordinate>) {
+        let sections = TIMED.iter().filter_map(|key| table.get(*key));
+        let in_inputs = formulas(table, &self.bindings).into_iter().any(is_of_time);
+        if !in_inputs && !sections.into_iter().any(names_time) {
+            if coordinates.is_empty() {
+                self.names.unread(&[Kind::Coordinate, Kind::Rate]);
+            }
+            return;
+        }
+        let (symbol, rate) = (self.arena.symbol(TIME), self.arena.symbol(&format!("{TIME}'")));
+        let unit = Unit::new(0, 0, 1);
+        for (symbol, kind, unit) in [(symbol, Kind::Coordinate, unit.clone()), (rate, Kind::Rate, Unit::default())] {
+            let name = self.arena.symbol_name(symbol).unwrap_or_default().to_owned();
+            self.names.insert(&name, kind, 0..0, Some(symbol));
+            self.units.insert(symbol, unit);
+        }
+        let about = "time".to_owned();
+        coordinates.push(Coordinate { name: TIME.to_owned(), symbol, rate, second_rate: rate, unit, about });
+    }
+}
+
+/// True if a formula names time.
+fn is_of_time(formula: &str) -> bool {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    formula.split(|c| !is_part(c)).any(|word| word == TIME)
+}
+
+/// True if a formula under an entry names time.
+fn names_time(value: &Spanned<DeValue<'_>>) -> bool {
+    let mut open = vec![value];
+    while let Some(value) = open.pop() {
+        match value.get_ref() {
+            DeValue::String(text) if is_of_time(text) => return true,
+            DeValue::Array(list) => open.extend(list.iter()),
+            DeValue::Table(table) => {
+                open.extend(table.iter().filter(|(key, _)| key.get_ref() != PROSE).map(|(_, value)| value));
+            }
+            _ => {}
+        }
+    }
+    false
+}
+
+impl Model {
+    /// The place of time among the coordinates, where formulas of the model name it.
+    #[must_use]
+    pub fn time(&self) -> Option<usize> {
+        self.coordinates.iter().position(|c| c.name == TIME)
+    }
+
+    /// True if constraints tie the rates of coordinates; the constraint on time alone does not count.
+    #[must_use]
+    pub fn ties_rates(&self) -> bool {
+        self.motion_constraints.iter().any(|constraint| constraint.tie != Tie::Clock)
+    }
+
+    /// True if constraints move the mechanism even where all speeds are zero: a constraint states a velocity, or
+    /// frames, points or constraints depend on time. The forces of these constraints then do work, so that T + V
+    /// changes by more than the work of loads.
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        let states_velocity = |c: &crate::model::MotionConstraint| c.tie != Tie::Clock && c.drive != Expr::ZERO;
+        if self.motion_constraints.iter().any(states_velocity) {
+            return true;
+        }
+        let Some(time) = self.time().map(|at| &self.coordinates[at]) else { return false };
+        let turns = self.frames.iter().filter_map(|f| f.rotation.as_ref()).flat_map(|(_, turn)| turn.terms());
+        let places = self.points.iter().filter_map(|p| p.position.as_ref()).flat_map(|(_, _, position)| *position);
+        let geometry: Vec<Expr> = turns.chain(places).collect();
+        let ties = self.motion_constraints.iter().filter(|c| c.tie != Tie::Clock).map(|c| c.equation);
+        self.arena.reachable(&geometry).contains(&time.symbol)
+            || self.arena.reachable(&ties.collect::<Vec<_>>()).contains(&time.rate)
+    }
+}

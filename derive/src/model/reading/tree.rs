@@ -1,0 +1,84 @@
+//! Frames and points, each placed from another, put in order: parents first.
+
+use super::names::Kind;
+use super::reader::Loading;
+use crate::read::Located;
+use rustc_hash::FxHashMap;
+
+/// A child placed from a parent, by name, before the order is known.
+pub struct Node<T> {
+    /// The child.
+    pub name: Located,
+    /// The parent.
+    pub parent: Located,
+    /// Whatever belongs to the child.
+    pub payload: T,
+}
+
+/// Orders nodes so that parents come first, with the parent's position, the root being 0; reports
+/// unknown parents and cycles. Children of what has an error are left out in silence.
+pub fn in_order<T>(
+    loading: &mut Loading<'_>,
+    nodes: Vec<Node<T>>,
+    root: Option<&str>,
+    kind: Kind,
+) -> Vec<(Node<T>, usize)> {
+    let mut children: FxHashMap<String, Vec<usize>> = FxHashMap::default();
+    let mut left: Vec<Option<Node<T>>> = Vec::new();
+    for node in nodes {
+        if loading.names.expect(&mut loading.reader, &node.parent, kind) {
+            children.entry(node.parent.text.clone()).or_default().push(left.len());
+            left.push(Some(node));
+        }
+    }
+    let mut ordered = Vec::new();
+    let mut reached: Vec<(String, usize)> = root.map(|name| (name.to_owned(), 0)).into_iter().collect();
+    let mut next = 0;
+    while let Some((name, at)) = reached.get(next).cloned() {
+        next += 1;
+        for child in children.remove(&name).unwrap_or_default() {
+            let Some(node) = left[child].take() else { continue };
+            reached.push((node.name.text.clone(), reached.len()));
+            ordered.push((node, at));
+        }
+    }
+    report_cycles(loading, &left.into_iter().flatten().collect::<Vec<_>>());
+    ordered
+}
+
+/// Reports each cycle among the nodes that the root does not reach, once.
+fn report_cycles<T>(loading: &mut Loading<'_>, waiting: &[Node<T>]) {
+    let position: FxHashMap<&str, usize> =
+        waiting.iter().enumerate().map(|(at, node)| (node.name.text.as_str(), at)).collect();
+    // Walk up from each node left over: a name met again on the same walk closes a cycle.
+    let mut walk_of = vec![usize::MAX; waiting.len()];
+    for start in 0..waiting.len() {
+        let mut path = Vec::new();
+        let mut at = Some(start);
+        while let Some(here) = at {
+            if walk_of[here] != usize::MAX {
+                if walk_of[here] == start {
+                    let first = path.iter().position(|n| *n == here).unwrap_or(0);
+                    report_cycle(loading, waiting, &path[first..]);
+                }
+                break;
+            }
+            walk_of[here] = start;
+            path.push(here);
+            at = position.get(waiting[here].parent.text.as_str()).copied();
+        }
+    }
+}
+
+fn report_cycle<T>(loading: &mut Loading<'_>, waiting: &[Node<T>], cycle: &[usize]) {
+    const SHOWN: usize = 12;
+    let first = &waiting[cycle[0]];
+    let mut names: Vec<&str> = cycle.iter().take(SHOWN).map(|n| waiting[*n].name.text.as_str()).collect();
+    if cycle.len() > SHOWN {
+        names.push("…");
+    }
+    names.push(&first.name.text);
+    let message = format!("`{}` is placed from itself: {}", first.name.text, names.join(" -> "));
+    let help = "every frame and point must lead back to the inertial frame and the origin";
+    loading.reader.error(first.parent.span.clone(), message, help);
+}

@@ -1,0 +1,43 @@
+//! Messages for names that are neither a coordinate nor a speed.
+
+use crate::diagnostic::nearest;
+use crate::model::Model;
+
+/// Speeds that are listed in a message.
+const MOST_LISTED: usize = 12;
+
+impl Model {
+    /// Message and advice for a name that is neither a coordinate nor a speed where one is expected. `known` are the
+    /// names that are permitted there.
+    #[must_use]
+    pub fn no_state<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
+        if !self.dependent_speeds.iter().any(|speed| speed.name == name) {
+            let message = format!("the model has no coordinate or speed `{name}`");
+            // Speeds of turns about several axes are named by axes, and by no coordinate.
+            let of = self.coordinates.iter().find(|coordinate| format!("u_{}", coordinate.name) == name);
+            let help = match of {
+                Some(coordinate) => format!(
+                    "the rate of `{0}` is `{0}'`, and the speeds are {1}",
+                    coordinate.name,
+                    self.listed_speeds()
+                ),
+                None => nearest(name, known),
+            };
+            return (message, help);
+        }
+        let speeds: Vec<String> = self.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
+        let (count, follows) = match speeds.as_slice() {
+            [] => ("no speed".to_owned(), "it is determined".to_owned()),
+            [one] => ("1 speed".to_owned(), format!("it follows from {one}")),
+            all => (format!("{} speeds", all.len()), format!("it follows from {}", all.join(", "))),
+        };
+        let message = format!("the constraints leave {count}, and `{name}` is none: {follows}");
+        (message, format!("leave `{name}` out here; it can be an output of a scene"))
+    }
+
+    fn listed_speeds(&self) -> String {
+        let speeds = self.speeds.iter().take(MOST_LISTED).map(|speed| format!("`{}`", speed.name));
+        let more = if self.speeds.len() > MOST_LISTED { " and more" } else { "" };
+        format!("{}{more}", speeds.collect::<Vec<_>>().join(", "))
+    }
+}
