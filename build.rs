@@ -23,9 +23,7 @@ fn main() {
     for folder in folders("models") {
         let (Ok(model), Some(name)) = (read_to_string(folder.join("model.toml")), folder.file_name()) else { continue };
         let name = name.to_string_lossy();
-        let report =
-            ["publication.toml", "report.toml"].map(|name| read_to_string(folder.join(name))).into_iter().flatten();
-        let report = report.map(|text| hash(&text)).next().unwrap_or_default();
+        let publication = read_to_string(folder.join("publication.toml")).map(|text| hash(&text)).unwrap_or_default();
         // Of a model that was never generated nothing is found.
         let compiled = read_to_string(Path::new("generated/src").join(&*name).join("mod.rs")).unwrap_or_default();
         let is_current = |key: &str, hash: &str| compiled.contains(&format!("{key}: \"{hash}\""));
@@ -33,7 +31,7 @@ fn main() {
             println!(
                 "cargo::warning=models/{name}/model.toml is not what its equations were generated from: it runs interpreted until `tripos regenerate {name}`"
             );
-        } else if !is_current("report_hash", &report) {
+        } else if !is_current("publication_hash", &publication) {
             println!(
                 "cargo::warning=the publication in models/{name} is not what its equations were generated from: they run interpreted until `tripos regenerate {name}`"
             );

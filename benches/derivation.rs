@@ -19,7 +19,7 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::diff;
 use tripos_derive::mechanics::{Derivations, Solved, derive_all};
 use tripos_derive::prove::{Proof, prove};
-use tripos_derive::report::{Report, load};
+use tripos_derive::publication::{Publication, load};
 use tripos_derive::{Formulation, Model, derive};
 
 fn folder(model: &str) -> PathBuf {
@@ -89,9 +89,9 @@ fn proofs(c: &mut Criterion) {
     }
 }
 
-fn course_report() -> (Model, Report) {
+fn course_report() -> (Model, Publication) {
     let mut model = read("disk");
-    let source = Source::read(&folder("disk").join("report.toml")).unwrap_or_else(|e| panic!("{e}"));
+    let source = Source::read(&folder("disk").join("publication.toml")).unwrap_or_else(|e| panic!("{e}"));
     let report = load(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
     (model, report)
 }

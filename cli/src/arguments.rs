@@ -22,15 +22,6 @@ pub struct Arguments {
 pub enum Command {
     /// Derive, run every scene of a model by all formulations, and write one page that shows it
     Page(Page),
-    /// Former name of `page`
-    #[command(hide = true)]
-    Report {
-        /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
-        model: Option<PathBuf>,
-        /// Folder for index.html
-        #[arg(long, default_value = "target/report")]
-        out: PathBuf,
-    },
     /// Print the equations of motion of a model
     Derive {
         /// A model file, or a folder with model.toml
@@ -159,7 +150,7 @@ pub enum Command {
     Diff {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// A report file (docs/report.md), or the newer of two models
+        /// A publication file (docs/publication.md), or the newer of two models
         other: PathBuf,
         /// Print JSON
         #[arg(long)]
@@ -216,7 +207,7 @@ pub enum Command {
         #[arg(long, value_name = "LANGUAGE", default_value = "rust")]
         language: String,
         /// kane, lagrange or newton-euler, more than once for several; all that the model supports if not given, and
-        /// what the report beside it prints
+        /// what the publication beside it prints
         #[arg(long = "formulation", value_name = "F")]
         formulations: Vec<String>,
         /// Further functions for Rust: jacobian, its entries for implicit methods, which else differentiate the code as
@@ -228,7 +219,7 @@ pub enum Command {
     Evaluate {
         /// A model file, or a folder with model.toml
         model: PathBuf,
-        /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model
+        /// kane, lagrange, newton-euler, or printed:ID for a system of the publication beside the model
         #[arg(long)]
         by: String,
         /// A TOML file with [parameters] and [state]
@@ -280,7 +271,7 @@ pub enum Command {
     },
     /// Write a scene's motion as a 3-D view that plays: one file that needs nothing else
     ///
-    /// For example, the report's printed equations as ghosts beside the derived ones:
+    /// For example, the publication's printed equations as ghosts beside the derived ones:
     ///
     ///   tripos view models/disk/scenes/report.toml --against printed:kane-final --out disk.html
     #[command(verbatim_doc_comment)]
@@ -317,7 +308,7 @@ pub enum Command {
         /// Fewer tolerances and repeats: less than two minutes
         #[arg(long)]
         quick: bool,
-        /// Also the printed equations of the report beside the model
+        /// Also the printed equations of the publication beside the model
         #[arg(long)]
         printed: bool,
         /// Folder for the tables and the chart
@@ -449,7 +440,7 @@ pub struct Sweep {
 /// Options with which the command line overrides a scene's integration.
 #[derive(clap::Args)]
 pub struct How {
-    /// kane, lagrange, newton-euler, or printed:ID for a system of the report beside the model. If not given,
+    /// kane, lagrange, newton-euler, or printed:ID for a system of the publication beside the model. If not given,
     /// `simulate` takes the scene's own reduced equations (`tripos scene`), other commands the first formulation that
     /// the model supports
     #[arg(long)]

@@ -68,11 +68,7 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Completions { shell } => commands::manual::completions(shell),
         Command::Man { out } => commands::manual::man(out.as_deref()),
         Command::Schema { format } => commands::schema::schema(&format),
-        Command::Page(request) => commands::report::report(request.model.as_deref(), &request.out),
-        Command::Report { model, out } => {
-            say("note: `tripos report` is called `tripos page` now");
-            commands::report::report(model.as_deref(), &out)
-        }
+        Command::Page(request) => commands::page::page(request.model.as_deref(), &request.out),
         Command::Derive { model, by, format, fragment } => {
             commands::derive::derive(&model, by.as_deref(), format, fragment)
         }

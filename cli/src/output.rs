@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use tripos_codegen::files::{self, Draft, Existing, Unfinished, WriteError, would_change};
 use tripos_derive::Model;
 use tripos_derive::plain::path_in_line;
-use tripos_derive::report::beside;
+use tripos_derive::publication::beside;
 use tripos_derive::scene::Scene;
 
 /// A table as a file, in the place of one that is there.
@@ -60,7 +60,8 @@ pub fn folder(path: &Path) -> Result<(), Failure> {
     Ok(files::folder(path)?)
 }
 
-/// Refuses outputs that would change what a command reads: a model, the report beside it, and a scene if there is one.
+/// Refuses outputs that would change what a command reads: a model, the publication beside it, and a scene if there is
+/// one.
 ///
 /// # Errors
 /// [`Failure::Refused`] that names both.
@@ -69,9 +70,9 @@ pub fn keep_inputs<'a>(
     scene: Option<&Scene>,
     outputs: impl IntoIterator<Item = &'a Path>,
 ) -> Result<(), Failure> {
-    let report = beside(&model.source.path);
+    let publication = beside(&model.source.path);
     let scene = scene.map(|scene| scene.source.path.clone());
-    let inputs: Vec<PathBuf> = [model.source.path.clone(), report].into_iter().chain(scene).collect();
+    let inputs: Vec<PathBuf> = [model.source.path.clone(), publication].into_iter().chain(scene).collect();
     for output in outputs {
         if let Some(input) = inputs.iter().find(|input| would_change(output, input)) {
             let what =

@@ -1,4 +1,4 @@
-//! The report: one page that needs nothing else, with a derivation and the runs of its equations.
+//! The page: one file that needs nothing else, with a derivation and the runs of its equations.
 //!
 //! The order is by importance: an abstract, the motion, the mistakes in print, the runs, then equations, proofs and
 //! derivations. Long parts are folded.

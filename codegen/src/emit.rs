@@ -36,13 +36,13 @@ pub struct Emission {
 }
 
 /// Emits the module `module` of a model file: these formulations alone, or, if none are named, all that the model
-/// supports and the printed equations of the report beside it; with these extras, and those that are asked for beside
-/// the model.
+/// supports and the printed equations of the publication beside it; with these extras, and those that are asked for
+/// beside the model.
 ///
 /// The text is what a workspace has in `generated/src/MODULE`, but for the line that says where it comes from.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model file or the report; a formulation that is named and cannot be had is one.
+/// [`Diagnostics`] of the model file or the publication; a formulation that is named and cannot be had is one.
 #[cfg(feature = "rust")]
 pub fn emit(path: &Path, module: &str, formulations: &[Formulation], extras: Extras) -> Result<Emission, Diagnostics> {
     emit_model(&Model::read(path)?, module, formulations, extras)

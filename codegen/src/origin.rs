@@ -43,9 +43,9 @@ impl Origin {
         self.of(&self.model)
     }
 
-    /// The sentence in files of what the report beside the model prints.
-    pub fn of_report(&self) -> String {
-        self.of("report.toml")
+    /// The sentence in files of what the publication beside the model prints.
+    pub fn of_publication(&self) -> String {
+        self.of("publication.toml")
     }
 
     /// The sentence in files derived from a scene of the model, named as it is seen from there.

@@ -7,7 +7,7 @@
 
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::report::is_beside;
+use tripos_derive::publication::is_beside;
 use tripos_derive::scene::model_path;
 
 /// The scene files of a model file: those in `scenes/`, then those beside it, each in the order of their names.
@@ -61,7 +61,7 @@ mod tests {
             std::fs::create_dir_all(path.parent().unwrap()).unwrap();
             std::fs::write(path, text).unwrap();
         };
-        for name in ["model.toml", "report.toml", "state.toml", "notes.txt", "other/model.toml"] {
+        for name in ["model.toml", "publication.toml", "state.toml", "notes.txt", "other/model.toml"] {
             put(name, "name = \"x\"\n");
         }
         put("scenes/b.toml", "");

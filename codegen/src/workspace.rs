@@ -19,8 +19,8 @@ use tripos_derive::mechanics::{
     Derivation, DeriveError, Solved, Unsolved, derive_all, distances, in_distance, is_reducible,
 };
 use tripos_derive::model::text_hash;
+use tripos_derive::publication::load_beside;
 use tripos_derive::reduce::reduce;
-use tripos_derive::report::load_beside;
 use tripos_derive::scene::{load_bound as load_scene, model_path as scene_model};
 use tripos_derive::{Equations, Formulation, Model, derive};
 use tripos_traits::Method;
@@ -129,7 +129,7 @@ pub(crate) struct ModuleFiles {
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
-/// The files of a module of this name: of these formulations alone, or of all and of the report beside the model.
+/// The files of a module of this name: of these formulations alone, or of all and of the publication beside the model.
 pub(crate) fn module_files(
     model: &Model,
     module: &str,
@@ -138,15 +138,15 @@ pub(crate) fn module_files(
     extras: Extras,
 ) -> Result<ModuleFiles, Diagnostics> {
     let path = model.source.path.as_path();
-    // The report's symbols go to a store of their own: derived equations do not change with a report.
-    let mut with_report = model.clone();
+    // The publication's symbols go to a store of their own: derived equations do not change with a publication.
+    let mut with_publication = model.clone();
     if !is_name(module) {
         let message = format!("the folder's name `{module}` cannot be a Rust module");
         let help = "rename the folder: a letter, then letters, digits and `_`";
         let diagnostic = Diagnostic::of_file(message, help);
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
-    let report = if formulations.is_none() { load_beside(path, &mut with_report)? } else { None };
+    let publication = if formulations.is_none() { load_beside(path, &mut with_publication)? } else { None };
     let (mut module_text, mut left_out, mut near) = (ModuleText::new(origin, extras), Vec::new(), Vec::new());
     for &f in formulations.unwrap_or(&Formulation::ALL) {
         // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
@@ -159,13 +159,13 @@ pub(crate) fn module_files(
             Err(error) => return Err(model.diagnose(&error)),
         }
     }
-    if let Some(report) = &report {
-        let mut derivations = derive_all(&with_report).map_err(|error| model.diagnose(&error))?;
-        for equations in printed_equations(&with_report, &mut derivations, report) {
+    if let Some(publication) = &publication {
+        let mut derivations = derive_all(&with_publication).map_err(|error| model.diagnose(&error))?;
+        for equations in printed_equations(&with_publication, &mut derivations, publication) {
             let arena = &derivations.kinematics.arena;
             module_text
-                .printed(&with_report, arena, &equations)
-                .map_err(|diagnostic| Diagnostics::new(report.source.clone(), vec![diagnostic]))?;
+                .printed(&with_publication, arena, &equations)
+                .map_err(|diagnostic| Diagnostics::new(publication.source.clone(), vec![diagnostic]))?;
         }
     }
     // Measured from a singular surface, they are for runs alone; last, so that what they have in common with others
@@ -173,7 +173,7 @@ pub(crate) fn module_files(
     for (f, derivation) in near {
         module_text.solved(model, derivation, false).map_err(|why| unsolved(&model.source, f.title(), why))?;
     }
-    let report_hash = report.map(|r| text_hash(&r.source.text)).unwrap_or_default();
+    let publication_hash = publication.map(|r| text_hash(&r.source.text)).unwrap_or_default();
     let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
     if origin.has_scenes() {
         for scene in scene_files(path) {
@@ -183,7 +183,12 @@ pub(crate) fn module_files(
             }
         }
     }
-    let about = About { module, origin: &origin.of_model(), report_hash: &report_hash, has_scenes: !scenes.is_empty() };
+    let about = About {
+        module,
+        origin: &origin.of_model(),
+        publication_hash: &publication_hash,
+        has_scenes: !scenes.is_empty(),
+    };
     let mut files = module_text.files;
     let [own, code] = module_files_of(model, &about, &module_text.entries);
     files.extend([("mod.rs".to_owned(), own), ("code/mod.rs".to_owned(), code)]);
@@ -238,7 +243,7 @@ impl<'a> ModuleText<'a> {
         Ok(())
     }
 
-    /// Adds equations that a report prints, as they stand.
+    /// Adds equations that a publication prints, as they stand.
     fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) -> Result<(), Diagnostic> {
         let name = equations.name(model);
         let file = format!("{}.rs", module_name(&name));
@@ -248,7 +253,7 @@ impl<'a> ModuleText<'a> {
         }
         let planner = Planner::new(model, arena, equations, &LANGUAGE, false);
         let plan = FormulationPlan::new(&planner, None, false, None);
-        self.add(&plan, &self.origin.of_report(), true);
+        self.add(&plan, &self.origin.of_publication(), true);
         Ok(())
     }
 

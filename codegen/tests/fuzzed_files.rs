@@ -12,12 +12,12 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use tripos_derive::Model;
 use tripos_derive::diagnostic::{Diagnostics, Source};
-use tripos_derive::{model, report, scene};
+use tripos_derive::{model, publication, scene};
 
 /// A file that takes longer than this hangs for whoever waits for it.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The model that a scene or report of the corpus belongs to.
+/// The model that a scene or publication of the corpus belongs to.
 fn owner(path: &Path) -> Option<Model> {
     let beside = path.with_file_name("model.toml");
     let above = path.parent()?.with_file_name("model.toml");
@@ -52,11 +52,11 @@ fn spoilt_files_are_read_or_refused() {
             text = spoilt(&text, &mut random);
         }
         let source = Source { path: path.clone(), text };
-        let is_report = path.file_name().is_some_and(|n| n == "report.toml")
+        let is_publication = path.file_name().is_some_and(|n| n == "publication.toml")
             && path.parent().is_some_and(|p| !p.ends_with("scenes"));
         let answer = guarded(&format!("seed {seed} of {}", path.display()), &source.text, || match &owners[at] {
             _ if is_model(path) => model::load(&source).map(drop),
-            Some(model) if is_report => report::load(&source, &mut model.clone()).map(drop),
+            Some(model) if is_publication => publication::load(&source, &mut model.clone()).map(drop),
             Some(model) => scene::load(&source, &mut model.clone()).map(drop),
             None => scene::model_path(&source).map(drop),
         });

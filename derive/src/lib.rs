@@ -50,10 +50,10 @@ pub mod mechanics;
 pub mod model;
 pub mod plain;
 pub mod prove;
+pub mod publication;
 mod read;
 pub mod reduce;
 pub mod reference;
-pub mod report;
 pub mod scene;
 pub mod schema;
 

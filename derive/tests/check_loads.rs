@@ -1,4 +1,4 @@
-//! Loads that can create energy, by the report of `tripos check`.
+//! Loads that can create energy, by the result of `tripos check`.
 //!
 //! Truth: textbook forces. A viscous damper takes energy, a follower force gives it on a closed path (H. Ziegler,
 //! *Principles of Structural Stability*, 1968, § 2.3), a magnetic force does no work.

@@ -1,4 +1,4 @@
-//! Singular poses of mechanisms, and their assembly branches, by the report of `tripos check`.
+//! Singular poses of mechanisms, and their assembly branches, by the result of `tripos check`.
 //!
 //! Truth: closed forms. A four-bar linkage has a singular pose exactly if its bars can lie in a line, a ± b ± c ± d =
 //! 0 (Grashof's equality; J. J. Uicker, G. R. Pennock & J. E. Shigley, *Theory of Machines and Mechanisms*, 5th

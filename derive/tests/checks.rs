@@ -1,4 +1,4 @@
-//! The report of `tripos check` on a model: integrable constraints, and the poses that can be reached.
+//! The publication of `tripos check` on a model: integrable constraints, and the poses that can be reached.
 //!
 //! Truth: textbook mechanisms. Bloch, *Nonholonomic Mechanics and Control*, 2nd edition (2015), §§1.4, 1.6 (rolling
 //! disc, knife edge); Goldstein, Poole & Safko, *Classical Mechanics*, 3rd edition (2002), §1.3 (a disc that rolls

@@ -16,7 +16,7 @@ use tripos_derive::diff::{Difference, Finding, diff};
 use tripos_derive::mechanics::{Derivations, derive_all};
 use tripos_derive::model::load;
 use tripos_derive::prove::prove;
-use tripos_derive::report;
+use tripos_derive::publication;
 
 struct Judged {
     derivations: Derivations,
@@ -26,10 +26,10 @@ struct Judged {
 fn judge(model: &str, publication: &str) -> Judged {
     let mut model = load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
     let source = Source::from_text("publication.toml", publication);
-    let report = report::load(&source, &mut model).unwrap_or_else(|e| panic!("{e}\n{publication}"));
+    let publication = publication::load(&source, &mut model).unwrap_or_else(|e| panic!("{e}\n{publication}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &report, &proof);
+    let difference = diff(&model, &mut derivations, &publication, &proof);
     Judged { derivations, difference }
 }
 

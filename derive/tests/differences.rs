@@ -7,28 +7,28 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Difference, Finding, Judgement, diff, printed_equations};
 use tripos_derive::mechanics::{Derivations, derive_all};
 use tripos_derive::prove::{Proof, prove};
-use tripos_derive::{Model, model, report};
+use tripos_derive::{Model, model, publication};
 
 struct Judged {
     model: Model,
     derivations: Derivations,
     proof: Proof,
-    report: report::Report,
+    publication: publication::Publication,
     difference: Difference,
 }
 
 fn judge(mut model: Model, source: &Source) -> Judged {
-    let report = report::load(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
+    let publication = publication::load(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &report, &proof);
-    Judged { model, derivations, proof, report, difference }
+    let difference = diff(&model, &mut derivations, &publication, &proof);
+    Judged { model, derivations, proof, publication, difference }
 }
 
 fn course_report() -> Judged {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/disk");
     let model = Model::read(&folder.join("model.toml")).unwrap();
-    judge(model, &Source::read(&folder.join("report.toml")).unwrap())
+    judge(model, &Source::read(&folder.join("publication.toml")).unwrap())
 }
 
 impl Judged {
@@ -67,9 +67,9 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-fn pendulum(report: &str) -> Judged {
+fn pendulum(publication: &str) -> Judged {
     let model = model::load(&Source::from_text("pendulum.toml", PENDULUM)).unwrap();
-    judge(model, &Source::from_text("report.toml", report))
+    judge(model, &Source::from_text("publication.toml", publication))
 }
 
 #[test]
@@ -77,7 +77,7 @@ fn every_entry_of_the_course_report_is_judged() {
     let judged = course_report();
     let difference = &judged.difference;
     assert_eq!(difference.count("undecided"), 0);
-    let ids: Vec<String> = judged.report.entries.iter().flat_map(report::Entry::ids).collect();
+    let ids: Vec<String> = judged.publication.entries.iter().flat_map(publication::Entry::ids).collect();
     // Zeros that no line of a program states are left out where they are right.
     let missing: Vec<&String> = ids.iter().filter(|id| !difference.findings.iter().any(|f| f.id == **id)).collect();
     assert!(missing.iter().all(|id| id.starts_with("listing-5") && id.contains("-E")), "{missing:?}");
@@ -87,7 +87,7 @@ fn every_entry_of_the_course_report_is_judged() {
     }
 }
 
-/// Truth by hand: T*₁ = −M R²/4 (u1' + 2 u2 u3 − u2² t2), where the report prints 3 u2 u3 in (3.2) and 2 u2 u3 in
+/// Truth by hand: T*₁ = −M R²/4 (u1' + 2 u2 u3 − u2² t2), where the publication prints 3 u2 u3 in (3.2) and 2 u2 u3 in
 /// (3.3).
 #[test]
 fn the_errors_of_the_course_report_are_found_by_their_terms() {
@@ -122,7 +122,7 @@ fn the_errors_of_the_course_report_are_found_by_their_terms() {
 fn rates_of_integrals_are_those_of_the_printed_motion() {
     let mut judged = course_report();
     let state = [1.3, 0.7, 9.81, 0.4, 0.6, -0.3, 1.1, -0.8, 0.5, -1.2, 0.9, 0.3, -0.7];
-    let printed = printed_equations(&judged.model, &mut judged.derivations, &judged.report);
+    let printed = printed_equations(&judged.model, &mut judged.derivations, &judged.publication);
     let arena = &judged.derivations.kinematics.arena;
     let inputs = [judged.model.p(), judged.model.q(), judged.model.u()].concat();
     let mut compared = 0;
@@ -205,7 +205,7 @@ fn rows_may_carry_factors_be_exchanged_and_be_combined() {
         .replace("[points]", "[points]\nB = { from = \"O\", frame = \"N\", position = [\"x\", 0, 0] }");
     let words = |matrix: &str, right: &str| {
         let model = model::load(&Source::from_text("two.toml", &two)).unwrap_or_else(|e| panic!("{e}"));
-        let judged = judge(model, &Source::from_text("report.toml", &system(matrix, right)));
+        let judged = judge(model, &Source::from_text("publication.toml", &system(matrix, right)));
         judged.difference.findings.iter().map(|f| f.judgement.word()).collect::<Vec<_>>()
     };
     // m l² u1' + m l cos q u2' = −m g l sin q;  m l cos q u1' + m u2' = m l u1² sin q.

@@ -38,6 +38,9 @@ mod notations;
 mod potentials;
 mod proofs;
 mod properties;
+mod publication_files;
+#[path = "common/publications.rs"]
+mod publications;
 #[path = "../../tests/support/random.rs"]
 mod random;
 mod random_trees;
@@ -45,9 +48,6 @@ mod random_trees;
 mod reduced;
 mod reduction_properties;
 mod reductions;
-mod report_files;
-#[path = "common/reports.rs"]
-mod reports;
 mod roots;
 mod schemas;
 mod shapes;
@@ -62,6 +62,6 @@ mod wrong_constraints;
 mod wrong_models;
 mod wrong_physics;
 mod wrong_places;
-mod wrong_report_formulas;
-mod wrong_reports;
+mod wrong_publication_formulas;
+mod wrong_publications;
 mod wrong_scenes;

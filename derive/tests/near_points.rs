@@ -2,20 +2,20 @@
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-use crate::reports;
+use crate::publications;
 
 use expect_test::{Expect, expect};
-use reports::{base, check, load_text};
+use publications::{base, check, load_text};
 use tripos_derive::diff::{Difference, diff};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
 
 fn judged(text: &str) -> Difference {
     let mut model = base();
-    let report = load_text(text, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
+    let publication = load_text(text, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    diff(&model, &mut derivations, &report, &proof)
+    diff(&model, &mut derivations, &publication, &proof)
 }
 
 /// Each finding: its id, the verdict, what is wrong and what else is said.
@@ -271,7 +271,7 @@ fn wrong_points_and_orders_are_refused() {
         &format!("order = 2{entry}"),
         &expect![[r#"
         error: `order` without a point that it is about
-         --> report.toml:1:9
+         --> publication.toml:1:9
           |
         1 | order = 2
           |         ^
@@ -282,7 +282,7 @@ fn wrong_points_and_orders_are_refused() {
         &format!("about = {{ q = 0 }}\norder = 0{entry}"),
         &expect![[r#"
         error: `order` must be a whole number from 1 to 4
-         --> report.toml:2:9
+         --> publication.toml:2:9
           |
         2 | order = 0
           |         ^
@@ -293,7 +293,7 @@ fn wrong_points_and_orders_are_refused() {
         &format!("about = {{ p = 0, q = \"2*u1\", m = 1 }}{entry}"),
         &expect![[r#"
         error: `p` is no coordinate, time derivative, speed or reaction
-         --> report.toml:1:11
+         --> publication.toml:1:11
           |
         1 | about = { p = 0, q = "2*u1", m = 1 }
           |           ^
@@ -301,7 +301,7 @@ fn wrong_points_and_orders_are_refused() {
           = help: known here: `x`, `x'`, `q`, `q'`, `u1`, `u2`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`
 
         error: `u1` is no parameter: a point stays where it is
-         --> report.toml:1:23
+         --> publication.toml:1:23
           |
         1 | about = { p = 0, q = "2*u1", m = 1 }
           |                       ^^^^
@@ -309,7 +309,7 @@ fn wrong_points_and_orders_are_refused() {
           = help: write numbers and parameters of the model
 
         error: `m` is no coordinate, time derivative, speed or reaction
-         --> report.toml:1:30
+         --> publication.toml:1:30
           |
         1 | about = { p = 0, q = "2*u1", m = 1 }
           |                              ^
@@ -320,7 +320,7 @@ fn wrong_points_and_orders_are_refused() {
         &format!("about = \"q = 0\"{entry}"),
         &expect![[r#"
         error: `about` must be a table
-         --> report.toml:1:9
+         --> publication.toml:1:9
           |
         1 | about = "q = 0"
           |         ^^^^^^^

@@ -1,8 +1,8 @@
 //! Formulas as people have them: LaTeX, Python, MATLAB and C, against the language of model files.
 
-use crate::reports;
+use crate::publications;
 
-use reports::{base, edited, load_text};
+use publications::{base, edited, load_text};
 use std::path::Path;
 use tripos_derive::algebra::text::notation::{Notation, Spell, Symbol, Unknown, translate};
 use tripos_derive::algebra::text::parse::{ParseError, parse_primed};
@@ -12,7 +12,7 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Finding, diff};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
-use tripos_derive::{Model, report};
+use tripos_derive::{Model, publication};
 
 /// Every symbol has a name: its letters, its subscript, and primes for its dots. `I^B` and `F^*` are symbols.
 struct Anything;
@@ -249,10 +249,10 @@ fn verdicts(path: &Path) -> Vec<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut model = Model::read(&root.join("../models/disk/model.toml")).unwrap();
     let source = Source::read(&root.join(path)).unwrap();
-    let report = report::load(&source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
+    let publication = publication::load(&source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &report, &proof);
+    let difference = diff(&model, &mut derivations, &publication, &proof);
     let arena = &derivations.kinematics.arena;
     let mut list: Vec<String> = difference.findings.iter().map(|f| said(arena, f)).collect();
     for system in &difference.consequences {
@@ -262,11 +262,12 @@ fn verdicts(path: &Path) -> Vec<String> {
     list
 }
 
-/// Goal: a publication is judged by its content, however it is typed. Method: the report on the disk once more, its
+/// Goal: a publication is judged by its content, however it is typed. Method: the publication on the disk once more, its
 /// formulas in LaTeX, its listings in MATLAB, its symbols the paper's own.
 #[test]
 fn the_report_on_the_disk_in_latex_has_the_same_verdicts() {
-    let (plain, typeset) = (Path::new("../models/disk/report.toml"), Path::new("tests/publications/disk_latex.toml"));
+    let (plain, typeset) =
+        (Path::new("../models/disk/publication.toml"), Path::new("tests/publications/disk_latex.toml"));
     let (expected, found) = (verdicts(plain), verdicts(typeset));
     assert!(expected.len() > 300, "{}", expected.len());
     for (expected, found) in expected.iter().zip(&found) {
@@ -290,8 +291,10 @@ fn symbols_of_the_paper_stand_for_names_of_the_model() {
             ("u1 + length*cos(q)*u2\"", &format!("{printed}\"\nnotation = \"{notation}\"")),
         ]);
         let mut model = base();
-        let report = load_text(&text, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
-        let report::EntryKind::Equation { printed, .. } = &report.entries[0].kind else { panic!("an equation") };
+        let publication = load_text(&text, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
+        let publication::EntryKind::Equation { printed, .. } = &publication.entries[0].kind else {
+            panic!("an equation")
+        };
         assert_eq!(
             tripos_derive::algebra::text::print::text(&model.arena, *printed),
             "u1 + length*u2*cos(q)",

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use toml::de::{DeTable, DeValue};
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::model::load;
-use tripos_derive::report;
+use tripos_derive::publication;
 use tripos_derive::scene::{self, load_asked};
 use tripos_derive::schema::Format;
 
@@ -85,13 +85,13 @@ fn the_schemas_take_every_file_of_the_library() {
 /// A model with an entry of every kind, and of every kind that its keys depend on.
 const MODEL: &str = include_str!("forms/every_section.toml");
 const SCENE: &str = include_str!("forms/every_section_scene.toml");
-/// Model of the scene and of the report below.
+/// Model of the scene and of the publication below.
 const PENDULUM: &str = "name = \"Pendulum\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\n[coordinates]\nq = { unit = \"rad\" }\n\
                         [speeds]\nu = \"q'\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n\
                         [points]\nP = { from = \"O\", frame = \"N\", position = [\"l*cos(q)\", \"l*sin(q)\", 0] }\n\
                         [particles]\nbob = { point = \"P\", mass = \"m\" }\n[inputs]\nF = { unit = \"N\" }\n\
                         [forces.push]\non = \"bob\"\nframe = \"N\"\nvector = [\"F\", 0, 0]\n";
-const REPORT: &str = "[[equation]]\nid = \"1\"\nsection = \"1\"\nquantity = \"T\"\nprinted = \"0\"\n\
+const PUBLICATION: &str = "[[equation]]\nid = \"1\"\nsection = \"1\"\nquantity = \"T\"\nprinted = \"0\"\n\
                       [[definition]]\nid = \"2\"\nsection = \"1\"\nprinted = \"words\"\n\
                       [[system]]\nid = \"3\"\nsection = \"1\"\nformulation = \"kane\"\nunknowns = []\nmatrix = []\nright = []\n\
                       [[listing]]\nid = \"4\"\nsection = \"1\"\nformulation = \"kane\"\nstate = []\nderivative = []\n\
@@ -200,12 +200,13 @@ fn schemas_state_the_keys_that_readers_know() {
         ("listing", "[[listing]]"),
         ("initial", "[[initial]]"),
     ] {
-        let text = REPORT.replace(mark, &format!("{mark}\n{ODD} = 1"));
-        let errors = report::load(&Source::from_text("report.toml", &text), &mut mechanism).unwrap_err();
+        let text = PUBLICATION.replace(mark, &format!("{mark}\n{ODD} = 1"));
+        let errors = publication::load(&Source::from_text("publication.toml", &text), &mut mechanism).unwrap_err();
         assert_eq!(known(&errors), stated(Format::Publication, &format!("{place}/[]")), "{place}");
     }
     let errors =
-        report::load(&Source::from_text("report.toml", &format!("{ODD} = 1\n{REPORT}")), &mut mechanism).unwrap_err();
+        publication::load(&Source::from_text("publication.toml", &format!("{ODD} = 1\n{PUBLICATION}")), &mut mechanism)
+            .unwrap_err();
     assert_eq!(known(&errors), stated(Format::Publication, ""));
 }
 

@@ -10,8 +10,8 @@ use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::{By, Derivation, Distance, derive_all, in_distance};
+use tripos_derive::publication::{hash_beside, load_beside};
 use tripos_derive::reduce::Reduction;
-use tripos_derive::report::{hash_beside, load_beside};
 use tripos_derive::scene::{QUADRATURE, Scene, Solve};
 use tripos_derive::{Equations, Formulation, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
@@ -126,7 +126,7 @@ pub fn formulation(name: &str) -> Result<Formulation, Error> {
 /// Finds the equations of this name, such as `kane` or `printed:ID`.
 ///
 /// # Errors
-/// [`Error::Request`] if there are no such equations; [`Error::Input`] if the report has errors.
+/// [`Error::Request`] if there are no such equations; [`Error::Input`] if the publication has errors.
 pub fn by(model: &Mechanism, name: &str) -> Result<By, Error> {
     let Some(id) = By::asked_id(name) else { return formulation(name).map(By::from) };
     let list = printed(model)?;
@@ -150,10 +150,10 @@ pub fn by_or_first(model: &Mechanism, name: Option<&str>) -> Result<By, Error> {
     name.map_or_else(|| Ok(By::from(first())), |name| by(model, name))
 }
 
-/// The printed equations of the report beside a model, in the order of the report.
+/// The printed equations of the publication beside a model, in the order of the publication.
 ///
 /// # Errors
-/// [`Error::Input`] if the report or the model has errors.
+/// [`Error::Input`] if the publication or the model has errors.
 pub fn printed(model: &Mechanism) -> Result<Vec<By>, Error> {
     let list = printed_derivation(model)?.map(|(_, equations)| equations).unwrap_or_default();
     Ok(list.into_iter().map(|equations| equations.by).collect())
@@ -161,10 +161,10 @@ pub fn printed(model: &Mechanism) -> Result<Vec<By>, Error> {
 
 /// Printed equations, with the model that holds their terms.
 fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>)>, Error> {
-    let mut with_report = model.clone();
-    let Some(report) = load_beside(&model.source.path, &mut with_report)? else { return Ok(None) };
-    let mut derivations = derive_all(&with_report).map_err(|error| model.diagnose(&error))?;
-    let list = printed_equations(&with_report, &mut derivations, &report);
+    let mut with_publication = model.clone();
+    let Some(publication) = load_beside(&model.source.path, &mut with_publication)? else { return Ok(None) };
+    let mut derivations = derive_all(&with_publication).map_err(|error| model.diagnose(&error))?;
+    let list = printed_equations(&with_publication, &mut derivations, &publication);
     Ok(Some((derivations.kinematics.arena, list)))
 }
 
@@ -229,8 +229,8 @@ pub fn compiled_code(model: &Mechanism, by: &By, distance: Option<Distance>, rea
     let compiled = compiled(model)?;
     let name = by.name_in(distance, model);
     let found = compiled.systems.iter().find(|system| system.name == name);
-    // Printed equations must also come from exactly this text of the report.
-    let current = by.printed_id().is_none() || hash_beside(&model.source.path) == compiled.report_hash;
+    // Printed equations must also come from exactly this text of the publication.
+    let current = by.printed_id().is_none() || hash_beside(&model.source.path) == compiled.publication_hash;
     found.filter(|system| current && ready.is_had(system)).map(Code::Compiled)
 }
 
@@ -315,7 +315,7 @@ pub fn derivation(model: &Mechanism, by: &By) -> Result<Derivation, Error> {
     let (arena, list) = printed_derivation(model)?.unwrap_or_default();
     let equations = list.into_iter().find(|e| e.by == *by);
     let missing = || {
-        let help = "the report has changed while it was read: try again".to_owned();
+        let help = "the publication has changed while it was read: try again".to_owned();
         Error::request(format!("there are no equations `{}`", by.name()), help)
     };
     Ok(Derivation { arena, equations: equations.ok_or_else(missing)? })

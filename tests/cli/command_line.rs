@@ -302,7 +302,7 @@ fn prove_states_its_verdicts_as_json() {
 
 #[test]
 fn diff_judges_a_report_and_exits_with_1_where_it_is_wrong() {
-    let output = tripos(&["diff", "models/disk/model.toml", "models/disk/report.toml", "--json"]);
+    let output = tripos(&["diff", "models/disk/model.toml", "models/disk/publication.toml", "--json"]);
     assert_eq!(status(&output), 1);
     let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(value["summary"]["undecided"], 0);

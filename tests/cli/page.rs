@@ -55,34 +55,19 @@ fn every_page_begins_with_an_abstract_that_leads_to_its_evidence() {
     }
 }
 
-/// Goal: the former name `report` of the command `page` still works, prints a notice, and writes to its former folder.
-/// A publication may have either name, not both.
+/// Goal: the publication beside a model is judged on its page.
 #[test]
-fn older_names_go_on_to_work() {
+fn a_publication_beside_a_model_is_judged() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name);
     std::fs::write(place("model.toml"), SLIDER).unwrap();
     let publication = "[[equation]]\nid = \"odd-one\"\nsection = \"1\"\nquantity = \"T\"\nprinted = 0\n";
-    for (command, name, notice) in [("report", "report.toml", true), ("page", "publication.toml", false)] {
-        std::fs::write(place(name), publication).unwrap();
-        let out = place(command);
-        let output = tripos(&[command, folder.path().to_str().unwrap(), "--out", out.to_str().unwrap()]);
-        assert_eq!(status(&output), 0, "{}", stderr(&output));
-        assert_eq!(stderr(&output).contains("`tripos report` is called `tripos page` now"), notice);
-        assert!(
-            std::fs::read_to_string(out.join("index.html"))
-                .unwrap()
-                .contains("A publication without a title. Of 1 printed entry: 1 wrong"),
-            "{name} is judged"
-        );
-        std::fs::remove_file(place(name)).unwrap();
-    }
-    for name in ["publication.toml", "report.toml"] {
-        std::fs::write(place(name), publication).unwrap();
-    }
-    let output = tripos(&["page", folder.path().to_str().unwrap(), "--out", place("both").to_str().unwrap()]);
-    assert_eq!(status(&output), 2);
-    assert!(stderr(&output).contains("that is the older name of the same file"), "{}", stderr(&output));
+    std::fs::write(place("publication.toml"), publication).unwrap();
+    let out = place("out");
+    let output = tripos(&["page", folder.path().to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    assert_eq!(status(&output), 0, "{}", stderr(&output));
+    let page = std::fs::read_to_string(out.join("index.html")).unwrap();
+    assert!(page.contains("A publication without a title. Of 1 printed entry: 1 wrong"));
 }
 
 /// Goal: the page works where people open it. Method: `tests/browser/page.mjs` drives a real browser over that of the
@@ -107,7 +92,7 @@ fn a_browser_shows_the_page_and_its_motion() {
 #[test]
 fn the_page_of_the_disk_has_every_erratum_integral_and_printed_run() {
     let (page, _) = page("models/disk");
-    let difference = parsed(&tripos(&["diff", "models/disk", "models/disk/report.toml", "--json"]));
+    let difference = parsed(&tripos(&["diff", "models/disk", "models/disk/publication.toml", "--json"]));
     let (_, errata) = page.split_once("<h3 id=\"mistakes\">Root mistakes</h3>").expect("there are errata");
     let (errata, rest) = errata.split_once("Equal up to a factor").unwrap();
     let (_, all) = rest.split_once("All entries").unwrap();
@@ -239,7 +224,7 @@ const SCENE: &str = "span = [0, 2]\n[start]\nx = 1\nu = 0\n";
 fn slider(report: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::create_dir(folder.path().join("scenes")).unwrap();
-    for (name, text) in [("model.toml", SLIDER), ("report.toml", report), ("scenes/run.toml", SCENE)] {
+    for (name, text) in [("model.toml", SLIDER), ("publication.toml", report), ("scenes/run.toml", SCENE)] {
         std::fs::write(folder.path().join(name), text).unwrap();
     }
     folder

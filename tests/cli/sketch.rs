@@ -164,7 +164,7 @@ fn the_page_begins_with_the_sketch() {
         [("models/pendulum", "the start of over.toml"), (bare.path().to_str().unwrap(), "the model by itself")]
     {
         let out = tempfile::tempdir().unwrap();
-        let output = tripos(&["report", model, "--out", out.path().to_str().unwrap()]);
+        let output = tripos(&["page", model, "--out", out.path().to_str().unwrap()]);
         assert_eq!(status(&output), 0, "{}", stderr(&output));
         let page = std::fs::read_to_string(out.path().join("index.html")).unwrap();
         assert_eq!(page.matches("<svg class=\"sketch\"").count(), 1);

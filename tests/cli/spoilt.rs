@@ -49,13 +49,13 @@ fn commands_end_with_a_status_of_their_own() {
             text = spoilt(&text, &mut random);
         }
         std::fs::write(&file, &text).unwrap();
-        let is_report = file.ends_with("report.toml") && !file.parent().unwrap().ends_with("scenes");
+        let is_publication = file.ends_with("publication.toml") && !file.parent().unwrap().ends_with("scenes");
         let command = match () {
             () if is_model(path) => random.one(&["check", "derive", "prove", "diff", "emit"]),
-            () if is_report => "diff",
+            () if is_publication => "diff",
             () => random.one(&["simulate", "simulate", "scene", "sweep"]),
         };
-        let target = if is_report { file.with_file_name("model.toml") } else { file.clone() };
+        let target = if is_publication { file.with_file_name("model.toml") } else { file.clone() };
         let ways = ["--json", "--by kane", "--method gauss6", "--solve numeric"];
         let options: Vec<&str> = match command {
             "emit" => vec!["--out", "emitted"],

@@ -56,7 +56,7 @@ impl Printed {
     }
 }
 
-/// Quantities of every kind that docs/report.md lists.
+/// Quantities of every kind that docs/publication.md lists.
 fn equations(model: &Model, derivations: &mut Derivations) -> Vec<(String, View)> {
     let mut quantities = Quantities::new(model, derivations);
     let mut found: Vec<(Expr, String)> = Vec::new();

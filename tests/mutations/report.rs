@@ -7,7 +7,7 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Difference, Finding, diff};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
-use tripos_derive::report::load;
+use tripos_derive::publication::load;
 
 /// A report file under construction.
 #[derive(Default)]

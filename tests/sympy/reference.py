@@ -5,7 +5,7 @@
 
 Reads the model file (docs/model.md) and derives kinematics, Kane's equations, Lagrange's equations and,
 where the model allows it, the Newton-Euler equations with `sympy.physics.mechanics`. The result is JSON
-whose expressions are strings in the grammar of the model file, its quantities named as in docs/report.md.
+whose expressions are strings in the grammar of the model file, its quantities named as in docs/publication.md.
 
 Nothing is shared with the program under test but these two documents. Expressions are not simplified:
 compare values, not forms. Exit status 2: the model is wrong or uses what is not supported here.

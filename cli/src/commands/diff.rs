@@ -23,23 +23,23 @@ use tripos_derive::mechanics::derive_all;
 use tripos_derive::model::is_model;
 use tripos_derive::prove::prove;
 
-/// Compares a model with a report file, or an older model with a newer one; exit status 1 if anything differs.
+/// Compares a model with a publication file, or an older model with a newer one; exit status 1 if anything differs.
 pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let source = Source::read(&model_file(other))?;
     if is_model(&source) {
         return models::diff(&model, &tripos_derive::model::load(&source)?, as_json);
     }
-    let report = tripos_derive::report::load(&source, &mut model)?;
+    let publication = tripos_derive::publication::load(&source, &mut model)?;
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
     let proof = prove(&model, &mut derivations);
-    let difference = judge(&model, &mut derivations, &report, &proof);
+    let difference = judge(&model, &mut derivations, &publication, &proof);
     difference.write_names(&proof, &mut derivations);
     let arena = &derivations.kinematics.arena;
     if as_json {
         print_json(&json_of(&model, arena, &difference))?;
     } else {
-        print(&text_of(&model, &report.title, arena, &difference))?;
+        print(&text_of(&model, &publication.title, arena, &difference))?;
     }
     Ok(if difference.is_clean() { 0 } else { status::NO })
 }

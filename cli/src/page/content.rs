@@ -12,7 +12,7 @@ pub struct Page<'a> {
     pub model: &'a Model,
     /// Its equations of motion by each formulation, or why there are none.
     pub derivations: Vec<(Formulation, Result<DerivationInSteps, String>)>,
-    /// Proofs about the equations, and the verdict on the report beside the model.
+    /// Proofs about the equations, and the verdict on the publication beside the model.
     pub study: &'a Study,
     /// The simulations.
     pub scenes: Vec<SceneSection>,

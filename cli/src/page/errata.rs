@@ -40,8 +40,8 @@ pub fn section(page: &Page, published: &Published) -> String {
     let mut out = format!(
         "<section id=\"errata\">\n<h2>Errata of the published derivation</h2>\n<p><strong>{}</strong>{}, transcribed as \
          printed: every entry is judged on its own against what is derived here, so an error counts where it is made.</p>\n",
-        escape(published.report.heading()),
-        match published.report.reference.as_str() {
+        escape(published.publication.heading()),
+        match published.publication.reference.as_str() {
             "" => String::new(),
             reference => format!(" ({})", escape(reference)),
         }

@@ -1,6 +1,6 @@
 //! The face of a page: its order, its links, its abstract.
 
-use super::tests::{page, page_with_report, part};
+use super::tests::{page, page_with_publication, part};
 
 /// The places of a page, and where its links lead.
 fn places_and_links(page: &str) -> (Vec<&str>, Vec<&str>) {
@@ -10,7 +10,7 @@ fn places_and_links(page: &str) -> (Vec<&str>, Vec<&str>) {
 
 #[test]
 fn every_link_has_its_place_and_every_place_one_name() {
-    for page in [page(), page_with_report()] {
+    for page in [page(), page_with_publication()] {
         let (mut places, links) = places_and_links(&page);
         assert!(places.len() > 20 && links.len() > 15, "{places:?} {links:?}");
         for link in links {
@@ -26,7 +26,7 @@ fn every_link_has_its_place_and_every_place_one_name() {
 /// Goal: the most important parts come first.
 #[test]
 fn a_page_begins_with_its_abstract_and_its_motion() {
-    let page = page_with_report();
+    let page = page_with_publication();
     let order = [
         "abstract",
         "motion",
@@ -57,11 +57,11 @@ fn text_of(html: &str) -> String {
     pieces.collect::<String>().replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&").trim().to_owned()
 }
 
-/// Goal: every sentence of the abstract is true. Method: read by a person; the pendulum with a report that errs in a
-/// potential and in gravity.
+/// Goal: every sentence of the abstract is true. Method: read by a person; the pendulum with a publication that errs in
+/// a potential and in gravity.
 #[test]
 fn an_abstract_is_made_of_values() {
-    let page = page_with_report();
+    let page = page_with_publication();
     let text = text_of(part(part(&page, "<section id=\"abstract\"", "</section>"), "<dl>", "</dl>"));
     expect_test::expect![[r"
         Mechanism: 1 particle with one degree of freedom: 1 coordinate and 1 generalized speed.

@@ -36,7 +36,7 @@ pub fn table(page: &Page, scene: &SceneSection) -> String {
     });
     let printed: String = std::iter::once(rows_of(true)).chain(not_run).collect();
     if let (false, Some(published)) = (printed.is_empty(), &page.study.published) {
-        let (columns, title) = (HEAD.len(), escape(published.report.heading()));
+        let (columns, title) = (HEAD.len(), escape(published.publication.heading()));
         let _ = writeln!(
             rows,
             "<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{columns}\">As printed in {title}{}</th></tr>",

@@ -27,7 +27,7 @@ type Sentence = (String, String);
 /// The section.
 pub fn section(page: &Page) -> String {
     let verdict = page.study.published.iter().flat_map(|published| {
-        let title = escape(published.report.heading());
+        let title = escape(published.publication.heading());
         let said = abstract_of_verdict(&published.difference).into_iter();
         said.enumerate()
             .map(move |(at, (place, said))| (place.to_owned(), if at == 0 { format!("{title}. {said}") } else { said }))

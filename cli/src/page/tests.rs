@@ -178,9 +178,9 @@ fn moving() -> Moving {
     Moving { scene: 0, viewer: Ok(viewer) }
 }
 
-/// A report of the pendulum: an error, a factor, a system whose gravity is wrong, a system that mentions the state
+/// A publication of the pendulum: an error, a factor, a system whose gravity is wrong, a system that mentions the state
 /// alone.
-const REPORT: &str = r#"
+const PUBLICATION: &str = r#"
 title = "A <course> report & more"
 source = "Smith & Sons"
 [[equation]]
@@ -214,11 +214,11 @@ matrix = [["l"]]
 right = ["-g*sin(q1)"]
 "#;
 
-/// The page of the pendulum with a report beside it.
-pub fn page_with_report() -> String {
+/// The page of the pendulum with a publication beside it.
+pub fn page_with_publication() -> String {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("model.toml"), PENDULUM).unwrap();
-    std::fs::write(folder.path().join("report.toml"), REPORT).unwrap();
+    std::fs::write(folder.path().join("publication.toml"), PUBLICATION).unwrap();
     page_of(&tripos_derive::model::load(&Source::read(Path::new(&folder.path().join("model.toml"))).unwrap()).unwrap())
 }
 
@@ -231,17 +231,18 @@ pub fn part<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
 #[test]
 fn every_tag_of_a_page_is_closed() {
     assert_eq!(unbalanced(&page()), None);
-    assert_eq!(unbalanced(&page_with_report()), None);
+    assert_eq!(unbalanced(&page_with_publication()), None);
     assert!(unbalanced("<p><b></p>").is_some(), "the check itself sees a fault");
 }
 
 #[test]
 fn texts_of_the_model_are_escaped() {
-    let page = page_with_report();
-    let report = ["<course>", "report & more", "Smith & Sons", "V<1>", "hard to <read>", "<odd>", "<N>", "a, a > 0"];
+    let page = page_with_publication();
+    let publication =
+        ["<course>", "report & more", "Smith & Sons", "V<1>", "hard to <read>", "<odd>", "<N>", "a, a > 0"];
     for text in ["<b>bob", "R&D", "mass & <more>", "Fall <1>", "<badly>", "page <x>", "K & <L>", "& <sons>"]
         .iter()
-        .chain(&report)
+        .chain(&publication)
     {
         assert!(!page.contains(text), "`{text}` stands unescaped");
     }
@@ -251,12 +252,12 @@ fn texts_of_the_model_are_escaped() {
 #[test]
 fn a_page_is_the_same_each_time() {
     assert_eq!(page(), page());
-    assert_eq!(page_with_report(), page_with_report());
+    assert_eq!(page_with_publication(), page_with_publication());
 }
 
 #[test]
 fn a_page_needs_nothing_else() {
-    let page = page_with_report();
+    let page = page_with_publication();
     for foreign in ["<link", "src=", "url(", "@import", "https://"] {
         assert!(!page.contains(foreign), "{foreign}");
     }
@@ -276,7 +277,7 @@ fn a_run_that_could_not_go_on_is_shown_with_its_reason() {
 /// error; wrong ones are wrong though their run ends well.
 #[test]
 fn loose_is_not_wrong_and_wrong_is_wrong_however_it_ends() {
-    let page = page_with_report();
+    let page = page_with_publication();
     let rows = part(&page, "<table class=\"runs\">\n<caption>Runs</caption>", "</table>");
     let (derived, printed) = rows.split_once("<tr class=\"group\">").unwrap();
     let error = "right equations, loosely integrated: ode45 with rtol 1e−3 leaves an error of 0.25";
@@ -391,7 +392,7 @@ fn proofs_and_first_integrals_are_shown_for_any_model() {
 }
 
 #[test]
-fn without_a_report_nothing_is_said_of_one() {
+fn without_a_publication_nothing_is_said_of_one() {
     let page = page();
     for text in ["id=\"errata\"", "As printed", "printed − derived"] {
         assert!(!page.contains(text), "{text}");
@@ -400,7 +401,7 @@ fn without_a_report_nothing_is_said_of_one() {
 
 #[test]
 fn errata_show_what_is_wrong_and_fold_the_rest() {
-    let page = page_with_report();
+    let page = page_with_publication();
     let errata = part(&page, "<section id=\"errata\">", "</section>");
     let wrong = part(errata, "<h3 id=\"mistakes\">Root mistakes</h3>", "<summary>Equal up to a factor");
     for text in ["2-<wbr>V&lt;1&gt;", "swing-<wbr>row1", "printed − derived", "for instance", "hard to &lt;read&gt;"]
@@ -419,7 +420,7 @@ fn errata_show_what_is_wrong_and_fold_the_rest() {
 
 #[test]
 fn printed_runs_stand_apart_and_raise_no_alarm() {
-    let page = page_with_report();
+    let page = page_with_publication();
     let (_, rows) = page.split_once("<tr class=\"group\">").unwrap();
     assert!(rows.contains("<code>printed:swing</code> <strong class=\"standing\">wrong</strong></th>"), "{rows}");
     assert!(rows.contains("printed:&lt;odd&gt;</code></th>") && rows.contains("not run: it mentions `&lt;N&gt;`"));

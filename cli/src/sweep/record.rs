@@ -13,7 +13,7 @@ use tripos::method_words;
 use tripos::studies::sweep::Sweep;
 use tripos_derive::model::text_hash;
 use tripos_derive::plain::path_in_line;
-use tripos_derive::report::hash_beside;
+use tripos_derive::publication::hash_beside;
 
 /// All settings that determine the rows of a sweep, by name.
 pub struct Record(Vec<(&'static str, String)>);
@@ -26,7 +26,7 @@ impl Record {
             ("version of tripos", env!("CARGO_PKG_VERSION").to_owned()),
             ("text of the model", text_hash(&model.source.text)),
             ("text of the scene", text_hash(&scene.source.text)),
-            ("text of the report", hash_beside(&model.source.path)),
+            ("text of the publication", hash_beside(&model.source.path)),
             ("values", over.join(" ")),
             ("part of the points", shard.to_owned()),
             ("equations", by.name()),

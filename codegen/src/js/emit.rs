@@ -8,17 +8,17 @@ use std::collections::BTreeMap;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::derive_all;
-use tripos_derive::report::load_beside;
+use tripos_derive::publication::load_beside;
 use tripos_derive::{Formulation, Model, derive};
 
 /// Extension of JavaScript files: modules, for Node as for browsers.
 pub const EXTENSION: &str = "mjs";
 
 /// Emits the JavaScript modules of a model: of these formulations alone, or, if none are named, of all that the model
-/// supports and of the printed equations of the report beside it.
+/// supports and of the printed equations of the publication beside it.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model file or the report; a formulation that is named and cannot be had is one.
+/// [`Diagnostics`] of the model file or the publication; a formulation that is named and cannot be had is one.
 pub fn emit_model(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     let origin = Origin::emitted(&model.source.path);
     let mut emitting = Emitting::new(model, &origin)?;
@@ -34,7 +34,7 @@ pub fn emit_model(model: &Model, formulations: &[Formulation]) -> Result<Emissio
         }
     }
     if formulations.is_empty() {
-        emitting.printed(model, &origin.of_report())?;
+        emitting.printed(model, &origin.of_publication())?;
     }
     Ok(Emission { files: emitting.files, left_out, extension: EXTENSION })
 }
@@ -57,12 +57,12 @@ impl Emitting {
     }
 
     fn printed(&mut self, model: &Model, origin: &str) -> Result<(), Diagnostics> {
-        let mut with_report = model.clone();
-        let Some(report) = load_beside(&model.source.path, &mut with_report)? else { return Ok(()) };
-        let mut derivations = derive_all(&with_report).map_err(|error| model.diagnose(&error))?;
-        for equations in printed_equations(&with_report, &mut derivations, &report) {
+        let mut with_publication = model.clone();
+        let Some(publication) = load_beside(&model.source.path, &mut with_publication)? else { return Ok(()) };
+        let mut derivations = derive_all(&with_publication).map_err(|error| model.diagnose(&error))?;
+        for equations in printed_equations(&with_publication, &mut derivations, &publication) {
             let arena = derivations.kinematics.arena.clone();
-            self.add(&with_report, &Written { arena, equations, solved: None }, origin)?;
+            self.add(&with_publication, &Written { arena, equations, solved: None }, origin)?;
         }
         Ok(())
     }

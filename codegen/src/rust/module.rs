@@ -52,8 +52,8 @@ pub struct About<'a> {
     pub module: &'a str,
     /// The sentence that says where it comes from.
     pub origin: &'a str,
-    /// The hash of the report beside the model; empty if there is none.
-    pub report_hash: &'a str,
+    /// The hash of the publication beside the model; empty if there is none.
+    pub publication_hash: &'a str,
     /// True if it has the equations of scenes.
     pub has_scenes: bool,
 }
@@ -84,7 +84,7 @@ fn module_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String 
         }
     });
     let scenes = if about.has_scenes { quote!(scenes::SCENES) } else { quote!(&[]) };
-    let (name, hash, report_hash) = (about.module, model.text_hash(), about.report_hash);
+    let (name, hash, publication_hash) = (about.module, model.text_hash(), about.publication_hash);
     let items = quote! {
         #(#modules)*
         #code
@@ -107,7 +107,7 @@ fn module_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String 
         pub const MODEL: CompiledModel = CompiledModel {
             name: #name,
             text_hash: #hash,
-            report_hash: #report_hash,
+            publication_hash: #publication_hash,
             systems: &[#(#systems),*],
             scenes: #scenes,
         };

@@ -12,7 +12,7 @@ use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::permitted::Holds;
 use crate::algebra::text::print::text;
 use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
-use crate::report::Names;
+use crate::publication::Names;
 
 /// Rounds in which sums of a derived value are written shorter.
 const MOST_ROUNDS: usize = 4;
@@ -23,7 +23,7 @@ pub struct Judge<'a, 'b> {
     pub quantities: &'a mut Quantities<'b>,
     /// Remembers normal forms.
     pub comparer: &'a mut Comparer,
-    /// Values of the names that the report gives to derived quantities.
+    /// Values of the names that the publication gives to derived quantities.
     pub names: &'a Names,
     /// Number of printed systems before this entry.
     pub tables: usize,

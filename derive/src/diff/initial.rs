@@ -12,9 +12,9 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::print::text;
 use crate::algebra::value::evaluate::Tape;
 use crate::model::Model;
-use crate::report::{Entry, EntryKind, Initial, Report};
+use crate::publication::{Entry, EntryKind, Initial, Publication};
 
-/// A value of one quantity from another place of the report than the entry itself, with its uncertainty.
+/// A value of one quantity from another place of the publication than the entry itself, with its uncertainty.
 struct Other {
     value: f64,
     slack: f64,
@@ -25,13 +25,13 @@ struct Other {
 }
 
 /// Judges one number, and returns the entries that it contradicts.
-pub fn judge(model: &Model, report: &Report, entry: &Entry) -> (Finding, Claim) {
+pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> (Finding, Claim) {
     let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
     let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
     let own = number(model, initial.value);
-    let slack = slack_of(report, initial);
+    let slack = slack_of(publication, initial);
     let others: Vec<Other> =
-        by_definition(model, report, initial).into_iter().chain(repeated(model, report, entry)).collect();
+        by_definition(model, publication, initial).into_iter().chain(repeated(model, publication, entry)).collect();
     let (mut contradicted, mut against) = (false, Vec::new());
     for other in &others {
         let difference = own - other.value;
@@ -69,33 +69,33 @@ fn number(model: &Model, e: Expr) -> f64 {
     Tape::new(&model.arena, &[], &[e]).map_or(f64::NAN, |tape| tape.evaluate(&[])[0])
 }
 
-fn of_set<'a>(report: &'a Report, set: &'a str) -> impl Iterator<Item = (&'a Entry, &'a Initial)> {
-    report.entries.iter().filter_map(move |entry| match &entry.kind {
+fn of_set<'a>(publication: &'a Publication, set: &'a str) -> impl Iterator<Item = (&'a Entry, &'a Initial)> {
+    publication.entries.iter().filter_map(move |entry| match &entry.kind {
         EntryKind::Initial(initial) if initial.set == set => Some((entry, initial)),
         _ => None,
     })
 }
 
 /// Half a unit in the last decimal of the set; nothing for exact formulas.
-fn slack_of(report: &Report, initial: &Initial) -> f64 {
+fn slack_of(publication: &Publication, initial: &Initial) -> f64 {
     if initial.decimals.is_none() {
         return 0.0;
     }
-    let most = of_set(report, &initial.set).filter_map(|(_, i)| i.decimals).max().unwrap_or(0);
+    let most = of_set(publication, &initial.set).filter_map(|(_, i)| i.decimals).max().unwrap_or(0);
     0.5 * 10_f64.powi(-i32::try_from(most).unwrap_or(0))
 }
 
 /// A speed from the coordinates and rates of its own set, by its definition.
-fn by_definition(model: &Model, report: &Report, initial: &Initial) -> Option<Other> {
+fn by_definition(model: &Model, publication: &Publication, initial: &Initial) -> Option<Other> {
     let speed = model.speeds.iter().find(|s| s.symbol == initial.quantity)?;
     let mut arena = model.arena.clone();
     let symbols: Vec<Expr> =
         arena.reachable(&[speed.definition]).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect();
     let (mut values, mut entries) = (Vec::new(), Vec::new());
     for symbol in &symbols {
-        let (entry, stated) = of_set(report, &initial.set).find(|(_, i)| i.quantity == *symbol)?;
+        let (entry, stated) = of_set(publication, &initial.set).find(|(_, i)| i.quantity == *symbol)?;
         entries.push(entry.id.clone());
-        values.push((number(model, stated.value), slack_of(report, stated)));
+        values.push((number(model, stated.value), slack_of(publication, stated)));
     }
     let slopes: Vec<Expr> =
         symbols.iter().map(|s| Differential::partial(*s).apply(&mut arena, speed.definition)).collect();
@@ -114,16 +114,16 @@ fn by_definition(model: &Model, report: &Report, initial: &Initial) -> Option<Ot
 }
 
 /// Values of the quantity in other sets of initial values.
-fn repeated(model: &Model, report: &Report, entry: &Entry) -> Vec<Other> {
+fn repeated(model: &Model, publication: &Publication, entry: &Entry) -> Vec<Other> {
     let EntryKind::Initial(initial) = &entry.kind else { return Vec::new() };
-    let others = report.entries.iter().filter_map(|other| match &other.kind {
+    let others = publication.entries.iter().filter_map(|other| match &other.kind {
         EntryKind::Initial(i) if i.quantity == initial.quantity && other.id != entry.id => Some((other, i)),
         _ => None,
     });
     others
         .map(|(other, i)| Other {
             value: number(model, i.value),
-            slack: slack_of(report, i),
+            slack: slack_of(publication, i),
             from: format!("entry {}", other.id),
             at: Vec::new(),
             entries: vec![other.id.clone()],

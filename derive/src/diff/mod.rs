@@ -39,12 +39,12 @@ use crate::algebra::text::definitions::write_down;
 use crate::mechanics::{Derivations, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;
-use crate::report::{EntryKind, Names, Report};
+use crate::publication::{EntryKind, Names, Publication};
 use claim::{Claim, Table};
 use motion::Motion;
 use near::Near;
 
-/// A report, judged.
+/// A publication, judged.
 #[derive(Clone, Debug)]
 pub struct Difference {
     /// Every entry in the order of the file; rows and single entries of systems after one another.
@@ -84,15 +84,15 @@ impl Difference {
     }
 }
 
-/// Judges every entry of a report.
-pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof: &Proof) -> Difference {
+/// Judges every entry of a publication.
+pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publication, proof: &Proof) -> Difference {
     let mut quantities = Quantities::new(model, derivations);
     let permitted = states::permitted(&mut quantities);
     let mut comparer = Comparer::within(permitted.clone());
     let mut anywhere = Comparer::default();
-    let names = Names::new(report, &mut quantities);
+    let names = Names::new(publication, &mut quantities);
     let mut found = Found::default();
-    for entry in &report.entries {
+    for entry in &publication.entries {
         let first = found.findings.len();
         let tables = found.tables.len();
         let near = entry.near.as_ref().map(|near| Near::new(&mut quantities, near));
@@ -110,7 +110,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, report: &Report, proof
             }
             EntryKind::System(system) => found.take(judge.system(entry, system)),
             EntryKind::Listing(listing) => found.take(judge.listing(entry, listing)),
-            EntryKind::Initial(_) => found.push(initial::judge(model, report, entry)),
+            EntryKind::Initial(_) => found.push(initial::judge(model, publication, entry)),
         }
         // Of a system or listing the first row carries what holds for all of it.
         if let Some(finding) = found.findings.get_mut(first) {
@@ -148,13 +148,13 @@ impl Found {
     }
 }
 
-/// The printed systems and listings of a report as equations of motion.
-pub fn motions(model: &Model, derivations: &mut Derivations, report: &Report) -> Vec<Motion> {
+/// The printed systems and listings of a publication as equations of motion.
+pub fn motions(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Motion> {
     let mut quantities = Quantities::new(model, derivations);
-    let names = Names::new(report, &mut quantities);
+    let names = Names::new(publication, &mut quantities);
     let mut list = Vec::new();
     // What holds near a point is no equation of the whole motion.
-    for entry in report.entries.iter().filter(|entry| entry.near.is_none()) {
+    for entry in publication.entries.iter().filter(|entry| entry.near.is_none()) {
         match &entry.kind {
             EntryKind::System(system) => list.extend(systems::system_motion(&mut quantities, &names, entry, system)),
             EntryKind::Listing(listing) => {

@@ -10,7 +10,7 @@ use crate::model::Model;
 /// A system of equations of motion as printed, or as derived.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// Id of the printed system in the report.
+    /// Id of the printed system in the publication.
     pub id: String,
     /// True if its variables are q̇ and not u.
     pub in_rates: bool,

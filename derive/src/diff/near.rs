@@ -9,7 +9,7 @@ use crate::algebra::text::print::text;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::{Kinematics, Quantities};
-use crate::report::Approximation;
+use crate::publication::Approximation;
 
 /// A point with the values that follow from it, and an order.
 pub struct Near {

@@ -16,7 +16,7 @@ pub struct Ordered {
     pub rows: Vec<Row>,
 }
 
-/// The derived system of a formulation, in the frame that the report uses.
+/// The derived system of a formulation, in the frame that the publication uses.
 pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Option<usize>) -> Result<Ordered, String> {
     let model = quantities.model;
     let found = quantities.derivations.list.iter().find(|(f, _)| *f == system).map(|(_, result)| result.clone());

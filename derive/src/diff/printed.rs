@@ -3,17 +3,17 @@
 use super::motions;
 use crate::mechanics::{By, Derivations, Equations, RowName};
 use crate::model::Model;
-use crate::report::{EntryKind, Report};
+use crate::publication::{EntryKind, Publication};
 
-/// Every printed system of a report, and every listing, as equations of their own.
+/// Every printed system of a publication, and every listing, as equations of their own.
 ///
 /// They are run exactly as printed: nothing but the order of the unknowns is ours. Energies and the conversions
 /// between q̇ and u are the derived ones, so that a printed run can be measured. What is not whole, such as a system
 /// without all unknowns, is left out.
-pub fn printed_equations(model: &Model, derivations: &mut Derivations, report: &Report) -> Vec<Equations> {
+pub fn printed_equations(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Equations> {
     let mut list = Vec::new();
-    for motion in motions(model, derivations, report) {
-        let Some(entry) = report.entries.iter().find(|entry| entry.id == motion.id) else { continue };
+    for motion in motions(model, derivations, publication) {
+        let Some(entry) = publication.entries.iter().find(|entry| entry.id == motion.id) else { continue };
         let formulation = match &entry.kind {
             EntryKind::System(system) => system.formulation,
             EntryKind::Listing(listing) => listing.formulation,

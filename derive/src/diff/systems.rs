@@ -17,7 +17,7 @@ use crate::algebra::solve::linear::solve;
 use crate::algebra::text::print::text;
 use crate::algebra::value::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities, QuantityKind};
-use crate::report::{Entry, Listing, Names, System};
+use crate::publication::{Entry, Listing, Names, System};
 
 /// The derived rows that a printed system is compared with, and the matches of its rows.
 #[derive(Clone, Debug)]

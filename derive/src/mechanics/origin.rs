@@ -10,9 +10,9 @@ pub enum By {
     Derived(Formulation),
     /// Those of a published system or listing, as printed.
     Printed {
-        /// Its id in the report.
+        /// Its id in the publication.
         id: String,
-        /// The formulation that the report states for it.
+        /// The formulation that the publication states for it.
         formulation: Formulation,
     },
     /// The reduced equations of a scene.

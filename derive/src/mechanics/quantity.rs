@@ -1,4 +1,4 @@
-//! Names of derived quantities in report files, as data.
+//! Names of derived quantities in publication files, as data.
 
 use crate::algebra::text::parse::{VelocityOf, velocity_name};
 use crate::model::Model;
@@ -88,7 +88,7 @@ impl VectorName {
         }
     }
 
-    /// Its letter or word in report files.
+    /// Its letter or word in publication files.
     #[must_use]
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1

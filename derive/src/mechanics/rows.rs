@@ -156,7 +156,7 @@ impl Stage {
 /// Quantity on the left-hand side of a line of a step. Places are positions from 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LineName {
-    /// A quantity that report files can name, too.
+    /// A quantity that publication files can name, too.
     Quantity(QuantityKind),
     /// The generalized active force of a speed.
     ActiveForce(usize),

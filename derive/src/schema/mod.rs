@@ -22,7 +22,7 @@ pub enum Format {
     Scene,
     /// One instant, given or sought.
     State,
-    /// A published derivation, `report.toml`.
+    /// A published derivation, `publication.toml`.
     Publication,
 }
 

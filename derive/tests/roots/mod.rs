@@ -10,14 +10,14 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Difference, Link, diff};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
-use tripos_derive::{Model, report};
+use tripos_derive::{Model, publication};
 
-/// A report judged against a model; every entry that is different is in exactly one group.
+/// A publication judged against a model; every entry that is different is in exactly one group.
 fn judge(mut model: Model, source: &Source) -> Difference {
-    let report = report::load(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
+    let publication = publication::load(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &report, &proof);
+    let difference = diff(&model, &mut derivations, &publication, &proof);
     let grouped: Vec<usize> = difference
         .roots
         .iter()
@@ -31,10 +31,10 @@ fn judge(mut model: Model, source: &Source) -> Difference {
     difference
 }
 
-fn disk(report: &str) -> Difference {
+fn disk(publication: &str) -> Difference {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let model = Model::read(&folder.join("../models/disk/model.toml")).unwrap();
-    judge(model, &Source::read(&folder.join(report)).unwrap())
+    judge(model, &Source::read(&folder.join(publication)).unwrap())
 }
 
 /// Each root with its followers, a line each.
@@ -52,11 +52,11 @@ fn outline(difference: &Difference) -> String {
     out
 }
 
-/// Truth by hand: the report takes ω(B) for ω(C) in ω × H and carries it into Kane's second row, Euler's rows and the
+/// Truth by hand: the publication takes ω(B) for ω(C) in ω × H and carries it into Kane's second row, Euler's rows and the
 /// program that solves them; its Lagrangian system has three wrong entries, which its program repeats.
 #[test]
 fn the_errors_of_the_course_report_come_of_few_mistakes() {
-    let difference = disk("../models/disk/report.toml");
+    let difference = disk("../models/disk/publication.toml");
     expect![[r"
         kane-3.2-line1-b1: omega(B) stands in the place of omega(C) in omega x H (13)
           kane-3.2-line1-b2 repeated kane-3.2-line1-b1
@@ -101,10 +101,10 @@ fn the_errors_of_the_course_report_come_of_few_mistakes() {
     "]].assert_eq(&outline(&difference));
 }
 
-/// Goal: groups are of meanings. Method: the same report as LaTeX and MATLAB.
+/// Goal: groups are of meanings. Method: the same publication as LaTeX and MATLAB.
 #[test]
 fn the_notation_of_a_report_does_not_change_its_groups() {
-    let (plain, typeset) = (disk("../models/disk/report.toml"), disk("tests/publications/disk_latex.toml"));
+    let (plain, typeset) = (disk("../models/disk/publication.toml"), disk("tests/publications/disk_latex.toml"));
     assert_eq!(outline(&plain), outline(&typeset));
 }
 
@@ -121,7 +121,7 @@ fn equal_differences_alone_prove_nothing() {
     assert!(difference.roots.iter().all(|root| root.linked(Link::Follows).count() == 0));
 }
 
-/// Checks that every line of a report, made by hand from one wrong value, is traced to the first.
+/// Checks that every line of a publication, made by hand from one wrong value, is traced to the first.
 fn all_come_of_the_first(lines: &[(&str, &str)]) {
     let entry = |(quantity, printed): &(&str, &str)| {
         let id = quantity.replace(char::is_whitespace, "");

@@ -41,9 +41,9 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-pub fn judged(report: &str) -> Difference {
+pub fn judged(publication: &str) -> Difference {
     let model = model::load(&Source::from_text("cart.toml", CART)).unwrap_or_else(|e| panic!("{e}"));
-    judge(model, &Source::from_text("report.toml", report))
+    judge(model, &Source::from_text("publication.toml", publication))
 }
 
 /// A coefficient that is 1 where the derivation is right, and the id of the line in which it is made.

@@ -77,7 +77,7 @@ pub const SPEEDS: [&str; 1] = ["u_P4"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "bricard",
     text_hash: "9ce81715f399a7f6",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -101,7 +101,7 @@ pub const SPEEDS: [&str; 4] = ["u0", "u1", "u2", "u3"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "cart_pendulum_3",
     text_hash: "8318ef39a623b989",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -86,7 +86,7 @@ pub const SPEEDS: [&str; 1] = ["v"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "cart_with_spring",
     text_hash: "2e5258b97ad4f79d",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

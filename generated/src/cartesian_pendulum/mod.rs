@@ -77,7 +77,7 @@ pub const SPEEDS: [&str; 1] = ["v"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "cartesian_pendulum",
     text_hash: "38229ca41f9e4ed4",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -104,7 +104,7 @@ pub const SPEEDS: [&str; 2] = ["omega", "alpha"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "chaotic_pendulum",
     text_hash: "a123c9848e86dc99",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -1,6 +1,6 @@
 //! Thin disk sliding on a frictionless plane: Lagrange's equations as printed (listing-5.5), E(q) q'' = A(q, q').
 //!
-//! Generated from `models/disk/report.toml`. Do not edit; run `tripos regenerate`.
+//! Generated from `models/disk/publication.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (q1'', q2'', q3'', q4'', q5'').
 //! The kinematic equations are singular where cos(q2) = 0.
 

@@ -89,7 +89,7 @@ pub const SPEEDS: [&str; 1] = ["u"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "driven_pendulum",
     text_hash: "33ce9db23dc61269",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

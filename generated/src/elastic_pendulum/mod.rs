@@ -86,7 +86,7 @@ pub const SPEEDS: [&str; 2] = ["u", "v"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "elastic_pendulum",
     text_hash: "e76b014266bafc0e",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

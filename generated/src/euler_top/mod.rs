@@ -89,7 +89,7 @@ pub const SPEEDS: [&str; 3] = ["u1", "u2", "u3"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "euler_top",
     text_hash: "702d4c6d5cf8f575",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -78,7 +78,7 @@ pub const SPEEDS: [&str; 5] = ["u1", "u2", "u3", "u4", "u5"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "floating_chain",
     text_hash: "c7f43e1c3f694e99",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

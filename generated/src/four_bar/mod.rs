@@ -94,7 +94,7 @@ pub const SPEEDS: [&str; 1] = ["u1"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "four_bar",
     text_hash: "a1b3ae14c43f1392",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

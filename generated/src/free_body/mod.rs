@@ -83,7 +83,7 @@ pub const SPEEDS: [&str; 6] = ["v1", "v2", "v3", "w1", "w2", "w3"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "free_body",
     text_hash: "aaca89bd177914aa",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

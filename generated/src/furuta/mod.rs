@@ -110,7 +110,7 @@ pub const SPEEDS: [&str; 2] = ["u_theta1", "u_theta2"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "furuta",
     text_hash: "cf8c7be45dc33932",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

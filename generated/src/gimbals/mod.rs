@@ -101,7 +101,7 @@ pub const SPEEDS: [&str; 3] = ["u_psi", "u_theta", "u_phi"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "gimbals",
     text_hash: "47e3fccdf5715133",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -93,7 +93,7 @@ pub const SPEEDS: [&str; 2] = ["spin", "opening"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "governor",
     text_hash: "e4989b488b79bf5b",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -89,7 +89,7 @@ pub const SPEEDS: [&str; 3] = ["u1", "u2", "u3"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "heavy_top",
     text_hash: "4b32ee19611a4f4a",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

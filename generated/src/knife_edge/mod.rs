@@ -86,7 +86,7 @@ pub const SPEEDS: [&str; 2] = ["u", "w"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "knife_edge",
     text_hash: "d279fb8fce57e2cd",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

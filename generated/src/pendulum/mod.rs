@@ -81,7 +81,7 @@ pub const SPEEDS: [&str; 1] = ["omega"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "pendulum",
     text_hash: "8127e7b4c37d945f",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

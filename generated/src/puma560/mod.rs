@@ -202,7 +202,7 @@ pub const SPEEDS: [&str; 6] = ["u1", "u2", "u3", "u4", "u5", "u6"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "puma560",
     text_hash: "7022f95ea022d1ca",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -81,7 +81,7 @@ pub const SPEEDS: [&str; 3] = ["u1", "u2", "u3"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "rolling_disc",
     text_hash: "cc0ae70f1c900fe9",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

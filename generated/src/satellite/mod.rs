@@ -94,7 +94,7 @@ pub const SPEEDS: [&str; 4] = ["w1", "w2", "w3", "s"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "satellite",
     text_hash: "30b1eeeec88e2dcd",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -97,7 +97,7 @@ pub const SPEEDS: [&str; 1] = ["u"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "slider_crank",
     text_hash: "ccf9462455ed13a7",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

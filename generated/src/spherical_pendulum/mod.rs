@@ -81,7 +81,7 @@ pub const SPEEDS: [&str; 2] = ["u1", "u2"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "spherical_pendulum",
     text_hash: "bd75e5ce513f631a",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

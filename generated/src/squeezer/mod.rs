@@ -214,7 +214,7 @@ pub const SPEEDS: [&str; 1] = ["beta_rate"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "squeezer",
     text_hash: "d99b8740a71d9b44",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

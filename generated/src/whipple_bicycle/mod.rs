@@ -163,7 +163,7 @@ pub const SPEEDS: [&str; 3] = ["u1", "u2", "u3"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "whipple_bicycle",
     text_hash: "7b24976634e5e6b0",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -77,7 +77,7 @@ pub const SPEEDS: [&str; 1] = ["u"];
 pub const MODEL: CompiledModel = CompiledModel {
     name: "window_linkage",
     text_hash: "b0f04e88d094d631",
-    report_hash: "",
+    publication_hash: "",
     systems: &[
         CompiledSystem {
             name: "kane",

@@ -250,7 +250,7 @@ impl<'r> Passage<'r> {
         for y in leg.y.iter_mut().chain([&mut leg.y_end]).chain(leg.events.iter_mut().map(|event| &mut event.y)) {
             *y = to_rates(y);
         }
-        leg.projection = leg.projection.map(|report| widened(&report, self.rates));
+        leg.projection = leg.projection.map(|publication| widened(&publication, self.rates));
         // The next part leads at least as far as the step that began before the failure would have led.
         let beyond = (beyond - leg.t_end).abs();
         self.dwell = if leg.t_end.total_cmp(&span.0).is_eq() { beyond.max(2.0 * self.lasted) } else { beyond };

@@ -1,7 +1,7 @@
 //! Derivation, proofs and judgement of a model for its page.
 //!
 //! The terms of proofs and verdicts live in one store, apart from the terms of the equations that are shown and run. So
-//! the contents of a report can never change the derivation.
+//! the contents of a publication can never change the derivation.
 
 use crate::code::{Code, Ready, code_of, compiled_code};
 use crate::error::Error;
@@ -10,7 +10,7 @@ use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::diff::{Difference, diff, printed_equations};
 use tripos_derive::mechanics::{By, Derivation, Derivations, derive_all};
 use tripos_derive::prove::{Proof, Singularity, prove, singularity, zeros};
-use tripos_derive::report::{Report, load_beside};
+use tripos_derive::publication::{Publication, load_beside};
 use tripos_derive::{Equations, Formulation, Model};
 
 /// Results of the analysis of a model, without running it.
@@ -21,7 +21,7 @@ pub struct Study {
     pub proof: Proof,
     /// Singular configurations of each formulation's matrix; missing if the matrix is too large.
     pub singular: Vec<(Formulation, Singularity)>,
-    /// Judged report beside the model; `None` if there is none.
+    /// Judged publication beside the model; `None` if there is none.
     pub published: Option<Published>,
 }
 
@@ -30,8 +30,8 @@ pub type Printed = (By, Result<Code, Error>);
 
 /// Published derivation with its judgement.
 pub struct Published {
-    /// The report with the printed equations.
-    pub report: Report,
+    /// The publication with the printed equations.
+    pub publication: Publication,
     /// Comparison of the printed equations with the derived ones.
     pub difference: Difference,
     /// Singular configurations of the matrix of each printed system, in the order of `difference.consequences`.
@@ -41,19 +41,19 @@ pub struct Published {
 }
 
 impl Study {
-    /// Derives the model, proves statements on it, and judges the report beside it, if there is one.
+    /// Derives the model, proves statements on it, and judges the publication beside it, if there is one.
     ///
-    /// A report with errors is left out; its errors are returned beside the study.
+    /// A publication with errors is left out; its errors are returned beside the study.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
     pub fn new(model: &Model) -> Result<(Self, Option<Diagnostics>), Error> {
-        let mut with_report = model.clone();
-        let (report, broken) = match load_beside(&model.source.path, &mut with_report) {
-            Ok(report) => (report, None),
+        let mut with_publication = model.clone();
+        let (publication, broken) = match load_beside(&model.source.path, &mut with_publication) {
+            Ok(publication) => (publication, None),
             Err(diagnostics) => (None, Some(diagnostics)),
         };
-        let model = if broken.is_some() { model } else { &with_report };
+        let model = if broken.is_some() { model } else { &with_publication };
         let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
         let proof = prove(model, &mut derivations);
         let matrices = derivations.list.iter().filter_map(|(f, e)| Some((*f, e.as_ref().ok()?.matrix.clone())));
@@ -62,7 +62,7 @@ impl Study {
         let singular =
             matrices.into_iter().filter_map(|(f, matrix)| Some((f, singularity(model, kinematics, &matrix)?)));
         let singular = singular.collect();
-        let published = report.map(|report| Published::new(model, &mut derivations, &proof, report));
+        let published = publication.map(|publication| Published::new(model, &mut derivations, &proof, publication));
         match &published {
             Some(published) => published.difference.write_names(&proof, &mut derivations),
             None => proof.write_names(&mut derivations),
@@ -70,7 +70,7 @@ impl Study {
         Ok((Self { derivations, proof, singular, published }, broken))
     }
 
-    /// The printed systems of the report ready to be run, or why one cannot be.
+    /// The printed systems of the publication ready to be run, or why one cannot be.
     #[must_use]
     pub fn printed(&self, model: &Mechanism) -> Vec<Printed> {
         let Some(published) = &self.published else { return Vec::new() };
@@ -96,16 +96,16 @@ impl Study {
 }
 
 impl Published {
-    fn new(model: &Model, derivations: &mut Derivations, proof: &Proof, report: Report) -> Self {
-        let difference = diff(model, derivations, &report, proof);
-        let equations = printed_equations(model, derivations, &report);
+    fn new(model: &Model, derivations: &mut Derivations, proof: &Proof, publication: Publication) -> Self {
+        let difference = diff(model, derivations, &publication, proof);
+        let equations = printed_equations(model, derivations, &publication);
         let singular = difference.consequences.iter().map(|c| {
             let (printed, ..) = c.determinant.as_ref()?;
             let matrix = &printed_of(&equations, &c.system)?.matrix;
             Some(zeros(model, &mut derivations.kinematics, matrix, *printed))
         });
         let singular = singular.collect();
-        Self { report, difference, singular, printed: equations }
+        Self { publication, difference, singular, printed: equations }
     }
 
     /// The id of the first printed system that is proved to give the same motion as this one: itself, if there is none

@@ -76,8 +76,8 @@ pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item 
 /// Objection to a run that could not be kept on its constraints: a residual exceeds its tolerance. Corrections that
 /// only rounding causes do not matter.
 pub fn broken(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
-    let report = solution.projection.as_ref().filter(|_| problem.system().constraint_count() > 0)?;
-    let left = report.singular + report.not_converged;
+    let publication = solution.projection.as_ref().filter(|_| problem.system().constraint_count() > 0)?;
+    let left = publication.singular + publication.not_converged;
     let is_off = || solution.y.iter().chain([&solution.y_end]).any(|y| is_off(problem, y));
     (left > 0 && is_off()).then(|| {
         format!(

@@ -11,10 +11,10 @@ pub struct CompiledModel {
     pub name: &'static str,
     /// Hash of the model text the equations were derived from, as the deriving crate computes it.
     pub text_hash: &'static str,
-    /// Hash of the text of the report whose printed equations are compiled in; empty if there is none.
-    pub report_hash: &'static str,
+    /// Hash of the text of the publication whose printed equations are compiled in; empty if there is none.
+    pub publication_hash: &'static str,
     /// Equations: each supported formulation (`kane`, `lagrange`, `newton-euler`), also in the distances that are
-    /// worth having, then those of the report (`printed:ID`).
+    /// worth having, then those of the publication (`printed:ID`).
     pub systems: &'static [CompiledSystem],
     /// The equations of its scenes.
     pub scenes: &'static [CompiledScene],

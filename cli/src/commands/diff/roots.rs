@@ -130,7 +130,7 @@ acceleration = [0, "-g", 0]
 "#;
 
     /// v and with it T are wrong, V is wrong by itself, and L has both mistakes; q is two numbers.
-    const REPORT: &str = r#"
+    const PUBLICATION: &str = r#"
 [[equation]]
 id = "v"
 section = "1"
@@ -172,10 +172,11 @@ printed = "0.675"
 
     fn judged() -> Difference {
         let mut model = tripos_derive::model::load(&Source::from_text("pendulum.toml", PENDULUM)).unwrap();
-        let report = tripos_derive::report::load(&Source::from_text("report.toml", REPORT), &mut model).unwrap();
+        let publication =
+            tripos_derive::publication::load(&Source::from_text("publication.toml", PUBLICATION), &mut model).unwrap();
         let mut derivations = tripos_derive::mechanics::derive_all(&model).unwrap();
         let proof = tripos_derive::prove::prove(&model, &mut derivations);
-        tripos_derive::diff::diff(&model, &mut derivations, &report, &proof)
+        tripos_derive::diff::diff(&model, &mut derivations, &publication, &proof)
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Values of quantities that follow when printed values replace derived ones.
 //!
-//! Every formula is the textbook's, in quantities that a report can name: a = dv/dt, dH/dt = I·α + ω × I·ω, F*_r = Σ
-//! ∂v/∂u_r·R* + ∂ω/∂u_r·T*, L = T − V. A quantity that no printed value reaches has no value here, so that it is never
-//! taken for a consequence. Invariant: everything is in q, u and u̇. Absent on purpose: walks along the tree of frames;
-//! a formula uses the printed values of its own operands and no further.
+//! Every formula is the textbook's, in quantities that a publication can name: a = dv/dt, dH/dt = I·α + ω × I·ω, F*_r =
+//! Σ ∂v/∂u_r·R* + ∂ω/∂u_r·T*, L = T − V. A quantity that no printed value reaches has no value here, so that it is
+//! never taken for a consequence. Invariant: everything is in q, u and u̇. Absent on purpose: walks along the tree of
+//! frames; a formula uses the printed values of its own operands and no further.
 //!
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H. Goldstein, C. Poole & J.
 //! Safko, *Classical Mechanics*, 3rd edition (2002), § 5.5.

@@ -7,7 +7,7 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::diff::ratio::constant_ratio;
 use crate::mechanics::{Quantities, QuantityKind};
 
-/// Number of comparisons that one report may cost.
+/// Number of comparisons that one publication may cost.
 const COMPARISONS: usize = 20_000;
 
 /// A wrong value of a quantity, in q, u and u̇.

@@ -39,7 +39,7 @@ impl Reason {
     }
 }
 
-/// The wrong entries of a report, and the reasons found for them.
+/// The wrong entries of a publication, and the reasons found for them.
 pub struct Search<'a, 'b> {
     exact: Exact<'a, 'b>,
     stated: &'a [&'a Claim],

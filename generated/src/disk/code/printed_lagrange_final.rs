@@ -1,6 +1,6 @@
 //! Thin disk sliding on a frictionless plane: Lagrange's equations as printed (lagrange-final), E(q) q'' = A(q, q').
 //!
-//! Generated from `models/disk/report.toml`. Do not edit; run `tripos regenerate`.
+//! Generated from `models/disk/publication.toml`. Do not edit; run `tripos regenerate`.
 
 use super::super::Parameters;
 

@@ -1,6 +1,6 @@
 //! Thin disk sliding on a frictionless plane: Kane's method as printed (listing-5.4), M(q) u' = f(q, u).
 //!
-//! Generated from `models/disk/report.toml`. Do not edit; run `tripos regenerate`.
+//! Generated from `models/disk/publication.toml`. Do not edit; run `tripos regenerate`.
 
 use super::super::Parameters;
 

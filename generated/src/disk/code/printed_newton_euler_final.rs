@@ -1,6 +1,6 @@
 //! Thin disk sliding on a frictionless plane: Newton–Euler equations as printed (newton-euler-final), A(q, u) (u', reactions) = b(q, u).
 //!
-//! Generated from `models/disk/report.toml`. Do not edit; run `tripos regenerate`.
+//! Generated from `models/disk/publication.toml`. Do not edit; run `tripos regenerate`.
 
 use super::super::Parameters;
 

@@ -48,8 +48,8 @@ pub trait Carrier<S> {
     /// Receives the end of each step inside a part of the run, s, except that of the last step.
     fn stepped(&self, _t: f64) {}
 
-    /// Relative gap below which a minimum of the gap is reported, over the size of the gap's terms. `None` if no report
-    /// is wanted.
+    /// Relative gap below which a minimum of the gap is reported, over the size of the gap's terms. `None` if no
+    /// publication is wanted.
     fn near(&self) -> Option<f64> {
         None
     }

@@ -296,14 +296,14 @@ impl Bouncing<'_> {
         if let Some(failure) = failure {
             part.stop = Stop::Failed(failure);
         }
-        if let Some(mut report) = part.projection.take() {
-            if !kept.is_empty() && report.singular + report.not_converged > 0 && !part.stop.is_failure() {
+        if let Some(mut publication) = part.projection.take() {
+            if !kept.is_empty() && publication.singular + publication.not_converged > 0 && !part.stop.is_failure() {
                 let message = "the state could not be kept on the contacts that are held".to_owned();
                 part.stop = Stop::Failed(Failure { code: "contact", message });
             }
-            report.removed.truncate(own);
-            report.largest.truncate(own);
-            part.projection = (own > 0).then_some(report);
+            publication.removed.truncate(own);
+            publication.largest.truncate(own);
+            part.projection = (own > 0).then_some(publication);
         }
     }
 

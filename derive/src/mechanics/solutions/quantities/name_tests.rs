@@ -1,4 +1,4 @@
-//! Goal: every name in the table of docs/report.md is read, and every other is refused at its place.
+//! Goal: every name in the table of docs/publication.md is read, and every other is refused at its place.
 
 use super::tests::{disk, pendulum};
 use crate::mechanics::quantity::Quantity;

@@ -20,7 +20,7 @@ pub struct QuantityError {
 const OTHER_NAMES: [&str; 5] = ["rotation", "d", "I", "M", "E"];
 
 impl Quantity {
-    /// Reads the name of a quantity; `docs/report.md` lists them all.
+    /// Reads the name of a quantity; `docs/publication.md` lists them all.
     ///
     /// # Errors
     /// The first [`QuantityError`] in the text: its form is wrong, or the model has no such point, frame, body, speed,
@@ -56,7 +56,7 @@ impl<'a> Cursor<'a> {
 
     fn error(&self, range: Range<usize>, message: impl Into<String>) -> QuantityError {
         let help = if self.form.is_empty() {
-            "write the name of one quantity, such as v(P) @ B [1]; docs/report.md lists them".to_owned()
+            "write the name of one quantity, such as v(P) @ B [1]; docs/publication.md lists them".to_owned()
         } else {
             format!("the form is `{}`", self.form)
         };

@@ -1,4 +1,4 @@
-//! Meanings of the names in the formulas of a report.
+//! Meanings of the names in the formulas of a publication.
 
 use super::spelling::{Speller, Spellings, Stated};
 use crate::algebra::term::calculus::Differential;
@@ -19,7 +19,7 @@ const PRIMES: usize = 2;
 /// memory.
 const MAX_EXPANSION: usize = 200_000;
 
-/// Meaning of a name in the formulas of a report.
+/// Meaning of a name in the formulas of a publication.
 #[derive(Clone, Copy)]
 enum Word {
     /// A quantity of the model, with the name of its kind.
@@ -32,7 +32,7 @@ enum Word {
     Spoiled,
 }
 
-/// All names that formulas of a report may use.
+/// All names that formulas of a publication may use.
 pub struct Words {
     known: FxHashMap<String, Word>,
     /// Place where the file declares each name.

@@ -1,6 +1,6 @@
-//! Published derivations as data: every printed equation of a report, to be judged one by one.
+//! Published derivations as data: every printed equation of a publication, to be judged one by one.
 //!
-//! A report file belongs to a model. Its formulas are read into the arena of the model, so read it before
+//! A publication file belongs to a model. Its formulas are read into the arena of the model, so read it before
 //! [`crate::mechanics::derive_all`], whose arena starts as a clone: every handle stays valid there.
 //!
 //! Invariant: nothing is repaired or judged here. A wrong *form* of a file is an error; a wrong printed *equation* is
@@ -14,7 +14,7 @@
 //! use tripos_derive::algebra::meaning::compare::Comparer;
 //! use tripos_derive::diagnostic::Source;
 //! use tripos_derive::mechanics::{Quantities, derive_all};
-//! use tripos_derive::report::{EntryKind, load};
+//! use tripos_derive::publication::{EntryKind, load};
 //! # let source = Source::from_text("model.toml", r#"
 //! #     name = "Slider"
 //! #     parameters.m = { unit = "kg" }
@@ -26,14 +26,14 @@
 //! # "#);
 //!
 //! let mut model = tripos_derive::model::load(&source)?; // a mass on a line, with speed u = 2 x'
-//! let report = load(&Source::from_text("report.toml", r#"
+//! let publication = load(&Source::from_text("publication.toml", r#"
 //!     [[equation]]
 //!     id = "1"
 //!     section = "1"
 //!     quantity = "T"
 //!     printed = "m*x'^2/2"
 //! "#), &mut model)?;
-//! let EntryKind::Equation { quantity, printed, .. } = &report.entries[0].kind else { unreachable!() };
+//! let EntryKind::Equation { quantity, printed, .. } = &publication.entries[0].kind else { unreachable!() };
 //!
 //! let mut derivations = derive_all(&model)?;
 //! let mut quantities = Quantities::new(&model, &mut derivations);
@@ -65,7 +65,7 @@ use std::ops::Range;
 
 /// A published derivation.
 #[derive(Clone, Debug)]
-pub struct Report {
+pub struct Publication {
     /// The file.
     pub source: Source,
     /// The title.
@@ -207,7 +207,7 @@ pub struct Initial {
     pub decimals: Option<u32>,
 }
 
-impl Report {
+impl Publication {
     /// Title of the publication for headings, or "A publication without a title" if it is blank.
     #[must_use]
     pub fn heading(&self) -> &str {

@@ -1,13 +1,13 @@
-//! Messages for wrong report files, word for word: names, formulas and numbers.
+//! Messages for wrong publication files, word for word: names, formulas and numbers.
 //!
 //! `UPDATE_EXPECT=1 cargo test` accepts new words; read them before you commit them.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-use crate::reports;
+use crate::publications;
 
 use expect_test::expect;
-use reports::{check, check_edit, edited};
+use publications::{check, check_edit, edited};
 
 #[test]
 fn an_unknown_quantity_is_marked_within_its_name() {
@@ -20,7 +20,7 @@ fn an_unknown_quantity_is_marked_within_its_name() {
         &edited(&edits),
         &expect![[r#"
         error: there is no component `7`
-          --> report.toml:10:17
+          --> publication.toml:10:17
            |
         10 | vx = "v(C) @ N [7]"
            |                 ^
@@ -28,7 +28,7 @@ fn an_unknown_quantity_is_marked_within_its_name() {
            = help: components are 1, 2 and 3
 
         error: the model has no point `D`
-          --> report.toml:15:15
+          --> publication.toml:15:15
            |
         15 | quantity = "v(D) @ N [1]"
            |               ^
@@ -36,7 +36,7 @@ fn an_unknown_quantity_is_marked_within_its_name() {
            = help: known here: `O`, `P`, `C`
 
         error: `q''` is no parameter, coordinate, time derivative or speed
-          --> report.toml:53:13
+          --> publication.toml:53:13
            |
         53 | quantity = "q''"
            |             ^^^
@@ -57,7 +57,7 @@ fn errors_in_formulas_stand_at_their_column() {
         &edited(&edits),
         &expect![[r#"
         error: this name has more than 2 primes
-          --> report.toml:16:31
+          --> publication.toml:16:31
            |
         16 | printed = "u1 + length*cos(q)*u2'''"
            |                               ^^^^^
@@ -65,7 +65,7 @@ fn errors_in_formulas_stand_at_their_column() {
            = help: q1'' is the second derivative; there is no third here
 
         error: unknown name `vz`
-          --> report.toml:28:18
+          --> publication.toml:28:18
            |
         28 | printed = "T + 0*vz"
            |                  ^^
@@ -73,7 +73,7 @@ fn errors_in_formulas_stand_at_their_column() {
            = help: did you mean `vx`?
 
         error: unexpected `)`
-          --> report.toml:36:74
+          --> publication.toml:36:74
            |
         36 | matrix = [["2*m", "m*length*cos(q)"], ["m*length*cos(q)", "I + m*length^2)"]]
            |                                                                          ^
@@ -81,7 +81,7 @@ fn errors_in_formulas_stand_at_their_column() {
            = help: there is no `(` to close here
 
         error: unknown name `bob''`
-          --> report.toml:37:26
+          --> publication.toml:37:26
            |
         37 | right = ["bob*q'^2", "-g*bob''"]
            |                          ^^^^^
@@ -97,12 +97,12 @@ fn a_name_of_the_model_is_not_declared_again() {
         &edited(&edits),
         &expect![[r#"
         error: `vx` is declared twice
-          --> report.toml:5:1
+          --> publication.toml:5:1
            |
          5 | vx = "sin(q)"
            | ^^
            |
-          ::: report.toml:10:1
+          ::: publication.toml:10:1
            |
         10 | vx = "v(C) @ N [1]"
            | -- first declared here
@@ -110,7 +110,7 @@ fn a_name_of_the_model_is_not_declared_again() {
            = help: rename one of the two
 
         error: `sin` is reserved
-         --> report.toml:6:1
+         --> publication.toml:6:1
           |
         6 | sin = "m*length*s"
           | ^^^
@@ -118,7 +118,7 @@ fn a_name_of_the_model_is_not_declared_again() {
           = help: choose another name: this one belongs to the expression language
 
         error: unknown name `s`
-         --> report.toml:6:17
+         --> publication.toml:6:17
           |
         6 | sin = "m*length*s"
           |                 ^
@@ -126,7 +126,7 @@ fn a_name_of_the_model_is_not_declared_again() {
           = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`, `vx`
 
         error: `m` is a parameter of the model
-         --> report.toml:9:1
+         --> publication.toml:9:1
           |
         9 | m = "T"
           | ^
@@ -134,7 +134,7 @@ fn a_name_of_the_model_is_not_declared_again() {
           = help: choose another name: in formulas `m` is the model's
 
         error: unknown name `T`
-          --> report.toml:28:12
+          --> publication.toml:28:12
            |
         28 | printed = "T + 0*vx"
            |            ^
@@ -142,7 +142,7 @@ fn a_name_of_the_model_is_not_declared_again() {
            = help: known here: `m`, `length`, `I`, `g`, `x`, `x'`, `x''`, `q`, `q'`, `q''`, `u1`, `u1'`, `u2`, `u2'`, `rod_force_n1`, `rod_force_n2`, `cart_force_n2`, `vx`
 
         error: unknown name `bob`
-          --> report.toml:37:11
+          --> publication.toml:37:11
            |
         37 | right = ["bob*q'^2", "-g*bob"]
            |           ^^^            --- also here, and 1 times more
@@ -158,7 +158,7 @@ fn an_abbreviation_uses_those_above_it() {
         "s = \"sin(q) + bob\"",
         &expect![[r#"
         error: `bob` is used before it is declared
-         --> report.toml:5:15
+         --> publication.toml:5:15
           |
         5 | s = "sin(q) + bob"
           |               ^^^
@@ -174,7 +174,7 @@ fn an_initial_value_is_a_number_and_stands_once_in_its_set() {
         &edited(&edits),
         &expect![[r#"
             error: `10*m` is not a number: it contains `m`
-              --> report.toml:54:12
+              --> publication.toml:54:12
                |
             54 | printed = "10*m"
                |            ^^^^
@@ -182,12 +182,12 @@ fn an_initial_value_is_a_number_and_stands_once_in_its_set() {
                = help: write a number, or one in terms of numbers and `pi`
 
             error: `q` has two values in the set `text`
-              --> report.toml:60:13
+              --> publication.toml:60:13
                |
             60 | quantity = "q"
                |             ^
                |
-              ::: report.toml:53:13
+              ::: publication.toml:53:13
                |
             53 | quantity = "q"
                |             - first stated here
@@ -195,7 +195,7 @@ fn an_initial_value_is_a_number_and_stands_once_in_its_set() {
                = help: put what another place prints into a set of its own
 
             error: a number of about 10^999 is beyond double precision
-              --> report.toml:61:11
+              --> publication.toml:61:11
                |
             61 | printed = 1e999
                |           ^^^^^
@@ -212,7 +212,7 @@ fn a_number_beyond_double_precision_is_refused() {
         "s = \"sin(q) - 1e999*cos(q)\"",
         &expect![[r#"
         error: a number of about 10^999 is beyond double precision
-         --> report.toml:5:6
+         --> publication.toml:5:6
           |
         5 | s = "sin(q) - 1e999*cos(q)"
           |      ^^^^^^^^^^^^^^^^^^^^^
@@ -233,7 +233,7 @@ fn errors_in_latex_stand_at_their_column() {
         &edited(&edits),
         &expect![[r#"
         error: `\dots` is not known
-          --> report.toml:19:18
+          --> publication.toml:19:18
            |
         19 | printed = 'u_1 + \dots + \ell \cos(q) u_2'
            |                  ^^^^^
@@ -241,7 +241,7 @@ fn errors_in_latex_stand_at_their_column() {
            = help: write out what the dots stand for
 
         error: unknown symbol `\beta`
-          --> report.toml:32:16
+          --> publication.toml:32:16
            |
         32 | printed = 'T + \beta length'
            |                ^^^^^
@@ -257,7 +257,7 @@ fn what_is_wrong_with_symbols_and_notations_is_said() {
         &edited(&[("[abbreviations]", symbols)]),
         &expect![[r#"
         error: there is no notation `fortran`
-         --> report.toml:4:13
+         --> publication.toml:4:13
           |
         4 | notation = "fortran"
           |             ^^^^^^^
@@ -265,7 +265,7 @@ fn what_is_wrong_with_symbols_and_notations_is_said() {
           = help: known here: `tripos`, `latex`, `python`, `sympy`, `matlab`, `c`
 
         error: unknown name `lenght`
-         --> report.toml:6:11
+         --> publication.toml:6:11
           |
         6 | '\ell' = "lenght"
           |           ^^^^^^
@@ -273,7 +273,7 @@ fn what_is_wrong_with_symbols_and_notations_is_said() {
           = help: did you mean `length`?
 
         error: `a + b` is not a symbol
-         --> report.toml:7:1
+         --> publication.toml:7:1
           |
         7 | 'a + b' = "m"
           | ^^^^^^^
@@ -281,7 +281,7 @@ fn what_is_wrong_with_symbols_and_notations_is_said() {
           = help: a symbol is LaTeX, as in 'I_{xx}' or '\dot{\psi}', or a name of a program, as in Ixx, "p.m" or "z(6)"
 
         error: `I_x` is the same symbol as one that stands for `I`
-         --> report.toml:9:1
+         --> publication.toml:9:1
           |
         9 | "I_x" = "m"
           | ^^^^^

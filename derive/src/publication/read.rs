@@ -1,10 +1,10 @@
-//! From the text of a report file to a [`Report`]: the file as a whole, and the names it declares.
+//! From the text of a publication file to a [`Publication`]: the file as a whole, and the names it declares.
 //!
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
 use super::spelling::notations;
 use super::words::Words;
-use super::{Approximation, Report};
+use super::{Approximation, Publication};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
@@ -38,21 +38,22 @@ const MAX_NAMES: usize = 1000;
 /// Errors after which no formula is read any more: nobody mends that many at once.
 const MAX_ERRORS: usize = 1000;
 
-/// Reads a report for its model; formulas go to the model's arena.
+/// Reads a publication for its model; formulas go to the model's arena.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the file.
-pub fn load(source: &Source, model: &mut Model) -> Result<Report, Diagnostics> {
+pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
     if table.is_empty() {
         let empty = source.text.trim_start_matches('\u{feff}').trim().is_empty();
-        let message = if empty { "the report file is empty" } else { "the report file holds nothing but comments" };
-        reader.errors.push(Diagnostic::of_file(message, "docs/report.md describes the format"));
+        let message =
+            if empty { "the publication file is empty" } else { "the publication file holds nothing but comments" };
+        reader.errors.push(Diagnostic::of_file(message, "docs/publication.md describes the format"));
     }
     reader.schema(table);
     reader.finish()?;
-    reader.allow(table, "a report file", &KEYS);
+    reader.allow(table, "a publication file", &KEYS);
     let words = Words::new(model);
     let mut loading = Loading {
         reader,
@@ -71,10 +72,10 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Report, Diagnostics> {
     loading.near = loading.near(table);
     let entries = loading.entries(table);
     loading.reader.finish()?;
-    Ok(Report { source: source.clone(), title, reference, abbreviations, names, entries })
+    Ok(Publication { source: source.clone(), title, reference, abbreviations, names, entries })
 }
 
-/// State of reading a report: the file, the model, and the names and entries read so far.
+/// State of reading a publication: the file, the model, and the names and entries read so far.
 pub struct Loading<'a, 'm> {
     pub reader: Reader<'a>,
     pub model: &'m mut Model,
@@ -149,7 +150,7 @@ impl<'a> Loading<'a, '_> {
         let mut fields = self.reader.entries(section);
         if let Some((name, _)) = fields.get(MAX_NAMES) {
             let message = format!("more than {MAX_NAMES} names in `{key}`");
-            self.reader.error(name.span.clone(), message, "split the report into several files");
+            self.reader.error(name.span.clone(), message, "split the publication into several files");
             fields.truncate(MAX_NAMES);
         }
         fields

@@ -1,4 +1,4 @@
-//! A small right report on the base model, and what is said about edits of it.
+//! A small right publication on the base model, and what is said about edits of it.
 
 #![allow(dead_code, reason = "each test file uses a part")]
 
@@ -6,10 +6,10 @@ use crate::common::{BASE, read};
 use expect_test::Expect;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::{Diagnostics, Source};
-use tripos_derive::report::{Report, load};
+use tripos_derive::publication::{Publication, load};
 
-/// A right report on the pendulum on a cart, with a reaction-free Newton–Euler part left out.
-pub const REPORT: &str = r#"title = "A pendulum"
+/// A right publication on the pendulum on a cart, with a reaction-free Newton–Euler part left out.
+pub const PUBLICATION: &str = r#"title = "A pendulum"
 source = "a blackboard"
 
 [abbreviations]
@@ -76,15 +76,15 @@ pub fn base() -> Model {
     read(BASE).unwrap_or_else(|e| panic!("{e}"))
 }
 
-pub fn load_text(text: &str, model: &mut Model) -> Result<Report, Diagnostics> {
-    load(&Source::from_text("report.toml", text), model)
+pub fn load_text(text: &str, model: &mut Model) -> Result<Publication, Diagnostics> {
+    load(&Source::from_text("publication.toml", text), model)
 }
 
-/// The right report with pieces replaced, each of which must be there.
+/// The right publication with pieces replaced, each of which must be there.
 pub fn edited(edits: &[(&str, &str)]) -> String {
-    let mut text = REPORT.to_owned();
+    let mut text = PUBLICATION.to_owned();
     for (old, new) in edits {
-        assert!(text.contains(old), "the report has no `{old}`");
+        assert!(text.contains(old), "the publication has no `{old}`");
         text = text.replacen(old, new, 1);
     }
     text

@@ -1,4 +1,4 @@
-//! The entries of a report: what all have in common, and those of a single formula.
+//! The entries of a publication: what all have in common, and those of a single formula.
 
 use super::read::{KEYS, Loading};
 use super::{Entry, EntryKind, Initial};
@@ -84,13 +84,13 @@ impl<'a> Loading<'a, '_> {
         // An unknown key may be a misspelt kind of entries, and is reported.
         let all_known = table.iter().all(|(key, _)| KEYS.contains(&key.get_ref().as_ref()));
         if items.is_empty() && all_known && self.reader.errors.len() == before {
-            let help = "add [[equation]] entries; docs/report.md describes the format";
-            self.reader.errors.push(Diagnostic::of_file("the report has no entries", help));
+            let help = "add [[equation]] entries; docs/publication.md describes the format";
+            self.reader.errors.push(Diagnostic::of_file("the publication has no entries", help));
         }
         items.sort_by_key(|(_, item)| item.span.start);
         if let Some((_, item)) = items.get(MAX_ENTRIES) {
             let message = format!("more than {MAX_ENTRIES} entries");
-            self.reader.error(item.span.clone(), message, "split the report into several files");
+            self.reader.error(item.span.clone(), message, "split the publication into several files");
             items.truncate(MAX_ENTRIES);
         }
         items.iter().filter_map(|(kind, item)| self.entry(*kind, item)).collect()

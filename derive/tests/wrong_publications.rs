@@ -1,22 +1,22 @@
-//! Messages for wrong report files, word for word: keys, ids, systems and listings.
+//! Messages for wrong publication files, word for word: keys, ids, systems and listings.
 //!
 //! `UPDATE_EXPECT=1 cargo test` accepts new words; read them before you commit them.
 
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 
-use crate::reports;
+use crate::publications;
 
 use expect_test::expect;
-use reports::{check, check_edit, edited};
+use publications::{check, check_edit, edited};
 
 #[test]
 fn an_empty_file_says_so() {
     check(
         "",
         &expect![[r"
-        error: the report file is empty
-        --> report.toml
-         = help: docs/report.md describes the format"]],
+        error: the publication file is empty
+        --> publication.toml
+         = help: docs/publication.md describes the format"]],
     );
 }
 
@@ -25,9 +25,9 @@ fn a_file_without_entries_says_so() {
     check(
         "title = \"nothing\"\nequation = []\n",
         &expect![[r"
-        error: the report has no entries
-        --> report.toml
-         = help: add [[equation]] entries; docs/report.md describes the format"]],
+        error: the publication has no entries
+        --> publication.toml
+         = help: add [[equation]] entries; docs/publication.md describes the format"]],
     );
 }
 
@@ -36,8 +36,8 @@ fn a_misspelt_kind_of_entry_is_one_error() {
     check(
         "[[equations]]\nid = \"1\"\n",
         &expect![[r"
-        error: unknown key `equations` in a report file
-         --> report.toml:1:3
+        error: unknown key `equations` in a publication file
+         --> publication.toml:1:3
           |
         1 | [[equations]]
           |   ^^^^^^^^^
@@ -53,7 +53,7 @@ fn unknown_and_missing_keys_are_all_reported() {
         &edited(&edits),
         &expect![[r#"
         error: an equation has no `quantity`
-          --> report.toml:24:1
+          --> publication.toml:24:1
            |
         24 | [[equation]]
            | ^^^^^^^^^^^^
@@ -61,7 +61,7 @@ fn unknown_and_missing_keys_are_all_reported() {
            = help: add `quantity = …`
 
         error: unknown key `quantty` in an equation
-          --> report.toml:27:1
+          --> publication.toml:27:1
            |
         27 | quantty = "T"
            | ^^^^^^^
@@ -69,7 +69,7 @@ fn unknown_and_missing_keys_are_all_reported() {
            = help: did you mean `quantity`?
 
         error: a listing has no `section`
-          --> report.toml:41:1
+          --> publication.toml:41:1
            |
         41 | [[listing]]
            | ^^^^^^^^^^^
@@ -77,7 +77,7 @@ fn unknown_and_missing_keys_are_all_reported() {
            = help: add `section = …`
 
         error: an initial value has no `set`
-          --> report.toml:48:1
+          --> publication.toml:48:1
            |
         48 | [[initial]]
            | ^^^^^^^^^^^
@@ -93,12 +93,12 @@ fn an_id_for_two_entries_shows_both_places() {
         "id = \"1-vx\"",
         &expect![[r#"
         error: the id `1-vx` is used twice
-          --> report.toml:25:7
+          --> publication.toml:25:7
            |
         25 | id = "1-vx"
            |       ^^^^
            |
-          ::: report.toml:13:7
+          ::: publication.toml:13:7
            |
         13 | id = "1-vx"
            |       ---- first used here
@@ -114,7 +114,7 @@ fn an_id_that_a_system_gives_to_a_row_is_taken() {
         &edited(&edits),
         &expect![[r#"
         error: `matrix_ids` has no {j}: its ids would be the same
-          --> report.toml:38:15
+          --> publication.toml:38:15
            |
         38 | matrix_ids = "3-E{i}"
            |               ^^^^^^
@@ -122,7 +122,7 @@ fn an_id_that_a_system_gives_to_a_row_is_taken() {
            = help: write the row as {i} and the column as {j}
 
         error: `right_ids` has no {i}: its ids would be the same
-          --> report.toml:39:14
+          --> publication.toml:39:14
            |
         39 | right_ids = "3-A"
            |              ^^^
@@ -134,12 +134,12 @@ fn an_id_that_a_system_gives_to_a_row_is_taken() {
         "id = \"3-row2\"",
         &expect![[r#"
         error: the id `3-row2`, of a part of this entry, is used twice
-          --> report.toml:32:7
+          --> publication.toml:32:7
            |
         32 | id = "3"
            |       ^
            |
-          ::: report.toml:25:7
+          ::: publication.toml:25:7
            |
         25 | id = "3-row2"
            |       ------ first used here
@@ -155,7 +155,7 @@ fn an_unknown_formulation_gets_the_nearest_name() {
         "formulation = \"Kanes\"",
         &expect![[r#"
         error: there is no formulation `Kanes`
-          --> report.toml:44:16
+          --> publication.toml:44:16
            |
         44 | formulation = "Kanes"
            |                ^^^^^
@@ -171,7 +171,7 @@ fn wrong_unknowns_are_named() {
         "[\"u1'\", \"q''\"]",
         &expect![[r#"
         error: `u1'` is not an unknown of lagrange
-          --> report.toml:35:14
+          --> publication.toml:35:14
            |
         35 | unknowns = ["u1'", "q''"]
            |              ^^^
@@ -183,7 +183,7 @@ fn wrong_unknowns_are_named() {
         "[\"q''\", \"q''\"]",
         &expect![[r#"
             error: `q''` is named twice
-              --> report.toml:35:21
+              --> publication.toml:35:21
                |
             35 | unknowns = ["q''", "q''"]
                |              ---    ^^^
@@ -204,7 +204,7 @@ fn an_entry_that_contains_an_unknown_is_refused() {
         &edited(&edits),
         &expect![[r#"
         error: an entry of the matrix contains the unknown `x''`
-          --> report.toml:36:20
+          --> publication.toml:36:20
            |
         36 | matrix = [["2*m", "m*length*cos(q)*x''"], ["m*length*cos(q)", "I + m*length^2"]]
            |                    ^^^^^^^^^^^^^^^^^^^
@@ -212,7 +212,7 @@ fn an_entry_that_contains_an_unknown_is_refused() {
            = help: a row reads Σ entry·unknown = right: put the factor of `x''` into its column of the matrix
 
         error: an entry of `right` contains the unknown `q''`
-          --> report.toml:37:11
+          --> publication.toml:37:11
            |
         37 | right = ["bob*q'^2 - m*q''", "-q''*bob"]
            |           ^^^^^^^^^^^^^^^^    -------- also here
@@ -225,7 +225,7 @@ fn an_entry_that_contains_an_unknown_is_refused() {
 #[test]
 fn a_listing_may_contain_any_symbol() {
     let text = edited(&[("\"-g*bob\", 0]", "\"-g*bob\", \"u2'\"]")]);
-    reports::load_text(&text, &mut reports::base()).unwrap_or_else(|e| panic!("{e}"));
+    publications::load_text(&text, &mut publications::base()).unwrap_or_else(|e| panic!("{e}"));
 }
 
 #[test]
@@ -235,7 +235,7 @@ fn a_matrix_that_does_not_fit_is_refused() {
         &edited(&edits),
         &expect![[r#"
         error: row 1 of the matrix has 1 entry, not 2
-          --> report.toml:36:11
+          --> publication.toml:36:11
            |
         36 | matrix = [["2*m"], ["m*length*cos(q)", "I + m*length^2"]]
            |           ^^^^^^^
@@ -243,7 +243,7 @@ fn a_matrix_that_does_not_fit_is_refused() {
            = help: one entry for each unknown
 
         error: the matrix has 1 row, not 2
-          --> report.toml:47:10
+          --> publication.toml:47:10
            |
         47 | matrix = [[1, 0]]
            |          ^^^^^^^^
@@ -255,7 +255,7 @@ fn a_matrix_that_does_not_fit_is_refused() {
         "right = [0]",
         &expect![[r"
         error: `right` has 1 entry for 2 rows
-          --> report.toml:37:9
+          --> publication.toml:37:9
            |
         37 | right = [0]
            |         ^^^
@@ -271,7 +271,7 @@ fn a_state_is_coordinates_then_speeds() {
         "state = [\"q\", \"x\", \"u2\"]",
         &expect![[r#"
             error: a state of 3 entries: coordinates and speeds must be as many
-              --> report.toml:45:9
+              --> publication.toml:45:9
                |
             45 | state = ["q", "x", "u2"]
                |         ^^^^^^^^^^^^^^^^
@@ -283,7 +283,7 @@ fn a_state_is_coordinates_then_speeds() {
         "state = [\"q\", \"u1\", \"x'\", \"u1\"]",
         &expect![[r#"
             error: `u1` is not a coordinate, as the first half of a state is
-              --> report.toml:45:16
+              --> publication.toml:45:16
                |
             45 | state = ["q", "u1", "x'", "u1"]
                |                ^^
@@ -291,7 +291,7 @@ fn a_state_is_coordinates_then_speeds() {
                = help: known here: `x`, `q`
 
             error: `x'` is not a speed, as the second half of this state is
-              --> report.toml:45:22
+              --> publication.toml:45:22
                |
             45 | state = ["q", "u1", "x'", "u1"]
                |                      ^^
@@ -307,7 +307,7 @@ fn newton_euler_systems_have_a_frame_and_others_have_none() {
         "formulation = \"lagrange\"\nframe = \"N\"\n",
         &expect![[r#"
         error: only a newton-euler system has a `frame`
-          --> report.toml:35:9
+          --> publication.toml:35:9
            |
         35 | frame = "N"
            |         ^^^
@@ -322,7 +322,7 @@ fn newton_euler_systems_have_a_frame_and_others_have_none() {
         &edited(&[newton_euler]),
         &expect![[r"
         error: a system has no `frame`
-          --> report.toml:31:1
+          --> publication.toml:31:1
            |
         31 | [[system]]
            | ^^^^^^^^^^

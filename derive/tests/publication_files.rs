@@ -1,64 +1,64 @@
-//! Report files: what is read from a right one, and that no file, however wrong, does harm.
+//! Publication files: what is read from a right one, and that no file, however wrong, does harm.
 
-use crate::reports;
+use crate::publications;
 
-use reports::{REPORT, base, edited, errors, load_text};
+use publications::{PUBLICATION, base, edited, errors, load_text};
 use std::path::Path;
 use std::time::{Duration, Instant};
 use tripos_derive::algebra::meaning::compare::{Comparer, Verdict};
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivations, Quantities, derive_all};
-use tripos_derive::report::{EntryKind, Names, Report, load};
+use tripos_derive::publication::{EntryKind, Names, Publication, load};
 use tripos_derive::{Formulation, Model};
 
 #[test]
 fn a_report_is_read_entry_by_entry() {
     let mut model = base();
-    let report = load_text(REPORT, &mut model).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!((report.title.as_str(), report.reference.as_str()), ("A pendulum", "a blackboard"));
-    let ids: Vec<String> = report.entries.iter().flat_map(tripos_derive::report::Entry::ids).collect();
+    let publication = load_text(PUBLICATION, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((publication.title.as_str(), publication.reference.as_str()), ("A pendulum", "a blackboard"));
+    let ids: Vec<String> = publication.entries.iter().flat_map(tripos_derive::publication::Entry::ids).collect();
     let expected = "1-vx 1-text 2-T 3-row1 3-row2 3-E11 3-E12 3-E21 3-E22 3-A1 3-A2 \
                     code-dz1 code-dz2 code-dz3 code-dz4 code-E11 code-E12 code-E21 code-E22 4-q 4-x'";
     assert_eq!(ids.join(" "), expected);
-    let entry = &report.entries[0];
+    let entry = &publication.entries[0];
     assert_eq!((entry.section.as_str(), entry.note.as_deref(), entry.repaired.as_deref()), ("1", Some("a note"), None));
-    assert_eq!(&REPORT[entry.span.clone()], "1-vx");
-    assert_eq!(report.entries[2].repaired.as_deref(), Some("a stain, read as 0"));
+    assert_eq!(&PUBLICATION[entry.span.clone()], "1-vx");
+    assert_eq!(publication.entries[2].repaired.as_deref(), Some("a stain, read as 0"));
     let EntryKind::Equation { quantity, printed, text: source } = &entry.kind else { panic!("an equation") };
     assert_eq!((quantity.to_string().as_str(), source.as_str()), ("v(C) @ N [1]", "u1 + length*cos(q)*u2"));
     assert_eq!(text(&model.arena, *printed), "u1 + length*u2*cos(q)");
-    let EntryKind::Definition { text } = &report.entries[1].kind else { panic!("a definition") };
+    let EntryKind::Definition { text } = &publication.entries[1].kind else { panic!("a definition") };
     assert_eq!(text, "F = m a");
 }
 
 #[test]
 fn systems_listings_and_numbers_are_read_with_their_names() {
     let mut model = base();
-    let report = load_text(REPORT, &mut model).unwrap_or_else(|e| panic!("{e}"));
-    let EntryKind::System(system) = &report.entries[3].kind else { panic!("a system") };
+    let publication = load_text(PUBLICATION, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    let EntryKind::System(system) = &publication.entries[3].kind else { panic!("a system") };
     assert_eq!((system.formulation, system.frame), (Formulation::Lagrange, None));
     assert_eq!(system.unknowns, [model.coordinates[0].second_rate, model.coordinates[1].second_rate]);
     assert_eq!(system.matrix[0][1], system.matrix[1][0]);
     assert_eq!(text(&model.arena, system.right[1]), "-m*length*g*sin(q)");
     assert_eq!((system.matrix_texts[1][1].as_str(), system.right_texts[0].as_str()), ("I + m*length^2", "bob*q'^2"));
-    let EntryKind::Listing(listing) = &report.entries[4].kind else { panic!("a listing") };
+    let EntryKind::Listing(listing) = &publication.entries[4].kind else { panic!("a listing") };
     assert_eq!(listing.state_names, ["q", "x", "u2", "u1"]);
     assert_eq!(listing.state[2], model.speeds[1].symbol);
     assert_eq!(listing.matrix.as_ref().map(|m| text(&model.arena, m[1][1])), Some("m".to_owned()));
     let initial = |at: usize| {
-        let EntryKind::Initial(initial) = &report.entries[at].kind else { panic!("an initial value") };
+        let EntryKind::Initial(initial) = &publication.entries[at].kind else { panic!("an initial value") };
         (initial.set.as_str(), initial.quantity, text(&model.arena, initial.value), initial.decimals)
     };
     assert_eq!(initial(5), ("text", model.coordinates[1].symbol, "pi/18".to_owned(), None));
     assert_eq!(initial(6), ("text", model.coordinates[0].rate, "-1/4".to_owned(), Some(3)));
 }
 
-/// Resolves the names of a report and compares an equation with the derived value of its quantity.
-fn verdict(report: &Report, model: &Model, derivations: &mut Derivations, id: &str) -> Verdict {
+/// Resolves the names of a publication and compares an equation with the derived value of its quantity.
+fn verdict(publication: &Publication, model: &Model, derivations: &mut Derivations, id: &str) -> Verdict {
     let mut quantities = Quantities::new(model, derivations);
-    let names = Names::new(report, &mut quantities);
-    let entry = report.entries.iter().find(|e| e.id == id).unwrap_or_else(|| panic!("no entry {id}"));
+    let names = Names::new(publication, &mut quantities);
+    let entry = publication.entries.iter().find(|e| e.id == id).unwrap_or_else(|| panic!("no entry {id}"));
     let EntryKind::Equation { quantity, printed, .. } = &entry.kind else { panic!("{id} is no equation") };
     let derived = quantities.value(quantity).unwrap_or_else(|e| panic!("{id}: {e}"));
     let printed = names.resolve(&mut quantities, *printed).unwrap_or_else(|e| panic!("{id}: {e}"));
@@ -72,12 +72,12 @@ fn verdict(report: &Report, model: &Model, derivations: &mut Derivations, id: &s
 #[test]
 fn names_stand_for_what_is_derived() {
     let mut model = base();
-    let report = load_text(REPORT, &mut model).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(report.names[1].0, "vx");
-    assert_ne!(Some(report.names[0].2), model.arena.find_symbol("T"));
+    let publication = load_text(PUBLICATION, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(publication.names[1].0, "vx");
+    assert_ne!(Some(publication.names[0].2), model.arena.find_symbol("T"));
     let mut derivations = derive_all(&model).unwrap_or_else(|e| panic!("{e}"));
     for id in ["1-vx", "2-T"] {
-        assert!(verdict(&report, &model, &mut derivations, id).is_equal(), "{id}");
+        assert!(verdict(&publication, &model, &mut derivations, id).is_equal(), "{id}");
     }
 }
 
@@ -87,28 +87,28 @@ fn names_stand_for_what_is_derived() {
 fn the_report_on_the_disk_is_read() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/disk");
     let mut model = Model::read(&folder.join("model.toml")).unwrap_or_else(|e| panic!("{e}"));
-    let source = Source::read(&folder.join("report.toml")).unwrap_or_else(|e| panic!("{e}"));
-    let report = load(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(report.entries.len(), source.text.lines().filter(|line| line.starts_with("[[")).count());
+    let source = Source::read(&folder.join("publication.toml")).unwrap_or_else(|e| panic!("{e}"));
+    let publication = load(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(publication.entries.len(), source.text.lines().filter(|line| line.starts_with("[[")).count());
     let mut derivations = derive_all(&model).unwrap_or_else(|e| panic!("{e}"));
-    assert!(verdict(&report, &model, &mut derivations, "2.9-v1").is_equal());
-    assert!(verdict(&report, &model, &mut derivations, "2.4-b3").is_equal());
-    assert!(matches!(verdict(&report, &model, &mut derivations, "kane-3.2-line2-b1"), Verdict::Different(_)));
+    assert!(verdict(&publication, &model, &mut derivations, "2.9-v1").is_equal());
+    assert!(verdict(&publication, &model, &mut derivations, "2.4-b3").is_equal());
+    assert!(matches!(verdict(&publication, &model, &mut derivations, "kane-3.2-line2-b1"), Verdict::Different(_)));
 }
 
-/// The disk's height z is 0 by a constraint, and so are its derivatives; a report may mention it all the same.
+/// The disk's height z is 0 by a constraint, and so are its derivatives; a publication may mention it all the same.
 #[test]
 fn a_constrained_variable_stands_for_its_value() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/disk");
     let mut model = Model::read(&folder.join("model.toml")).unwrap_or_else(|e| panic!("{e}"));
     let entry =
         "[[equation]]\nid = \"1\"\nsection = \"1\"\nquantity = \"p(P) @ A [3]\"\nprinted = \"z + z' + 2*z''\"\n";
-    let report = load_text(entry, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    let publication = load_text(entry, &mut model).unwrap_or_else(|e| panic!("{e}"));
     let mut derivations = derive_all(&model).unwrap_or_else(|e| panic!("{e}"));
-    assert!(verdict(&report, &model, &mut derivations, "1").is_equal());
+    assert!(verdict(&publication, &model, &mut derivations, "1").is_equal());
 }
 
-/// Names of the report that equal the name of a frame or body do no harm: those cannot stand in formulas.
+/// Names of the publication that equal the name of a frame or body do no harm: those cannot stand in formulas.
 #[test]
 fn names_of_frames_and_functions_of_time_are_free() {
     let text = edited(&[("s = \"sin(q)\"", "A = \"cos(q)\"\nt = \"tan(q)\"\ns = \"A*t\"")]);

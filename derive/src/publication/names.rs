@@ -1,6 +1,6 @@
-//! Values of the names that a report gives to derived quantities.
+//! Values of the names that a publication gives to derived quantities.
 
-use super::Report;
+use super::Publication;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
 use crate::mechanics::Quantities;
@@ -14,11 +14,11 @@ pub struct Names {
 }
 
 impl Names {
-    /// The derived values of a report's `[names]`.
+    /// The derived values of a publication's `[names]`.
     #[must_use]
-    pub fn new(report: &Report, quantities: &mut Quantities<'_>) -> Self {
+    pub fn new(publication: &Publication, quantities: &mut Quantities<'_>) -> Self {
         let (mut values, mut missing) = (Vec::new(), Vec::new());
-        for (_, quantity, symbol) in &report.names {
+        for (_, quantity, symbol) in &publication.names {
             match quantities.value(quantity) {
                 Ok(value) => values.push((*symbol, value)),
                 Err(why) => missing.push((*symbol, why)),

@@ -42,7 +42,7 @@ use tripos_sim::Method;
 const MOST_PRINTED_STEPS: u64 = 10_000;
 
 /// Writes the page of a model.
-pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
+pub fn page(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     let argument = argument.map_or_else(usual_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
     if let Some(note) = edited(&model) {
@@ -60,8 +60,8 @@ pub fn report(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     bar.set_length((Formulation::ALL.len() * (1 + scenes.len()) + figures) as u64 + 3);
     let derivations = derivations(&model, &bar)?;
     bar.set_message("proving");
-    let (study, broken_report) = Study::new(&model)?;
-    broken.extend(broken_report);
+    let (study, broken_publication) = Study::new(&model)?;
+    broken.extend(broken_publication);
     bar.inc(1);
     let work = Work::new(&model, &study, &derivations)?;
     let done = work.scenes(&scenes, out, &bar)?;

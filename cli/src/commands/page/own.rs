@@ -1,4 +1,4 @@
-//! A scene's own equations in the report: what they are, their run, and what runs of whole equations show beside it.
+//! A scene's own equations on the page: what they are, their run, and what runs of whole equations show beside it.
 
 use crate::failure::Failure;
 use crate::page::Needs;
