@@ -14,7 +14,7 @@ use crate::spoilt::Random;
 use problem::Problem;
 use std::fmt::Write;
 use tripos::simulate;
-use tripos_derive::scene::{Project, QUADRATURE, Solve};
+use tripos_derive::scene::{Integrator, Project, Solve};
 use tripos_sim::Method;
 use truth::Truth;
 
@@ -126,16 +126,16 @@ fn draw(
     how.rtol = rtol;
     how.atol = (rtol * random.one(&[1.0, 1e-2, 1e-3])).into();
     how.method = if random.chance(5) && by.is_none() {
-        QUADRATURE.to_owned()
+        Integrator::Quadrature
     } else {
-        random.one(&Method::ALL).name().to_owned()
+        Integrator::Steps(*random.one(&Method::ALL))
     };
-    how.solve = (random.chance(20) && how.method != QUADRATURE).then_some(Solve::Numeric);
+    how.solve = (random.chance(20) && how.method != Integrator::Quadrature).then_some(Solve::Numeric);
     how.step = None;
-    if how.method == Method::Rk4.name() || (random.chance(8) && how.method != QUADRATURE) {
+    if how.method == Method::Rk4.into() || (random.chance(8) && how.method != Integrator::Quadrature) {
         how.step = Some(10_f64.powf(-random.between(1.0, 3.5)));
     }
-    how.project = (random.chance(10) && by.is_none() && how.solve.is_none() && how.method != QUADRATURE)
+    how.project = (random.chance(10) && by.is_none() && how.solve.is_none() && how.method != Integrator::Quadrature)
         .then_some(Project::Energy);
     how.step_limit = 300_000;
     let words = format!(
@@ -160,7 +160,8 @@ fn compare(run: &tripos::Run, truth: &Truth, scene: &tripos_derive::scene::Scene
         .filter_map(|(at, name)| Some((at, truth.names.iter().position(|known| known == name)?)))
         .collect();
     let how = &scene.integration;
-    let matters = if how.step.is_none() && how.method != QUADRATURE { how.atol.smallest() / how.rtol } else { 1e-3 };
+    let matters =
+        if how.step.is_none() && how.method != Integrator::Quadrature { how.atol.smallest() / how.rtol } else { 1e-3 };
     let mut fewest = f64::INFINITY;
     let mut end = None;
     for (instant, t) in digits.t.iter().enumerate() {
@@ -183,7 +184,7 @@ fn compare(run: &tripos::Run, truth: &Truth, scene: &tripos_derive::scene::Scene
     let (stated, right) = end?;
     Some(Outcome {
         run: String::new(),
-        method: how.method.clone(),
+        method: how.method.to_string(),
         stated,
         right,
         warned: digits.digits.iter().any(|list| known.iter().any(|(at, _)| list[*at] < 3.0)),

@@ -3,7 +3,7 @@
 //! Truth: the motions of a linear oscillator under constant, harmonic and piecewise linear forces, in closed form.
 
 use std::path::Path;
-use tripos::{Mechanism, Overrides, Run, Scene};
+use tripos::{Mechanism, Method, Overrides, Run, Scene};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::{Formulation, model};
 
@@ -101,7 +101,7 @@ fn formulas_are_of_time_place_and_speed() {
         held(&run(&driven, by), 1e-11, truth);
         held(&run(&damped, by), 1e-11, fading);
     }
-    let how = Overrides { method: Some("taylor".to_owned()), ..Overrides::default() };
+    let how = Overrides { method: Some(Method::Taylor.into()), ..Overrides::default() };
     held(&driven.simulate(&how).unwrap(), 1e-11, truth);
     assert_ne!(driven.mechanism().model.text_hash(), damped.mechanism().model.text_hash());
     assert_ne!(driven.mechanism().model.text_hash(), mechanism().model.text_hash());

@@ -5,7 +5,7 @@
 
 use crate::support::Random;
 use std::path::Path;
-use tripos::{Overrides, Run, Scene};
+use tripos::{Method, Overrides, Run, Scene};
 use tripos_derive::Model;
 use tripos_sim::Dynamics;
 use tripos_sim::exact::Pendulum;
@@ -17,9 +17,14 @@ fn runs(scene: &str) -> Vec<(&'static str, Run)> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(scene);
     let scene = Scene::read(path).unwrap_or_else(|e| panic!("{e}")).with(tripos_models::MODELS);
     let run = |by: &'static str| {
-        let owned = |text: &str| Some(text.to_owned());
         let (rtol, atol) = (Some(1e-12), Some(1e-13));
-        let how = Overrides { by: owned(by), method: owned("dop853"), rtol, atol, ..Overrides::default() };
+        let how = Overrides {
+            by: Some(by.to_owned()),
+            method: Some(Method::Dop853.into()),
+            rtol,
+            atol,
+            ..Overrides::default()
+        };
         let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"));
         assert!(run.failure().is_none() && run.warnings.is_empty(), "{by}: {:?} {:?}", run.failure(), run.warnings);
         assert!(run.solution.t.len() > 20, "{by}: {} samples", run.solution.t.len());

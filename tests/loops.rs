@@ -26,10 +26,14 @@ fn start(text: &str) -> tripos_derive::scene::Scene {
 }
 
 fn run(scene: &Scene, by: &str, solve: Option<&str>, method: Option<&str>) -> Run {
-    let owned = |s: Option<&str>| s.map(str::to_owned);
     let step = ["gauss6", "radau5"].into_iter().any(|m| method == Some(m)).then_some(2e-4);
-    let how =
-        Overrides { by: Some(by.to_owned()), solve: owned(solve), method: owned(method), step, ..Overrides::default() };
+    let how = Overrides {
+        by: Some(by.to_owned()),
+        solve: solve.map(|s| s.parse().unwrap()),
+        method: method.map(|m| m.parse().unwrap()),
+        step,
+        ..Overrides::default()
+    };
     let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}, {solve:?}, {method:?}: {e}"));
     assert!(run.failure().is_none(), "{by}, {solve:?}, {method:?}: {:?}", run.objections());
     run

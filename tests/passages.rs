@@ -19,7 +19,7 @@ fn scene(model: &str, text: &str) -> Scene {
 }
 
 fn by(scene: &Scene, by: &str, method: Option<&str>) -> Run {
-    let how = Overrides { by: Some(by.to_owned()), method: method.map(str::to_owned), ..Overrides::default() };
+    let how = Overrides { by: Some(by.to_owned()), method: method.map(|m| m.parse().unwrap()), ..Overrides::default() };
     scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"))
 }
 

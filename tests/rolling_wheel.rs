@@ -3,7 +3,7 @@
 //! Truth: K03 of the reference cases (SymPy's `KanesMethod` and an engine of high precision), and its closed form
 //! u̇₁ = (6 u₂ u₃ r − u₃² r tan q₂ + 4 g sin q₂)/(5 r), u̇₂ = −2 u₁ u₃/3, u̇₃ = u₁ (u₃ tan q₂ − 2 u₂).
 
-use tripos::{Mechanism, Overrides, Scene};
+use tripos::{Mechanism, Overrides, Scene, Solve};
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, Solved, derive, derive_all};
@@ -183,12 +183,10 @@ fn a_run_is_the_rolling_motion() {
     let truth = integrate(by_hand, (0.0, 3.0), &start, &how, &mut []).unwrap().y_end;
     let scene = Scene::parse(Mechanism::new(rolling()), ROLL).unwrap_or_else(|e| panic!("{e}"));
     let names = Formulation::ALL.map(|f| Some(f.name()));
-    let solves = [None, Some("numeric")];
+    let solves = [None, Some(Solve::Numeric)];
     let ways = names.into_iter().chain([None]).flat_map(|by| solves.map(|solve| (by, solve)));
-    for (by, solve) in
-        ways.map(|(by, solve): (Option<&str>, Option<&str>)| (by.map(str::to_owned), solve.map(str::to_owned)))
-    {
-        let run = scene.simulate(&Overrides { by: by.clone(), solve: solve.clone(), ..Overrides::default() });
+    for (by, solve) in ways {
+        let run = scene.simulate(&Overrides { by: by.map(str::to_owned), solve, ..Overrides::default() });
         let run = run.unwrap_or_else(|e| panic!("{by:?}: {e}"));
         assert!(run.failure().is_none(), "{:?}", run.objections());
         for (name, expected) in ["q1", "q2", "q3", "x", "y", "u1", "u2", "u3"].iter().zip(&truth) {

@@ -21,7 +21,7 @@ fn no_scene_of_the_library_is_said_to_be_stiff() {
         let scene = Scene::read(&path).unwrap_or_else(|e| panic!("{e}")).with(tripos_models::MODELS);
         for (method, tolerance) in [("ode45", 1e-4), ("ode45", 1e-11), ("dop853", 1e-13)] {
             let how = Overrides {
-                method: Some(method.to_owned()),
+                method: Some(method.parse().unwrap()),
                 rtol: Some(tolerance),
                 atol: Some(tolerance),
                 ..Overrides::default()

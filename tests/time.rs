@@ -26,9 +26,14 @@ fn scene(model_text: &str, start: &str, span: &str, outputs: &str) -> Scene {
 
 fn run(scene: &Scene, by: &str, solve: &str, method: &str) -> Run {
     let step = ["gauss6", "radau5"].contains(&method).then_some(1e-3);
-    let owned = |text: &str| Some(text.to_owned());
-    let solve = if by == "reduced" { None } else { owned(solve) };
-    let how = Overrides { by: owned(by), solve, method: owned(method), step, ..Overrides::default() };
+    let solve = if by == "reduced" { None } else { Some(solve.parse().unwrap()) };
+    let how = Overrides {
+        by: Some(by.to_owned()),
+        solve,
+        method: Some(method.parse().unwrap()),
+        step,
+        ..Overrides::default()
+    };
     let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}, {method}: {e}"));
     assert!(
         run.failure().is_none() && run.warnings.is_empty(),

@@ -3,7 +3,7 @@
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::path::PathBuf;
-use tripos::Overrides;
+use tripos::{Error, Overrides};
 
 /// Derives the equations of motion of a mechanism by Kane, Lagrange and Newton–Euler from one model
 /// file, generates Rust for them, and runs it.
@@ -475,19 +475,22 @@ pub struct How {
 
 impl How {
     /// Settings that override the scene's; `None` keeps the scene's value.
-    pub fn overrides(&self) -> Overrides {
+    ///
+    /// # Errors
+    /// [`Error::Request`] for a name that means no method, solve or invariant.
+    pub fn overrides(&self) -> Result<Overrides, Error> {
         let Self { by, method, project, solve, step, max_step, rtol, atol, until } = self;
-        Overrides {
+        Ok(Overrides {
             by: by.clone(),
-            method: method.clone(),
-            project: project.clone(),
-            solve: solve.clone(),
+            method: method.as_deref().map(str::parse).transpose()?,
+            project: project.as_deref().map(str::parse).transpose()?,
+            solve: solve.as_deref().map(str::parse).transpose()?,
             step: *step,
             max_step: *max_step,
             rtol: *rtol,
             atol: *atol,
             until: *until,
-        }
+        })
     }
 }
 

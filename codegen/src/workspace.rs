@@ -23,7 +23,6 @@ use tripos_derive::publication::load_beside;
 use tripos_derive::reduce::reduce;
 use tripos_derive::scene::{load_bound as load_scene, model_path as scene_model};
 use tripos_derive::{Equations, Formulation, Model, derive};
-use tripos_traits::Method;
 
 /// Generated files of all models of a workspace.
 #[derive(Debug, Default)]
@@ -111,7 +110,7 @@ pub(crate) fn asked_for(model: &Model, path: &Path) -> Result<Extras, Diagnostic
         let belongs = scene_model(&source).is_ok_and(|of| is_same(&of, path));
         belongs.then(|| load_scene(&source, &mut model.clone()).ok())?
     });
-    let methods = scenes.filter_map(|scene| Method::ALL.into_iter().find(|m| m.name() == scene.integration.method));
+    let methods = scenes.filter_map(|scene| scene.integration.method.method());
     Ok(methods.map(Extras::for_method).fold(Extras::beside(path)?, Extras::and))
 }
 

@@ -255,6 +255,30 @@ fn floor(text: &str, at: usize) -> usize {
     at
 }
 
+/// Error for a name that stands for nothing of its kind.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownName {
+    /// Description of the mistake.
+    pub message: String,
+    /// The nearest known name, or all of them.
+    pub help: String,
+}
+
+impl UnknownName {
+    /// Creates an error with the known names as advice.
+    pub(crate) fn new<'a>(message: String, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        Self { message, help: nearest(name, known) }
+    }
+}
+
+impl fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.message, self.help)
+    }
+}
+
+impl std::error::Error for UnknownName {}
+
 /// "did you mean …?" for the nearest of the known names, or what the names are.
 #[must_use]
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {

@@ -38,7 +38,7 @@ pub use family::Family;
 pub use impacts::{ContactFriction, Impact, ImpactLaw};
 pub use inputs::load_bound;
 pub(crate) use integration::SOLVES;
-pub use integration::{Integration, METHODS, Project, QUADRATURE, Solve};
+pub use integration::{Integration, Integrator, Project, Solve};
 pub use ladder::Ladder;
 pub use loops::Loops;
 pub use motion::{Formulas, Given, Motion, Moving, load_motion};

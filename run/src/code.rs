@@ -3,7 +3,6 @@
 use crate::error::Error;
 use crate::interpreted::{Interpreted, NotInterpreted};
 use crate::mechanism::Mechanism;
-use crate::options::method;
 use std::sync::{Arc, OnceLock};
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::value::evaluate::Tape;
@@ -12,7 +11,7 @@ use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::{By, Derivation, Distance, derive_all, in_distance};
 use tripos_derive::publication::{hash_beside, load_beside};
 use tripos_derive::reduce::Reduction;
-use tripos_derive::scene::{QUADRATURE, Scene, Solve};
+use tripos_derive::scene::{Scene, Solve};
 use tripos_derive::{Equations, Formulation, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
 
@@ -183,20 +182,16 @@ pub enum Ready {
 impl Ready {
     /// The extent that runs of a scene need. Taylor's method needs recurrences. A numeric solve needs elimination only
     /// for the Jacobian.
-    ///
-    /// # Errors
-    /// [`Error::Request`] if there is no such method.
-    pub fn for_runs(scene: &Scene) -> Result<Self, Error> {
+    #[must_use]
+    pub fn for_runs(scene: &Scene) -> Self {
         let how = &scene.integration;
-        if how.method == QUADRATURE {
-            return Ok(Self::Solved);
-        }
-        let (is_numeric, method) = (how.solve == Some(Solve::Numeric), method(&how.method)?);
-        Ok(match () {
+        let Some(method) = how.method.method() else { return Self::Solved };
+        let is_numeric = how.solve == Some(Solve::Numeric);
+        match () {
             () if is_numeric && !method.needs_jacobian() => Self::AsDerived,
             () if method.needs_series() => Self::WithSeries,
             () => Self::Solved,
-        })
+        }
     }
 
     fn is_had(self, system: &CompiledSystem) -> bool {

@@ -1,7 +1,7 @@
 //! Errors of models, scenes and requests.
 
 use std::fmt;
-use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::diagnostic::{Diagnostics, UnknownName};
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
 use tripos_sim::SimError;
@@ -95,4 +95,10 @@ impl From<Diagnostics> for Error {
 #[must_use]
 pub fn refused(scene: &Scene, error: &SimError) -> Error {
     Error::request(error.to_string(), format!("check {}", path_in_line(&scene.source.path)))
+}
+
+impl From<UnknownName> for Error {
+    fn from(error: UnknownName) -> Self {
+        Self::Request { what: error.message, help: error.help }
+    }
 }

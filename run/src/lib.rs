@@ -47,6 +47,8 @@ pub use simulation::sampled::{Decision, Held, Sample, SampledRun};
 pub use simulation::simulate::{run_code, run_problem, simulate, whole_energies};
 pub use studies::sensitivity::gradient::{Gradient, gradient};
 pub use studies::sensitivity::{At, Sensitivities, sensitivities};
+pub use tripos_derive::scene::{Integrator, Project, Solve};
+pub use tripos_sim::Method;
 pub use trust::digits::Digits;
 pub use trust::invariants::{Conserved, Course, Drift, Watch};
 pub use trust::reference::Reference;

@@ -1,51 +1,33 @@
 //! Integration options of a scene for the simulator.
 
-use crate::error::Error;
-use tripos_derive::scene::{Project, QUADRATURE, Scene};
+use tripos_derive::scene::{Integrator, Project, Scene};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::AbsoluteTolerance;
 
 /// Integration options of a scene, with the instants of its samples.
-///
-/// # Errors
-/// [`Error::Request`] if there is no such method.
-pub fn options(scene: &Scene) -> Result<Options, Error> {
-    Ok(Options { output: output(scene), ..options_of_ends(scene)? })
+pub fn options(scene: &Scene) -> Options {
+    Options { output: output(scene), ..options_of_ends(scene) }
 }
 
 /// Integration options of a scene for the same steps, with only the ends of its runs kept.
-///
-/// # Errors
-/// [`Error::Request`] if there is no such method.
-pub fn options_of_ends(scene: &Scene) -> Result<Options, Error> {
+pub fn options_of_ends(scene: &Scene) -> Options {
     let how = &scene.integration;
-    Ok(Options {
+    Options {
         // Quadrature takes no steps: any method will do.
-        method: if how.method == QUADRATURE { Method::Dop853 } else { method(&how.method)? },
+        method: how.method.method().unwrap_or(Method::Dop853),
         step: how.step,
         max_step: how.max_step,
         step_limit: how.step_limit,
         output: Output::Ends,
         ..Options::tolerances(how.rtol, how.atol.clone())
-    })
-}
-
-/// The method of this name.
-///
-/// # Errors
-/// [`Error::Request`] if there is none.
-pub fn method(name: &str) -> Result<Method, Error> {
-    Method::ALL.iter().copied().find(|m| m.name() == name).ok_or_else(|| {
-        let names = Method::ALL.iter().map(|m| m.name());
-        Error::request(format!("there is no method `{name}`"), tripos_derive::diagnostic::nearest(name, names))
-    })
+    }
 }
 
 /// The method and its tolerances or step, such as "ode45 with rtol 1e-3, atol 1e-5".
 pub fn method_words(scene: &Scene) -> String {
     let how = &scene.integration;
-    if how.method == QUADRATURE {
-        return QUADRATURE.to_owned();
+    if how.method == Integrator::Quadrature {
+        return how.method.to_string();
     }
     let projected = match how.project {
         Some(Project::Energy) => ", each projected onto the energy",

@@ -1,8 +1,7 @@
 //! Settings for a run that replace those of the scene, without another file.
 
 use crate::error::Error;
-use crate::options::method;
-use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve};
+use tripos_derive::scene::{Integrator, Project, Scene, Solve};
 
 /// Settings that override the scene's integration settings. `None` keeps the scene's value.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -10,12 +9,12 @@ pub struct Overrides {
     /// Name of the equations: `kane`, `lagrange`, `newton-euler` or `printed:ID`. `None` or `reduced` means the scene's
     /// own equations.
     pub by: Option<String>,
-    /// Name of the method, or `quadrature`.
-    pub method: Option<String>,
-    /// Name of the quantity onto which each step is projected.
-    pub project: Option<String>,
-    /// Name of the way in which accelerations are found.
-    pub solve: Option<String>,
+    /// The integrator.
+    pub method: Option<Integrator>,
+    /// Invariant onto which each step is projected.
+    pub project: Option<Project>,
+    /// Method by which accelerations are found.
+    pub solve: Option<Solve>,
     /// Length of every step, s.
     pub step: Option<f64>,
     /// Longest step that error control may choose, s.
@@ -32,19 +31,12 @@ impl Overrides {
     /// Replaces the scene's values by these.
     ///
     /// # Errors
-    /// [`Error::Request`] for an unknown name, and for numbers that allow no run.
+    /// [`Error::Request`] for numbers that allow no run, and for settings that exclude one another.
     pub fn change(&self, scene: &mut Scene) -> Result<(), Error> {
-        if let Some(name) = &self.method {
-            let known = if name == QUADRATURE { QUADRATURE } else { method(name)?.name() };
-            known.clone_into(&mut scene.integration.method);
-        }
-        if let Some(name) = &self.solve {
-            scene.integration.solve = Some(solve(name)?);
-        }
-        if let Some(name) = &self.project {
-            scene.integration.project = Some(project(name)?);
-        }
         let how = &mut scene.integration;
+        how.method = self.method.unwrap_or(how.method);
+        how.solve = self.solve.or(how.solve);
+        how.project = self.project.or(how.project);
         for (option, length, place) in
             [("step", self.step, &mut how.step), ("max-step", self.max_step, &mut how.max_step)]
         {
@@ -59,7 +51,7 @@ impl Overrides {
             let help = "leave the longest step out, or the length of every step";
             return Err(Error::request("where every step has one length, none is longer", help));
         }
-        if scene.integration.method == QUADRATURE {
+        if scene.integration.method == Integrator::Quadrature {
             if scene.integration.step.is_some() {
                 let help = "leave the step out, or give a stepping method";
                 return Err(Error::request("quadrature takes no steps", help));
@@ -99,20 +91,4 @@ impl Overrides {
         }
         Ok(())
     }
-}
-
-/// Finds the quantity of this name onto which steps can be projected.
-fn project(name: &str) -> Result<Project, Error> {
-    Project::ALL.into_iter().find(|project| project.name() == name).ok_or_else(|| {
-        let help = tripos_derive::diagnostic::nearest(name, Project::ALL.map(Project::name));
-        Error::request(format!("runs are not projected onto `{name}`"), help)
-    })
-}
-
-/// Finds the way of this name in which accelerations can be found.
-fn solve(name: &str) -> Result<Solve, Error> {
-    Solve::ALL.into_iter().find(|solve| solve.name() == name).ok_or_else(|| {
-        let help = tripos_derive::diagnostic::nearest(name, Solve::ALL.map(Solve::name));
-        Error::request(format!("accelerations are not found by `{name}`"), help)
-    })
 }

@@ -2,7 +2,7 @@
 //!
 //! Truth: closed forms, virtual power and the equilibrium of each body, by hand.
 
-use tripos::{Error, Mechanism, Overrides, Run, Scene};
+use tripos::{Error, Integrator, Mechanism, Overrides, Run, Scene};
 use tripos_derive::Formulation;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::load;
@@ -334,14 +334,14 @@ fn questions_about_motions_of_their_own_are_refused() {
     let by = Overrides { by: Some("reduced".to_owned()), ..Overrides::default() };
     let refused = driven.simulate(&by).err().unwrap().to_string();
     assert!(refused.contains("the constraints leave no speed"), "{refused}");
-    let method = Overrides { method: Some("quadrature".to_owned()), ..Overrides::default() };
+    let method = Overrides { method: Some(Integrator::Quadrature), ..Overrides::default() };
     assert!(matches!(
         driven.simulate(&method),
         Err(Error::Request { .. } | Error::Input(_) | Error::Unsupported(_) | Error::Stopped(_))
     ));
     for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"] {
         let how = Overrides {
-            method: Some(method.to_owned()),
+            method: Some(method.parse().unwrap()),
             step: (method == "rk4").then_some(0.01),
             ..Overrides::default()
         };

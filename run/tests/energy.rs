@@ -2,7 +2,7 @@
 //! errors.
 
 use expect_test::expect;
-use tripos::{Mechanism, Overrides, Scene};
+use tripos::{Mechanism, Method, Overrides, Scene};
 use tripos_derive::diagnostic::Source;
 
 const MASS: f64 = 2.0;
@@ -73,7 +73,7 @@ fn what_damping_takes_is_accounted_for_at_every_sample_by_every_method_and_kind_
         for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"] {
             let how = Overrides {
                 by: by.map(str::to_owned),
-                method: Some(method.to_owned()),
+                method: Some(method.parse().unwrap()),
                 step: (method == "rk4").then_some(4e-3),
                 ..Overrides::default()
             };
@@ -115,7 +115,7 @@ fn a_run_that_loses_its_energy_says_so_though_something_works() {
     let scene = Scene::parse(Mechanism::new(model), SCENE).unwrap_or_else(|e| panic!("{e}"));
     let how = Overrides {
         by: Some("kane".to_owned()),
-        method: Some("rk4".to_owned()),
+        method: Some(Method::Rk4.into()),
         step: Some(0.8),
         ..Overrides::default()
     };

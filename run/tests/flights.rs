@@ -15,8 +15,12 @@ fn flights_far_shorter_than_steps_are_seen_by_every_method() {
             BALL,
             "span = [0, 120]\nstart = { z = 1, w = 0 }\nimpacts.floor = { gap = \"z\", restitution = 0.99 }\n",
         );
-        let how =
-            Overrides { method: Some(method.to_owned()), rtol: Some(1e-11), atol: Some(1e-12), ..Overrides::default() };
+        let how = Overrides {
+            method: Some(method.parse().unwrap()),
+            rtol: Some(1e-11),
+            atol: Some(1e-12),
+            ..Overrides::default()
+        };
         let run = ball.simulate(&how).unwrap();
         assert_eq!(run.solution.stop, tripos_sim::Stop::End, "{method}: {}", run.ending);
         let instants: Vec<f64> = run.solution.impacts.iter().map(|record| record.t).collect();

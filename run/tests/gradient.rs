@@ -2,7 +2,7 @@
 
 use crate::sensitivity::{FALL, GROUND, SPRING, elliptic, how, near, scene_of, spring};
 use tripos::studies::sensitivity::gradient::Slope;
-use tripos::{At, Gradient, Overrides, Scene};
+use tripos::{At, Gradient, Integrator, Overrides, Scene, Solve};
 use tripos_sim::Method;
 
 fn gradient(scene: &Scene, of: &str, how: &Overrides) -> Gradient {
@@ -44,7 +44,7 @@ fn a_spring_has_the_gradient_of_its_closed_form() {
             let is_other = of_x.run.notes.iter().any(|note| note.contains("the run is by dop853"));
             let is_swept = matches!(method, Method::Rk4 | Method::Ode45 | Method::Dopri5 | Method::Dop853);
             assert_eq!(is_other, !is_swept, "{what}: {:?}", of_x.run.notes);
-            assert_eq!(of_x.scene.integration.method == method.name(), is_swept);
+            assert_eq!(of_x.scene.integration.method == method.into(), is_swept);
             assert!(!of_x.is_total);
         }
     }
@@ -150,7 +150,7 @@ fn library_models_have_the_gradients_that_derivatives_forwards_are() {
             text.lines().map(|line| if line.starts_with("span") && !span.is_empty() { span } else { line }).collect();
         let scene = scene_of(&read("model.toml".to_owned()), &text.join("\n"));
         let how = Overrides {
-            method: Some("dop853".to_owned()),
+            method: Some(Method::Dop853.into()),
             rtol: Some(1e-11),
             atol: Some(1e-12),
             ..how(Some(formulation))
@@ -250,9 +250,9 @@ fn what_has_no_gradient_is_refused() {
     let plain = Overrides::default();
     assert!(refused(&scene, "kinetic_enery", &plain).contains("did you mean `kinetic_energy`"));
     assert!(refused(&scene, "v", &how(Some("reduced"))).contains("whole equations"));
-    let solve = Overrides { solve: Some("numeric".to_owned()), ..plain.clone() };
+    let solve = Overrides { solve: Some(Solve::Numeric), ..plain.clone() };
     assert!(refused(&scene, "v", &solve).contains("eliminated"));
-    let method = Overrides { method: Some("quadrature".to_owned()), ..plain.clone() };
+    let method = Overrides { method: Some(Integrator::Quadrature), ..plain.clone() };
     assert!(refused(&scene, "v", &method).contains("stepping method"));
     assert!(refused(&spring("dop853", ""), "t", &plain).contains("terminal event"));
     let found = scene.gradient("v", &plain).unwrap();

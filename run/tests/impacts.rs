@@ -107,7 +107,7 @@ fn a_ball_bounces_in_geometric_time_by_every_method_and_formulation() {
         for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"] {
             let how = Overrides {
                 by: Some(by.to_owned()),
-                method: Some(method.to_owned()),
+                method: Some(method.parse().unwrap()),
                 step: (method == "rk4").then_some(0.1),
                 ..Overrides::default()
             };

@@ -5,7 +5,7 @@
 //! Systems*, 3rd edition (1997), § 2.3).
 
 use std::cell::Cell;
-use tripos::{Held, Mechanism, Overrides, Sample, SampledRun, Scene};
+use tripos::{Held, Integrator, Mechanism, Overrides, Sample, SampledRun, Scene};
 use tripos_derive::Formulation;
 use tripos_derive::diagnostic::Source;
 
@@ -87,8 +87,8 @@ fn a_closed_loop_is_the_sampled_data_system_of_the_textbook_by_every_method() {
         ("dop853", Some(0.03), 1e-9),
     ] {
         for by in [Formulation::Kane, Formulation::Lagrange] {
-            let (method, by) = (Some(method.to_owned()), Some(by.name().to_owned()));
-            let run = controlled(&scene(""), &Overrides { method: method.clone(), by, step, ..Overrides::default() });
+            let (method, by) = (Some(method.parse().unwrap()), Some(by.name().to_owned()));
+            let run = controlled(&scene(""), &Overrides { method, by, step, ..Overrides::default() });
             let exact = exact();
             assert_eq!(run.decisions.len(), 29);
             for ((decision, instant), truth) in run.decisions.iter().zip(instants()).zip(&exact) {
@@ -108,8 +108,12 @@ fn a_closed_loop_is_the_sampled_data_system_of_the_textbook_by_every_method() {
 #[test]
 fn told_errors_are_of_the_size_of_true_ones() {
     for (method, rtol) in [("ode45", 1e-3), ("dop853", 1e-3), ("dopri5", 1e-5), ("gauss6", 1e-4)] {
-        let how =
-            Overrides { method: Some(method.to_owned()), rtol: Some(rtol), atol: Some(rtol), ..Overrides::default() };
+        let how = Overrides {
+            method: Some(method.parse().unwrap()),
+            rtol: Some(rtol),
+            atol: Some(rtol),
+            ..Overrides::default()
+        };
         let run = controlled(&scene(""), &how);
         let (told, truth) = (run.errors_at_end.clone().unwrap(), exact()[29]);
         for (at, truth) in truth.iter().enumerate() {
@@ -210,7 +214,7 @@ fn what_makes_no_sense_is_refused() {
     let back = Overrides { until: Some(-1.0), ..Overrides::default() };
     let back = scene.simulate_sampled(&["F"], &[-0.5], || |_: &Sample<'_>| vec![0.0], &back);
     assert!(back.unwrap_err().first_line().starts_with("inputs are decided as time goes on"));
-    let quadrature = Overrides { method: Some("quadrature".to_owned()), ..Overrides::default() };
+    let quadrature = Overrides { method: Some(Integrator::Quadrature), ..Overrides::default() };
     let quadrature = scene.simulate_sampled(&["F"], &[0.5], || |_: &Sample<'_>| vec![0.0], &quadrature);
     assert!(quadrature.unwrap_err().first_line().contains("no quadrature"));
 }

@@ -1,7 +1,7 @@
 //! Derivatives of runs against closed forms and against differences in 32 digits.
 
 use tripos::code::{Ready, code};
-use tripos::{At, Mechanism, Overrides, Problem, Scene, Sensitivities};
+use tripos::{At, Integrator, Mechanism, Overrides, Problem, Scene, Sensitivities, Solve};
 use tripos_derive::Formulation;
 use tripos_derive::diagnostic::Source;
 use tripos_sim::{Eliminated, Method, Options, Output, integrate};
@@ -316,7 +316,8 @@ fn a_run_with_derivatives_is_the_run_without_and_each_is_what_it_is_alone() {
     let text = include_str!("../../models/four_bar/scenes/turning.toml").replace("[0, 3]", "[0, 0.5]");
     let scene = scene_of(model, &text);
     for method in ["ode45", "dop853", "taylor"] {
-        let how = Overrides { method: Some(method.to_owned()), by: Some("kane".to_owned()), ..Overrides::default() };
+        let how =
+            Overrides { method: Some(method.parse().unwrap()), by: Some("kane".to_owned()), ..Overrides::default() };
         let names = ["a", "b", "c", "d", "ma", "q1"];
         let all = scene.sensitivities(&names, At::Samples, &how).unwrap();
         let plain = scene.simulate(&how).unwrap();
@@ -347,8 +348,8 @@ fn what_cannot_be_differentiated_is_refused() {
     assert!(refused(&[], &plain).contains("nothing to differentiate by"));
     let by = |by: &str| Overrides { by: Some(by.to_owned()), ..Overrides::default() };
     assert!(refused(&["g"], &by("reduced")).contains("whole equations"));
-    let solve = Overrides { solve: Some("numeric".to_owned()), ..Overrides::default() };
+    let solve = Overrides { solve: Some(Solve::Numeric), ..Overrides::default() };
     assert!(refused(&["g"], &solve).contains("eliminated"));
-    let method = Overrides { method: Some("quadrature".to_owned()), ..Overrides::default() };
+    let method = Overrides { method: Some(Integrator::Quadrature), ..Overrides::default() };
     assert!(refused(&["g"], &method).contains("stepping method"));
 }

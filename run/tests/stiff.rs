@@ -9,7 +9,7 @@ fn governor() -> Scene {
 
 fn run(scene: &Scene, method: &str, tolerance: f64) -> Run {
     let how = Overrides {
-        method: Some(method.to_owned()),
+        method: Some(method.parse().unwrap()),
         rtol: Some(tolerance),
         atol: Some(1e-2 * tolerance),
         ..Overrides::default()

@@ -1,6 +1,6 @@
 //! Events of scenes are all found, in any integration variables.
 
-use tripos::{Mechanism, Overrides, Run, Scene};
+use tripos::{Integrator, Mechanism, Method, Overrides, Run, Scene};
 use tripos_derive::diagnostic::Source;
 use tripos_sim::Kind;
 
@@ -45,7 +45,7 @@ fn runs(scene: &Scene) -> Vec<(String, Run)> {
     let run = |(by, method): (Option<&str>, &str)| {
         let how = Overrides {
             by: by.map(str::to_owned),
-            method: Some(method.to_owned()),
+            method: Some(method.parse().unwrap()),
             step: (method == "rk4").then_some(1.0),
             ..Overrides::default()
         };
@@ -120,7 +120,7 @@ fn a_coordinate_is_watched_that_is_integrated_as_a_distance() {
 #[test]
 fn the_longest_step_bounds_every_step_and_is_said() {
     let scene = scene(0.0, "");
-    let how = Overrides { max_step: Some(0.125), method: Some("dop853".to_owned()), ..Overrides::default() };
+    let how = Overrides { max_step: Some(0.125), method: Some(Method::Dop853.into()), ..Overrides::default() };
     let run = scene.simulate(&how).unwrap();
     assert!(run.solution.steps >= 80, "{}", run.solution.steps);
     let free = scene.simulate(&Overrides { max_step: None, ..how.clone() }).unwrap();
@@ -129,7 +129,7 @@ fn the_longest_step_bounds_every_step_and_is_said() {
         (Overrides { max_step: Some(0.0), ..how.clone() }, "max-step is 0"),
         (Overrides { max_step: Some(f64::NAN), ..how.clone() }, "max-step is NaN"),
         (Overrides { step: Some(0.1), ..how.clone() }, "where every step has one length, none is longer"),
-        (Overrides { method: Some("quadrature".to_owned()), ..how }, "quadrature takes no steps: none is the longest"),
+        (Overrides { method: Some(Integrator::Quadrature), ..how }, "quadrature takes no steps: none is the longest"),
     ] {
         let refused = scene.simulate(&how).err().unwrap();
         assert!(refused.to_string().contains(message), "{refused}");

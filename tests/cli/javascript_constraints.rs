@@ -58,10 +58,9 @@ fn linkages_run_as_in_rust_and_stay_closed() {
         let start = linkage.scene.description();
         let until = start.span.1.min(start.span.0 + 1.0);
         for by in ["kane", "lagrange"] {
-            let said = |text: &str| Some(text.to_owned());
             let how = Overrides {
-                by: said(by),
-                method: said("dop853"),
+                by: Some(by.to_owned()),
+                method: Some(tripos::Method::Dop853.into()),
                 rtol: Some(1e-12),
                 atol: Some(1e-12),
                 until: Some(until),

@@ -256,10 +256,9 @@ fn a_browser_plays_scrubs_and_turns_the_view() {
     let line = said.lines().find_map(|line| line.strip_prefix("state: ")).unwrap();
     let state: Vec<f64> = serde_json::from_str(line).unwrap();
     let scene = tripos::Scene::read(root().join(scene)).unwrap().with(tripos_models::MODELS);
-    let tight = |text: &str| Some(text.to_owned());
     let how = tripos::Overrides {
-        by: tight("kane"),
-        method: tight("dop853"),
+        by: Some("kane".to_owned()),
+        method: Some(tripos::Method::Dop853.into()),
         rtol: Some(1e-13),
         atol: Some(1e-13),
         ..tripos::Overrides::default()

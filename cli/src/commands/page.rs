@@ -34,7 +34,7 @@ use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::By;
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
 use tripos_derive::plain::path_in_line;
-use tripos_derive::scene::{FigureKind, QUADRATURE, Scene, Solve, load, model_path};
+use tripos_derive::scene::{FigureKind, Integrator, Scene, Solve, load, model_path};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
@@ -231,8 +231,8 @@ impl<'a> Work<'a> {
         // Quadrature and projection are of a scene's own equations alone.
         let mut stepped = scene.clone();
         stepped.integration.project = None;
-        if stepped.integration.method == QUADRATURE {
-            Method::Dop853.name().clone_into(&mut stepped.integration.method);
+        if stepped.integration.method == Integrator::Quadrature {
+            stepped.integration.method = Method::Dop853.into();
         }
         for (by, code) in &self.derived {
             bar.set_message(message(by));

@@ -131,7 +131,7 @@ fn data_place(out: &Path) -> PathBuf {
 
 /// The ways to run each scene: as it is asked for, and as `--also` says, with the words that tell them apart.
 fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
-    let base = request.how.overrides();
+    let base = request.how.overrides()?;
     let mut list = vec![(String::new(), base.clone())];
     for also in &request.also {
         let mut way = base.clone();
@@ -148,8 +148,8 @@ fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
             let word = || Some(value.trim().to_owned());
             match key.trim() {
                 "by" => way.by = word(),
-                "method" => way.method = word(),
-                "solve" => way.solve = word(),
+                "method" => way.method = Some(value.trim().parse().map_err(Error::from)?),
+                "solve" => way.solve = Some(value.trim().parse().map_err(Error::from)?),
                 "step" => way.step = number()?,
                 "rtol" => way.rtol = number()?,
                 "atol" => way.atol = number()?,

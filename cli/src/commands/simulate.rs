@@ -25,7 +25,7 @@ use tripos_sim::{EventRecord, ImpactRecord, Stop};
 /// Runs the scene and prints how it ended.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let (model, mut scene) = read_scene(&request.scene)?;
-    request.how.overrides().change(&mut scene)?;
+    request.how.overrides()?.change(&mut scene)?;
     if let Some(of) = &request.gradient {
         return by_all::simulate(request, (&model, &scene), of);
     }
@@ -106,7 +106,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
     json!({
         "model": short_name(model),
         "formulation": run.by.name(),
-        "method": scene.integration.method,
+        "method": scene.integration.method.name(),
         "solve": run.solve.name(),
         "compiled": run.code == Form::Compiled,
         "t": solution.t_end,

@@ -30,7 +30,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     grid.hints(&model).iter().for_each(|hint| warn(hint));
     let shard = Shard::read(&request.shard)?;
     let threads = threads(request.threads)?;
-    let how_else = request.how.overrides();
+    let how_else = request.how.overrides()?;
     how_else.change(&mut scene)?;
     let by = by_or_first(&model, request.how.by.as_deref())?;
     let mut sweep = Sweep::new(&model, &scene, &grid, &by, &how_else)?;
@@ -56,7 +56,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
         let summary = json!({
             "model": short_name(&model),
             "formulation": by.name(),
-            "method": scene.integration.method,
+            "method": scene.integration.method.name(),
             "solve": sweep.solve.name(),
             "compiled": sweep.code.is_compiled(),
             "over": grid.names(),

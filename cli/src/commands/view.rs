@@ -14,7 +14,7 @@ use tripos_derive::scene::Scene;
 /// Runs the scene, and what it is compared with, and writes the view.
 pub fn view(request: &Request) -> Result<u8, Failure> {
     let (mechanism, mut scene) = read_scene(&request.scene)?;
-    request.how.overrides().change(&mut scene)?;
+    request.how.overrides()?.change(&mut scene)?;
     keep_inputs(&mechanism, Some(&scene), [request.out.as_path()])?;
     follow::listen();
     let mut motions = vec![Motion::of_scene(&mechanism, &scene, request.how.by.as_deref())?];
@@ -55,7 +55,7 @@ fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &s
             format!("`{}` is a scene of another model than `{}`", path_in_line(path), path_in_line(&request.scene));
         return Err(Failure::request(what, "give a scene of the same model, or equations such as lagrange".to_owned()));
     }
-    request.how.overrides().change(&mut own)?;
+    request.how.overrides()?.change(&mut own)?;
     let mut motion = Motion::of_scene(&other, &own, request.how.by.as_deref())?;
     motion.title = if own.title.is_empty() { path_in_line(path) } else { own.title };
     Ok(motion)

@@ -105,7 +105,7 @@ pub struct RunRow {
     /// The id of the printed system; none for derived equations.
     pub printed: Option<String>,
     /// The integration method.
-    pub method: String,
+    pub method: &'static str,
     /// `compiled` or `interpreted`.
     pub code: String,
     /// Accepted steps.

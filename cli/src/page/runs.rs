@@ -129,7 +129,7 @@ fn run(run: &RunRow, before: Option<&RunRow>) -> String {
         run.steps,
         run.rejected,
         run.evaluations,
-        escape(&run.method),
+        escape(run.method),
         escape(&run.code),
     );
     let word = run.standing.word().map_or(String::new(), |word| format!("{}{}:", word[..1].to_uppercase(), &word[1..]));

@@ -60,7 +60,7 @@ fn scene() -> SceneSection {
     let run = |title: &str, printed: Option<&str>, standing: Standing| RunRow {
         title: title.to_owned(),
         printed: printed.map(str::to_owned),
-        method: "dop853".to_owned(),
+        method: "dop853",
         code: "compiled".to_owned(),
         steps: 40,
         rejected: 2,

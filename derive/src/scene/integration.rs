@@ -3,25 +3,83 @@
 use super::values::{Number, Values};
 use crate::algebra::Rational;
 use crate::algebra::value::exact::pi;
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::{Diagnostic, UnknownName, nearest};
 use crate::mechanics::Distance;
+use std::fmt;
+use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::{ATOL, AbsoluteTolerance, Method, RTOL};
 
-/// The methods of integration by name, as the simulator knows them.
-pub const METHODS: [&str; Method::ALL.len() + 1] = {
-    let mut names = [QUADRATURE; Method::ALL.len() + 1];
-    let mut at = 0;
-    while at < Method::ALL.len() {
-        names[at] = Method::ALL[at].name();
-        at += 1;
-    }
-    names
-};
 /// The solves by name.
 pub(crate) const SOLVES: [&str; Solve::ALL.len()] = [Solve::ALL[0].name(), Solve::ALL[1].name()];
-/// The one of them that takes no steps.
-pub const QUADRATURE: &str = "quadrature";
+
+/// Integrator of a run: a method that takes steps, or quadrature.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Integrator {
+    /// Steps of this method.
+    Steps(Method),
+    /// Integrals of a scene's own equations with one degree of freedom, exact to rounding, without steps.
+    Quadrature,
+}
+
+impl Integrator {
+    /// Names of all: the methods as they are always listed, then quadrature.
+    pub const NAMES: [&str; Method::ALL.len() + 1] = {
+        let mut names = [Self::Quadrature.name(); Method::ALL.len() + 1];
+        let mut at = 0;
+        while at < Method::ALL.len() {
+            names[at] = Method::ALL[at].name();
+            at += 1;
+        }
+        names
+    };
+
+    /// The name on the command line and in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Steps(method) => method.name(),
+            Self::Quadrature => "quadrature",
+        }
+    }
+
+    /// The method that takes the steps; `None` for quadrature.
+    #[must_use]
+    pub const fn method(self) -> Option<Method> {
+        match self {
+            Self::Steps(method) => Some(method),
+            Self::Quadrature => None,
+        }
+    }
+}
+
+impl Default for Integrator {
+    fn default() -> Self {
+        Self::Steps(Method::default())
+    }
+}
+
+impl From<Method> for Integrator {
+    fn from(method: Method) -> Self {
+        Self::Steps(method)
+    }
+}
+
+impl fmt::Display for Integrator {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Integrator {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let methods = Method::ALL.into_iter().map(Self::Steps);
+        let found = methods.chain([Self::Quadrature]).find(|integrator| integrator.name() == name);
+        found.ok_or_else(|| UnknownName::new(format!("there is no method `{name}`"), name, Self::NAMES))
+    }
+}
 
 /// Method by which the accelerations are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -47,6 +105,16 @@ impl Solve {
     }
 }
 
+impl FromStr for Solve {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        Self::ALL.into_iter().find(|solve| solve.name() == name).ok_or_else(|| {
+            UnknownName::new(format!("accelerations are not found by `{name}`"), name, Self::ALL.map(Self::name))
+        })
+    }
+}
+
 /// Invariant onto which each step of a run is projected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Project {
@@ -67,11 +135,21 @@ impl Project {
     }
 }
 
+impl FromStr for Project {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        Self::ALL.into_iter().find(|project| project.name() == name).ok_or_else(|| {
+            UnknownName::new(format!("runs are not projected onto `{name}`"), name, Self::ALL.map(Self::name))
+        })
+    }
+}
+
 /// Settings of the integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Integration {
-    /// The method's name, one of [`METHODS`].
-    pub method: String,
+    /// The integrator.
+    pub method: Integrator,
     /// Method by which accelerations are found; `None` leaves it to the model.
     pub solve: Option<Solve>,
     /// Relative tolerance.
@@ -114,14 +192,15 @@ impl<'a> Values<'a, '_> {
         }
         let project = self.choice(section, "project", &Project::ALL.map(Project::name));
         let solve = self.choice(section, "solve", &SOLVES);
-        let method = self.choice(section, "method", &METHODS).unwrap_or(Method::default().name());
+        let method = self.choice(section, "method", &Integrator::NAMES);
+        let method = method.and_then(|name| name.parse().ok()).unwrap_or_default();
         let given = |key: &str| section.and_then(|s| s.get(key));
         if let (Some(_), Some(longest)) = (given("step"), given("max_step")) {
             let help = "leave one of the two out";
             let message = "every step is as long as `step` says: `max_step` means nothing";
             self.reader.error(longest.span(), message, help);
         }
-        if method == QUADRATURE {
+        if method == Integrator::Quadrature {
             let steps = "takes no steps";
             for (key, what) in [("step", steps), ("max_step", steps), ("project", "keeps the energy by itself")] {
                 if let Some(value) = section.and_then(|s| self.reader.get(s, key)) {
@@ -131,8 +210,8 @@ impl<'a> Values<'a, '_> {
             }
         }
         Integration {
-            method: method.to_owned(),
-            solve: solve.and_then(|name| Solve::ALL.into_iter().find(|s| s.name() == name)),
+            method,
+            solve: solve.and_then(|name| name.parse().ok()),
             rtol,
             atol,
             step: self.step(section, "step", p),
@@ -140,7 +219,7 @@ impl<'a> Values<'a, '_> {
             step_limit: self.count(section, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000),
             samples: self.count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
             domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
-            project: project.and_then(|name| Project::ALL.into_iter().find(|p| p.name() == name)),
+            project: project.and_then(|name| name.parse().ok()),
             may_measure: !self.says_none(section),
             distance: self.distance(section),
         }

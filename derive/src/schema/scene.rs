@@ -2,7 +2,7 @@
 
 use super::Kind::{Either, Flag, Formula, List, Named, Table, Text, Whole, Word};
 use super::{ABOUT, Key, Kind, VERSION, key, needed};
-use crate::scene::{FIGURES, ImpactLaw, METHODS, SOLVES};
+use crate::scene::{FIGURES, ImpactLaw, Integrator, SOLVES};
 
 const MODEL: Key = key("model", Text, "the model file, relative to this one; ../model.toml if it is left out");
 const TITLE: Key = key("title", Text, "a title for the page");
@@ -75,7 +75,7 @@ const OUTPUT: Kind =
     Either(&[Text, Table(&[needed("name", Text, "what it is called"), needed("value", Formula, "the formula")])]);
 
 const INTEGRATION_KEYS: &[Key] = &[
-    key("method", Word(&METHODS), "the method"),
+    key("method", Word(&Integrator::NAMES), "the method"),
     key("solve", Word(&SOLVES), "how accelerations are found"),
     key("rtol", Formula, "relative tolerance"),
     key("atol", Either(&[Formula, NUMBERS]), "absolute tolerance: one, or by coordinate and speed"),

@@ -14,7 +14,7 @@ use crate::code::Code;
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use tripos_derive::mechanics::{By, InertiaCheck};
-use tripos_derive::scene::{Project, QUADRATURE, Scene, Solve, Stated};
+use tripos_derive::scene::{Integrator, Project, Scene, Solve, Stated};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
 use tripos_sim::quadrature::{self, NoQuadrature};
@@ -333,7 +333,7 @@ impl<'a> Problem<'a> {
             let run = self.bouncing((self.scene.span, y0), &self.options(options), events, power);
             return run.map_err(|error| refused(self.scene, &error));
         }
-        if how.method == QUADRATURE {
+        if how.method == Integrator::Quadrature {
             if self.by.is_reduced() && system.lengths().variables == 0 {
                 let what = "no motion by quadrature: nothing is left to integrate".to_owned();
                 return Err(Error::request(what, "any stepping method gives it: all of it is algebra".to_owned()));

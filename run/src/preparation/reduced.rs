@@ -93,7 +93,7 @@ impl Reduced {
     /// # Errors
     /// [`Error`] if they cannot be interpreted.
     pub fn code(&self, mechanism: &Mechanism) -> Result<Code, Error> {
-        match compiled_scene(mechanism, &self.reduction, Ready::for_runs(&self.scene)?) {
+        match compiled_scene(mechanism, &self.reduction, Ready::for_runs(&self.scene)) {
             Some(code) => Ok(code),
             None => interpreted_scene(&self.reduction),
         }

@@ -21,7 +21,7 @@ use crate::trust::digits::other_side;
 use crate::trust::events::Balance;
 use tripos_derive::diagnostic::nearest;
 use tripos_derive::mechanics::By;
-use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{EventRecord, Stop};
 use windows::{Loop, finer};
 
@@ -169,13 +169,13 @@ pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
     check_instants(scene, instants)?;
     check_integration(scene)?;
     let by = by_or_first(mechanism, by)?;
-    let code = code(mechanism, &by, scene.integration.distance, Ready::for_runs(scene)?)?;
+    let code = code(mechanism, &by, scene.integration.distance, Ready::for_runs(scene))?;
     let problem = Problem::new(mechanism, scene, &by, &code, None)?;
     let balance = Balance::new(mechanism, mechanism, scene, &by)?;
     let names = state_names(mechanism);
     let loop_ = Loop { problem: &problem, balance: &balance, places: &places, inputs, instants, names: &names };
     let start = problem.start()?;
-    let options = options(scene)?;
+    let options = options(scene);
     let first = loop_.run(scene, &start, &options, &mut controller())?;
     let beside = Scene { parameters: other_side(scene), ..scene.clone() };
     let nearby: Vec<f64> = start.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
@@ -240,7 +240,7 @@ fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
 
 fn check_integration(scene: &Scene) -> Result<(), Error> {
     let how = &scene.integration;
-    if how.method == QUADRATURE || how.project.is_some() {
+    if how.method == Integrator::Quadrature || how.project.is_some() {
         let what = "inputs that are set from outside change the energy: no quadrature and no projection onto it";
         return Err(Error::request(what, "give a stepping method, without `project`"));
     }

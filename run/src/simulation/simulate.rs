@@ -21,7 +21,7 @@ use std::sync::Mutex;
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::mechanics::{By, is_reducible, load_divisors};
 use tripos_derive::reduce::Ground;
-use tripos_derive::scene::{QUADRATURE, Scene, Solve};
+use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Event, Options, Solution, Stop};
 
@@ -52,7 +52,7 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option
         );
     }
     // Quadrature needs one degree of freedom, which only a reduction has.
-    if !is_default || scene.integration.method == QUADRATURE {
+    if !is_default || scene.integration.method == Integrator::Quadrature {
         return None;
     }
     if !scene.impacts.is_empty() {
@@ -74,7 +74,7 @@ fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Resul
     let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
     let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
     let watch = watch.as_ref();
-    if !is_default || scene.integration.method == QUADRATURE {
+    if !is_default || scene.integration.method == Integrator::Quadrature {
         return run_reduced(mechanism, scene, &ground, &Reduced::of_ground(&ground, mechanism, scene)?, watch);
     }
     let whole = |why: &str| {
@@ -176,7 +176,7 @@ pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
 /// # Errors
 /// As [`run`].
 pub fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -> Result<Run, Error> {
-    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
+    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene))?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let shown = Shown::new(model, scene)?;
     let Some(rates) = in_rates(&problem)? else { return run_shown(&problem, watch, Some(&shown)) };
@@ -194,7 +194,7 @@ pub fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch
 fn alone(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error> {
     let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
     let mut events = events(problem, &balance);
-    problem.in_speeds_alone(rates, &options(problem.scene)?, &mut events, accounted(problem)?)
+    problem.in_speeds_alone(rates, &options(problem.scene), &mut events, accounted(problem)?)
 }
 
 /// Runs a scene by whole equations. `None` unless the run changes its speeds and reaches an end.
@@ -205,7 +205,7 @@ pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &By) -> Result<Optio
     if !model.ties_rates() {
         return Ok(None);
     }
-    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
+    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene))?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let Some(rates) = in_rates(&problem)? else { return Ok(None) };
     if alone(&problem, &rates)?.is_some() {
@@ -223,7 +223,7 @@ pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &By) -> Result<Optio
 pub fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
     let (model, scene, how) = (problem.mechanism, problem.scene, &problem.scene.integration);
     let is_free = !model.ties_rates() || model.speeds.is_empty();
-    let is_own = how.distance.is_some() || how.project.is_some() || how.method == QUADRATURE;
+    let is_own = how.distance.is_some() || how.project.is_some() || how.method == Integrator::Quadrature;
     if is_free || is_own || !scene.impacts.is_empty() {
         return Ok(None);
     }
@@ -380,7 +380,7 @@ pub fn run_by(
     let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;
     let y0 = problem.start()?;
     let mut events = events(problem, &balance);
-    let options = options(scene)?;
+    let options = options(scene);
     let solution = solve(&y0, &options, &mut events)?;
     drop(events);
     let changes = problem.chosen.map(|chosen| changes(problem.model, chosen));

@@ -8,7 +8,7 @@ use crate::preparation::problem::Problem;
 use crate::preparation::reduced::Reduced;
 use tripos_derive::mechanics::By;
 use tripos_derive::reduce::Reduction;
-use tripos_derive::scene::{QUADRATURE, Scene, Solve};
+use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_sim::work_precision::options;
 use tripos_sim::{Method, Options, Solution, quadrature};
 
@@ -122,7 +122,7 @@ impl Way {
     /// The name of the method.
     #[must_use]
     pub fn name(self) -> &'static str {
-        self.method().map_or(QUADRATURE, Method::name)
+        self.method().map_or(Integrator::Quadrature, Integrator::Steps).name()
     }
 
     /// The tolerance of the steps; `None` for quadrature.

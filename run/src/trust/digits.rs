@@ -13,7 +13,7 @@ use super::events::{Balance, events};
 use crate::error::Error;
 use crate::preparation::problem::Problem;
 use rustc_hash::FxHashMap;
-use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{Effect, Event, EventRecord, Kind, Options, Output, Second, Solution, Stop, seconds};
 use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
 
@@ -251,7 +251,7 @@ fn told(relative: f64) -> f64 {
 
 /// Possible second runs in the order of preference.
 fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec<Second> {
-    if problem.scene.integration.method == QUADRATURE {
+    if problem.scene.integration.method == Integrator::Quadrature {
         let words = "quadrature from numbers one rounding away".to_owned();
         return vec![Second { options: options.clone(), part: QUADRATURE_PART, is_finer: false, words }];
     }
@@ -299,7 +299,7 @@ pub fn other_side(scene: &Scene) -> Vec<f64> {
 /// Largest size of each value, or the size below which it does not matter if that is larger.
 fn sizes(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
     let how = &scene.integration;
-    let adaptive = how.step.is_none() && how.method != QUADRATURE;
+    let adaptive = how.step.is_none() && how.method != Integrator::Quadrature;
     let matters = match (adaptive, how.rtol > 0.0) {
         (true, true) => (how.atol.smallest() / how.rtol).clamp(f64::MIN_POSITIVE, 1.0),
         (true, false) => 1.0,

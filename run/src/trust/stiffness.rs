@@ -7,9 +7,8 @@
 //! a motion that needs its steps gets none.
 
 use crate::error::{Error, refused};
-use crate::options::{method, options_of_ends};
+use crate::options::options_of_ends;
 use crate::preparation::problem::Problem;
-use tripos_derive::scene::QUADRATURE;
 use tripos_sim::{Eliminated, Method, Options, Output, RightHandSide, Solution, Stop};
 
 /// Least number of steps of a run for which the question is asked; shorter runs take no time.
@@ -35,8 +34,9 @@ const MEASURED: usize = 30;
 /// [`Error`] if the problem cannot be run as its scene says.
 pub fn advice(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
     let how = &problem.scene.integration;
-    let is_asked = how.method != QUADRATURE && how.step.is_none() && solution.steps >= MANY_STEPS;
-    if !is_asked || method(&how.method)?.needs_jacobian() || solution.stop == Stop::Interrupted {
+    let is_explicit = how.method.method().is_some_and(|method| !method.needs_jacobian());
+    let is_asked = is_explicit && how.step.is_none() && solution.steps >= MANY_STEPS;
+    if !is_asked || solution.stop == Stop::Interrupted {
         return Ok(None);
     }
     let Some(product) = mean_product(problem, solution).filter(|product| *product > NEAR_BOUND) else {
@@ -99,7 +99,7 @@ fn measured(problem: &Problem<'_>, solution: &Solution) -> Result<Option<(f64, S
         method: Method::Radau5,
         step_limit: solution.steps / FEWER,
         output: Output::Ends,
-        ..options_of_ends(scene)?
+        ..options_of_ends(scene)
     };
     let run = problem.integrate_over((scene.span.0, end), &problem.start()?, &options, &mut []);
     let run = run.map_err(|error| refused(scene, &error))?;

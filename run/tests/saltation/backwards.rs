@@ -14,7 +14,7 @@ pub fn is_forwards(scene: &Scene, shown: &[&str], how: &Overrides) {
     for of in shown {
         let found = scene.gradient(of, how).unwrap_or_else(|error| panic!("{of}: {error}"));
         assert!(found.run.failure().is_none(), "{:?}", found.run.failure());
-        let how = Overrides { method: Some(found.scene.integration.method.clone()), ..how.clone() };
+        let how = Overrides { method: Some(found.scene.integration.method), ..how.clone() };
         let plain = scene.simulate(&how).unwrap();
         assert_eq!(found.run.states, plain.states, "a run with a gradient is the run without");
         assert_eq!(found.run.solution.work, plain.solution.work);

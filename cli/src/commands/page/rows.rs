@@ -58,7 +58,7 @@ pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> Run
     RunRow {
         title: run.by.title(),
         printed: run.by.printed_id().map(str::to_owned),
-        method: scene.integration.method.clone(),
+        method: scene.integration.method.name(),
         code: run.code.name().to_owned(),
         steps: solution.steps,
         rejected: solution.rejected,

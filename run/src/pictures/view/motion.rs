@@ -8,7 +8,7 @@ use crate::mechanism::Mechanism;
 use crate::simulation::run::Run;
 use crate::simulation::simulate::simulate;
 use std::f64::consts::FRAC_PI_2;
-use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::Method;
 
 /// Number of evenly spaced instants of a run for a view, before unneeded ones are left out.
@@ -54,8 +54,8 @@ impl Motion {
         let how = &mut scene.integration;
         how.samples = Some(SAMPLES);
         how.project = None;
-        if how.method == QUADRATURE {
-            Method::Dop853.name().clone_into(&mut how.method);
+        if how.method == Integrator::Quadrature {
+            how.method = Method::Dop853.into();
         }
         let by = crate::code::by_or_first(mechanism, by)?;
         let run = simulate(mechanism, &scene, Some(&by.name()))?;

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, Kept, LEAST};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;
-use tripos_derive::scene::{QUADRATURE, Scene};
+use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{Event, Failure, Options, RightHandSide, SimError, Solution};
 use tripos_traits::Real;
 
@@ -74,7 +74,7 @@ pub(super) fn check(scene: &Scene, by: &By) -> Result<(), Error> {
         return Ok(());
     } else if by.printed_id().is_some() {
         ("printed equations have no impacts", "run derived ones, such as --by kane")
-    } else if how.method == QUADRATURE {
+    } else if how.method == Integrator::Quadrature {
         ("no motion by quadrature with impacts: what it integrates is smooth", "give a stepping method, such as dop853")
     } else if by.is_reduced() {
         ("what a scene's own equations hold constant changes in impacts", "run the whole equations: name no others")

@@ -90,7 +90,7 @@ fn leaves(model: &Mechanism, scene: &Scene, by: &By) -> Result<Option<f64>, Erro
     let problem = Problem::new(model, scene, by, &code, None)?;
     let balance = Balance::new(model, model, scene, by)?;
     let mut events = events(&problem, &balance);
-    let how = Options { method: Method::Ode45, output: Output::Ends, rtol: 1e-9, step: None, ..options(scene)? };
+    let how = Options { method: Method::Ode45, output: Output::Ends, rtol: 1e-9, step: None, ..options(scene) };
     let solution = problem.integrate(&problem.start()?, &how, &mut events).map_err(|error| refused(scene, &error))?;
     Ok(matches!(solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. }).then_some(solution.t_end))
 }

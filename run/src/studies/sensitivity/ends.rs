@@ -135,7 +135,7 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<
     if first.steps == 0 || first.stop.is_failure() {
         return Ok((None, None));
     }
-    let how = options(problem.scene)?;
+    let how = options(problem.scene);
     let has_series = problem.has_short_series() && parts.equations.has_series();
     let scene = Scene { parameters: other_side(problem.scene), ..problem.scene.clone() };
     let beside = problem.with_scene(&scene);

@@ -37,7 +37,7 @@ mod zero;
 use crate::code::by_or_first;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use crate::options::{method, options};
+use crate::options::options;
 use crate::preparation::problem::Problem;
 use crate::simulation::outputs::Shown;
 use crate::simulation::run::Run;
@@ -48,7 +48,7 @@ use equations::{Carried, Equations, From};
 use shown::Quantities;
 use start::Seed;
 use tripos_derive::mechanics::By;
-use tripos_derive::scene::{QUADRATURE, Scene, Solve};
+use tripos_derive::scene::{Integrator, Scene, Solve};
 
 /// A run with its derivatives.
 pub struct Sensitivities {
@@ -143,10 +143,10 @@ pub fn sensitivities(
     if let Some(run) = changes_speeds(mechanism, scene, &by)? {
         return by_differences(mechanism, (scene, set), (names, at), run);
     }
-    let equations = Equations::new(mechanism, scene, &by, method(&scene.integration.method)?)?;
+    let equations = Equations::new(mechanism, scene, &by, scene.integration.method.method().unwrap_or_default())?;
     let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(Solve::Eliminated))?;
     let seeds = names.iter().map(|name| Seed::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
-    let how = options(scene)?;
+    let how = options(scene);
     seeds.iter().try_for_each(|seed| corners::check(&problem, seed, &how).and_then(|()| seed.check(scene)))?;
     let (shown, quantities) = (Shown::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
     let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
@@ -251,7 +251,7 @@ fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
         let help = "leave `--by` out: whole equations are run for derivatives";
         return refuse("a scene's own equations are not differentiated", help);
     }
-    if how.method == QUADRATURE {
+    if how.method == Integrator::Quadrature {
         return refuse("motions by quadrature are not differentiated", "give a stepping method, such as dop853");
     }
     if how.project.is_some() {
@@ -310,5 +310,5 @@ fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, E
 
 /// Options of a run that goes on from a sample to an instant.
 fn onward(parts: &Parts<'_>) -> Result<tripos_sim::Options, Error> {
-    Ok(tripos_sim::Options { output: tripos_sim::Output::Ends, ..options(parts.problem.scene)? })
+    Ok(tripos_sim::Options { output: tripos_sim::Output::Ends, ..options(parts.problem.scene) })
 }

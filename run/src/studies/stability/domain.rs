@@ -37,7 +37,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
                 atol: 1e-12.into(),
                 step: None,
                 output: Output::Steps { refine: 1 },
-                ..options(study.scene)?
+                ..options(study.scene)
             };
             let y0 = problem.start()?;
             let mut watched = events(&problem, &balance);

@@ -16,7 +16,7 @@ use crate::trust::invariants::Watch;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tripos_derive::mechanics::{By, InertiaCheck};
-use tripos_derive::scene::{Family, Grid, QUADRATURE, Scene, Solve};
+use tripos_derive::scene::{Family, Grid, Integrator, Scene, Solve};
 use tripos_sim::{Event, Options, SimError, Solution, Warning};
 use tripos_traits::InLanes;
 
@@ -66,13 +66,13 @@ impl<'a> Sweep<'a> {
         by: &'a By,
         how: &'a Overrides,
     ) -> Result<Self, Error> {
-        let how_own = scene.integration.method == QUADRATURE || scene.integration.project.is_some();
+        let how_own = scene.integration.method == Integrator::Quadrature || scene.integration.project.is_some();
         if how_own {
             let what = "a sweep runs whole equations, which know neither quadrature nor projection".to_owned();
             let help = "give a stepping method, and leave `project` out of the scene".to_owned();
             return Err(Error::request(what, help));
         }
-        let code = code(model, by, scene.integration.distance, Ready::for_runs(scene)?)?;
+        let code = code(model, by, scene.integration.distance, Ready::for_runs(scene))?;
         let balance = Balance::new(model, model, scene, by)?;
         let inertia = InertiaCheck::new(model);
         let (solve, warnings, rates) = {
@@ -137,7 +137,7 @@ impl<'a> Sweep<'a> {
 fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
     // The file's own start may be unsuitable for a run while the points are suitable.
     let Ok(y0) = problem.start() else { return Ok(Vec::new()) };
-    let options = Options { step_limit: 1, ..options_of_ends(problem.scene)? };
+    let options = Options { step_limit: 1, ..options_of_ends(problem.scene) };
     match problem.integrate(&y0, &options, &mut []) {
         Err(error @ (SimError::NoStep { .. } | SimError::NoJacobian { .. } | SimError::NoSeries { .. })) => {
             Err(refused(problem.scene, &error))
@@ -220,7 +220,7 @@ impl Worker<'_> {
             });
         };
         let mut watched = events(&problem, &self.sweep.balance);
-        match problem.in_speeds_alone(rates, &self.options(scene)?, &mut watched, None)? {
+        match problem.in_speeds_alone(rates, &self.options(scene), &mut watched, None)? {
             Some(solution) => self.run_by(&problem, |_, _, _| Ok(solution)),
             None => changing_speeds(&problem, rates, |problem| {
                 self.run_by(problem, |y0, options, events| problem.solve(y0, options, events, None))
@@ -228,7 +228,7 @@ impl Worker<'_> {
         }
     }
 
-    fn options(&self, scene: &Scene) -> Result<Options, Error> {
+    fn options(&self, scene: &Scene) -> Options {
         if self.sweep.tells_digits { options(scene) } else { options_of_ends(scene) }
     }
 
@@ -240,7 +240,7 @@ impl Worker<'_> {
     ) -> Result<Ended, Error> {
         let y0 = problem.start()?;
         let Sweep { balance, shown, tells_digits, .. } = self.sweep;
-        let options = self.options(problem.scene)?;
+        let options = self.options(problem.scene);
         let mut watched = events(problem, balance);
         let solution = solve(&y0, &options, &mut watched)?;
         drop(watched);

@@ -19,7 +19,7 @@ pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Opt
     let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
     let how = &scene.integration;
     let has_method =
-        how.method == Method::Dop853.name() || how.method == Method::Taylor.name() && lanes.series.is_some();
+        how.method == Method::Dop853.into() || how.method == Method::Taylor.into() && lanes.series.is_some();
     // Lanes cannot project onto constraints, end steps at corners or bounce.
     let is_moved = code.system().constraint_count() > 0 || !scene.impacts.is_empty();
     let cornered = !model.corners(&scene.parameters).is_empty();
@@ -38,7 +38,7 @@ impl<'s> Request<'s> {
     /// Request for a problem that can start; `None` for others, whose scalar run says why they cannot.
     pub fn new(problem: Problem<'s>) -> Option<Self> {
         let scene: &Scene = problem.scene;
-        let Options { method, order, rtol, atol, max_step, step_limit, .. } = options_of_ends(scene).ok()?;
+        let Options { method, order, rtol, atol, max_step, step_limit, .. } = options_of_ends(scene);
         let start = problem.start().ok()?;
         let finite = scene.parameters.iter().chain(&start).all(|x| x.is_finite());
         let plan = Plan { method, order, span: scene.span, rtol, atol, max_step, step_limit };

@@ -27,7 +27,7 @@ use super::{check_equations, jumps};
 use crate::code::{Ready, by_or_first, code};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use crate::options::{method, options, options_of_ends};
+use crate::options::{options, options_of_ends};
 use crate::preparation::problem::Problem;
 use crate::simulation::outputs::Shown;
 use crate::simulation::run::Run;
@@ -118,7 +118,7 @@ pub fn gradient(
     by: Option<&str>,
 ) -> Result<Gradient, Error> {
     check_equations(scene, by)?;
-    let own = method(&scene.integration.method)?;
+    let own = scene.integration.method.method().unwrap_or_default();
     let scene = steppable(scene, own);
     let by = by_or_first(mechanism, by)?;
     if by.printed_id().is_some() {
@@ -131,9 +131,9 @@ pub fn gradient(
     let problem = Problem::new(mechanism, &scene, &by, &code, Some(Solve::Eliminated))?;
     let (shown, quantities) = (Shown::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
     let target = target(&quantities, &scene, of)?;
-    let numbers = numbers(&problem, set, &options(&scene)?);
+    let numbers = numbers(&problem, set, &options(&scene));
     let tapes = Tapes::new(mechanism, &by, scene.integration.distance, &code)?;
-    let with_slopes = || Equations::new(mechanism, &scene, &by, method(&scene.integration.method)?);
+    let with_slopes = || Equations::new(mechanism, &scene, &by, scene.integration.method.method().unwrap_or_default());
     let equations = (!scene.impacts.is_empty()).then(with_slopes).transpose()?;
     let mut stepped = None;
     let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
@@ -210,7 +210,7 @@ fn by_differences(
 fn steppable(scene: &Scene, own: Method) -> Scene {
     let mut scene = scene.clone();
     if !has_adjoint(own) {
-        Method::Dop853.name().clone_into(&mut scene.integration.method);
+        scene.integration.method = Method::Dop853.into();
     }
     scene
 }
@@ -244,7 +244,7 @@ fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) 
     if mechanism.loops.is_empty() {
         list.push("whole equations are run, of which derivatives are taken".to_owned());
     }
-    let run = scene.integration.method.as_str();
+    let run = scene.integration.method.name();
     if own.name() != run {
         list.push(format!(
             "steps of {} are not swept backwards: the run is by {run}, to the same tolerances",
@@ -312,7 +312,7 @@ impl Parts<'_> {
         let from = From { span: problem.scene.span, y: y0, slopes: &slopes };
         let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
         let mut watched = events(problem, &balance);
-        let run = equations.run(problem, (&from, &seeds), &options_of_ends(problem.scene)?, &mut watched)?;
+        let run = equations.run(problem, (&from, &seeds), &options_of_ends(problem.scene), &mut watched)?;
         for (at, ending) in places.into_iter().zip(run.way.endings) {
             list[at] = ending.map(|ending| ending.to_string());
         }
@@ -322,7 +322,7 @@ impl Parts<'_> {
     /// Computes the gradient of a run, and its errors by a second run: one with other steps, from numbers one rounding
     /// away.
     fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
-        let how = options_of_ends(problem.scene)?;
+        let how = options_of_ends(problem.scene);
         let y0 = problem.start()?;
         let own = self.sweep(problem, (&how, first))?;
         let missing = self.missing(problem, &y0, &own)?;
