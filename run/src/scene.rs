@@ -93,8 +93,7 @@ impl Scene {
         let mut set = self.set.clone();
         set.retain(|(known, _)| known != name);
         set.push((name.to_owned(), value));
-        let texts: Vec<String> = set.iter().map(|(name, value)| format!("{name}={value:e}")).collect();
-        let grid = Grid::read(&texts, "what was set", &self.file, &mut self.mechanism).map_err(Error::Inputs)?;
+        let grid = Grid::of_values(&set, "what was set", &self.file, &mut self.mechanism).map_err(Error::Inputs)?;
         let scene = Family::new(&self.file, &self.mechanism, &grid)?.point(0).1?;
         (self.set, self.current) = (set, scene);
         Ok(())

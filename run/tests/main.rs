@@ -132,6 +132,8 @@ fn what_is_set_stays_set_and_what_cannot_be_is_an_error() {
     assert!(refused.to_string().contains("did you mean `k`?"), "{refused}");
     let refused = scene.set("m", -1.0).unwrap_err();
     assert!(matches!(refused, Error::Input(_)), "{refused}");
+    let refused = scene.set("x", f64::NAN).unwrap_err();
+    assert!(refused.to_string().contains("`x` is NaN"), "{refused}");
     let run = scene.simulate(&Overrides::default()).unwrap();
     assert!((end_of(&run, "x") - 0.25 * 20_f64.cos()).abs() < 1e-9, "what was refused changes nothing");
 

@@ -81,6 +81,38 @@ impl Grid {
         if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
     }
 
+    /// One point, at which numbers of a scene have these values, each the shortest decimal that rounds to the double;
+    /// `named` is the word of errors for the list.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] for each value that is not finite and each name that the scene's start does not state and that
+    /// is no parameter.
+    pub fn of_values(
+        list: &[(String, f64)],
+        named: &str,
+        scene: &Scene,
+        model: &mut Model,
+    ) -> Result<Self, Vec<Diagnostics>> {
+        let (mut axes, mut errors) = (Vec::new(), Vec::new());
+        for (name, value) in list {
+            let source = Source::from_text(named, name);
+            let mut values = Values::new(Reader::new(&source), model);
+            let place = values.place(name, 0..name.len(), scene);
+            let decimal = Rational::shortest_decimal(*value);
+            if decimal.is_none() {
+                values.reader.error(0..name.len(), format!("`{name}` is {value}"), "give a finite number");
+            }
+            if let Err(error) = values.reader.finish() {
+                errors.push(error);
+            }
+            axes.extend(place.zip(decimal).map(|(place, decimal)| {
+                let values = Spacing::List(vec![Number::exact(decimal)]);
+                Axis { name: name.clone(), place, count: 1, values }
+            }));
+        }
+        if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
+    }
+
     /// Names of the numbers that vary, in the order in which they were given.
     #[must_use]
     pub fn names(&self) -> Vec<&str> {

@@ -26,6 +26,14 @@ impl Rational {
         let ten = BigRational::from_integer(10.into());
         Some(Self::from_big(value * num_traits::Pow::pow(ten, scale)))
     }
+
+    /// The decimal number with the fewest digits that rounds to `x`: 1/10 for 0.1. `None` if `x` is not finite.
+    #[must_use]
+    pub fn shortest_decimal(x: f64) -> Option<Self> {
+        // The standard library writes the fewest digits.
+        let size = Self::parse_decimal(&format!("{:e}", x.abs()))?;
+        Some(if x.is_sign_negative() { size.neg() } else { size })
+    }
 }
 
 impl fmt::Display for Rational {
@@ -56,5 +64,17 @@ mod tests {
         for bad in ["", ".", "1e", "1.2.3", "1e99999", "-1", "0x1"] {
             assert_eq!(Rational::parse_decimal(bad), None, "{bad}");
         }
+    }
+
+    #[test]
+    fn doubles_are_the_shortest_decimals_that_round_to_them() {
+        assert_eq!(Rational::shortest_decimal(0.1), Rational::fraction(1, 10));
+        assert_eq!(Rational::shortest_decimal(-1.62), Rational::fraction(-81, 50));
+        assert_eq!(Rational::shortest_decimal(0.0), Rational::fraction(0, 1));
+        for x in [f64::MAX, f64::MIN_POSITIVE, f64::from_bits(1), -1.0 / 3.0] {
+            assert_eq!(Rational::shortest_decimal(x).unwrap().to_f64().to_bits(), x.to_bits());
+        }
+        assert_eq!(Rational::shortest_decimal(f64::NAN), None);
+        assert_eq!(Rational::shortest_decimal(f64::INFINITY), None);
     }
 }
