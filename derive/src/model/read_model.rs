@@ -4,13 +4,13 @@
 //! reported fails in silence, so that `None` always means that an error stands in the reader.
 
 use super::bodies::elements::Elements;
+use super::bodies::inputs::Signals;
 use super::bodies::joints::Joints;
 use super::bodies::motion::Moving;
 use super::constraints::configuration::{Solved, Stated, solve_all};
 use super::constraints::joint_frames::Holding;
 use super::constraints::motion::{Tied, Ties};
 use super::input::Binding;
-use super::reading::inputs::Signals;
 use super::reading::names::{Kind, Names};
 use super::reading::reader::Loading;
 use super::reading::repetition::written_out;

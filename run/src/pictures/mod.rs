@@ -1,4 +1,4 @@
-//! Where everything is, and how it looks.
+//! Poses of a mechanism during a motion, and its sketch.
 
 pub mod sketch;
 pub mod view;

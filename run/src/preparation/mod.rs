@@ -1,4 +1,4 @@
-//! What a run needs before its first step: where it starts, which equations it uses, what may happen on its way.
+//! Preparation of a run: its start, its equations, and the contacts and changes of speeds on its way.
 
 pub(super) mod frame_start;
 pub(super) mod impacts;

@@ -1,7 +1,8 @@
-//! Frames, points, bodies and joints, the loads on them, and shapes.
+//! Frames, points, bodies and joints, the loads and inputs on them, and shapes.
 
 pub(super) mod elements;
 pub(super) mod friction;
+pub(super) mod inputs;
 pub(super) mod joint_kinds;
 pub(super) mod joints;
 pub(super) mod loads;

@@ -1,4 +1,4 @@
-//! Constraints, frames that joints place, and generalized speeds.
+//! Constraints, frames that joints place, explicit time, and generalized speeds.
 
 pub(super) mod closed_choices;
 pub(crate) mod closed_poses;
@@ -8,4 +8,5 @@ pub(super) mod independent;
 pub(super) mod joint_frames;
 pub(super) mod motion;
 pub(super) mod speeds;
+pub(super) mod time;
 pub(super) mod turns;

@@ -1,12 +1,10 @@
-//! Sections of a model file that stand for themselves: names, parameters, inputs, expressions, units, repetition.
+//! Sections of a model file that stand for themselves: names, parameters, expressions, repetition.
 
 pub(super) mod domain;
 pub(super) mod expressions;
-pub(super) mod inputs;
 pub(super) mod names;
 pub(super) mod parameters;
 pub(super) mod reader;
 pub(super) mod repetition;
-pub(super) mod time;
 pub(super) mod tree;
 pub(super) mod unknown_names;

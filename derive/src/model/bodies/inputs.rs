@@ -4,12 +4,12 @@
 //! A formula is put in before anything is derived, so that slopes and series include it. Only the reading of files
 //! knows which loads it affects.
 
-use super::names::{Allowed, Kind};
-use super::reader::Loading;
+use super::elements::Elements;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::model::bodies::elements::Elements;
 use crate::model::input::{Binding, Input};
+use crate::model::reading::names::{Allowed, Kind};
+use crate::model::reading::reader::Loading;
 use crate::model::{Condition, Parameter};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};

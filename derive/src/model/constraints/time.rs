@@ -4,10 +4,10 @@
 //! coordinates that are solved for. The multiplier of the constraint is the power of the drive: energy proves constant
 //! only where that is 0. C. Lanczos, *The Variational Principles of Mechanics*, 4th edition (1970), chapter V, §6.
 
-use super::inputs::formulas;
-use super::names::{Kind, TIME};
-use super::reader::Loading;
 use crate::algebra::Expr;
+use crate::model::bodies::inputs::formulas;
+use crate::model::reading::names::{Kind, TIME};
+use crate::model::reading::reader::Loading;
 use crate::model::{Coordinate, Model, Tie, Unit};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
