@@ -114,7 +114,7 @@ fn on_the_way(parts: &Parts<'_>, carried: &Carried, t: f64) -> Result<Option<Sta
         return Ok(Some((y.clone(), slopes)));
     }
     let from = From { span: (solution.t[sample], t), y, slopes: &slopes };
-    let run = parts.equations.run(parts.problem, (&from, parts.seeds), &onward(parts)?, &mut [])?;
+    let run = parts.equations.run(parts.problem, (&from, parts.seeds), &onward(parts), &mut [])?;
     Ok((run.solution.stop == Stop::End).then_some((run.solution.y_end, run.end)))
 }
 

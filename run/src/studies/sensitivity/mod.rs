@@ -309,6 +309,6 @@ fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, E
 }
 
 /// Options of a run that goes on from a sample to an instant.
-fn onward(parts: &Parts<'_>) -> Result<tripos_sim::Options, Error> {
-    Ok(tripos_sim::Options { output: tripos_sim::Output::Ends, ..options(parts.problem.scene) })
+fn onward(parts: &Parts<'_>) -> tripos_sim::Options {
+    tripos_sim::Options { output: tripos_sim::Output::Ends, ..options(parts.problem.scene) }
 }
