@@ -8,34 +8,21 @@
 //! without them the page says the same. Absent on purpose: outside resources, which the page forbids itself, dates and
 //! paths of the machine. The only links out of the page lead to the tables of measured figures.
 
-mod advice;
 mod content;
-mod derivation;
-mod errata;
-mod html;
-mod math;
-mod mechanism;
-mod motion;
-mod moving;
-mod needs;
-mod outcome;
-mod proof;
-mod runs;
-mod scene;
-mod singular;
-mod standing;
+mod markup;
+mod model;
+mod print;
+mod scenes;
 mod summary;
-mod typeset;
-mod verdict;
 
 pub use content::{
     Advice, Choice, Drawing, Fact, Figure, Moving, Nearest, Needs, Page, RunRow, SceneSection, Standing, Viewer,
 };
-pub use html::{escape, rounded};
-pub use standing::two_digits;
+pub use markup::html::{escape, rounded};
+pub use scenes::standing::two_digits;
 
-use html::{anchor, link};
-use scene::Shown;
+use markup::html::{anchor, link};
+use scenes::scene::Shown;
 use std::fmt::Write;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::DerivationInSteps;
@@ -73,18 +60,18 @@ fn body(page: &Page) -> String {
     if let Some(why) = &page.unfinished {
         let _ = writeln!(out, "<p class=\"missing\">This page is partial: {}.</p>", escape(why));
     }
-    out += &page.moving.as_ref().map_or_else(String::new, |moving| moving::section(page, moving));
+    out += &page.moving.as_ref().map_or_else(String::new, |moving| scenes::moving::section(page, moving));
     if let Some(published) = &page.study.published {
-        out += &errata::section(page, published);
+        out += &print::errata::section(page, published);
     }
     out += &simulation(page);
-    out += &mechanism::section(page.model);
+    out += &model::mechanism::section(page.model);
     out += "<section id=\"equations\">\n<h2>Equations of motion</h2>\n";
     for (formulation, result) in &page.derivations {
-        out += &derivation::section(page, *formulation, result);
+        out += &model::derivation::section(page, *formulation, result);
     }
     out += "</section>\n";
-    out += &proof::section(page);
+    out += &model::proof::section(page);
     out + &derivations(page)
 }
 
@@ -98,7 +85,7 @@ fn simulation(page: &Page) -> String {
     let mut figures = 0;
     for (at, scene) in page.scenes.iter().enumerate() {
         let shown = if at == open { Shown::Open } else { Shown::InASentence };
-        out += &scene::section(page, scene, at, shown, &mut figures);
+        out += &scenes::scene::section(page, scene, at, shown, &mut figures);
     }
     out + "</section>\n"
 }
@@ -107,7 +94,7 @@ fn simulation(page: &Page) -> String {
 fn derivations(page: &Page) -> String {
     let mut shown = Vec::new();
     let steps = page.derivations.iter();
-    let steps: String = steps.map(|(f, result)| derivation::steps(page, *f, result, &mut shown)).collect();
+    let steps: String = steps.map(|(f, result)| model::derivation::steps(page, *f, result, &mut shown)).collect();
     format!("<section id=\"derivations\">\n<h2>Derivations, step by step</h2>\n{steps}</section>\n")
 }
 
@@ -149,7 +136,5 @@ fn footer(page: &Page) -> String {
 
 #[cfg(test)]
 mod face_tests;
-#[cfg(test)]
-mod math_tests;
 #[cfg(test)]
 mod tests;

@@ -1,52 +1,37 @@
 //! Scenes: a run, its start, its accuracy and its outputs. States: one instant of a run.
 
-mod asked;
-mod axis;
-mod closing;
-mod family;
-mod impacts;
-mod inputs;
-mod integration;
-mod ladder;
-mod loops;
-mod motion;
-mod nearby;
-mod outputs;
-mod places;
-mod rates;
-#[cfg(feature = "files")]
-mod samples;
-mod start;
-mod state;
-mod table;
-mod values;
+mod families;
+mod motions;
+mod numbers;
+mod settings;
+mod starts;
 
 use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Coordinate, Model, TIME};
 use crate::read::Reader;
-use state::Start;
+use numbers::values::{Number, Values, doubles};
+use starts::state::Start;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::{Direction, DoubleDouble};
-use values::{Number, Values, doubles};
 
-pub use asked::{Asked, load_asked, load_output};
-pub use axis::{Grid, MOST_POINTS};
-pub use family::Family;
-pub use impacts::{ContactFriction, Impact, ImpactLaw};
-pub use inputs::load_bound;
-pub(crate) use integration::SOLVES;
-pub use integration::{Integration, Integrator, Project, Solve};
-pub use ladder::Ladder;
-pub use loops::Loops;
-pub use motion::{Formulas, Given, Motion, Moving, load_motion};
-pub use nearby::Nearby;
-pub use outputs::ENERGIES;
+pub use families::axis::{Grid, MOST_POINTS};
+pub use families::family::Family;
+pub use families::ladder::Ladder;
+pub use families::neighbours::Nearby;
+pub use motions::motion::{Formulas, Given, Motion, Moving, load_motion};
 #[cfg(feature = "files")]
-pub use samples::load_samples;
-pub use start::{Closed, Exact, Stated};
+pub use motions::samples::load_samples;
+pub use settings::impacts::{ContactFriction, Impact, ImpactLaw};
+pub use settings::inputs::load_bound;
+pub(crate) use settings::integration::SOLVES;
+pub use settings::integration::{Integration, Integrator, Project, Solve};
+pub use settings::outputs::ENERGIES;
+pub use starts::loops::Loops;
+pub use starts::start::{Closed, Exact, Stated};
+pub use starts::unknowns::{Asked, load_asked, load_output};
 
 /// Something to notice during a run.
 #[derive(Clone, Debug)]
@@ -283,7 +268,7 @@ struct Numbers {
     span: Option<(f64, f64)>,
     integration: Integration,
     /// Coefficients of restitution and friction, in the order of the contacts.
-    coefficients: Vec<impacts::Coefficients>,
+    coefficients: Vec<settings::impacts::Coefficients>,
 }
 
 /// One instant: parameters, coordinates and generalized speeds.
@@ -313,7 +298,7 @@ impl State {
 /// # Errors
 /// [`Diagnostics`] with every error of the file.
 pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnostics> {
-    inputs::bind(source, model)?;
+    settings::inputs::bind(source, model)?;
     let (reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
     let mut values = Values::new(reader, model);

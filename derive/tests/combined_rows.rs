@@ -4,7 +4,7 @@ use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::meaning::compare::Comparer;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::diff::rows::{Match, judge};
+use tripos_derive::diff::equations::rows::{Match, judge};
 
 fn row(arena: &mut Arena, texts: [&str; 3]) -> Vec<Expr> {
     texts.map(|text| parse_free(arena, text).unwrap_or_else(|e| panic!("{text}: {e:?}"))).to_vec()

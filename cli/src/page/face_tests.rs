@@ -1,6 +1,6 @@
 //! The face of a page: its order, its links, its abstract.
 
-use super::tests::{page, page_with_publication, part};
+use crate::page::tests::{page, page_with_publication, part};
 
 /// The places of a page, and where its links lead.
 fn places_and_links(page: &str) -> (Vec<&str>, Vec<&str>) {

@@ -4,12 +4,12 @@
 //! Invariant: every sentence is made of values and leads to its evidence on the page. Absent on purpose: sentences that
 //! only one model could need.
 
-use super::content::{Choice, Page, SceneSection};
-use super::html::{anchor, count, escape, link, listed, number, rounded};
-use super::math::{length, vanishing};
-use super::outcome::{self, Grade, title};
-use super::verdict::abstract_of_verdict;
 use crate::chart::words::{TARGETS, seconds};
+use crate::page::content::{Choice, Page, SceneSection};
+use crate::page::markup::html::{anchor, count, escape, link, listed, number, rounded};
+use crate::page::markup::math::{length, vanishing};
+use crate::page::print::verdict::abstract_of_verdict;
+use crate::page::scenes::outcome::{self, Grade, title};
 use std::cmp::Reverse;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::meaning::compare::Verdict;

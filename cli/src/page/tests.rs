@@ -1,6 +1,7 @@
 //! The page as a whole: well formed, escaped, the same each time.
 
-use super::*;
+use super::markup::math;
+use crate::page::*;
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
 use tripos::Reduced;

@@ -3,35 +3,20 @@
 //! Every entry is judged on its own: symbols of the text stand for derived values, so an error counts once, where it is
 //! made. Nothing is repaired or guessed; the only freedom is the factor that each row of a linear system may carry.
 
-mod claim;
-mod consequences;
-mod constant;
-mod declared;
-mod entries;
-mod finding;
-mod initial;
-mod models;
-pub mod motion;
-mod multipliers;
-mod near;
-mod ordered;
-mod printed;
-mod ratio;
+mod edits;
+pub mod equations;
+mod formulas;
+pub mod printed;
 mod roots;
-mod row_text;
-pub mod rows;
-mod scenes;
 mod states;
-mod systems;
-mod terms;
 
-pub use consequences::{Agreement, Consequences, Rate};
-pub use declared::{Declaration, Edit, Property, Section};
-pub use finding::{Finding, Judgement};
-pub use models::{Change, Derived, ModelDifference, diff_models};
-pub use printed::printed_equations;
+pub use edits::declared::{Declaration, Edit, Property, Section};
+pub use edits::models::{Change, Derived, ModelDifference, diff_models};
+pub use edits::scenes::{Setting, diff_scenes};
+pub use formulas::finding::{Finding, Judgement};
+pub use printed::consequences::{Agreement, Consequences, Rate};
+pub use printed::emitted::printed_equations;
 pub use roots::{Follower, Link, Root};
-pub use scenes::{Setting, diff_scenes};
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -40,9 +25,9 @@ use crate::mechanics::{Derivations, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;
 use crate::publication::{EntryKind, Names, Publication};
-use claim::{Claim, Table};
-use motion::Motion;
-use near::Near;
+use equations::claim::{Claim, Table};
+use formulas::near::Near;
+use printed::motion::Motion;
 
 /// A publication, judged.
 #[derive(Clone, Debug)]
@@ -99,7 +84,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
         let words = near.as_ref().map(|near| near.words.clone());
         // What is printed up to an order near a point is compared as it is printed.
         let comparer = if near.is_some() { &mut anywhere } else { &mut comparer };
-        let mut judge = entries::Judge { quantities: &mut quantities, comparer, names: &names, tables, near };
+        let mut judge = formulas::entries::Judge { quantities: &mut quantities, comparer, names: &names, tables, near };
         match &entry.kind {
             EntryKind::Definition { text } => {
                 found.push((Finding::new(&entry.id, &entry.section, Judgement::Stated, text), Claim::Other));
@@ -110,7 +95,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
             }
             EntryKind::System(system) => found.take(judge.system(entry, system)),
             EntryKind::Listing(listing) => found.take(judge.listing(entry, listing)),
-            EntryKind::Initial(_) => found.push(initial::judge(model, publication, entry)),
+            EntryKind::Initial(_) => found.push(formulas::initial::judge(model, publication, entry)),
         }
         // Of a system or listing the first row carries what holds for all of it.
         if let Some(finding) = found.findings.get_mut(first) {
@@ -121,7 +106,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     }
     let Found { findings, claims, tables, motions } = found;
     let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables);
-    let (consequences, agreements) = consequences::draw(model, derivations, &mut comparer, proof, &motions);
+    let (consequences, agreements) = printed::consequences::draw(model, derivations, &mut comparer, proof, &motions);
     Difference { findings, roots, consequences, agreements }
 }
 
@@ -132,7 +117,7 @@ struct Found {
     /// Claim of each finding.
     claims: Vec<Claim>,
     tables: Vec<Table>,
-    motions: Vec<(Motion, systems::Matched)>,
+    motions: Vec<(Motion, printed::systems::Matched)>,
 }
 
 impl Found {
@@ -141,7 +126,7 @@ impl Found {
         self.claims.push(claim);
     }
 
-    fn take(&mut self, judged: systems::Judged) {
+    fn take(&mut self, judged: printed::systems::Judged) {
         judged.findings.into_iter().for_each(|pair| self.push(pair));
         self.tables.extend(judged.table);
         self.motions.extend(judged.motion);
@@ -156,9 +141,11 @@ pub fn motions(model: &Model, derivations: &mut Derivations, publication: &Publi
     // What holds near a point is no equation of the whole motion.
     for entry in publication.entries.iter().filter(|entry| entry.near.is_none()) {
         match &entry.kind {
-            EntryKind::System(system) => list.extend(systems::system_motion(&mut quantities, &names, entry, system)),
+            EntryKind::System(system) => {
+                list.extend(printed::systems::system_motion(&mut quantities, &names, entry, system));
+            }
             EntryKind::Listing(listing) => {
-                if let Ok((motion, true)) = systems::listing_motion(&mut quantities, &names, entry, listing) {
+                if let Ok((motion, true)) = printed::systems::listing_motion(&mut quantities, &names, entry, listing) {
                     list.push(motion);
                 }
             }

@@ -10,45 +10,27 @@
 //! Absent on purpose: numbers of the start. A reduction holds for every start on every level set, except the distance
 //! from a singular surface, whose side the start decides.
 
-mod constants;
-mod dependence;
-mod frame;
-mod framing;
-mod ground;
-mod held;
-mod hoist;
-mod ledger;
-mod level;
-mod one_degree;
-mod pack;
-mod pivots;
-mod proof;
-mod prose;
-mod reactions;
-mod reduction;
-mod relative;
-mod section;
-mod separate;
-mod slice;
-mod surface;
-mod wanted;
-mod work;
+mod basis;
+mod frames;
+mod levels;
+mod result;
+mod slices;
 
-pub use ground::Ground;
-pub use one_degree::Slope;
-pub use proof::Proof;
-pub use prose::{Piece, Prose};
-pub use reduction::{Omission, Output, Quantity, Reduction, Turned};
+pub use basis::ground::Ground;
+pub use basis::prose::{Piece, Prose};
+pub use result::proof::Proof;
+pub use result::reduction::{Omission, Output, Quantity, Reduction, Turned};
+pub use slices::one_degree::Slope;
 
 use crate::mechanics::{DeriveError, has_inertia_at};
 use crate::model::Model;
 use crate::scene::Scene;
-use framing::Choice;
-use proof::Whole;
-use slice::Flow;
+use basis::work::Work;
+use frames::framing::Choice;
+use result::proof::Whole;
+use slices::outputs::Wanted;
+use slices::slice::Flow;
 use std::cmp::Reverse;
-use wanted::Wanted;
-use work::Work;
 
 /// Derives the reduced system of a scene of this model.
 ///
@@ -175,7 +157,7 @@ impl Ground {
         };
         let level = self.level(momenta, surface.as_ref()).ok_or("that the momenta determine speeds")?;
         let flow = Flow::new(&mut self, &level, &wanted).ok_or("that the accelerations are determined")?;
-        pack::pack(self, whole, &level, flow, scene)
+        result::pack::pack(self, whole, &level, flow, scene)
     }
 }
 

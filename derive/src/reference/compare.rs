@@ -5,7 +5,7 @@ use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
 use crate::algebra::text::parse::parse_primed;
 use crate::diagnostic::nearest;
-use crate::diff::rows::{Match, Row as Entries, judge};
+use crate::diff::equations::rows::{Match, Row as Entries, judge};
 use crate::mechanics::{
     Derivations, Energy, Formulation, Kinematics, Quantities, Quantity, QuantityKind, Row, VectorName,
 };

@@ -4,7 +4,7 @@ use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::permitted::Permitted;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
-use crate::diff::ratio::constant_ratio;
+use crate::diff::formulas::ratio::constant_ratio;
 use crate::mechanics::{Quantities, QuantityKind};
 
 /// Number of comparisons that one publication may cost.

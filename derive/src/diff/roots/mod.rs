@@ -19,8 +19,8 @@ mod solved;
 
 pub use root::{Follower, Link, Root};
 
-use super::claim::{Claim, Table};
-use super::finding::{Finding, Judgement};
+use super::equations::claim::{Claim, Table};
+use super::formulas::finding::{Finding, Judgement};
 use crate::algebra::Arena;
 use crate::algebra::meaning::permitted::Permitted;
 use crate::algebra::text::print::text;

@@ -2,7 +2,7 @@
 
 use super::root::Link;
 use super::search::Reason;
-use crate::diff::claim::Claim;
+use crate::diff::equations::claim::Claim;
 
 /// Links every wrong number to the first of those that it contradicts, directly or through others.
 pub fn link(stated: &[&Claim], ids: &[&str], reasons: &mut [Option<Reason>]) {

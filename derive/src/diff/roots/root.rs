@@ -1,6 +1,6 @@
 //! A mistake of a publication, and the wrong entries that it causes.
 
-use crate::diff::finding::Finding;
+use crate::diff::formulas::finding::Finding;
 
 /// Kind of dependence of a wrong entry on another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

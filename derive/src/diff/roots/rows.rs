@@ -5,8 +5,8 @@ use super::derived::component;
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Gradient};
-use crate::diff::claim::Table;
-use crate::diff::rows::Row as Entries;
+use crate::diff::equations::claim::Table;
+use crate::diff::equations::rows::Row as Entries;
 use crate::mechanics::{BalanceName, Energy, Quantities, QuantityKind, Row, RowName, VectorName};
 
 /// A derived row of a table as it is when the values of a chain are put in; none if they do not reach it.

@@ -12,9 +12,9 @@ use super::solved::Solutions;
 use crate::algebra::Expr;
 use crate::algebra::meaning::permitted::Permitted;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
-use crate::diff::claim::{Claim, Table};
-use crate::diff::constant::is_constant;
-use crate::diff::rows::Row;
+use crate::diff::equations::claim::{Claim, Table};
+use crate::diff::equations::rows::Row;
+use crate::diff::formulas::constant::is_constant;
 use crate::mechanics::{Quantities, QuantityKind};
 use rustc_hash::FxHashMap;
 

@@ -2,7 +2,7 @@
 
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::solve;
-use crate::diff::claim::Table;
+use crate::diff::equations::claim::Table;
 use crate::mechanics::{Kinematics, Quantities};
 use rustc_hash::FxHashMap;
 

@@ -1,9 +1,9 @@
 //! Sums over bodies with printed values put in: generalized forces, the mass matrix, energies.
 
-use super::super::derived::{arena_of, components, derived, dot};
 use super::Chain;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
+use crate::diff::roots::derived::{arena_of, components, derived, dot};
 use crate::geometry::Components;
 use crate::mechanics::{Energy, Quantities, QuantityKind, Row, VectorName};
 

@@ -1,9 +1,9 @@
 //! Vectors with printed values put in: velocities, accelerations, momenta and their rates, loads, partial velocities.
 
-use super::super::derived::{arena_of, components, derived, difference, sum, turned};
 use super::Chain;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;
+use crate::diff::roots::derived::{arena_of, components, derived, difference, sum, turned};
 use crate::geometry::{Components, apply_tensor, cross_components};
 use crate::mechanics::{Quantities, QuantityKind, VectorName};
 

@@ -1,0 +1,7 @@
+//! Markup of the page: shapes of HTML, formulas as MathML, transcribed formulas.
+
+pub(super) mod html;
+pub(super) mod math;
+#[cfg(test)]
+pub(super) mod math_tests;
+pub(super) mod typeset;

@@ -1,0 +1,260 @@
+//! One formulation: its equations, and apart from these the derivation step by step.
+
+use crate::page::content::Page;
+use crate::page::markup::html::{escape, folded, link, part, scroll};
+use crate::page::markup::math::{
+    Side, formula, inline, is_short, length, line_name, lines, matrix, row_name, said, stage_title, unread, wrapped,
+};
+use crate::words::NAMED;
+use std::fmt::Write;
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::definitions::glossary;
+use tripos_derive::algebra::text::print::{latex, view_of};
+use tripos_derive::algebra::text::view::View;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
+use tripos_derive::{Formulation, Model};
+
+/// A step of more lines than this is folded.
+const MANY_LINES: usize = 14;
+/// A step of more characters of plain text than this is folded.
+const LONG: usize = 900;
+/// Entries of more characters stand as M_ij, with their values below: the first that makes the system fit.
+const WIDE: [usize; 5] = [56, 48, 40, 34, 28];
+/// Characters of plain text that fit the page as mathematics, beside each other.
+const PAGE: usize = 110;
+/// Equations of more characters in all, three printed pages, are not repeated row by row and in LaTeX.
+const TOO_LONG: usize = 8_000;
+
+/// The equations of one formulation.
+pub fn section(page: &Page, formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
+    let (name, title) = (formulation.name(), escape(formulation.title()));
+    let content = match result {
+        Ok(derivation) => {
+            let named = definitions(&derivation.arena, &derivation.equations.definitions);
+            let equations = show_equations(page, derivation);
+            format!("{named}{equations}")
+        }
+        Err(reason) => format!("<p class=\"missing\"><strong>Not derived.</strong> {}.</p>\n", escape(reason)),
+    };
+    format!(
+        "<section id=\"{name}\">\n<h3>{title}</h3>\n<p>{}</p>\n{content}</section>\n",
+        principle(formulation, page.model)
+    )
+}
+
+/// The derivation of one formulation, folded; empty for one that is not derived. `shown` collects steps, so that a
+/// repeated one is folded.
+pub fn steps(
+    page: &Page,
+    formulation: Formulation,
+    result: &Result<DerivationInSteps, String>,
+    shown: &mut Vec<String>,
+) -> String {
+    let Ok(derivation) = result else { return String::new() };
+    let DerivationInSteps { arena, steps, .. } = derivation;
+    let shown: String = steps.iter().map(|step| show_step(page.model, arena, step, shown)).collect();
+    let mut values = steps.iter().flat_map(|step| step.lines.iter().map(|(_, value)| *value));
+    let is_read = values.all(|e| length(arena, e).is_some());
+    let rest = if is_read { String::new() } else { unread(&command(page, formulation)) };
+    part(&place(formulation), &escape(formulation.title()), &(shown + &rest))
+}
+
+/// Anchor of the derivation on the page.
+fn place(formulation: Formulation) -> String {
+    format!("{}-steps", formulation.name())
+}
+
+/// The command that has its formulas whole.
+fn command(page: &Page, formulation: Formulation) -> String {
+    format!("tripos derive {} --by {} --format json", page.file, formulation.name())
+}
+
+/// Definitions of the named terms in these formulas, as far as the formulas are printed: a reader must find each name
+/// defined.
+pub fn named_terms(arena: &Arena, shown: &[Expr]) -> String {
+    let printed: Vec<Expr> = shown.iter().copied().filter(|e| length(arena, *e).is_some()).collect();
+    definitions(arena, &glossary(arena, &printed))
+}
+
+/// Terms that stand by a name, folded.
+fn definitions(arena: &Arena, list: &[Definition]) -> String {
+    if list.is_empty() {
+        return String::new();
+    }
+    let line = |step: &Definition| (Side::of(arena, step.symbol), Side::of(arena, step.value));
+    let pairs: Vec<_> = list.iter().map(line).collect();
+    let content = scroll(NAMED, &lines(&pairs));
+    folded(&format!("{NAMED} <span class=\"quiet\">({} lines)</span>", pairs.len()), &content)
+}
+
+/// The principle, in a sentence.
+fn principle(formulation: Formulation, model: &Model) -> String {
+    let (principle, law) = (formulation.method().principle, formulation.law(model));
+    if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline(&law)) }
+}
+
+fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>) -> String {
+    if step.lines.is_empty() {
+        return String::new();
+    }
+    let mut title = stage_title(model, step.stage);
+    let pairs = step.lines.iter().map(|(name, e)| (Side::Whole(line_name(model, name)), Side::of(arena, *e)));
+    let mut content = scroll(&step.stage.title(model), &lines(&pairs.collect::<Vec<_>>()));
+    let is_partial = |name: &LineName| matches!(name, LineName::Quantity(QuantityKind::Partial { .. }));
+    if step.lines.iter().any(|(name, _)| is_partial(name)) {
+        content += "<p class=\"quiet\">Partial derivatives that are not listed are zero.</p>\n";
+    }
+    let size: usize = step.lines.iter().map(|(_, e)| length(arena, *e).unwrap_or(LONG)).sum();
+    let repeated = shown.contains(&content);
+    if repeated {
+        title += " <span class=\"quiet\">(as above)</span>";
+    } else {
+        shown.push(content.clone());
+    }
+    if repeated || step.lines.len() > MANY_LINES || size > LONG {
+        let count = step.lines.len();
+        let count = if repeated { String::new() } else { format!(" <span class=\"quiet\">({count} lines)</span>") };
+        folded(&format!("{title}{count}"), &content)
+    } else {
+        format!("<h4>{title}</h4>\n{content}")
+    }
+}
+
+/// The system, what is to be known of it, and in a row what leads on: entries, the equations otherwise, the derivation.
+fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
+    let DerivationInSteps { arena, equations, .. } = derivation;
+    let (mut out, mut known, mut more) = (String::new(), Vec::new(), String::new());
+    let (system, named) = system(arena, equations);
+    let math = format!("<math display=\"block\"><mrow>{system}</mrow></math>\n");
+    out += &scroll("System of equations in matrix form", &math);
+    if !named.is_empty() {
+        if equations.symmetric {
+            known.push("The matrix is symmetric.".to_owned());
+        }
+        let entries = scroll("Entries of the matrix and of the forcing", &lines(&named));
+        more += &folded(&format!("Its entries <span class=\"quiet\">({})</span>", named.len()), &entries);
+    }
+    if !equations.divisors.is_empty() {
+        let divisors: Vec<_> = equations.divisors.iter().map(|e| said(arena, *e)).collect();
+        known.push(format!(
+            "The kinematic equations divide by {}: where one vanishes the generalized speeds do not determine the rates of the \
+             coordinates.",
+            divisors.join(", ")
+        ));
+    }
+    let entries: Vec<Expr> = equations.matrix.iter().flatten().chain(&equations.forcing).copied().collect();
+    match entries.iter().map(|e| length(arena, *e)).sum::<Option<usize>>() {
+        Some(size) if size <= TOO_LONG => {
+            more += &folded("Row by row", &scroll("Equations row by row", &row_by_row(page.model, arena, equations)));
+            let source = format!("<pre><code>{}</code></pre>\n", escape(&latex_source(arena, equations)));
+            more += &folded("LaTeX source", &scroll("LaTeX source", &source));
+        }
+        _ => {
+            let command = escape(&format!("tripos derive {} --by {}", page.file, equations.formulation.name()));
+            known.push(format!(
+                "Too long to be repeated row by row; <code>{command}</code> prints it, with <code>--format latex</code> for a document."
+            ));
+        }
+    }
+    if !known.is_empty() {
+        let _ = writeln!(out, "<p class=\"formula\">{}</p>", known.join(" "));
+    }
+    let is_read = entries.iter().all(|e| length(arena, *e).is_some());
+    if !(is_read && equations.divisors.iter().all(|e| is_short(arena, *e))) {
+        out += &unread(&command(page, equations.formulation));
+    }
+    let steps = link(&place(equations.formulation), "How they are derived, step by step");
+    out + &format!("<div class=\"side\">\n{more}<p>{steps}.</p>\n</div>\n")
+}
+
+/// Number of characters up to which an entry is written in the system. Longer ones stand by their names.
+fn widest(arena: &Arena, equations: &Equations) -> usize {
+    let named = "M12".len();
+    let width = |e: Expr, limit: usize| length(arena, e).filter(|n| *n <= limit).unwrap_or(named);
+    let fits = |limit: &usize| {
+        let column = |j: usize| equations.matrix.iter().map(|row| width(row[j], *limit)).max().unwrap_or(0);
+        let matrix: usize = (0..equations.unknowns.len()).map(|j| column(j) + 2).sum();
+        matrix + equations.forcing.iter().map(|e| width(*e, *limit)).max().unwrap_or(0) <= PAGE
+    };
+    // What fits at no width scrolls.
+    WIDE.into_iter().find(fits).unwrap_or(WIDE[2])
+}
+
+/// matrix · unknowns = forcing, and the entries that are too wide for it as (name, value).
+fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
+    let wide = widest(arena, equations);
+    let mut named = Vec::new();
+    let mut entry = |e: Expr, name: String, is_repeated: bool| {
+        if length(arena, e).is_some_and(|length| length <= wide) {
+            return formula(arena, e);
+        }
+        if !is_repeated {
+            named.push((Side::Whole(name.clone()), Side::of(arena, e)));
+        }
+        name
+    };
+    let mut rows = Vec::new();
+    for (i, row) in equations.matrix.iter().enumerate() {
+        let mut cells = Vec::new();
+        for (j, e) in row.iter().enumerate() {
+            let below = equations.symmetric && j < i;
+            let (a, b) = if below { (j, i) } else { (i, j) };
+            // One digit each needs no comma.
+            let comma = if equations.matrix.len() > 9 { "<mo separator=\"true\">,</mo>" } else { "" };
+            let name = format!("<msub><mi>M</mi><mrow><mn>{}</mn>{comma}<mn>{}</mn></mrow></msub>", a + 1, b + 1);
+            cells.push(entry(*e, name, below));
+        }
+        rows.push(cells);
+    }
+    let forcing = equations.forcing.iter().enumerate();
+    let forcing: Vec<_> =
+        forcing.map(|(i, e)| vec![entry(*e, format!("<msub><mi>f</mi><mn>{}</mn></msub>", i + 1), false)]).collect();
+    let unknowns: Vec<_> = equations.unknowns.iter().map(|e| vec![formula(arena, *e)]).collect();
+    (format!("{}{}<mo>=</mo>{}", matrix(&rows), matrix(&unknowns), matrix(&forcing)), named)
+}
+
+fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
+    // Terms are joined here, in a store of their own.
+    let mut arena = arena.clone();
+    let mut out = String::from("<table class=\"lines\">\n<tbody>\n");
+    for ((row, name), forcing) in equations.matrix.iter().zip(&equations.rows).zip(&equations.forcing) {
+        let terms = row.iter().zip(&equations.unknowns).filter(|(e, _)| **e != Expr::ZERO);
+        let terms: Vec<Expr> = terms.map(|(e, x)| arena.mul(*e, *x)).collect();
+        let sides = [Side::Marks(joined(&arena, &terms)), Side::of(&arena, *forcing)];
+        let _ = writeln!(
+            out,
+            "<tr><th scope=\"row\">{}</th><td class=\"wide\">{}</td></tr>",
+            row_name(model, name),
+            wrapped(&sides)
+        );
+    }
+    out + "</tbody>\n</table>\n"
+}
+
+/// Terms in their order, as one sum.
+fn joined(arena: &Arena, terms: &[Expr]) -> View {
+    let terms = terms.iter().flat_map(|term| match view_of(arena, *term) {
+        View::Sum(terms) => terms,
+        term => vec![(false, term)],
+    });
+    let mut terms: Vec<(bool, View)> = terms.collect();
+    match terms.as_slice() {
+        [] => View::Number("0".to_owned()),
+        [(false, _)] => terms.remove(0).1,
+        _ => View::Sum(terms),
+    }
+}
+
+fn latex_source(arena: &Arena, equations: &Equations) -> String {
+    let column = |list: &[Expr]| list.iter().map(|e| latex(arena, *e)).collect::<Vec<_>>().join(" \\\\\n  ");
+    let rows = equations.matrix.iter();
+    let rows = rows.map(|row| row.iter().map(|e| latex(arena, *e)).collect::<Vec<_>>().join(" & "));
+    format!(
+        "\\begin{{bmatrix}}\n  {}\n\\end{{bmatrix}}\n\\begin{{bmatrix}}\n  {}\n\\end{{bmatrix}}\n=\n\
+         \\begin{{bmatrix}}\n  {}\n\\end{{bmatrix}}",
+        rows.collect::<Vec<_>>().join(" \\\\\n  "),
+        column(&equations.unknowns),
+        column(&equations.forcing),
+    )
+}

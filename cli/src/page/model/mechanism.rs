@@ -1,0 +1,210 @@
+//! The model as it was read: what is given, what moves, what it is made of.
+
+use crate::page::markup::html::{escape, folded, number, table};
+use crate::page::markup::math::{Side, basis, formula, inline, matrix, symbol, told_apart, tuple, wrapped};
+use std::fmt::Write;
+use tripos_derive::Model;
+use tripos_derive::algebra::Expr;
+use tripos_derive::mechanics::moving_places;
+use tripos_derive::model::{Place, ReactionKind, Tie, Turn, Unit};
+
+/// Parameters that are seen at once.
+const SEEN: usize = 10;
+
+/// The section of the mechanism.
+pub fn section(model: &Model) -> String {
+    let mut out =
+        format!("<section id=\"mechanism\">\n<h2>Mechanism</h2>\n<p class=\"count\">{}.</p>\n", escape(&model.count()));
+    let parameters = parameters(model);
+    let parameters = match model.parameters.len() {
+        n if n > SEEN => folded(&format!("Parameters <span class=\"quiet\">({n})</span>"), &parameters),
+        _ => parameters,
+    };
+    let given = parameters + &coordinates(model) + &speeds(model) + &constraints(model);
+    let _ = writeln!(out, "<div class=\"tables\">\n{given}</div>");
+    out +=
+        &folded("Frames, points, bodies and loads", &(frames(model) + &points(model) + &bodies(model) + &loads(model)));
+    out + "</section>\n"
+}
+
+/// A unit as HTML; `plain` is what stands for a quantity without a unit.
+fn unit(unit: &Unit, plain: &str) -> String {
+    let text = match unit.to_string().as_str() {
+        "1" => plain.to_owned(),
+        "kg*m/s^2" => "N".to_owned(),
+        "kg*m^2/s^2" => "N*m".to_owned(),
+        "kg/s^2" => "N/m".to_owned(),
+        "kg/s" => "N*s/m".to_owned(),
+        text => text.to_owned(),
+    };
+    let mut out = String::new();
+    for (at, part) in text.split('^').enumerate() {
+        if at == 0 {
+            out += &escape(part);
+            continue;
+        }
+        let digits = part.len() - part.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+        let _ = write!(out, "<sup>{}</sup>{}", &part[..digits], escape(&part[digits..]));
+    }
+    out.replace('*', "·")
+}
+
+fn parameters(model: &Model) -> String {
+    let rows = model.parameters.iter().map(|p| {
+        let value = p.value.as_ref().map_or_else(|| "—".to_owned(), |v| number(&v.to_f64().to_string()));
+        let sign = if p.positive { "positive" } else { "" };
+        vec![inline(&told_apart(model, &p.name)), escape(&p.about), value, unit(&p.unit, "1"), sign.to_owned()]
+    });
+    some("Parameters", &["Symbol", "Meaning", "Value", "Unit", "Known"], &rows.collect::<Vec<_>>())
+}
+
+fn coordinates(model: &Model) -> String {
+    let rows = model.coordinates.iter();
+    let rows = rows.map(|c| vec![inline(&told_apart(model, &c.name)), escape(&c.about), unit(&c.unit, "rad")]);
+    some("Generalized coordinates", &["Symbol", "Meaning", "Unit"], &rows.collect::<Vec<_>>())
+}
+
+fn speeds(model: &Model) -> String {
+    let rows = model.speeds.iter().map(|s| {
+        let definition =
+            format!("<mrow>{}<mo>=</mo>{}</mrow>", told_apart(model, &s.name), formula(&model.arena, s.definition));
+        vec![inline(&definition)]
+    });
+    some("Generalized speeds", &["Definition"], &rows.collect::<Vec<_>>())
+}
+
+fn constraints(model: &Model) -> String {
+    let zero = |e: Expr| wrapped(&[Side::of(&model.arena, e), Side::Whole("<mn>0</mn>".to_owned())]);
+    let rows = model.constraints.iter().map(|c| {
+        let fixed = wrapped(&[Side::Whole(told_apart(model, &c.fixes)), Side::of(&model.arena, c.value)]);
+        let by =
+            c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&told_apart(model, &model.reactions[at].name)));
+        vec![escape(&c.name), zero(c.equation), fixed, by]
+    });
+    let constraints =
+        some("Holonomic constraints", &["Name", "Equation", "Solved", "Enforced by"], &rows.collect::<Vec<_>>());
+    let loops = model.loops.iter().map(|c| vec![escape(&c.name), zero(c.equation)]);
+    let loops = some("Loops, which stay closed", &["Name", "Equation"], &loops.collect::<Vec<_>>());
+    let of_motion = model.motion_constraints.iter().map(|c| {
+        let states = match c.tie {
+            Tie::Stated => "velocities",
+            Tie::Rolling(_) => "rolling without slip",
+            Tie::Loop(_) => "the rate of a loop",
+            Tie::Clock => "time, which goes on",
+        };
+        let by =
+            c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&told_apart(model, &model.reactions[at].name)));
+        vec![escape(&c.name), zero(c.equation), states.to_owned(), by]
+    });
+    let heads = ["Name", "Equation", "Of", "Enforced by"];
+    let of_motion = some("Motion constraints", &heads, &of_motion.collect::<Vec<_>>());
+    let constraints = constraints + &loops + &of_motion;
+    let rows = model.domain.iter().map(|c| vec![escape(&c.name), format!("<code>{}</code>", escape(&c.text))]);
+    constraints + &some("Domain, where the equations hold", &["Name", "Condition"], &rows.collect::<Vec<_>>())
+}
+
+fn frames(model: &Model) -> String {
+    let rows = model.frames.iter().filter_map(|f| {
+        let (parent, turn) = f.rotation.as_ref()?;
+        let parent = &model.frames[*parent].name;
+        let by = |e: &Expr| inline(&formula(&model.arena, *e));
+        let (about, by) = match turn {
+            Turn::About(axis, angle) => (inline(&basis(parent, *axis)), by(angle)),
+            Turn::Oriented(turn) if turn.spins.is_empty() => ("axes that stay as they are".to_owned(), "—".to_owned()),
+            Turn::Oriented(_) => {
+                let all: Vec<String> = turn.quantities().iter().map(by).collect();
+                ("Euler parameters".to_owned(), all.join(", "))
+            }
+        };
+        Some(vec![inline(&symbol(&f.name)), inline(&symbol(parent)), about, by])
+    });
+    some("Frames", &["Frame", "Turned from", "About", "By the angle"], &rows.collect::<Vec<_>>())
+}
+
+fn points(model: &Model) -> String {
+    let rows = model.points.iter().filter_map(|p| {
+        let (parent, frame, components) = p.position?;
+        let parent = inline(&symbol(&model.points[parent].name));
+        Some(vec![inline(&symbol(&p.name)), parent, components_in(model, frame, &components)])
+    });
+    some("Points", &["Point", "Placed from", "By the vector"], &rows.collect::<Vec<_>>())
+}
+
+fn bodies(model: &Model) -> String {
+    let rows = model.bodies.iter().map(|b| {
+        let centre = inline(&symbol(&model.points[b.centre].name));
+        let (frame, inertia) = match &b.rigid {
+            None => ("—".to_owned(), "particle".to_owned()),
+            Some((frame, inertia)) => {
+                let rows = inertia.tensor.map(|row| row.map(|e| formula(&model.arena, e)).to_vec());
+                let basis = inline(&symbol(&model.frames[inertia.frame].name));
+                let tensor = inline(&matrix(&rows));
+                (inline(&symbol(&model.frames[*frame].name)), format!("{tensor} in {basis}"))
+            }
+        };
+        vec![escape(&b.name), centre, inline(&formula(&model.arena, b.mass)), frame, inertia]
+    });
+    some("Bodies", &["Body", "Mass centre", "Mass", "Frame", "Central inertia"], &rows.collect::<Vec<_>>())
+}
+
+fn loads(model: &Model) -> String {
+    let mut rows = Vec::new();
+    let at = |place: Place| {
+        let point = inline(&symbol(&model.points[place.point].name));
+        format!("{} at {point}", escape(&model.bodies[place.body].name))
+    };
+    let against = |on: String, other: Option<String>| match other {
+        Some(other) => format!("{on}, its opposite on {other}"),
+        None => on,
+    };
+    let turned = |(frame, body): (usize, Option<usize>)| match body {
+        Some(body) => escape(&model.bodies[body].name),
+        None => format!("frame {}", inline(&symbol(&model.frames[frame].name))),
+    };
+    if let Some(g) = &model.gravity {
+        let vector = components_in(model, g.frame, &g.acceleration);
+        rows.push(vec!["gravity".to_owned(), "every body, as an acceleration".to_owned(), vector]);
+    }
+    for f in &model.forces {
+        let on = against(at(f.on), f.against.map(at));
+        rows.push(vec![escape(&f.name), on, components_in(model, f.frame, &f.vector)]);
+    }
+    for t in &model.torques {
+        let on = against(turned(t.on), t.against.map(turned));
+        rows.push(vec![format!("{} (torque)", escape(&t.name)), on, components_in(model, t.frame, &t.vector)]);
+    }
+    for p in &model.potentials {
+        let name = format!("{} (potential)", escape(&p.name));
+        rows.push(vec![name, "coordinates, by its slopes".to_owned(), inline(&formula(&model.arena, p.energy))]);
+    }
+    for r in &model.reactions {
+        let body = |body: usize| escape(&model.bodies[body].name);
+        let (kind, on) = match r.kind {
+            ReactionKind::Force { on, against: other } => ("reaction", against(at(on), other.map(at))),
+            ReactionKind::Torque { on, against: other } => ("reaction torque", against(body(on), other.map(body))),
+        };
+        let direction = components_in(model, r.frame, &r.direction);
+        let kind = if r.is_stated { kind.to_owned() } else { format!("{kind}, found") };
+        rows.push(vec![format!("{} ({kind})", inline(&told_apart(model, &r.name))), on, format!("along {direction}")]);
+    }
+    some("Loads", &["Name", "On", "Vector"], &rows) + &moving(model)
+}
+
+/// Paragraphs on the points of action of loads that move in their bodies.
+fn moving(model: &Model) -> String {
+    let line = |text: String| format!("<p>{}</p>\n", escape(&text));
+    match moving_places(model) {
+        Ok(places) => places.iter().map(|place| line(place.text(model))).collect(),
+        Err(error) => line(format!("Where loads act is not known: {error}.")),
+    }
+}
+
+/// Components as (x, y, z) in a frame.
+fn components_in(model: &Model, frame: usize, components: &[Expr; 3]) -> String {
+    format!("{} in {}", tuple(&model.arena, components), inline(&symbol(&model.frames[frame].name)))
+}
+
+/// A table, or nothing if it has no rows.
+fn some(caption: &str, head: &[&str], rows: &[Vec<String>]) -> String {
+    if rows.is_empty() { String::new() } else { table(caption, head, rows) }
+}

@@ -1,0 +1,5 @@
+//! The mechanism, its derivations, and the proofs.
+
+pub(super) mod derivation;
+pub(super) mod mechanism;
+pub(super) mod proof;

@@ -1,0 +1,220 @@
+//! Proofs: equivalence of the formulations, first integrals, and singularities of matrices.
+
+use crate::page::content::Page;
+use crate::page::markup::html::{each, escape, head, part, table, words};
+use crate::page::markup::math::{Side, decimal, inline, is_short, length, said, symbol, unread, vanishing, wrapped};
+use crate::page::model::derivation::named_terms;
+use std::fmt::Write;
+use tripos_derive::algebra::meaning::compare::{Verdict, Witness};
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::prove::{Integral, IntegralKind, Pair, Singularity, There};
+use tripos_derive::{Formulation, Model};
+
+/// The section.
+pub fn section(page: &Page) -> String {
+    let (model, study) = (page.model, page.study);
+    let arena = &study.derivations.kinematics.arena;
+    let proof = &study.proof;
+    let mut out = String::from(
+        "<section id=\"proof\">\n<h2>Proof</h2>\n<p>Every statement here is an identity between expressions, decided by exact \
+         arithmetic; nothing is sampled in floating point.</p>\n",
+    );
+    out += "<h3 id=\"equality\">The derivations say the same</h3>\n";
+    if !proof.pairs.is_empty() {
+        let rows: Vec<_> = proof.pairs.iter().map(pair).collect();
+        out += &table("Formulations, pair by pair", &["Pair", "Verdict", "How one follows from the other"], &rows);
+    }
+    for (formulation, why) in &proof.missing {
+        let _ = writeln!(out, "<p>{}: not derived: {}.</p>", escape(formulation.title()), escape(&why.to_string()));
+    }
+    if proof.singular_where.is_empty() {
+        out += "<p>Valid everywhere: neither the kinematic equations nor loads divide by what may be 0.</p>\n";
+    } else {
+        let is_of_load = |e: &Expr| proof.loads.iter().any(|load| load.value == *e);
+        let speeds: Vec<_> =
+            proof.singular_where.iter().filter(|e| !is_of_load(e)).map(|e| vanishing(arena, *e)).collect();
+        let loads =
+            proof.loads.iter().map(|load| format!("{} ({})", vanishing(arena, load.value), words(&load.meaning())));
+        let loads: Vec<_> = loads.collect();
+        let rates = (speeds, "there the generalized speeds do not determine the rates of the coordinates");
+        for (list, why) in [rates, (loads, "there loads have no value")] {
+            if !list.is_empty() {
+                let _ = writeln!(out, "<p class=\"formula\">Valid except where {}: {why}.</p>", list.join(" or "));
+            }
+        }
+    }
+    if !proof.reactions.is_empty() {
+        let values = each(&proof.reactions, |reaction| {
+            format!("<div>{}</div>\n", wrapped(&[Side::Whole(symbol(&reaction.name)), Side::of(arena, reaction.value)]))
+        });
+        let values = format!(
+            "<p>From the equations that Kane's method leaves over.</p>\n<div class=\"formula\">\n{values}</div>\n"
+        );
+        out += &part("reactions", "Reactions", &values);
+    }
+    out += &integrals(model, arena, &proof.integrals, &proof.search.text(arena));
+    out += &singular(arena, &study.singular);
+    let reactions = proof.reactions.iter().map(|reaction| reaction.value);
+    let mut values = reactions.chain(proof.integrals.iter().map(|integral| integral.expression));
+    let divisors = proof.integrals.iter().flat_map(|integral| integral.divisors(arena));
+    let mut divisors = divisors.chain(proof.singular_where.iter().copied());
+    let shown = formulas(page);
+    out += &named_terms(arena, &shown);
+    if values.any(|e| length(arena, e).is_none()) || divisors.any(|e| !is_short(arena, e)) {
+        out += &unread(&format!("tripos prove {} --json", page.file));
+    }
+    out + "</section>\n"
+}
+
+/// Every formula of the section.
+fn formulas(page: &Page) -> Vec<Expr> {
+    let (proof, arena) = (&page.study.proof, &page.study.derivations.kinematics.arena);
+    let reactions = proof.reactions.iter().map(|reaction| reaction.value);
+    let integrals = proof.integrals.iter().flat_map(|integral| integral.shown(arena));
+    let singular = page.study.singular.iter();
+    let singular =
+        singular.flat_map(|(_, s)| [s.determinant].into_iter().chain(s.at.iter().map(|place| place.divisor)));
+    let all = reactions.chain(integrals).chain(proof.search.power).chain(proof.singular_where.iter().copied());
+    all.chain(singular).collect()
+}
+
+/// First integrals, a line each, with formulas that unfold.
+fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> String {
+    let mut out = String::from("<h3 id=\"integrals\">First integrals</h3>\n");
+    out += if list.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
+    let search = format!("<p class=\"quiet\">Search: {}.</p>\n", typed(search));
+    if list.is_empty() {
+        return out + &search;
+    }
+    let name = |(at, integral): (usize, &Integral)| {
+        let (name, symbol) = (integral_name(model, arena, integral), inline(&integral_symbol(at)));
+        format!("<li>{symbol}: {name}, {}</li>\n", verdict(&integral.verdict))
+    };
+    let names: String = list.iter().enumerate().map(name).collect();
+    let formulas: String =
+        list.iter().enumerate().map(|(at, integral)| first_integral(model, arena, at, integral)).collect();
+    let _ = writeln!(out, "<ul class=\"plain\">\n{names}</ul>");
+    out + &part("integral-formulas", "As formulas", &(formulas + &search))
+}
+
+fn pair(pair: &Pair) -> Vec<String> {
+    let (left, right) = (escape(pair.left.title()), escape(pair.right.title()));
+    vec![format!("{left} ⇔ {right}"), verdict(&pair.verdict), typed(&pair.map)]
+}
+
+/// A verdict in words, with what decided.
+fn verdict(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Equal(engine) => format!("proved <span class=\"quiet\">({})</span>", escape(&engine.to_string())),
+        Verdict::Different(found) => {
+            format!("<strong class=\"wrong\">different</strong>: {}", witness(found, ["left", "right"]))
+        }
+        Verdict::Undecided(why) => format!("<strong class=\"wrong\">undecided</strong>: {}", escape(why)),
+    }
+}
+
+/// The two values, with what they are, and where they occur.
+pub fn witness(witness: &Witness, [left, right]: [&str; 2]) -> String {
+    let last = witness.at.len().saturating_sub(1);
+    let at = witness.at.iter().enumerate().map(|(at, (name, x))| {
+        let comma = if at < last { "," } else { "" };
+        format!("<span class=\"keep\">{}{comma}</span>", inline(&format!("{}<mo>=</mo>{}", symbol(name), decimal(*x))))
+    });
+    let at: Vec<String> = at.collect();
+    let place = if at.is_empty() { String::new() } else { format!(" at {}", at.join(" ")) };
+    let value = |x: f64| inline(&decimal(x));
+    format!("{left} {}, {right} {}{place}", value(witness.left), value(witness.right))
+}
+
+/// Plain text with rates as a person writes them.
+fn typed(text: &str) -> String {
+    escape(text).replace("q'", "q̇")
+}
+
+fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) -> String {
+    let verdict = verdict(&integral.verdict);
+    let divisors = integral.divisors(arena);
+    let places: Vec<String> = divisors.iter().map(|e| vanishing(arena, *e)).collect();
+    let places = if places.is_empty() {
+        String::new()
+    } else {
+        format!("<p class=\"formula\">Except where {}.</p>\n", places.join(", "))
+    };
+    format!(
+        "<h4>{}: {}, {verdict}</h4>\n<div class=\"formula\">{}</div>\n{places}",
+        inline(&integral_symbol(at)),
+        integral_name(model, arena, integral),
+        wrapped(&[Side::Whole(integral_symbol(at)), Side::of(arena, integral.expression)])
+    )
+}
+
+/// I with its number, which counts from 0 here.
+pub fn integral_symbol(at: usize) -> String {
+    format!("<msub><mi>I</mi><mn>{}</mn></msub>", at + 1)
+}
+
+/// All that a first integral is, with the definition of a coordinate's momentum typeset.
+pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> String {
+    let kinds = integral.kinds.iter().zip(&integral.of_places).zip(integral.names(model, arena));
+    let names = kinds.map(|((kind, of_place), words)| match kind {
+        IntegralKind::Coordinate(at) if *of_place == Expr::ZERO => {
+            format!("momentum {}", inline(&momentum(&model.coordinates[*at].name)))
+        }
+        _ => escape(&words),
+    });
+    names.collect::<Vec<_>>().join("; ")
+}
+
+/// p_q = ∂L/∂q̇ for a coordinate.
+fn momentum(coordinate: &str) -> String {
+    format!(
+        "<mrow><msub><mi>p</mi><mrow>{}</mrow></msub><mo>=</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>L</mi></mrow><mrow>\
+         <mo form=\"prefix\">∂</mo>{}</mrow></mfrac></mrow>",
+        symbol(coordinate),
+        symbol(&format!("{coordinate}'")),
+    )
+}
+
+fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
+    if list.is_empty() {
+        return String::new();
+    }
+    let row = |(formulation, s): &(Formulation, Singularity)| {
+        format!(
+            "<tr><th scope=\"row\">{}</th><td><div class=\"formula\">{}</div></td><td>{}</td></tr>\n",
+            escape(formulation.title()),
+            said(arena, s.determinant),
+            zeros(arena, s)
+        )
+    };
+    format!(
+        "<h3 id=\"singular\">Where the matrices are singular</h3>\n<p>A place where the matrix of the accelerations is singular is one thing, \
+         a place where the kinematic equations divide by zero another.</p>\n<table class=\"effects\">\n<caption>Determinants, as \
+         formulas</caption>\n<colgroup><col class=\"name\"><col><col class=\"name\"></colgroup>\n{}<tbody>\n{}</tbody>\n</table>\n",
+        head(&["Equations", "Determinant", "Where it is zero"]),
+        each(list, row)
+    )
+}
+
+/// Proved statements about the zeros of a determinant, and about entries of its matrix without a value.
+pub fn zeros(arena: &Arena, singularity: &Singularity) -> String {
+    if singularity.determinant == Expr::ZERO {
+        return "everywhere".to_owned();
+    }
+    let mut statements = Vec::new();
+    if singularity.never {
+        statements.push("nowhere".to_owned());
+    }
+    for place in &singularity.at {
+        let (divisor, vanishing) = (said(arena, place.divisor), vanishing(arena, place.divisor));
+        match place.determinant {
+            There::Zero => statements.push(format!("wherever {vanishing}")),
+            There::NotZero if !singularity.never => statements.push(format!("not where {vanishing}")),
+            There::NotZero | There::Open => {}
+        }
+        if place.entries_divide {
+            statements.push(format!("entries of the matrix divide by {divisor}"));
+        }
+    }
+    if statements.is_empty() { "nothing is proved".to_owned() } else { statements.join("; ") }
+}

@@ -1,0 +1,242 @@
+//! A published derivation against the derived one: root mistakes with the entries that follow from each, and their
+//! effect on the motion.
+
+use crate::page::content::Page;
+use crate::page::markup::html::{breakable, each, escape, folded, table};
+use crate::page::markup::math::{Side, inline, value, widest, wrapped};
+use crate::page::markup::typeset::typeset;
+use crate::page::model::derivation::named_terms;
+use crate::page::model::proof::witness;
+use crate::page::print::motion;
+use crate::words::entries;
+use std::fmt::Write;
+use tripos::studies::study::Published;
+use tripos_derive::algebra::Arena;
+use tripos_derive::diff::{Difference, Finding, Follower, Judgement, Link, Root};
+
+/// Verdicts in the order of the counts, with the words of a heading.
+const VERDICTS: [(&str, &str); 5] = [
+    ("equal", "Equal"),
+    ("scaled", "Equal up to a factor"),
+    ("different", "Different"),
+    ("undecided", "Undecided"),
+    ("stated", "Stated only"),
+];
+
+/// The ways in which entries hang on a root, with the words before their list.
+const LINKS: [(Link, &str); 3] = [
+    (Link::Repeated, "Repeated in"),
+    (Link::Follows, "From it follow"),
+    (Link::Contradicts, "It contradicts, directly or through others,"),
+];
+
+/// Visible characters of a printed term that fit beside its label.
+const WIDEST: usize = 80;
+
+/// The section.
+pub fn section(page: &Page, published: &Published) -> String {
+    let arena = &page.study.derivations.kinematics.arena;
+    let difference = &published.difference;
+    let mut out = format!(
+        "<section id=\"errata\">\n<h2>Errata of the published derivation</h2>\n<p><strong>{}</strong>{}, transcribed as \
+         printed: every entry is judged on its own against what is derived here, so an error counts where it is made.</p>\n",
+        escape(published.publication.heading()),
+        match published.publication.reference.as_str() {
+            "" => String::new(),
+            reference => format!(" ({})", escape(reference)),
+        }
+    );
+    out += &counts(&difference.findings);
+    if !difference.findings.iter().any(is_wrong) {
+        out += "<p>Nothing is wrong.</p>\n";
+    }
+    out += &mistakes(arena, difference);
+    out += &undecided(arena, &difference.findings);
+    out += &scaled(arena, &difference.findings);
+    out += &all(&difference.findings);
+    out += &motion::consequences(page, published);
+    out += &named_terms(arena, &difference.shown());
+    out + "</section>\n"
+}
+
+/// The place of a root mistake in the page.
+pub fn anchor(root: usize) -> String {
+    format!("mistake-{}", root + 1)
+}
+
+/// The root mistakes, with the entries that come of each folded under it.
+fn mistakes(arena: &Arena, difference: &Difference) -> String {
+    let Difference { findings, roots, .. } = difference;
+    if roots.is_empty() {
+        return String::new();
+    }
+    let wrong = entries(difference.count("different"));
+    let count =
+        if roots.len() == 1 { "1 root mistake is".to_owned() } else { format!("{} root mistakes are", roots.len()) };
+    let items: String = roots.iter().enumerate().map(|(at, root)| mistake(arena, findings, at, root)).collect();
+    format!(
+        "<h3 id=\"mistakes\">Root mistakes</h3>\n<p>{count} behind {wrong} that differ. An entry stands under another if it is the same wrong value, or comes out \
+         exactly as printed when the other's printed value is put in the place of the derived one; numbers that contradict one another stand \
+         together. What is not proved to come of another is a root of its own.</p>\n{items}"
+    )
+}
+
+/// One root mistake: what is wrong, where it is repeated, what follows from it, and its entries.
+fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &Root) -> String {
+    let shown = std::iter::once((root.finding, None)).chain(root.followers.iter().map(|f| (f.finding, Some(f))));
+    let rows: String =
+        shown.map(|(finding, by)| entry(arena, &findings[finding], by.map(|f| source(findings, f)))).collect();
+    format!(
+        "<details id=\"{}\">\n<summary>{}. <code>{}</code>: {} <span class=\"quiet\">({})</span></summary>\n{}{}</details>\n",
+        anchor(at),
+        at + 1,
+        breakable(&findings[root.finding].id),
+        escape(&root.mistake),
+        entries(root.entries()),
+        each(&LINKS, |(link, words)| links(findings, root, *link, words)),
+        errata("Its entries", &rows),
+    )
+}
+
+/// The entries that hang on a root in one way, as a sentence.
+fn links(findings: &[Finding], root: &Root, link: Link, words: &str) -> String {
+    let ids: Vec<String> = root.linked(link).map(|f| code(findings, f.finding)).collect();
+    if ids.is_empty() { String::new() } else { format!("<p>{words} {}.</p>\n", ids.join(", ")) }
+}
+
+fn code(findings: &[Finding], at: usize) -> String {
+    format!("<code>{}</code>", escape(&findings[at].id))
+}
+
+/// Words for the entries from which a wrong entry follows.
+fn source(findings: &[Finding], follower: &Follower) -> String {
+    let ids = |list: &[usize]| list.iter().map(|at| code(findings, *at)).collect::<Vec<_>>().join(" and ");
+    let words = match follower.link {
+        Link::Repeated => "repeats",
+        Link::Follows => "follows from",
+        Link::Contradicts => "contradicts",
+    };
+    let also =
+        if follower.also.is_empty() { String::new() } else { format!("; comes of {} as well", ids(&follower.also)) };
+    format!("{words} {}{also}", ids(&follower.from))
+}
+
+/// Entries of which it is not known whether they are right.
+fn undecided(arena: &Arena, findings: &[Finding]) -> String {
+    let open: Vec<&Finding> = findings.iter().filter(|f| matches!(f.judgement, Judgement::Undecided(_))).collect();
+    if open.is_empty() {
+        return String::new();
+    }
+    errata("What is not decided", &each(&open, |finding| entry(arena, finding, None)))
+}
+
+/// A table of errata.
+fn errata(caption: &str, rows: &str) -> String {
+    format!(
+        "<table class=\"errata\">\n<caption>{caption}</caption>\n<colgroup><col class=\"entry\"><col class=\"label\"><col></colgroup>\n<thead><tr><th scope=\"col\">Entry</th>\
+         <th scope=\"col\" colspan=\"2\">Printed and derived</th></tr></thead>\n{rows}</table>\n"
+    )
+}
+
+fn is_wrong(finding: &Finding) -> bool {
+    matches!(finding.judgement, Judgement::Different | Judgement::Undecided(_))
+}
+
+/// Table of the number of entries with each verdict, for each section.
+fn counts(findings: &[Finding]) -> String {
+    let mut sections: Vec<&str> = Vec::new();
+    for finding in findings {
+        if !sections.contains(&finding.section.as_str()) {
+            sections.push(&finding.section);
+        }
+    }
+    let row = |label: String, of: &dyn Fn(&Finding) -> bool| {
+        let count = |word: &str| findings.iter().filter(|f| of(f) && f.judgement.word() == word).count();
+        let number = |n: usize| if n == 0 { "–".to_owned() } else { n.to_string() };
+        let total = findings.iter().filter(|f| of(f)).count();
+        let counts = VERDICTS.iter().map(|(word, _)| number(count(word)));
+        [label, total.to_string()].into_iter().chain(counts).collect::<Vec<_>>()
+    };
+    let mut rows: Vec<_> =
+        sections.iter().map(|section| row(escape(section), &|f: &Finding| f.section == *section)).collect();
+    rows.push(row("<strong>all</strong>".to_owned(), &|_: &Finding| true));
+    let columns = [&["Section", "Entries"][..], &VERDICTS.map(|(_, heading)| heading)].concat();
+    table("Verdicts", &columns, &rows).replacen("<table>", "<table class=\"counts\">", 1)
+}
+
+/// One erratum: the entry, beside what it hangs on, a line each for what is printed, what is derived, and so on.
+fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
+    let mut lines = vec![("printed", printed(&finding.printed))];
+    if let Some(derived) = finding.derived {
+        // Of a row of a linear system: everything on one side.
+        let zero =
+            if finding.printed.contains(" = ") { inline("<mo form=\"infix\">=</mo><mn>0</mn>") } else { String::new() };
+        lines.push(("derived", format!("{} {zero}", value(arena, derived))));
+    }
+    if let Some(difference) = finding.difference {
+        lines.push(("printed − derived", value(arena, difference)));
+    }
+    if let Some(factor) = finding.factor {
+        lines.push(("factor", value(arena, factor)));
+    }
+    // Where nothing is derived, a remark says what it is compared with.
+    if let (Some(found), true) = (&finding.witness, finding.derived.is_some()) {
+        lines.push(("for instance", witness(found, ["printed", "derived"])));
+    }
+    if let Judgement::Undecided(why) = &finding.judgement {
+        lines.push(("undecided", escape(why)));
+    }
+    lines.extend(finding.remarks.iter().map(|remark| ("remark", escape(remark))));
+    lines.extend(source.map(|words| ("root", words)));
+    let head = format!(
+        "<th scope=\"rowgroup\" rowspan=\"{}\"><code>{}</code><br><span class=\"quiet\">section {}</span></th>",
+        lines.len(),
+        breakable(&finding.id),
+        escape(&finding.section),
+    );
+    let mut rows = String::new();
+    for (at, (label, content)) in lines.iter().enumerate() {
+        let head = if at == 0 { head.as_str() } else { "" };
+        let _ = writeln!(rows, "<tr>{head}<td>{label}</td><td><div class=\"formula\">{content}</div></td></tr>");
+    }
+    format!("<tbody>\n{rows}</tbody>\n")
+}
+
+/// The printed text: typeset if it is a formula that fits, otherwise as code.
+fn printed(text: &str) -> String {
+    match typeset(text) {
+        Some(sides) if sides.iter().all(|side| widest(side) <= WIDEST) => {
+            wrapped(&sides.into_iter().map(Side::Marks).collect::<Vec<_>>())
+        }
+        _ => format!("<code>{}</code>", escape(text)),
+    }
+}
+
+/// Entries that are right but for a factor: of the row of a linear system.
+fn scaled(arena: &Arena, findings: &[Finding]) -> String {
+    let list: Vec<&Finding> = findings.iter().filter(|f| f.judgement == Judgement::Scaled).collect();
+    if list.is_empty() {
+        return String::new();
+    }
+    let item = |finding: &&Finding| {
+        let by = finding.factor.map_or_else(|| escape(&finding.remarks.join("; ")), |factor| value(arena, factor));
+        format!("<li><code>{}</code> by {by}{}</li>\n", breakable(&finding.id), place(finding))
+    };
+    let items = format!("<ul class=\"entries\">\n{}</ul>\n", each(&list, item));
+    folded(&format!("Equal up to a factor <span class=\"quiet\">({})</span>", entries(list.len())), &items)
+}
+
+/// Words for the domain of an equality; empty if it holds everywhere.
+fn place(finding: &Finding) -> String {
+    finding.holds.words().map_or_else(String::new, |words| format!(" {words}"))
+}
+
+fn all(findings: &[Finding]) -> String {
+    let item = |finding: &Finding| {
+        let word = finding.judgement.word();
+        let word = if is_wrong(finding) { format!("<strong class=\"wrong\">{word}</strong>") } else { word.to_owned() };
+        format!("<li><code>{}</code> {word}{}</li>\n", breakable(&finding.id), place(finding))
+    };
+    let items = format!("<ul class=\"entries\">\n{}</ul>\n", each(findings, item));
+    folded(&format!("All entries <span class=\"quiet\">({})</span>", findings.len()), &items)
+}

@@ -1,0 +1,5 @@
+//! The publication beside the model: errata, verdict, effect on the motion.
+
+pub(super) mod errata;
+pub(super) mod motion;
+pub(super) mod verdict;

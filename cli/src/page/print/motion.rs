@@ -1,0 +1,163 @@
+//! Effect of the printed systems on the motion: accelerations, determinants, first integrals, agreement.
+
+use crate::page::content::Page;
+use crate::page::markup::html::{breakable, escape, folded, part, table};
+use crate::page::markup::math::{inline, value};
+use crate::page::model::proof::{integral_name, integral_symbol, zeros};
+use std::fmt::Write;
+use tripos::studies::study::Published;
+use tripos_derive::algebra::meaning::compare::Verdict;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::diff::{Consequences, Difference};
+use tripos_derive::prove::Singularity;
+
+/// The part of the errata; nothing if no system is printed whole.
+pub fn consequences(page: &Page, published: &Published) -> String {
+    let list = &published.difference.consequences;
+    if list.is_empty() {
+        return String::new();
+    }
+    let mut out = String::from(
+        "<h3 id=\"effects\">What the errors do to the motion</h3>\n<p>Each printed system, and each program, is solved for its \
+         accelerations as it stands.</p>\n",
+    );
+    out += &overview(page, list);
+    out += &agreement(&published.difference);
+    let mut systems = String::new();
+    for (system, singularity) in list.iter().zip(&published.singular) {
+        let table = details(page, system, singularity.as_ref());
+        let first = published.first_alike(&system.system);
+        systems += &if first == system.system {
+            table
+        } else {
+            let (id, first) = (escape(&system.system), escape(first));
+            folded(
+                &format!("<code>{id}</code> <span class=\"quiet\">(the same motion as <code>{first}</code>)</span>"),
+                &table,
+            )
+        };
+    }
+    out + &part("systems", "System by system: determinants, and rates of first integrals", &systems)
+}
+
+fn yes_or_no(verdict: &Verdict, yes: &str, no: &str) -> String {
+    match verdict {
+        Verdict::Equal(_) => yes.to_owned(),
+        Verdict::Different(_) => format!("<strong class=\"wrong\">{no}</strong>"),
+        Verdict::Undecided(_) => "undecided".to_owned(),
+    }
+}
+
+/// All systems at a glance.
+fn overview(page: &Page, list: &[Consequences]) -> String {
+    let symbols: Vec<String> = (0..page.study.proof.integrals.len()).map(|at| inline(&integral_symbol(at))).collect();
+    let columns =
+        ["Printed system", "Accelerations", "Determinant"].into_iter().chain(symbols.iter().map(String::as_str));
+    let columns: Vec<&str> = columns.collect();
+    let row = |system: &Consequences| {
+        let determinant =
+            system.determinant.as_ref().map_or("–".to_owned(), |(.., v)| yes_or_no(v, "as derived", "other"));
+        let mut cells = vec![
+            format!("<code>{}</code>", escape(&system.system)),
+            yes_or_no(&system.accelerations, "as derived", "other"),
+            determinant,
+        ];
+        cells.extend(system.rates.iter().map(|rate| yes_or_no(&rate.verdict, "kept", "broken")));
+        cells.resize(columns.len(), "–".to_owned());
+        cells
+    };
+    table("Printed systems at a glance", &columns, &list.iter().map(row).collect::<Vec<_>>())
+}
+
+/// Sentences on the printed systems that give the same motion as one another.
+fn agreement(difference: &Difference) -> String {
+    let agreements = &difference.agreements;
+    if agreements.is_empty() {
+        return String::new();
+    }
+    let pairs = |of: fn(&Verdict) -> bool| {
+        let pairs = agreements.iter().filter(|a| of(&a.verdict));
+        pairs
+            .map(|a| format!("<code>{}</code> and <code>{}</code>", escape(&a.left), escape(&a.right)))
+            .collect::<Vec<_>>()
+    };
+    let same = pairs(Verdict::is_equal);
+    let open = pairs(|v| matches!(v, Verdict::Undecided(_)));
+    let mut sentences = vec!["Do they give the same motion as one another?".to_owned()];
+    if same.len() == agreements.len() {
+        sentences.push("Yes, all of them.".to_owned());
+    } else if same.is_empty() {
+        sentences.push("No two of them are proved to.".to_owned());
+    } else {
+        sentences.push(format!("These do: {}.", same.join("; ")));
+    }
+    if !open.is_empty() {
+        sentences.push(format!("Undecided: {}.", open.join("; ")));
+    }
+    if same.len() + open.len() < agreements.len() {
+        sentences.push("All other pairs differ.".to_owned());
+    }
+    format!("<p>{}</p>\n", sentences.join(" "))
+}
+
+/// One system: its determinant and the rates of the first integrals.
+fn details(page: &Page, system: &Consequences, singularity: Option<&Singularity>) -> String {
+    let arena = &page.study.derivations.kinematics.arena;
+    let mut lines =
+        vec![("accelerations".to_owned(), yes_or_no(&system.accelerations, "as derived", "not as derived"))];
+    if let Verdict::Undecided(why) = &system.accelerations {
+        lines[0].1 = format!("undecided: {}", escape(why));
+    }
+    if let Some((printed, derived, verdict)) = &system.determinant {
+        lines.extend(determinant(arena, *printed, *derived, verdict, singularity));
+    }
+    for (at, rate) in system.rates.iter().enumerate() {
+        let name = format!(
+            "{} <span class=\"quiet\">{}</span>",
+            inline(&integral_symbol(at)),
+            integral_name(page.model, arena, &rate.integral)
+        );
+        let content = match &rate.verdict {
+            Verdict::Equal(_) => "kept".to_owned(),
+            Verdict::Different(_) => format!(
+                "<strong class=\"wrong\">broken</strong>: {} {}",
+                inline(&format!("<mrow>{}<mo form=\"infix\">=</mo></mrow>", derivative(at))),
+                value(arena, rate.rate)
+            ),
+            Verdict::Undecided(why) => format!("undecided: {}", escape(why)),
+        };
+        lines.push((name, content));
+    }
+    let rows = lines.iter().fold(String::new(), |mut rows, (label, content)| {
+        let _ =
+            writeln!(rows, "<tr><th scope=\"row\">{label}</th><td><div class=\"formula\">{content}</div></td></tr>");
+        rows
+    });
+    format!(
+        "<table class=\"effects\">\n<caption><code>{}</code></caption>\n<colgroup><col class=\"name\"><col></colgroup>\n<tbody>\n{rows}</tbody>\n</table>\n",
+        breakable(&system.system)
+    )
+}
+
+/// The time derivative dI/dt of a first integral.
+fn derivative(at: usize) -> String {
+    let d = "<mi mathvariant=\"normal\">d</mi>";
+    format!("<mfrac><mrow>{d}{}</mrow><mrow>{d}<mi>t</mi></mrow></mfrac>", integral_symbol(at))
+}
+
+fn determinant(
+    arena: &Arena,
+    printed: Expr,
+    derived: Expr,
+    verdict: &Verdict,
+    singularity: Option<&Singularity>,
+) -> Vec<(String, String)> {
+    let mut lines = vec![("determinant".to_owned(), value(arena, printed))];
+    if !verdict.is_equal() {
+        lines.push(("determinant, derived".to_owned(), value(arena, derived)));
+    }
+    if let Some(singularity) = singularity {
+        lines.push(("determinant is zero".to_owned(), zeros(arena, singularity)));
+    }
+    lines
+}

@@ -1,0 +1,150 @@
+//! Reduced equations of a scene: the states that they keep and leave out, and why that is exact.
+
+use crate::page::content::{Needs, Page, SceneSection};
+use crate::page::markup::html::{escape, folded, number, rounded, scroll, table};
+use crate::page::markup::math::{Side, formula, inline, is_short, length, lines, symbol, unread, vanishing, wrapped};
+use crate::page::markup::typeset::typeset;
+use std::fmt::Write;
+use tripos_codegen::plan::Costs;
+use tripos_derive::algebra::text::print::{mathml_of, text};
+use tripos_derive::algebra::{Arena, Expr, Node};
+use tripos_derive::reduce::{Omission, Output, Piece, Prose, Quantity};
+
+/// The part of one scene.
+pub fn section(page: &Page, scene: &SceneSection) -> String {
+    let needs = match &scene.needs {
+        Ok(needs) => needs,
+        Err(why) => {
+            return format!("<p class=\"missing\">The scene has no equations of its own: {}.</p>\n", escape(why));
+        }
+    };
+    let omitted = &needs.reduced.reduction.omitted;
+    let mut out = format!("<p class=\"formula\">{}</p>\n{}", summary(page, needs), kept(needs));
+    out += &equations(needs);
+    if !is_read(needs) {
+        out += &unread(&format!("tripos scene {} --json", scene.file));
+    }
+    out += &folded("What it shows, from these", &outputs(needs));
+    if !omitted.is_empty() {
+        out += &folded(
+            &format!("What is left out, and why ({})", omitted.len()),
+            &left_out(needs.reduced.reduction.terms(), omitted),
+        );
+    }
+    out
+}
+
+/// Numbers of states, integrals and operations that are left, in words.
+fn summary(page: &Page, needs: &Needs) -> String {
+    let reduction = &needs.reduced.reduction;
+    let states = page.model.coordinates.len() + page.model.speeds.len();
+    let count = |n: usize, one: &str| format!("{n} {one}{}", if n == 1 { "" } else { "s" });
+    let mut out = format!("Of {} {} are kept", count(states, "state"), reduction.states.len());
+    if !reduction.quadratures.is_empty() {
+        let _ = write!(out, ", and {}", count(reduction.quadratures.len(), "integral"));
+        out += " along them on which no state depends";
+    }
+    if !reduction.constants.is_empty() {
+        let _ = write!(out, "; {} from the start stand for the rest", count(reduction.constants.len(), "constant"));
+    }
+    out += ".";
+    let Costs { full, scene } = &needs.costs;
+    let _ = write!(
+        out,
+        " A call of the derivative takes {} operations instead of {} by Kane's method, with {} instead of {} and {} of sine \
+         and cosine instead of {}.",
+        scene.operations,
+        full.operations,
+        count(scene.divisions, "division"),
+        full.divisions,
+        count(scene.sincos, "pair"),
+        full.sincos
+    );
+    if !reduction.divisors.is_empty() {
+        let arena = reduction.terms();
+        let zero = |e: &Expr| vanishing(arena, without_number(arena, *e));
+        let mut places: Vec<String> = reduction.divisors.iter().map(zero).collect();
+        places.dedup();
+        let _ = write!(out, " Singular where {}.", places.join(" or "));
+    }
+    out
+}
+
+/// True if all of its formulas are short enough to be read.
+fn is_read(needs: &Needs) -> bool {
+    let reduction = &needs.reduced.reduction;
+    let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
+    let values = e.definitions.iter().map(|d| d.value).chain(e.coordinate_rates.iter().copied());
+    let values = values.chain(e.matrix.iter().flatten().chain(&e.forcing).copied());
+    let mut values = values.chain(reduction.outputs.iter().map(|o| o.value));
+    let mut divisors = reduction.divisors.iter().map(|e| without_number(arena, *e));
+    values.all(|e| length(arena, e).is_some()) && divisors.all(|e| is_short(arena, e))
+}
+
+/// A term without a number as its factor: it vanishes where the term does.
+fn without_number(arena: &Arena, e: Expr) -> Expr {
+    match arena.node(e) {
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
+        _ => e,
+    }
+}
+
+/// States, integrals and constants, with what they are.
+fn kept(needs: &Needs) -> String {
+    let reduction = &needs.reduced.reduction;
+    let arena = reduction.terms();
+    let row = |kind: &str, q: &Quantity, value: String| {
+        vec![kind.to_owned(), inline(&symbol(&q.name)), value, prose(arena, &q.about)]
+    };
+    let mut rows: Vec<Vec<String>> = reduction.states.iter().map(|q| row("state", q, String::new())).collect();
+    rows.extend(reduction.quadratures.iter().map(|q| row("integral", q, String::new())));
+    rows.extend(needs.reduced.constants().map(|(q, x)| row("constant", q, number(&rounded(x, 10)))));
+    table("Kept", &["Kind", "Symbol", "Value", "What it is"], &rows)
+}
+
+/// Definitions, rates and accelerations, a line each.
+fn equations(needs: &Needs) -> String {
+    let e = &needs.reduced.reduction.derivation.equations;
+    let mut arena = needs.reduced.reduction.terms().clone();
+    let mut list: Vec<(Side, Side)> = Vec::new();
+    for d in &e.definitions {
+        list.push((Side::of(&arena, d.symbol), Side::of(&arena, d.value)));
+    }
+    for (q, rate) in e.coordinates.iter().zip(&e.coordinate_rates) {
+        list.push((Side::Whole(symbol(&format!("{}'", text(&arena, *q)))), Side::of(&arena, *rate)));
+    }
+    for (row, forcing) in e.matrix.iter().zip(&e.forcing) {
+        let terms: Vec<Expr> = row.iter().zip(&e.unknowns).map(|(m, x)| arena.mul(*m, *x)).collect();
+        let left = arena.sum(&terms);
+        list.push((Side::of(&arena, left), Side::of(&arena, *forcing)));
+    }
+    scroll("The scene's own equations", &lines(&list))
+}
+
+/// Outputs of the scene, as functions of the kept states.
+fn outputs(needs: &Needs) -> String {
+    let reduction = &needs.reduced.reduction;
+    let arena = reduction.terms();
+    let line = |o: &Output| {
+        let name = typeset(&o.name).map_or_else(|| symbol(&o.name), |sides| sides.iter().map(mathml_of).collect());
+        // What is kept shows itself.
+        (name != formula(arena, o.value)).then(|| (Side::Whole(name), Side::of(arena, o.value)))
+    };
+    let list: Vec<_> = reduction.outputs.iter().filter_map(line).collect();
+    scroll("What the scene shows", &lines(&list))
+}
+
+fn left_out(arena: &Arena, omitted: &[Omission]) -> String {
+    let row = |o: &Omission| vec![prose(arena, &o.what), prose(arena, &o.why), escape(&o.proof)];
+    table("Left out", &["What", "Why", "How that is known"], &omitted.iter().map(row).collect::<Vec<_>>())
+}
+
+/// Words with the formulas that stand in them typeset.
+fn prose(arena: &Arena, prose: &Prose) -> String {
+    let piece = |piece: &Piece| match piece {
+        Piece::Words(words) => escape(words),
+        Piece::Term(e) => wrapped(&[Side::of(arena, *e)]),
+        Piece::Equation(left, right) => wrapped(&[*left, *right].map(|e| Side::of(arena, e))),
+    };
+    prose.0.iter().map(piece).collect()
+}

@@ -1,0 +1,135 @@
+//! Outcome of a scene, in a sentence or two: how the derived runs went and why, and how the printed equations ran.
+//!
+//! Invariant: every sentence is made of the values of runs. Only right equations are called loose. Printed equations
+//! are called wrong if they do not give the derived accelerations, however their runs end.
+
+use crate::page::content::{RunRow, SceneSection, Standing};
+use crate::page::markup::html::{count, escape, listed, number, rounded, words};
+use crate::page::scenes::runs::energy;
+use crate::page::scenes::singular::name;
+use crate::page::scenes::standing::two_digits;
+use std::fmt::Write;
+
+/// Printed runs that a sentence names.
+const NAMED: usize = 4;
+
+/// Severity of the end of a run, the worst last.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Grade {
+    /// It came to its end with its digits.
+    Arrived,
+    /// Its domain or an event ended it.
+    Ended,
+    /// Right, at tolerances that leave few digits.
+    Loose,
+    /// It could not go on.
+    Stopped,
+}
+
+fn grade(run: &RunRow) -> Grade {
+    match run.standing {
+        Standing::Stopped => Grade::Stopped,
+        Standing::Loose { .. } => Grade::Loose,
+        _ if !run.arrived => Grade::Ended,
+        _ => Grade::Arrived,
+    }
+}
+
+fn derived_runs(scene: &SceneSection) -> Vec<&RunRow> {
+    scene.runs.iter().filter(|run| run.printed.is_none()).collect()
+}
+
+/// The worst that happened to a derived run; nothing where none ran.
+pub fn worst(scene: &SceneSection) -> Option<Grade> {
+    derived_runs(scene).into_iter().map(grade).max()
+}
+
+/// Outcome of the derived runs, as HTML.
+pub fn derived(scene: &SceneSection) -> String {
+    let runs = derived_runs(scene);
+    let Some(worst) = worst(scene) else { return "No derived equations ran.".to_owned() };
+    let some: Vec<&RunRow> = runs.iter().copied().filter(|run| grade(run) == worst).collect();
+    let run = some[0];
+    let who = match (some.len(), runs.len()) {
+        (1, 1) => "The derived run".to_owned(),
+        (n, all) if n == all => format!("All {n} derived runs"),
+        (n, all) => format!("{n} of {all} derived runs"),
+    };
+    let t = number(&rounded(run.t_end, 5));
+    let s = |one: &'static str, many: &'static str| if some.len() == 1 { one } else { many };
+    let why = words(run.stop.trim_end_matches('.'));
+    match worst {
+        Grade::Stopped => format!("{who} {} at t = {t} s: {why}.", s("stops", "stop")),
+        Grade::Ended => format!("{who} {} at t = {t} s: {why}.", s("ends", "end")),
+        Grade::Loose => format!("{who} {} right but loose: {}.", s("is", "are"), loose(run)),
+        Grade::Arrived => format!("{who} {} t = {t} s{}.", s("reaches", "reach"), kept(&some)),
+    }
+}
+
+/// Why a run is loose: from when on it has few digits, and the error that its tolerances leave; else what it warns of.
+fn loose(run: &RunRow) -> String {
+    let Standing::Loose { how, error } = &run.standing else { return String::new() };
+    let few = run.few_from.map(|t| format!("fewer than three digits from t = {} s on", number(&rounded(t, 4))));
+    let error = error.as_ref().ok().map(|error| format!("an error of {} at the end", number(&two_digits(*error))));
+    let left: Vec<String> = few.into_iter().chain(error).collect();
+    match run.warnings.first() {
+        Some(warning) if run.few_from.is_none() => format!("{}; {}", words(how), words(warning.trim_end_matches('.'))),
+        _ if left.is_empty() => format!("{}; what that leaves is not known", words(how)),
+        _ => format!("{} leaves {}", words(how), listed(&left)),
+    }
+}
+
+/// Digits and energy that the runs keep, if all arrived.
+fn kept(runs: &[&RunRow]) -> String {
+    let digits = runs.iter().filter_map(|run| run.digits).reduce(f64::min);
+    let drift = runs.iter().filter_map(|run| run.energy_drift).reduce(f64::max);
+    let digits = digits.map(|digits| format!(" with {digits:.0} digits or more"));
+    let drift = drift.map(|drift| format!("total energy kept to {} J", energy(drift)));
+    match (digits, drift) {
+        (Some(digits), Some(drift)) => format!("{digits}, {drift}"),
+        (Some(digits), None) => digits,
+        (None, Some(drift)) => format!(", {drift}"),
+        (None, None) => String::new(),
+    }
+}
+
+/// Outcome of the printed equations, as HTML; `None` if none ran.
+pub fn printed(scene: &SceneSection) -> Option<String> {
+    let runs: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
+    if runs.is_empty() {
+        return None;
+    }
+    let wrong = runs.iter().filter(|run| run.standing == Standing::Wrong).count();
+    let early: Vec<&RunRow> = runs.iter().copied().filter(|run| !run.arrived).collect();
+    let of = |n: usize| if n == runs.len() { format!("all {n}") } else { format!("{n} of {}", runs.len()) };
+    let mut out = match (wrong, runs.len()) {
+        (0, 1) => "As printed, the one system is not wrong".to_owned(),
+        (0, all) => format!("As printed, none of {} is wrong", count(all, "system")),
+        (_, 1) => "As printed, the one system is wrong".to_owned(),
+        (1, all) => format!("As printed, 1 of {} is wrong, however its run ends", count(all, "system")),
+        _ => format!("As printed, {} systems are wrong, however their runs end", of(wrong)),
+    };
+    if !early.is_empty() {
+        let one = |run: &&RunRow| format!("{} at {} s", name(run), number(&rounded(run.t_end, 3)));
+        let mut list: Vec<String> = early.iter().take(NAMED).map(one).collect();
+        if early.len() > NAMED {
+            list.push(format!("{} more", early.len() - NAMED));
+        }
+        let ends = if early.len() == 1 { "ends" } else { "end" };
+        let _ = write!(out, "; {} {ends} early: {}", of(early.len()), listed(&list));
+    }
+    Some(out + "." + &far(&runs))
+}
+
+/// The printed run that arrives with the most energy lost or won.
+fn far(runs: &[&RunRow]) -> String {
+    let wrong = runs.iter().filter(|run| run.arrived && run.standing == Standing::Wrong);
+    let known = wrong.filter_map(|run| Some((run, run.energy_drift.filter(|drift| drift.is_finite())?)));
+    let Some((run, drift)) = known.max_by(|a, b| a.1.total_cmp(&b.1)) else { return String::new() };
+    format!(" {} arrives, with total energy off by {} J.", name(run), energy(drift))
+}
+
+/// The title of a scene in quotation marks.
+pub fn title(scene: &SceneSection) -> String {
+    format!("“{}”", escape(&scene.title))
+}

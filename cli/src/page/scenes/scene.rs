@@ -1,0 +1,111 @@
+//! One simulated scene: what came of it in a sentence, its runs, figures, and what was given; what is long is folded.
+
+use crate::page::content::{Fact, Figure, Page, SceneSection};
+use crate::page::markup::html::{address, anchor, escape, folded, part, words};
+use crate::page::scenes::advice;
+use crate::page::scenes::needs;
+use crate::page::scenes::outcome;
+use crate::page::scenes::runs;
+use crate::page::scenes::singular;
+use crate::plot::{pretty, slim};
+use std::fmt::Write;
+
+/// Figures of a scene that are seen at once.
+const SEEN: usize = 2;
+
+/// Part of a scene that is seen without unfolding it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Shown {
+    /// Its runs and first figures.
+    Open,
+    /// Only its outcome.
+    InASentence,
+}
+
+/// The part of one scene. `figures` counts figures over the whole page.
+pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: Shown, figures: &mut usize) -> String {
+    let place = anchor(at);
+    let mut out = format!("<article id=\"{place}\">\n<h3>{}</h3>\n", escape(&scene.title));
+    let about = match scene.about.as_str() {
+        "" => String::new(),
+        about => format!("<p>{}</p>\n", escape(about)),
+    };
+    let printed = page.study.published.as_ref().and_then(|_| outcome::printed(scene));
+    let sentences: Vec<String> = std::iter::once(outcome::derived(scene)).chain(printed).collect();
+    let _ = writeln!(out, "<p class=\"outcome\">{}</p>", sentences.join(" "));
+    let content = content(page, scene, &place, figures);
+    out += &match shown {
+        Shown::Open => about + &content,
+        Shown::InASentence => folded("Runs, figures and numbers", &(about + &content)),
+    };
+    out + "</article>\n"
+}
+
+/// Everything but the title and the sentences, the long parts folded.
+fn content(page: &Page, scene: &SceneSection, place: &str, figures: &mut usize) -> String {
+    let id = |what: &str| format!("{place}-{what}");
+    let mut out = String::new();
+    if !scene.runs.is_empty() {
+        out += &runs::table(page, scene);
+    }
+    let (seen, others) = scene.figures.split_at(scene.figures.len().min(SEEN));
+    out.extend(seen.iter().map(|shown| figure(shown, figures)));
+    out.extend(scene.not_drawn.iter().map(|why| format!("<p class=\"missing\">{}</p>\n", escape(why))));
+    if let Some(measured) = &scene.advice {
+        out += &advice::section(measured, &id("advice"));
+    }
+    if !others.is_empty() {
+        let others: String = others.iter().map(|shown| figure(shown, figures)).collect();
+        out += &part(&id("figures"), "More figures", &others);
+    }
+    out += &part(&id("needs"), "What the scene needs", &needs::section(page, scene));
+    if let Some(shown) = &scene.integrals {
+        let content = figure(shown, figures) + &runs::changes(page, scene);
+        out += &part(&id("integrals"), "First integrals along the runs", &content);
+    }
+    if let Some(shown) = &scene.nearness {
+        let content = figure(shown, figures) + &singular::statements(page, scene);
+        out += &part(&id("singular"), "Does a matrix become singular?", &content);
+    }
+    out + &given(scene, &id("given"))
+}
+
+/// Parameters, start, span, tolerances.
+fn given(scene: &SceneSection, place: &str) -> String {
+    if scene.facts.is_empty() {
+        return String::new();
+    }
+    let facts = scene.facts.iter().fold(String::new(), |mut out, (what, value)| {
+        let _ = writeln!(out, "<div><dt>{}</dt><dd>{}</dd></div>", escape(what), escape(&fact(value)));
+        out
+    });
+    part(place, "What is given", &format!("<dl>\n{facts}</dl>\n"))
+}
+
+fn figure(figure: &Figure, count: &mut usize) -> String {
+    *count += 1;
+    let link = |path: &String| format!("<a href=\"{}\"><code>{}</code></a>", address(path), escape(path));
+    let data = match figure.data.iter().map(link).collect::<Vec<_>>().join(", ") {
+        links if links.is_empty() => links,
+        links => format!(" Data: {links}."),
+    };
+    let remark = figure.remark.as_ref().map_or_else(String::new, |remark| format!("<p>{}</p>\n", words(remark)));
+    format!(
+        "<figure>\n<div class=\"card\">\n{}</div>\n<figcaption>Figure {count}. {}{data}</figcaption>\n</figure>\n{remark}",
+        slim(&figure.svg),
+        words(&figure.caption)
+    )
+}
+
+/// `q₁ = 0.2, q₂ = 1e−3`, or words as they are.
+fn fact(fact: &Fact) -> String {
+    match fact {
+        Fact::Words(words) => words.clone(),
+        Fact::Values(list) => {
+            let one = |(name, value): &(String, f64)| {
+                format!("{}\u{a0}=\u{a0}{}", pretty(name), value.to_string().replace('-', "−"))
+            };
+            list.iter().map(one).collect::<Vec<_>>().join(", ")
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! Does a matrix become singular? What is proved of the determinants, and what was met along the runs of a scene.
+//!
+//! Invariant: every sentence is computed. A proof speaks of all configurations, a run only of where it has been.
+
+use crate::page::content::{Page, RunRow, SceneSection};
+use crate::page::markup::html::{each, escape, head, number, rounded, scroll};
+use crate::page::markup::math::{Side, formula, inline, length, wrapped};
+use crate::page::scenes::standing::{self, class};
+use std::fmt::Write;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::prove::{Singularity, There};
+
+/// Characters of plain text that a divisor in the head of a table may have.
+const SHORT: usize = 40;
+
+/// The statements and the table below the figure of determinants.
+pub fn statements(page: &Page, scene: &SceneSection) -> String {
+    let divisors = divisors(page);
+    let mut items = long_divisors(page);
+    items.extend(proved(page, &divisors));
+    items.extend(conditions(scene));
+    items.extend(divisors.iter().enumerate().filter_map(|(at, divisor)| divisor_met(scene, at, divisor)));
+    let items = each(&items, |item| format!("<li><div class=\"formula\">{item}</div></li>\n"));
+    format!("<ul>\n{items}</ul>\n{}", table(scene, &divisors))
+}
+
+/// Divisors of the kinematic equations, typeset; those too long for the head of a table by their names.
+fn divisors(page: &Page) -> Vec<String> {
+    let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
+    let typeset = |(at, e): (usize, &Expr)| if is_long(arena, *e) { name_of(at) } else { formula(arena, *e) };
+    list.iter().enumerate().map(typeset).collect()
+}
+
+/// True if a divisor is so long that it stands by a name.
+fn is_long(arena: &Arena, e: Expr) -> bool {
+    length(arena, e).is_none_or(|length| length > SHORT)
+}
+
+/// The name of a long divisor, which counts from 0 here.
+fn name_of(at: usize) -> String {
+    format!("<msub><mi>d</mi><mn>{}</mn></msub>", at + 1)
+}
+
+/// Definitions of the names of long divisors.
+fn long_divisors(page: &Page) -> Vec<String> {
+    let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
+    let definition = |(at, e): (usize, &Expr)| {
+        let sides = [Side::Whole(name_of(at)), Side::short(arena, *e)];
+        wrapped(&sides)
+    };
+    list.iter().enumerate().filter(|(_, e)| is_long(arena, **e)).map(definition).collect()
+}
+
+/// Each set of equations whose determinant is known as a formula: its name as HTML, and what is proved.
+fn determinants<'a>(page: &'a Page<'_>) -> Vec<(String, &'a Singularity)> {
+    let derived = page.study.singular.iter().map(|(f, s)| (escape(f.title()), s));
+    let printed = page.study.published.iter().flat_map(|published| {
+        let systems = published.difference.consequences.iter().zip(&published.singular);
+        systems.filter_map(|(c, s)| Some((format!("<code>printed:{}</code>", escape(&c.system)), s.as_ref()?)))
+    });
+    derived.chain(printed).collect()
+}
+
+/// Statements that hold in every configuration.
+fn proved(page: &Page, divisors: &[String]) -> Vec<String> {
+    let list = determinants(page);
+    let named = |of: &dyn Fn(&Singularity) -> bool| {
+        let names: Vec<&str> = list.iter().filter(|(_, s)| of(s)).map(|(name, _)| name.as_str()).collect();
+        (!names.is_empty()).then(|| names.join(", "))
+    };
+    let mut items = Vec::new();
+    if let Some(names) = named(&|s| s.never) {
+        items.push(format!(
+            "Proved: the determinant of the matrix is zero in no configuration, whatever the parameters, for: {names}."
+        ));
+    }
+    for (divisor, e) in divisors.iter().zip(&page.model.kinematic_equations.divisors) {
+        let zero = inline(&format!("<mrow>{divisor}<mo>=</mo><mn>0</mn></mrow>"));
+        let place = |s: &Singularity| s.at.iter().find(|place| place.divisor == *e).copied();
+        let there = |s: &Singularity| place(s).map(|place| place.determinant);
+        if let Some(names) = named(&|s| there(s) == Some(There::Zero)) {
+            items.push(format!("Proved: the determinant is zero wherever {zero}, for: {names}."));
+        }
+        if let Some(names) = named(&|s| !s.never && there(s) == Some(There::NotZero)) {
+            items.push(format!("Proved: the determinant is not zero where {zero}, for: {names}."));
+        }
+        if let Some(names) = named(&|s| place(s).is_some_and(|place| place.entries_divide)) {
+            items.push(format!(
+                "Entries of the matrix divide by {}, for: {names}. Where that is small such a matrix can be ill-conditioned, \
+                 whether or not its determinant is small too.",
+                inline(divisor)
+            ));
+        }
+    }
+    let nothing = |s: &Singularity| s.determinant == Expr::ZERO;
+    if let Some(names) = named(&nothing) {
+        items.push(format!("The determinant of the matrix is zero everywhere, for: {names}."));
+    }
+    let known = |s: &Singularity| nothing(s) || s.never || s.at.iter().any(|place| place.determinant != There::Open);
+    if let Some(names) = named(&|s| !known(s)) {
+        items.push(format!("Nothing is proved of the zeros of the determinant for: {names}."));
+    }
+    items
+}
+
+/// The worst condition among derived and among printed equations.
+fn conditions(scene: &SceneSection) -> Vec<String> {
+    let worst = |printed: bool| {
+        let runs = scene.runs.iter().filter(|run| run.printed.is_some() == printed);
+        let list = runs.filter_map(|run| Some((run, run.nearest.condition?)));
+        list.min_by(|a, b| a.1.0.total_cmp(&b.1.0))
+    };
+    let sentence = |what: &str, found: Option<(&RunRow, (f64, f64))>| {
+        let (run, (condition, t)) = found?;
+        let digits = (15.95 + condition.log10()).floor();
+        let left = match digits {
+            d if d >= 14.0 => "so that solving for the accelerations loses next to nothing".to_owned(),
+            d if d >= 1.0 => format!("so that solving for the accelerations keeps about {d} of 16 digits"),
+            _ => "so that solving for the accelerations keeps no digit".to_owned(),
+        };
+        Some(format!(
+            "Among these runs of {what} equations the reciprocal condition number comes down to {} ({} at {} s), {left}.",
+            number(&rounded(condition, 2)),
+            name(run),
+            number(&rounded(t, 4)),
+        ))
+    };
+    [sentence("the derived", worst(false)), sentence("printed", worst(true))].into_iter().flatten().collect()
+}
+
+/// Least absolute value of a divisor of the kinematic equations in the derived runs, in a sentence; `None` if no run
+/// has it.
+fn divisor_met(scene: &SceneSection, at: usize, divisor: &str) -> Option<String> {
+    let runs = scene.runs.iter().filter(|run| run.printed.is_none());
+    let list = runs.filter_map(|run| Some((run, (*run.nearest.divisors.get(at)?)?)));
+    let (run, (least, t)) = list.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    let size = inline(&format!("<mrow><mo form=\"prefix\">|</mo>{divisor}<mo form=\"postfix\">|</mo></mrow>"));
+    Some(format!(
+        "The kinematic equations divide by {}, whatever the matrix does: in the derived runs {size} comes down to {} ({} \
+         at {} s), and rates of coordinates can grow with its inverse.",
+        inline(divisor),
+        number(&rounded(least, 2)),
+        name(run),
+        number(&rounded(t, 4)),
+    ))
+}
+
+/// A run in a sentence.
+pub fn name(run: &RunRow) -> String {
+    match &run.printed {
+        Some(id) => format!("<code>printed:{}</code>", escape(id)),
+        None => escape(&run.title),
+    }
+}
+
+/// The extremes of every run.
+fn table(scene: &SceneSection, divisors: &[String]) -> String {
+    let mut columns = vec![
+        "Equations".to_owned(),
+        "det <i>A</i> from".to_owned(),
+        "to".to_owned(),
+        "least |det <i>A</i> / det <i>A</i>(t₀)|".to_owned(),
+        "at [s]".to_owned(),
+        "least 1 / cond <i>A</i>".to_owned(),
+        "at [s]".to_owned(),
+    ];
+    for divisor in divisors {
+        let size = format!("<mrow><mo form=\"prefix\">|</mo>{divisor}<mo form=\"postfix\">|</mo></mrow>");
+        columns.push(format!("least {}", inline(&size)));
+        columns.push("at [s]".to_owned());
+    }
+    let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
+    let mut rows = String::new();
+    // A run that does not show every state was not watched.
+    for run in scene.runs.iter().filter(|run| !run.nearest.divisors.is_empty() || run.nearest.determinant.is_some()) {
+        let nearest = &run.nearest;
+        let pair = |pair: Option<(f64, f64)>| match pair {
+            Some((value, t)) => [number(&rounded(value, 3)), number(&rounded(t, 4))],
+            None => ["–".to_owned(), "–".to_owned()],
+        };
+        let range = nearest
+            .determinant
+            .map_or(["–".to_owned(), "–".to_owned()], |(low, high)| [low, high].map(|x| number(&rounded(x, 3))));
+        let pairs = [nearest.relative, nearest.condition].into_iter().chain(nearest.divisors.iter().copied());
+        let cells: Vec<String> = range.into_iter().chain(pairs.flat_map(pair)).collect();
+        let cells = each(&cells, |cell| format!("<td class=\"n\">{cell}</td>"));
+        let _ = writeln!(rows, "<tr{}><th scope=\"row\">{}</th>{cells}</tr>", class(run, ""), standing::name(run));
+    }
+    let table = format!(
+        "<table class=\"runs extremes\">\n<caption>Extremes at the samples of the runs</caption>\n{}<tbody>\n{rows}</tbody>\n\
+         </table>\n",
+        head(&columns)
+    );
+    scroll("Extremes of determinants and condition numbers", &table)
+}

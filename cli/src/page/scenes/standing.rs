@@ -1,0 +1,68 @@
+//! Standing of a run: whether its equations are the derived ones, and whether its tolerances leave it any digits.
+//!
+//! The two are told apart everywhere in the same words and colours: wrong equations are wrong however their run ends,
+//! and a loose run has right equations.
+
+use crate::page::content::{RunRow, Standing};
+use crate::page::markup::html::escape;
+
+impl Standing {
+    /// The word for it; none for right equations that run well.
+    pub fn word(&self) -> Option<&'static str> {
+        match self {
+            Self::Right => None,
+            Self::Loose { .. } => Some("loose"),
+            Self::Stopped => Some("stopped"),
+            Self::Wrong => Some("wrong"),
+            Self::Undecided(_) => Some("undecided"),
+        }
+    }
+
+    /// Remark below the row of a run, if there is any.
+    pub fn remark(&self, t_end: f64) -> Option<String> {
+        match self {
+            // What is wrong is said once, above the printed equations.
+            Self::Right | Self::Stopped | Self::Wrong => None,
+            Self::Loose { how, error: Ok(error) } => Some(format!(
+                "right equations, loosely integrated: {how} leaves an error of {} at t = {t_end} s, the largest \
+                 |e| / (1 + |value|) of what is shown, by comparison with a second run",
+                two_digits(*error)
+            )),
+            Self::Loose { how, error: Err(why) } => Some(format!(
+                "right equations, loosely integrated by {how}; the error at t = {t_end} s is not known: {why}"
+            )),
+            Self::Undecided(why) => {
+                Some(format!("whether these equations give the derived accelerations is not known: {why}"))
+            }
+        }
+    }
+}
+
+/// A size in two digits.
+pub fn two_digits(size: f64) -> String {
+    let short = format!("{size:.1e}");
+    match short.parse::<f64>() {
+        Ok(size) if (1e-2..1e4).contains(&size) => size.to_string(),
+        _ => short,
+    }
+}
+
+/// The class of a row of a run, with a space before more of them.
+pub fn class(run: &RunRow, more: &str) -> String {
+    let printed = run.printed.as_ref().map(|_| "printed");
+    let standing = run.standing.word();
+    let list: Vec<&str> = [more].into_iter().filter(|more| !more.is_empty()).chain(printed).chain(standing).collect();
+    if list.is_empty() { String::new() } else { format!(" class=\"{}\"", list.join(" ")) }
+}
+
+/// The name of a run, with the word for its standing.
+pub fn name(run: &RunRow) -> String {
+    let name = match &run.printed {
+        Some(id) => format!("<code>printed:{}</code>", escape(id)),
+        None => escape(&run.title),
+    };
+    match run.standing.word() {
+        Some(word) => format!("{name} <strong class=\"standing\">{word}</strong>"),
+        None => name,
+    }
+}

@@ -1,0 +1,141 @@
+//! Printed values of named quantities.
+
+use super::constant::is_constant;
+use super::finding::{Finding, Judgement};
+use super::near::Near;
+use super::ratio::constant_ratio;
+use super::terms::wrong_terms;
+use crate::diff::equations::claim::Claim;
+
+use crate::algebra::Expr;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::meaning::permitted::Holds;
+use crate::algebra::text::print::text;
+use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
+use crate::publication::Names;
+
+/// Rounds in which sums of a derived value are written shorter.
+const MOST_ROUNDS: usize = 4;
+
+/// Judges entries one by one.
+pub struct Judge<'a, 'b> {
+    /// The derived quantities.
+    pub quantities: &'a mut Quantities<'b>,
+    /// Remembers normal forms.
+    pub comparer: &'a mut Comparer,
+    /// Values of the names that the publication gives to derived quantities.
+    pub names: &'a Names,
+    /// Number of printed systems before this entry.
+    pub tables: usize,
+    /// Point near which the entry holds; `None` if it holds everywhere.
+    pub near: Option<Near>,
+}
+
+impl Judge<'_, '_> {
+    /// Judges `quantity = printed`, and returns the claim of the entry.
+    pub fn equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> (Finding, Claim) {
+        let in_rates = self.quantities.mentions_rates(printed);
+        let both = self.names.resolve(self.quantities, printed).and_then(|printed| {
+            let derived = self.quantities.value(quantity)?;
+            // An acceleration that an acceleration is stated by means what is derived.
+            let is_solved = matches!(quantity.kind(), QuantityKind::SpeedRate(_) | QuantityKind::SecondRate(_));
+            let printed = if is_solved { self.quantities.solved(printed)? } else { printed };
+            Ok((printed, derived))
+        });
+        let (printed, derived) = match both {
+            Ok(both) => both,
+            Err(why) => return (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other),
+        };
+        // A speed is defined by rates, whatever the entry writes.
+        let in_rates = in_rates || self.quantities.mentions_rates(derived);
+        let derived = if in_rates { self.quantities.before_constraints(quantity.kind(), derived) } else { derived };
+        let mut rewrite = |e: Expr| if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) };
+        let (printed, derived) = (rewrite(printed), rewrite(derived));
+        let derived = self.simplify(derived);
+        let (finding, claim) = self.value(finding, quantity.kind(), printed, derived);
+        match quantity.kind() {
+            QuantityKind::Energy(energy) if energy.has_a_zero() => (self.up_to_its_zero(finding), claim),
+            _ => (finding, claim),
+        }
+    }
+
+    /// Judges a value of a quantity, in any variables.
+    pub fn value(&mut self, finding: Finding, kind: &QuantityKind, printed: Expr, derived: Expr) -> (Finding, Claim) {
+        if let Some(near) = &mut self.near {
+            // What differs beyond the order is traced to nothing.
+            let both =
+                near.formula(self.quantities, printed).and_then(|p| Ok((p, near.formula(self.quantities, derived)?)));
+            let finding = match both {
+                Ok((printed, derived)) => self.compare(finding, printed, derived),
+                Err(why) => Finding { judgement: Judgement::Undecided(why), ..finding },
+            };
+            return (finding, Claim::Other);
+        }
+        let finding = self.compare(finding, printed, derived);
+        (finding, Claim::Value { kind: kind.clone(), printed, derived })
+    }
+
+    /// A potential energy that differs by a constant is the same potential with another zero.
+    fn up_to_its_zero(&mut self, finding: Finding) -> Finding {
+        let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
+            return finding;
+        };
+        if !is_constant(self.quantities, difference) {
+            return finding;
+        }
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let remark = format!("its zero is elsewhere: printed − derived = {}, a constant", text(arena, difference));
+        let remarks = finding.remarks.into_iter().chain([remark]).collect();
+        Finding {
+            judgement: Judgement::Equal,
+            remarks,
+            difference: None,
+            wrong: None,
+            witness: None,
+            factor: None,
+            ..finding
+        }
+    }
+
+    /// Judges one value against another, with the difference and, where it holds, the factor.
+    pub fn compare(&mut self, finding: Finding, printed: Expr, derived: Expr) -> Finding {
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let verdict = self.comparer.compare_where(arena, printed, derived);
+        let is_everywhere = verdict.0.is_equal() && verdict.1 == Holds::EVERYWHERE;
+        let derived = if is_everywhere { derived } else { self.shortened(derived) };
+        let mut finding = finding.judged(verdict, derived);
+        if finding.judgement == Judgement::Different {
+            let arena = &mut self.quantities.derivations.kinematics.arena;
+            let difference = arena.sub(printed, derived);
+            let difference = self.simplify(difference);
+            finding.difference = Some(difference);
+            finding.factor = constant_ratio(self.quantities, self.comparer, printed, derived);
+            if finding.factor.is_none() {
+                let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+                finding.name_terms(wrong_terms(arena, simplifier, printed, difference));
+            }
+        }
+        finding
+    }
+
+    /// The shortest form of a term in permitted states.
+    fn shortened(&mut self, e: Expr) -> Expr {
+        let mut short = e;
+        // What is shorter may have further sums.
+        for _ in 0..MOST_ROUNDS {
+            let arena = &mut self.quantities.derivations.kinematics.arena;
+            let next = self.comparer.permitted().shortened(arena, short);
+            if next == short {
+                break;
+            }
+            short = self.simplify(next);
+        }
+        short
+    }
+
+    /// The shortest form of a term.
+    pub fn simplify(&mut self, e: Expr) -> Expr {
+        let kinematics = &mut self.quantities.derivations.kinematics;
+        kinematics.simplifier.simplify(&mut kinematics.arena, e)
+    }
+}

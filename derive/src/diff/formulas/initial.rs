@@ -1,0 +1,132 @@
+//! Printed numbers: parameters and the start, judged by the definitions of the speeds and by one another.
+//!
+//! Numbers of one set are taken as rounded to as many decimals as its longest decimal has, half a unit of the last
+//! either way; formulas without decimals are exact. Two numbers contradict each other only beyond that.
+
+use super::finding::{Finding, Judgement};
+use crate::diff::equations::claim::Claim;
+
+use crate::algebra::Expr;
+use crate::algebra::meaning::compare::Witness;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::text::print::text;
+use crate::algebra::value::evaluate::Tape;
+use crate::model::Model;
+use crate::publication::{Entry, EntryKind, Initial, Publication};
+
+/// A value of one quantity from another place of the publication than the entry itself, with its uncertainty.
+struct Other {
+    value: f64,
+    slack: f64,
+    from: String,
+    at: Vec<(String, f64)>,
+    /// The ids of the entries that state it.
+    entries: Vec<String>,
+}
+
+/// Judges one number, and returns the entries that it contradicts.
+pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> (Finding, Claim) {
+    let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
+    let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
+    let own = number(model, initial.value);
+    let slack = slack_of(publication, initial);
+    let others: Vec<Other> =
+        by_definition(model, publication, initial).into_iter().chain(repeated(model, publication, entry)).collect();
+    let (mut contradicted, mut against) = (false, Vec::new());
+    for other in &others {
+        let difference = own - other.value;
+        // Rounding of the arithmetic itself is far below that of print.
+        let allowed = slack + other.slack + 1e-9 * own.abs().max(other.value.abs());
+        if difference.abs() <= allowed {
+            finding.remarks.push(format!("agrees with {} = {}", other.from, shown(other.value)));
+        } else {
+            contradicted = true;
+            against.extend(other.entries.iter().cloned());
+            finding.remarks.push(format!(
+                "{} gives {}, printed − that = {}",
+                other.from,
+                shown(other.value),
+                shown(difference)
+            ));
+            finding.witness.get_or_insert(Witness { at: other.at.clone(), left: own, right: other.value, difference });
+        }
+    }
+    if contradicted {
+        finding.judgement = Judgement::Different;
+    } else if !others.is_empty() {
+        finding.judgement = Judgement::Equal;
+    }
+    (finding, Claim::Number { against })
+}
+
+/// Six significant digits: these are values of print.
+fn shown(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    rounded.to_string()
+}
+
+fn number(model: &Model, e: Expr) -> f64 {
+    Tape::new(&model.arena, &[], &[e]).map_or(f64::NAN, |tape| tape.evaluate(&[])[0])
+}
+
+fn of_set<'a>(publication: &'a Publication, set: &'a str) -> impl Iterator<Item = (&'a Entry, &'a Initial)> {
+    publication.entries.iter().filter_map(move |entry| match &entry.kind {
+        EntryKind::Initial(initial) if initial.set == set => Some((entry, initial)),
+        _ => None,
+    })
+}
+
+/// Half a unit in the last decimal of the set; nothing for exact formulas.
+fn slack_of(publication: &Publication, initial: &Initial) -> f64 {
+    if initial.decimals.is_none() {
+        return 0.0;
+    }
+    let most = of_set(publication, &initial.set).filter_map(|(_, i)| i.decimals).max().unwrap_or(0);
+    0.5 * 10_f64.powi(-i32::try_from(most).unwrap_or(0))
+}
+
+/// A speed from the coordinates and rates of its own set, by its definition.
+fn by_definition(model: &Model, publication: &Publication, initial: &Initial) -> Option<Other> {
+    let speed = model.speeds.iter().find(|s| s.symbol == initial.quantity)?;
+    let mut arena = model.arena.clone();
+    let symbols: Vec<Expr> =
+        arena.reachable(&[speed.definition]).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect();
+    let (mut values, mut entries) = (Vec::new(), Vec::new());
+    for symbol in &symbols {
+        let (entry, stated) = of_set(publication, &initial.set).find(|(_, i)| i.quantity == *symbol)?;
+        entries.push(entry.id.clone());
+        values.push((number(model, stated.value), slack_of(publication, stated)));
+    }
+    let slopes: Vec<Expr> =
+        symbols.iter().map(|s| Differential::partial(*s).apply(&mut arena, speed.definition)).collect();
+    let outputs = [vec![speed.definition], slopes].concat();
+    let point: Vec<f64> = values.iter().map(|(value, _)| *value).collect();
+    let found = Tape::new(&arena, &symbols, &outputs).ok()?.evaluate(&point);
+    let slack = found[1..].iter().zip(&values).map(|(slope, (_, slack))| slope.abs() * slack).sum();
+    let names = symbols.iter().filter_map(|s| arena.symbol_name(*s)).map(str::to_owned);
+    Some(Other {
+        value: found[0],
+        slack,
+        from: format!("{} = {}", speed.name, text(&arena, speed.definition)),
+        at: names.zip(point).collect(),
+        entries,
+    })
+}
+
+/// Values of the quantity in other sets of initial values.
+fn repeated(model: &Model, publication: &Publication, entry: &Entry) -> Vec<Other> {
+    let EntryKind::Initial(initial) = &entry.kind else { return Vec::new() };
+    let others = publication.entries.iter().filter_map(|other| match &other.kind {
+        EntryKind::Initial(i) if i.quantity == initial.quantity && other.id != entry.id => Some((other, i)),
+        _ => None,
+    });
+    others
+        .map(|(other, i)| Other {
+            value: number(model, i.value),
+            slack: slack_of(publication, i),
+            from: format!("entry {}", other.id),
+            at: Vec::new(),
+            entries: vec![other.id.clone()],
+        })
+        .collect()
+}

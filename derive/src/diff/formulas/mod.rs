@@ -1,0 +1,9 @@
+//! Single printed formulas and numbers, judged.
+
+pub(super) mod constant;
+pub(super) mod entries;
+pub(super) mod finding;
+pub(super) mod initial;
+pub(super) mod near;
+pub(super) mod ratio;
+pub(super) mod terms;

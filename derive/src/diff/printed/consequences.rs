@@ -1,0 +1,153 @@
+//! Consequences of printed systems for the motion: determinants, rates of first integrals, agreement.
+
+use super::motion::{Motion, Solved};
+use super::systems::Matched;
+use crate::algebra::Expr;
+use crate::algebra::meaning::compare::{Comparer, Verdict};
+use crate::algebra::solve::linear::determinant;
+use crate::diff::equations::rows::Match;
+use crate::mechanics::{Derivations, Formulation, Kinematics};
+use crate::model::Model;
+use crate::prove::{Integral, Proof};
+
+/// The rate of a first integral of the true motion along printed equations.
+#[derive(Clone, Debug)]
+pub struct Rate {
+    /// The integral.
+    pub integral: Integral,
+    /// d/dt in q and u, simplified; 0 where it is conserved.
+    pub rate: Expr,
+    /// Verdict on the claim that the rate is zero.
+    pub verdict: Verdict,
+}
+
+/// Consequences of one printed system for the motion.
+#[derive(Clone, Debug)]
+pub struct Consequences {
+    /// The system's id.
+    pub system: String,
+    /// Its determinant, the expected one (the derived one times the factors of its rows), and the verdict.
+    pub determinant: Option<(Expr, Expr, Verdict)>,
+    /// The rates of first integrals; none if the system is singular everywhere.
+    pub rates: Vec<Rate>,
+    /// Verdict on the claim that its accelerations are the derived ones.
+    pub accelerations: Verdict,
+}
+
+impl Consequences {
+    /// Every formula that is shown of the consequences.
+    pub fn shown(&self) -> impl Iterator<Item = Expr> {
+        let determinants = self.determinant.iter().flat_map(|(printed, derived, _)| [*printed, *derived]);
+        determinants.chain(self.rates.iter().map(|rate| rate.rate))
+    }
+}
+
+/// Comparison of the accelerations that two printed systems give.
+#[derive(Clone, Debug)]
+pub struct Agreement {
+    /// The first system.
+    pub left: String,
+    /// The second.
+    pub right: String,
+    /// Verdict on the claim that the accelerations are equal.
+    pub verdict: Verdict,
+}
+
+/// Systems beyond this many unknowns are not solved symbolically.
+const MOST_UNKNOWNS: usize = 12;
+
+/// Finds the consequences of every printed system, and their agreement pair by pair.
+pub fn draw(
+    model: &Model,
+    derivations: &mut Derivations,
+    comparer: &mut Comparer,
+    proof: &Proof,
+    motions: &[(Motion, Matched)],
+) -> (Vec<Consequences>, Vec<Agreement>) {
+    let truth = derivations.get(Formulation::Kane).cloned();
+    let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
+    let truth = truth.and_then(|kane| {
+        let motion = Motion {
+            id: Formulation::Kane.name().to_owned(),
+            in_rates: false,
+            coordinate_rates: kane.coordinate_rates.clone(),
+            matrix: kane.matrix.clone(),
+            right: kane.forcing.clone(),
+        };
+        motion.solve(model, arena, simplifier)
+    });
+    let mut list = Vec::new();
+    let mut solutions: Vec<(String, Solved)> = Vec::new();
+    for (motion, matched) in motions {
+        let derivations = &mut *derivations;
+        let determinant = judged_determinant(derivations, comparer, motion, matched);
+        let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
+        let small = motion.matrix.len() <= MOST_UNKNOWNS;
+        let solved = if small { motion.solve(model, arena, simplifier) } else { None };
+        let Some(solved) = solved else {
+            let why = if small { "its matrix is singular everywhere" } else { "it is too large to be solved" };
+            let accelerations = Verdict::Undecided(why.to_owned());
+            list.push(Consequences { system: motion.id.clone(), determinant, rates: Vec::new(), accelerations });
+            continue;
+        };
+        let mut rates = Vec::new();
+        for integral in &proof.integrals {
+            let rate = solved.rate(model, arena, simplifier, integral.expression);
+            let verdict = comparer.is_zero(arena, rate);
+            rates.push(Rate { integral: integral.clone(), rate, verdict });
+        }
+        let accelerations = match &truth {
+            Some(truth) => same_motion(derivations, comparer, &solved, truth),
+            None => Verdict::Undecided("there are no derived accelerations".to_owned()),
+        };
+        list.push(Consequences { system: motion.id.clone(), determinant, rates, accelerations });
+        solutions.push((motion.id.clone(), solved));
+    }
+    let mut agreements = Vec::new();
+    for (i, (left, a)) in solutions.iter().enumerate() {
+        for (right, b) in &solutions[i + 1..] {
+            let verdict = same_motion(derivations, comparer, a, b);
+            agreements.push(Agreement { left: left.clone(), right: right.clone(), verdict });
+        }
+    }
+    (list, agreements)
+}
+
+fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &Solved, b: &Solved) -> Verdict {
+    let arena = &mut derivations.kinematics.arena;
+    let pairs = a.coordinate_rates.iter().zip(&b.coordinate_rates).chain(a.speed_rates.iter().zip(&b.speed_rates));
+    let mut verdicts: Vec<Verdict> = pairs.map(|(x, y)| comparer.compare(arena, *x, *y)).collect();
+    let count = a.off_constraints.len().max(b.off_constraints.len());
+    for at in 0..count {
+        let [x, y] = [a, b].map(|solved| solved.off_constraints.get(at).copied().unwrap_or(Expr::ZERO));
+        verdicts.push(comparer.compare(arena, x, y));
+    }
+    crate::prove::all(verdicts)
+}
+
+/// det of the printed matrix against det of the derived one times the factors of the rows.
+fn judged_determinant(
+    derivations: &mut Derivations,
+    comparer: &mut Comparer,
+    motion: &Motion,
+    matched: &Matched,
+) -> Option<(Expr, Expr, Verdict)> {
+    if matched.matrix.len() != motion.matrix.len() || motion.matrix.len() > MOST_UNKNOWNS {
+        return None;
+    }
+    let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
+    // Rows in the order in which they were matched, each with its factor; two that match one row leave another out.
+    let mut rows = Vec::new();
+    let mut taken = vec![false; matched.matrix.len()];
+    for by in &matched.rows {
+        let Match::Row { at, factor } = by else { return None };
+        if std::mem::replace(&mut taken[*at], true) {
+            return None;
+        }
+        rows.push(matched.matrix[*at].iter().map(|e| arena.mul(*factor, *e)).collect::<Vec<_>>());
+    }
+    let printed = determinant(arena, simplifier, &motion.matrix);
+    let expected = determinant(arena, simplifier, &rows);
+    let verdict = comparer.compare(arena, printed, expected);
+    Some((printed, expected, verdict))
+}

@@ -1,0 +1,46 @@
+//! Printed systems and listings as equations of motion that can be emitted and run.
+
+use crate::diff::motions;
+use crate::mechanics::{By, Derivations, Equations, RowName};
+use crate::model::Model;
+use crate::publication::{EntryKind, Publication};
+
+/// Every printed system of a publication, and every listing, as equations of their own.
+///
+/// They are run exactly as printed: nothing but the order of the unknowns is ours. Energies and the conversions
+/// between q̇ and u are the derived ones, so that a printed run can be measured. What is not whole, such as a system
+/// without all unknowns, is left out.
+pub fn printed_equations(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Equations> {
+    let mut list = Vec::new();
+    for motion in motions(model, derivations, publication) {
+        let Some(entry) = publication.entries.iter().find(|entry| entry.id == motion.id) else { continue };
+        let formulation = match &entry.kind {
+            EntryKind::System(system) => system.formulation,
+            EntryKind::Listing(listing) => listing.formulation,
+            _ => continue,
+        };
+        // A program that eliminates the reactions has as many unknowns as equations without them.
+        let eliminated = motion.right.len() == model.speeds.len();
+        let alike = if eliminated { formulation.without_reactions() } else { formulation };
+        let Some(derived) = derivations.get(alike) else { continue };
+        if derived.unknowns.len() != motion.right.len() {
+            continue;
+        }
+        list.push(Equations {
+            by: By::Printed { id: motion.id, formulation },
+            formulation: alike,
+            rows: (0..motion.right.len()).map(RowName::Printed).collect(),
+            matrix: motion.matrix,
+            forcing: motion.right,
+            symmetric: false,
+            definitions: Vec::new(),
+            required: Vec::new(),
+            gauss: None,
+            projection: Vec::new(),
+            embedding: None,
+            coordinate_rates: motion.coordinate_rates,
+            ..derived.clone()
+        });
+    }
+    list
+}

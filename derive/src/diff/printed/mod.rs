@@ -1,0 +1,6 @@
+//! Printed systems and listings, judged and solved for their motion.
+
+pub(super) mod consequences;
+pub(super) mod emitted;
+pub mod motion;
+pub(super) mod systems;

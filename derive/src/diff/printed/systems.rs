@@ -1,0 +1,458 @@
+//! Printed linear systems and program listings.
+
+use super::motion::Motion;
+use crate::diff::equations::claim::{Claim, Table};
+use crate::diff::equations::multipliers::Terms;
+use crate::diff::equations::ordered::{Ordered, derived};
+use crate::diff::equations::row_text::row_text;
+use crate::diff::equations::rows::{Match, Row, RowJudgement, judge};
+use crate::diff::formulas::entries::Judge;
+use crate::diff::formulas::finding::{Finding, Judgement};
+use crate::diff::formulas::terms::wrong_terms;
+
+use crate::algebra::Expr;
+use crate::algebra::meaning::compare::Verdict;
+use crate::algebra::meaning::permitted::Holds;
+use crate::algebra::solve::linear::solve;
+use crate::algebra::text::print::text;
+use crate::algebra::value::rank::rank;
+use crate::mechanics::{Formulation, Kinematics, Quantities, QuantityKind};
+use crate::publication::{Entry, Listing, Names, System};
+
+/// The derived rows that a printed system is compared with, and the matches of its rows.
+#[derive(Clone, Debug)]
+pub struct Matched {
+    /// The derived matrix.
+    pub matrix: Vec<Vec<Expr>>,
+    /// Match of each printed row.
+    pub rows: Vec<Match>,
+}
+
+/// Result for one system or listing.
+pub struct Judged {
+    /// Findings for rows and entries, each with its claim.
+    pub findings: Vec<(Finding, Claim)>,
+    /// The system beside the derived rows; `None` if it states accelerations outright.
+    pub table: Option<Table>,
+    /// The system as equations of motion, with its matches; `None` if it is not whole.
+    pub motion: Option<(Motion, Matched)>,
+}
+
+/// Printed rows in the order of the derived unknowns; unknowns that are not printed have the coefficient 0.
+fn printed(
+    quantities: &mut Quantities<'_>,
+    names: &Names,
+    system: &System,
+    order: &[Expr],
+) -> Result<Vec<Row>, String> {
+    let in_rates = system.formulation.is_in_rates();
+    let mut rows = Vec::new();
+    for (entries, right) in system.matrix.iter().zip(&system.right) {
+        let mut row = Vec::new();
+        for unknown in order {
+            let at = system.unknowns.iter().position(|u| u == unknown);
+            row.push(at.map_or(Expr::ZERO, |at| entries[at]));
+        }
+        row.push(*right);
+        let resolved: Result<Row, String> = row.into_iter().map(|e| value(quantities, names, e, in_rates)).collect();
+        rows.push(resolved?);
+    }
+    Ok(rows)
+}
+
+fn value(quantities: &mut Quantities<'_>, names: &Names, e: Expr, in_rates: bool) -> Result<Expr, String> {
+    let e = names.resolve(quantities, e)?;
+    Ok(if in_rates { quantities.in_rates(e) } else { quantities.in_speeds(e) })
+}
+
+/// A printed system as equations of motion, if it has as many rows as the derived one.
+pub fn system_motion(quantities: &mut Quantities<'_>, names: &Names, entry: &Entry, system: &System) -> Option<Motion> {
+    let order = derived(quantities, system.formulation, system.frame).ok()?;
+    let rows = printed(quantities, names, system, &order.unknowns).ok()?;
+    let all_there = order.unknowns.iter().all(|u| system.unknowns.contains(u));
+    (all_there && rows.len() == order.unknowns.len()).then(|| motion(quantities, &entry.id, system.formulation, &rows))
+}
+
+fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows: &[Row]) -> Motion {
+    let model = quantities.model;
+    let in_rates = formulation.is_in_rates();
+    Motion {
+        id: id.to_owned(),
+        in_rates,
+        coordinate_rates: if in_rates { model.q_dot() } else { model.kinematic_equations.rates.clone() },
+        matrix: rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect(),
+        right: rows.iter().map(|row| row[row.len() - 1]).collect(),
+    }
+}
+
+/// Positions of the model's coordinates and motion variables in the state of a listing; `None` for an absent one.
+fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
+    let model = quantities.model;
+    let variables = listing.formulation.variables(model);
+    let place = |symbol: &Expr| listing.state.iter().position(|s| s == symbol);
+    (model.q().iter().map(place).collect(), variables.iter().map(place).collect())
+}
+
+/// A listing as equations of motion: its own q̇, and its own system or accelerations. A variable that is absent from
+/// its state has the derivative 0. The second value is true if no variable is absent.
+pub fn listing_motion(
+    quantities: &mut Quantities<'_>,
+    names: &Names,
+    entry: &Entry,
+    listing: &Listing,
+) -> Result<(Motion, bool), String> {
+    let n = listing.state.len() / 2;
+    let in_rates = listing.formulation.is_in_rates();
+    let (coordinates, variables) = places(quantities, listing);
+    let mut resolved = |e: Expr| value(quantities, names, e, in_rates);
+    let derivative: Vec<Expr> = listing.derivative.iter().map(|e| resolved(*e)).collect::<Result<_, _>>()?;
+    let of_state = |at: &Option<usize>| at.map_or(Expr::ZERO, |at| derivative[at]);
+    let count = variables.len();
+    let unit = |i: usize| (0..count).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
+    let (matrix, right): (Vec<Vec<Expr>>, Vec<Expr>) = match &listing.matrix {
+        // Rows as they stand, columns in the order of the model.
+        Some(matrix) => {
+            let mut ordered = Vec::new();
+            for row in matrix {
+                let row = variables.iter().map(|at| at.map_or(Expr::ZERO, |at| row[at - n]));
+                ordered.push(row.map(&mut resolved).collect::<Result<_, _>>()?);
+            }
+            (ordered, derivative[n..].to_vec())
+        }
+        None => ((0..count).map(unit).collect(), variables.iter().map(of_state).collect()),
+    };
+    let coordinate_rates = coordinates.iter().map(of_state).collect();
+    let whole = coordinates.iter().chain(&variables).all(Option::is_some);
+    Ok((Motion { id: entry.id.clone(), in_rates, coordinate_rates, matrix, right }, whole))
+}
+
+impl Judge<'_, '_> {
+    /// Judges a printed system: each row, then each entry that has an id of its own.
+    pub fn system(&mut self, entry: &Entry, system: &System) -> Judged {
+        let both = derived(self.quantities, system.formulation, system.frame).and_then(|order| {
+            let rows = printed(self.quantities, self.names, system, &order.unknowns)?;
+            self.near(order, rows)
+        });
+        let (mut order, rows) = match both {
+            Ok(both) => both,
+            Err(why) => {
+                let finding = Finding::new(&entry.id, &entry.section, Judgement::Undecided(why), "");
+                return Judged { findings: vec![(finding, Claim::Other)], table: None, motion: None };
+            }
+        };
+        let multipliers = self.own_multipliers(&mut order, &rows);
+        let mut findings: Vec<(Finding, Claim)> = Vec::new();
+        let mut matches = Vec::new();
+        for (i, row) in rows.iter().enumerate() {
+            let judged = self.row(row, &order, i);
+            let id = system.row_id(&entry.id, i);
+            let (entries, right) = (&system.matrix_texts[i], &system.right_texts[i]);
+            let shown = row_text(entries, &system.unknown_names, right, entry.notation);
+            let finding = stated(&id, entry, &shown);
+            let claim = Claim::Row { table: self.tables, row: i };
+            findings.push((self.row_finding(finding, row, &order, &judged, i), claim));
+            for (j, unknown) in system.unknowns.iter().enumerate() {
+                let Some(id) = system.matrix_id(i, j) else { break };
+                let Some(at) = order.unknowns.iter().position(|u| u == unknown) else { continue };
+                let text = &system.matrix_texts[i][j];
+                let claim = Claim::Entry { table: self.tables, row: i, column: at };
+                findings.push((self.entry_finding(stated(&id, entry, text), row[at], &judged, at), claim));
+            }
+            if let Some(id) = system.right_id(i) {
+                let at = row.len() - 1;
+                let claim = Claim::Entry { table: self.tables, row: i, column: at };
+                let finding = stated(&id, entry, &system.right_texts[i]);
+                findings.push((self.entry_finding(finding, row[at], &judged, at), claim));
+            }
+            matches.push(judged.by);
+        }
+        if let Some((first, _)) = findings.first_mut() {
+            first.remarks.extend(multipliers);
+        }
+        self.completeness(&mut findings, entry, system, &rows, order.unknowns.len());
+        let whole = order.unknowns.iter().all(|u| system.unknowns.contains(u)) && rows.len() == order.unknowns.len();
+        let motion = whole.then(|| {
+            let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
+            (motion(self.quantities, &entry.id, system.formulation, &rows), Matched { matrix, rows: matches.clone() })
+        });
+        let table = order.beside(system.formulation, rows, matches);
+        self.kept(Judged { findings, table: Some(table), motion })
+    }
+
+    /// Writes the derived rows with the multipliers of the printed ones; describes these in words if they are others.
+    fn own_multipliers(&mut self, order: &mut Ordered, rows: &[Row]) -> Option<String> {
+        let multipliers: Vec<Expr> =
+            self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier).collect();
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        Terms { arena, simplifier, comparer: self.comparer }.adapt(order, rows, &multipliers)
+    }
+
+    /// Derived and printed rows up to the order of an entry that holds near a point.
+    fn near(&mut self, order: Ordered, rows: Vec<Row>) -> Result<(Ordered, Vec<Row>), String> {
+        let Some(near) = &mut self.near else { return Ok((order, rows)) };
+        let mut all = |quantities: &mut Quantities<'_>, list: Vec<Row>| -> Result<Vec<Row>, String> {
+            let row = |row: Row| -> Result<Row, String> {
+                let entry = |(at, e): (usize, Expr)| match order.unknowns.get(at) {
+                    Some(unknown) => near.factor(quantities, *unknown, e),
+                    None => near.formula(quantities, e),
+                };
+                row.into_iter().enumerate().map(entry).collect()
+            };
+            list.into_iter().map(row).collect()
+        };
+        let (derived, rows) = (all(self.quantities, order.rows.clone())?, all(self.quantities, rows)?);
+        Ok((Ordered { rows: derived, ..order }, rows))
+    }
+
+    /// The result for an entry. A result that holds near a point only is traced to no other, and is no equation of the
+    /// whole motion.
+    fn kept(&self, judged: Judged) -> Judged {
+        if self.near.is_none() {
+            return judged;
+        }
+        let findings = judged.findings.into_iter().map(|(finding, _)| (finding, Claim::Other)).collect();
+        Judged { findings, table: None, motion: None }
+    }
+
+    /// A row that is right may still say nothing new: then an equation is missing.
+    fn completeness(
+        &self,
+        findings: &mut [(Finding, Claim)],
+        entry: &Entry,
+        system: &System,
+        rows: &[Row],
+        unknowns: usize,
+    ) {
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let Some((first, _)) = findings.first_mut() else { return };
+        if rows.len() < unknowns {
+            first.remarks.push(format!(
+                "the system has {} of {unknowns} equations: it does not determine the motion",
+                rows.len()
+            ));
+        }
+        let Some(row) = rank(arena, rows).and_then(|found| found.dependent) else { return };
+        let id = system.row_id(&entry.id, row);
+        let Some((finding, _)) = findings.iter_mut().find(|(f, _)| f.id == id) else { return };
+        if rows.len() <= unknowns && matches!(finding.judgement, Judgement::Equal | Judgement::Scaled) {
+            finding.judgement = Judgement::Different;
+            finding.remarks.push("it follows from the rows above: an equation of motion is missing".to_owned());
+        }
+    }
+
+    /// Judges a program: its q̇ by the kinematic equations, its system row by row or its accelerations one by one.
+    pub fn listing(&mut self, entry: &Entry, listing: &Listing) -> Judged {
+        let undecided = |why: String| {
+            let finding = Finding { judgement: Judgement::Undecided(why), ..stated(&entry.id, entry, "") };
+            Judged { findings: vec![(finding, Claim::Other)], table: None, motion: None }
+        };
+        let (motion, whole) = match listing_motion(self.quantities, self.names, entry, listing) {
+            Ok(found) => found,
+            Err(why) => return undecided(why),
+        };
+        // A program that eliminates the reactions is compared with equations that have none.
+        let alike = listing.formulation.without_reactions();
+        let order = match derived(self.quantities, alike, None) {
+            Ok(order) => order,
+            Err(why) => return undecided(why),
+        };
+        let n = listing.state.len() / 2;
+        let model = self.quantities.model;
+        let rates = if motion.in_rates { model.q_dot() } else { model.kinematic_equations.rates.clone() };
+        let mut findings = Vec::new();
+        let (coordinates, variables) = places(self.quantities, listing);
+        for (i, rate) in rates.iter().enumerate() {
+            let Some(at) = coordinates[i] else { continue };
+            let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
+            let finding = stated(&id, entry, text);
+            findings.push(self.value(finding, &QuantityKind::Rate(i), motion.coordinate_rates[i], *rate));
+        }
+        let (mut rows, mut matches) = (Vec::new(), Vec::new());
+        let Some(texts) = &listing.matrix_texts else {
+            findings.extend(self.accelerations(entry, listing, &motion, &order));
+            let matched = Matched { matrix: Vec::new(), rows: Vec::new() };
+            return self.kept(Judged { findings, table: None, motion: whole.then_some((motion, matched)) });
+        };
+        let stated_rows =
+            motion.matrix.iter().zip(&motion.right).map(|(row, right)| [row.as_slice(), &[*right]].concat());
+        let (order, stated_rows) = match self.near(order, stated_rows.collect()) {
+            Ok(both) => both,
+            Err(why) => return undecided(why),
+        };
+        for (i, (texts, row)) in texts.iter().zip(stated_rows).enumerate() {
+            let judged = self.row(&row, &order, i);
+            let right = &listing.derivative_texts[n + i];
+            for (j, at) in variables.iter().enumerate() {
+                let Some(column) = at.map(|at| at - n) else { continue };
+                let text = &texts[column];
+                // Zeros that no line of the program states are listed only where they are wrong.
+                if text != "0" || !judged.entries[j].is_equal() {
+                    let id = listing.matrix_id(&entry.id, i, column);
+                    let claim = Claim::Entry { table: self.tables, row: i, column: j };
+                    findings.push((self.entry_finding(stated(&id, entry, text), row[j], &judged, j), claim));
+                }
+            }
+            let id = listing.derivative_id(&entry.id, n + i);
+            let column = row.len() - 1;
+            let claim = Claim::Entry { table: self.tables, row: i, column };
+            findings.push((self.entry_finding(stated(&id, entry, right), row[column], &judged, column), claim));
+            rows.push(row);
+            matches.push(judged.by);
+        }
+        let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
+        let matched = Matched { matrix, rows: matches.clone() };
+        let table = Some(order.beside(alike, rows, matches));
+        self.kept(Judged { findings, table, motion: whole.then_some((motion, matched)) })
+    }
+
+    /// Accelerations that a program states outright, against those that the derived system gives.
+    fn accelerations(
+        &mut self,
+        entry: &Entry,
+        listing: &Listing,
+        motion: &Motion,
+        order: &Ordered,
+    ) -> Vec<(Finding, Claim)> {
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        let a: Vec<Row> = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
+        let b: Vec<Row> = order.rows.iter().map(|row| vec![row[row.len() - 1]]).collect();
+        let solution = solve(arena, simplifier, &a, &b);
+        let mut findings = Vec::new();
+        let kind = if motion.in_rates { QuantityKind::SecondRate } else { QuantityKind::SpeedRate };
+        let (_, variables) = places(self.quantities, listing);
+        for (i, at) in variables.into_iter().enumerate() {
+            let Some(at) = at else { continue };
+            let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
+            let finding = stated(&id, entry, text);
+            findings.push(match &solution {
+                Ok((values, _)) => self.value(finding, &kind(i), motion.right[i], values[i][0]),
+                Err(_) => {
+                    let why = "the derived system is singular everywhere".to_owned();
+                    (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other)
+                }
+            });
+        }
+        findings
+    }
+
+    fn row(&mut self, row: &Row, order: &Ordered, index: usize) -> RowJudgement {
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        judge(arena, simplifier, self.comparer, row, &order.rows, index)
+    }
+
+    fn row_finding(
+        &mut self,
+        mut finding: Finding,
+        row: &Row,
+        order: &Ordered,
+        judged: &RowJudgement,
+        index: usize,
+    ) -> Finding {
+        finding.judgement = Judgement::Equal;
+        finding.holds = judged.holds();
+        // A row as one term: Σ entry · unknown − right.
+        let as_term = |judge: &mut Self, row: &Row| {
+            let arena = &mut judge.quantities.derivations.kinematics.arena;
+            let mut terms: Vec<Expr> = row.iter().zip(&order.unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
+            terms.push(arena.neg(row[row.len() - 1]));
+            arena.sum(&terms)
+        };
+        finding.derived = Some(as_term(self, &judged.expected));
+        match &judged.by {
+            Match::Row { at, factor } => {
+                if *factor != Expr::ONE {
+                    finding.factor = Some(*factor);
+                    finding.judgement = Judgement::Scaled;
+                }
+                if *at != index {
+                    finding.remarks.push(format!("compared with derived row {}", at + 1));
+                }
+            }
+            Match::Combination { multipliers } => {
+                finding.judgement = Judgement::Scaled;
+                let arena = &self.quantities.derivations.kinematics.arena;
+                let parts = multipliers.iter().enumerate().filter(|(_, m)| **m != Expr::ZERO);
+                let parts: Vec<String> = parts.map(|(i, m)| format!("({}) row {}", text(arena, *m), i + 1)).collect();
+                let by = if parts.is_empty() { "of derived rows".to_owned() } else { parts.join(" + ") };
+                finding.remarks.push(format!("a combination: {by}"));
+            }
+        }
+        if judged.is_right() {
+            return finding;
+        }
+        finding.holds = Holds::EVERYWHERE;
+        let undecided = judged.entries.iter().find_map(|v| match v {
+            Verdict::Undecided(why) => Some(why.clone()),
+            _ => None,
+        });
+        let witness = judged.entries.iter().find_map(|v| match v {
+            Verdict::Different(witness) => Some(witness.clone()),
+            _ => None,
+        });
+        finding.judgement = match (&witness, undecided) {
+            (None, Some(why)) => Judgement::Undecided(why),
+            _ => Judgement::Different,
+        };
+        let wrong: Vec<usize> = (0..judged.entries.len()).filter(|at| !judged.entries[*at].is_equal()).collect();
+        let places: Vec<String> = wrong
+            .into_iter()
+            .map(|at| self.wrong_place(order.unknowns.get(at), row[at], judged.expected[at]))
+            .collect();
+        let wrong = places.join(", ");
+        finding.remarks.push(format!("wrong: {wrong}"));
+        finding.wrong = Some(format!("it differs in {wrong}"));
+        let printed = as_term(self, row);
+        let expected = as_term(self, &judged.expected);
+        let arena = &mut self.quantities.derivations.kinematics.arena;
+        let difference = arena.sub(printed, expected);
+        // The row as a whole at one state, its unknowns included; else the entry that is wrong.
+        finding.witness = match self.comparer.compare(arena, printed, expected) {
+            Verdict::Different(whole) => Some(whole),
+            _ => witness,
+        };
+        finding.difference = Some(self.simplify(difference));
+        finding
+    }
+
+    /// An entry that is wrong, and by which terms.
+    fn wrong_place(&mut self, unknown: Option<&Expr>, printed: Expr, expected: Expr) -> String {
+        let difference = self.quantities.derivations.kinematics.arena.sub(printed, expected);
+        let difference = self.simplify(difference);
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        let terms = wrong_terms(arena, simplifier, printed, difference).join(", ");
+        let terms = if terms.is_empty() { terms } else { format!(" ({terms})") };
+        let place = match unknown {
+            Some(unknown) => format!("the coefficient of {}", text(arena, *unknown)),
+            None => "the right-hand side".to_owned(),
+        };
+        format!("{place} by {}{terms}", text(arena, difference))
+    }
+
+    fn entry_finding(&mut self, finding: Finding, value: Expr, judged: &RowJudgement, at: usize) -> Finding {
+        let verdict = (judged.entries[at].clone(), judged.holds[at]);
+        let mut finding = finding.judged(verdict, judged.expected[at]);
+        match &judged.by {
+            Match::Row { factor, .. } if *factor != Expr::ONE => {
+                finding.factor = Some(*factor);
+                if finding.judgement == Judgement::Equal {
+                    finding.judgement = Judgement::Scaled;
+                }
+            }
+            Match::Combination { .. } => finding.judgement = Judgement::Scaled,
+            Match::Row { .. } => {}
+        }
+        if finding.judgement == Judgement::Different {
+            let difference = self.quantities.derivations.kinematics.arena.sub(value, judged.expected[at]);
+            let difference = self.simplify(difference);
+            finding.difference = Some(difference);
+            let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+            finding.name_terms(wrong_terms(arena, simplifier, value, difference));
+        }
+        finding
+    }
+}
+
+/// A finding before it is judged.
+fn stated(id: &str, entry: &Entry, text: &str) -> Finding {
+    Finding::new(id, &entry.section, Judgement::Stated, text)
+}

@@ -1,0 +1,353 @@
+//! Starting point of reductions: a model's equations, its momenta and its energy, with the parameters of a scene as
+//! numbers.
+
+use super::frame::{Frame, Turn};
+use super::reactions::ForceBalance;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr, Rational};
+use crate::flow::candidates;
+use crate::mechanics::{
+    Derivations, DeriveError, Equations, Formulation, Kinematics, derive_all_with, is_reducible, motion_rates,
+    rates_to_speeds,
+};
+use crate::model::{Model, Unit};
+use crate::prove::{Basis, Field, Integral, IntegralKind};
+use crate::scene::Scene;
+
+/// Number of coordinates above which first integrals are not searched.
+const MOST_COORDINATES: usize = 12;
+/// Number of momenta up to which every choice is tried.
+const MOST_TRIED: usize = 5;
+
+/// The momentum of a symmetry, linear in the speeds: row · u + rest.
+#[derive(Clone)]
+pub struct Momentum {
+    /// Kinds of the integral.
+    pub kinds: Vec<IntegralKind>,
+    /// True if the integral has a function of place beside the momentum.
+    pub has_place: bool,
+    /// Name of its first kind, in words.
+    pub about: String,
+    /// Its value in q and u.
+    pub value: Expr,
+    /// Its coefficients of the speeds.
+    pub row: Vec<Expr>,
+    /// Part that does not depend on the speeds, in q.
+    pub rest: Expr,
+    /// The symmetry q′ = ξ(q).
+    pub field: Vec<Expr>,
+    /// The direction of the symmetry in speeds.
+    pub direction: Vec<Expr>,
+    /// Its unit.
+    pub unit: Unit,
+    /// A function of q whose rate the momentum is, if there is one: a mass times a coordinate of a mass centre.
+    pub position: Option<Expr>,
+    /// The unit of `position`.
+    pub position_unit: Unit,
+}
+
+/// A variable that is replaced by its difference from a pivot.
+#[derive(Clone, Copy, Debug)]
+pub struct Relative {
+    /// The variable.
+    pub variable: Expr,
+    /// Pivot variable whose multiple is subtracted.
+    pub pivot: Expr,
+    /// Symbol of the difference.
+    pub symbol: Expr,
+}
+
+/// A model's equations by Kane's method and its first integrals.
+#[derive(Clone)]
+pub struct Ground {
+    /// The model.
+    pub model: Model,
+    /// The store of all terms below.
+    pub arena: Arena,
+    /// Remembers what was simplified.
+    pub simplifier: Simplifier,
+    /// The coordinates; one may be the distance from a singular surface.
+    pub q: Vec<Expr>,
+    /// Values of these coordinates in the coordinates of the model.
+    pub q_start: Vec<Expr>,
+    /// Values of the equations' speeds in the speeds of the model.
+    pub u_start: Vec<Expr>,
+    /// Variables that are replaced by differences.
+    pub relatives: Vec<Relative>,
+    /// The equations.
+    pub kane: Equations,
+    /// The force balance that determines reactions, or the reason why there is none.
+    pub balance: Result<ForceBalance, DeriveError>,
+    /// First integrals of the motion.
+    pub integrals: Vec<Integral>,
+    /// Momenta of symmetries among the integrals.
+    pub momenta: Vec<Momentum>,
+    /// The energy, if it is conserved.
+    pub energy: Option<Expr>,
+    /// Parameters that are replaced by numbers.
+    pub folded: Vec<(String, Rational)>,
+    /// Motions of the whole that may be symmetries.
+    pub(in crate::reduce) fields: Vec<Field>,
+    /// Symmetries that turn states into one another and leave a scene's wanted quantities unchanged; empty before these
+    /// are known.
+    pub turns: Vec<Turn>,
+    /// Symmetries that would be in `turns` if the domain did not depend on states that they turn, in words.
+    pub kept_by_domain: Vec<String>,
+    /// The moving frame that the equations are written in.
+    pub frame: Option<Frame>,
+    /// Basis of the search for first integrals; `None` once parameters cannot become numbers any more.
+    search: Option<Search>,
+}
+
+/// Basis of the search for first integrals, with data that the numbers of a scene would hide.
+#[derive(Clone)]
+struct Search {
+    basis: Basis,
+    /// Σ m r along each inertial axis.
+    centre: Vec<Expr>,
+    /// Their units.
+    centre_units: Vec<Unit>,
+    /// The units of ∂L/∂q̇.
+    units: Vec<Unit>,
+}
+
+impl Ground {
+    /// Derives the equations of a model and finds its first integrals.
+    ///
+    /// # Errors
+    /// [`DeriveError`] if Kane's equations cannot be derived.
+    pub fn new(model: &Model) -> Result<Self, DeriveError> {
+        let mut derivations = derive_all_with(model, Kinematics::in_form(model, !is_reducible(model))?)?;
+        let kane = derivations.result(Formulation::Kane)?.clone();
+        let balance = derivations.result(Formulation::NewtonEuler).cloned();
+        let balance = balance.map(|equations| ForceBalance::new(model, &mut derivations.kinematics, &equations));
+        let (search, fields) = match model.coordinates.len() {
+            0..=MOST_COORDINATES => {
+                (Search::new(model, &mut derivations), candidates(model, &mut derivations.kinematics))
+            }
+            _ => (None, Vec::new()),
+        };
+        let Kinematics { arena, simplifier, .. } = derivations.kinematics;
+        let (q, q_start, u_start) = (model.q(), model.q(), model.u());
+        let (relatives, folded, integrals, momenta, energy, turns, frame, kept_by_domain) = Default::default();
+        let model = model.clone();
+        let mut ground = Self {
+            model,
+            arena,
+            simplifier,
+            q,
+            q_start,
+            u_start,
+            relatives,
+            kane,
+            balance,
+            integrals,
+            momenta,
+            energy,
+            folded,
+            fields,
+            turns,
+            kept_by_domain,
+            frame,
+            search,
+        };
+        ground.find_integrals();
+        Ok(ground)
+    }
+
+    /// Finds the first integrals of the motion.
+    fn find_integrals(&mut self) {
+        let Some(search) = &self.search else { return };
+        let terms = (&mut self.arena, &mut self.simplifier);
+        let (integrals, _) = search.basis.search(&self.model, terms, &mut Comparer::default());
+        self.energy = integrals.iter().find(|i| i.is_energy()).map(|i| i.expression);
+        let terms = &mut (&mut self.arena, &mut self.simplifier);
+        self.momenta = integrals.iter().filter_map(|i| search.momentum(&self.model, terms, i)).collect();
+        self.integrals = integrals;
+    }
+
+    /// Puts the numbers of the scene in the place of the parameters that it does not leave free, if they are short and
+    /// exact.
+    pub(in crate::reduce) fn fold(&mut self, scene: &Scene) {
+        let parameters = self.model.parameters.iter().enumerate();
+        let fixed = parameters.filter(|(at, _)| !scene.free.contains(at)).filter_map(|(at, p)| {
+            let value = scene.exact.rational.get(at)?.clone()?;
+            is_plain(&value).then(|| (p.name.clone(), p.symbol, value))
+        });
+        let mut values: Vec<(String, Expr, Rational)> = fixed.collect();
+        // A number under which a term loses its divisor stays a letter.
+        loop {
+            let mut trial = self.clone();
+            let pairs: Vec<_> = values.iter().map(|(_, p, x)| (*p, trial.arena.number(x.clone()))).collect();
+            let mut put = Substitution::new(&pairs);
+            trial.change(&mut |arena, _, e| put.apply(arena, e));
+            if put.undefined.is_none() {
+                trial.folded = values.into_iter().map(|(name, _, value)| (name, value)).collect();
+                trial.change(&mut |arena, simplifier, e| simplifier.simplify(arena, e));
+                trial.search_at(&mut put);
+                *self = trial;
+                return;
+            }
+            let zero = values.iter().position(|(_, _, value)| value.is_zero()).unwrap_or(values.len() - 1);
+            values.remove(zero);
+        }
+    }
+
+    /// Searches again with numbers for parameters: equal inertias or a damping of zero have integrals of their own.
+    fn search_at(&mut self, put: &mut Substitution) {
+        let Some(mut search) = self.search.take().filter(|_| !self.folded.is_empty()) else { return };
+        search.basis.change(&mut self.arena, &mut |arena, e| put.apply(arena, e));
+        for e in &mut search.centre {
+            *e = put.apply(&mut self.arena, *e);
+        }
+        if put.undefined.is_none() {
+            self.search = Some(search);
+            self.find_integrals();
+        }
+        self.search = None;
+    }
+
+    /// Rewrites every term.
+    pub(in crate::reduce) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
+        let Self { arena, simplifier, model, kane, balance, momenta, energy, fields, turns, .. } = self;
+        kane.visit(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
+        if let Ok(balance) = balance {
+            balance.visit(&mut |e| *e = rewrite(arena, simplifier, *e));
+        }
+        let speeds = model.speeds.iter_mut().map(|s| &mut s.definition);
+        let conditions = model.domain.iter_mut().map(|c| &mut c.positive);
+        let fixed = model.constraints.iter_mut().map(|c| &mut c.value);
+        let rates = model.kinematic_equations.rates.iter_mut().chain(&mut model.kinematic_equations.divisors);
+        let of_momenta = momenta.iter_mut().flat_map(|m| {
+            m.row
+                .iter_mut()
+                .chain(&mut m.field)
+                .chain(&mut m.direction)
+                .chain(&mut m.position)
+                .chain([&mut m.value, &mut m.rest])
+        });
+        let of_turns = fields.iter_mut().flat_map(|f| &mut f.xi).chain(turns.iter_mut().flat_map(|t| &mut t.along));
+        for e in speeds.chain(conditions).chain(fixed).chain(rates).chain(of_momenta).chain(of_turns).chain(energy) {
+            *e = rewrite(arena, simplifier, *e);
+        }
+    }
+
+    /// From the variables of the equations to those of the model.
+    pub(in crate::reduce) fn back(&self) -> Substitution {
+        let coordinates = self.q.iter().copied().zip(self.q_start.iter().copied());
+        let speeds = self.kane.variables.iter().copied().zip(self.u_start.iter().copied());
+        Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())
+    }
+
+    /// Sets of momenta that may be held together, as lists of indices: all commuting sets of a few momenta, the largest
+    /// sets of many.
+    pub(in crate::reduce) fn choices(&mut self) -> Vec<Vec<usize>> {
+        let count = self.momenta.len();
+        let pairs = (0..count).flat_map(|a| (0..a).map(move |b| (a, b)));
+        let apart: Vec<(usize, usize)> = pairs.filter(|(a, b)| !self.commute(*a, *b)).collect();
+        let allowed = |choice: &Vec<usize>| !apart.iter().any(|(a, b)| choice.contains(a) && choice.contains(b));
+        if count <= MOST_TRIED {
+            let subsets = (0..1_usize << count).map(|bits| (0..count).filter(|at| bits >> at & 1 == 1).collect());
+            return subsets.filter(allowed).collect();
+        }
+        let mut list = vec![Vec::new()];
+        for first in 0..count {
+            let mut choice = Vec::new();
+            for at in (first..count).chain(0..first) {
+                choice.push(at);
+                if !allowed(&choice) {
+                    choice.pop();
+                }
+            }
+            choice.sort_unstable();
+            list.push(choice);
+        }
+        list.sort();
+        list.dedup();
+        list
+    }
+
+    /// True if two symmetries commute: their bracket, with the components ξ·∂η_i − η·∂ξ_i, vanishes.
+    fn commute(&mut self, a: usize, b: usize) -> bool {
+        let arena = &mut self.arena;
+        let along = |field: &[Expr]| {
+            Differential::along(&self.q.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())
+        };
+        let (one, other) = (&self.momenta[a].field, &self.momenta[b].field);
+        let (mut by_one, mut by_other) = (along(one), along(other));
+        one.iter().zip(other).all(|(x, y)| {
+            let (first, second) = (by_one.apply(arena, *y), by_other.apply(arena, *x));
+            let bracket = arena.sub(first, second);
+            zero_test(arena, bracket) == ZeroTest::Zero
+        })
+    }
+}
+
+impl Search {
+    fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
+        let basis = Basis::new(model, derivations)?;
+        let kinematics = &mut derivations.kinematics;
+        let mut centre = Vec::new();
+        for axis in 0..3 {
+            let mut terms = Vec::new();
+            for body in &model.bodies {
+                let place = kinematics.positions[body.centre].clone();
+                let component = kinematics.frames.component(&mut kinematics.arena, &place, 0, axis);
+                terms.push(kinematics.arena.mul(body.mass, component));
+            }
+            centre.push(kinematics.arena.sum(&terms));
+        }
+        let arena = &mut kinematics.arena;
+        let mut in_speeds = rates_to_speeds(model);
+        let momenta: Vec<Expr> = basis.lagrangian.momenta.iter().map(|p| in_speeds.apply(arena, *p)).collect();
+        let momenta: Vec<Expr> = momenta.into_iter().map(|p| kinematics.simplifier.simplify(arena, p)).collect();
+        let units = |list: &[Expr]| list.iter().map(|e| model.unit_of(arena, *e).unwrap_or_default()).collect();
+        let (centre_units, of_momenta) = (units(&centre), units(&momenta));
+        Some(Self { basis, centre, centre_units, units: of_momenta })
+    }
+
+    /// An integral that is linear in the speeds.
+    fn momentum(
+        &self,
+        model: &Model,
+        (arena, simplifier): &mut (&mut Arena, &mut Simplifier),
+        integral: &Integral,
+    ) -> Option<Momentum> {
+        let field = integral.field.clone()?;
+        let (row, rest) = LinearForm::new(&model.u()).coefficients(arena, integral.expression).ok()?;
+        let row: Vec<Expr> = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
+        let mut form = LinearForm::new(&model.q_dot());
+        let mut direction = Vec::new();
+        for speed in &model.speeds {
+            let (coefficients, _) = form.coefficients(arena, speed.definition).ok()?;
+            let terms: Vec<Expr> = coefficients.iter().zip(&field).map(|(j, x)| arena.mul(*j, *x)).collect();
+            let sum = arena.sum(&terms);
+            let short = simplifier.simplify(arena, sum);
+            direction.push(if zero_test(arena, short) == ZeroTest::Zero { Expr::ZERO } else { short });
+        }
+        let (kinds, value) = (integral.kinds.clone(), integral.expression);
+        let about = integral.names(model, arena).swap_remove(0);
+        // A component that is a number has no unit of its own.
+        let plain = field.iter().position(|x| arena.as_number(*x).is_some_and(|k| !k.is_zero()));
+        let unit = plain.map_or_else(|| model.unit_of(arena, value).unwrap_or_default(), |at| self.units[at].clone());
+        let axis = (0..3).find(|axis| {
+            let rate = motion_rates(model).apply(arena, self.centre[*axis]);
+            let difference = arena.sub(rate, value);
+            zero_test(arena, difference) == ZeroTest::Zero
+        });
+        let position = axis.map(|axis| simplifier.simplify(arena, self.centre[axis]));
+        let position_unit = axis.map(|axis| self.centre_units[axis].clone()).unwrap_or_default();
+        let has_place = integral.of_places.iter().any(|e| *e != Expr::ZERO);
+        Some(Momentum { kinds, has_place, about, value, row, rest, field, direction, unit, position, position_unit })
+    }
+}
+
+/// Numbers that make formulas shorter: halves, quarters and small whole numbers. Others cost as much as the letter,
+/// which reads better.
+fn is_plain(value: &Rational) -> bool {
+    value.small().is_some_and(|(n, d)| n.abs() <= 12 && [1, 2, 4].contains(&d))
+}

@@ -1,0 +1,132 @@
+//! Variables that a symmetry moves together become differences.
+//!
+//! If a floating chain is turned as a whole, all of its angles change at one rate. In ψ_i = q_i − r_i q_g, and likewise
+//! in speeds, only q_g and u_g move along the symmetry. Its momentum determines u_g, with the inertia of the whole as a
+//! rigid body as divisor, which is never zero. Only outputs that show q_g need it.
+
+use crate::algebra::Expr;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::reduce::basis::ground::{Ground, Momentum, Relative};
+use crate::reduce::slices::outputs::Wanted;
+
+impl Ground {
+    /// Puts differences for the coordinates and for the speeds that one of these symmetries alone moves together at
+    /// constant ratios; returns the wanted quantities in them.
+    pub(in crate::reduce) fn relative(&mut self, momenta: &[usize], wanted: Wanted) -> Wanted {
+        let mut wanted = wanted;
+        for at in momenta {
+            let others = |direction: fn(&Momentum) -> &Vec<Expr>| -> Vec<Vec<Expr>> {
+                momenta.iter().filter(|m| *m != at).map(|m| direction(&self.momenta[*m]).clone()).collect()
+            };
+            let (of_fields, of_directions) = (others(|m| &m.field), others(|m| &m.direction));
+            if let Some(moved) = self.together(&self.momenta[*at].field, &of_fields) {
+                wanted = self.put_coordinates(&moved, &wanted);
+            }
+            if let Some(moved) = self.together(&self.momenta[*at].direction, &of_directions) {
+                wanted = self.put_speeds(&moved, &wanted);
+            }
+        }
+        wanted
+    }
+
+    /// Indices and numbers of the components at which this direction is not zero and the others are; `None` unless
+    /// there are several and all are numbers.
+    fn together(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<(usize, Expr)>> {
+        let alone = |at: usize| others.iter().all(|other| other[at] == Expr::ZERO);
+        let moved: Vec<(usize, Expr)> =
+            direction.iter().copied().enumerate().filter(|(at, e)| *e != Expr::ZERO && alone(*at)).collect();
+        let numbers = moved.iter().all(|(_, e)| self.arena.as_number(*e).is_some());
+        (numbers && moved.len() > 1).then_some(moved)
+    }
+
+    fn put_coordinates(&mut self, moved: &[(usize, Expr)], wanted: &Wanted) -> Wanted {
+        let (pivot, of_pivot) = moved[0];
+        let mut pairs = Vec::new();
+        for &(at, number) in &moved[1..] {
+            let (ratio, symbol) = self.difference(self.q[at], self.q[pivot], number, of_pivot);
+            pairs.push((self.q[at], self.carried(symbol, ratio, self.q[pivot])));
+            let back = self.arena.neg(ratio);
+            let (rate, of_pivot) = (self.kane.coordinate_rates[at], self.kane.coordinate_rates[pivot]);
+            self.kane.coordinate_rates[at] = self.carried(rate, back, of_pivot);
+            self.q_start[at] = self.carried(self.q_start[at], back, self.q_start[pivot]);
+            for field in
+                self.momenta.iter_mut().map(|m| &mut m.field).chain(self.turns.iter_mut().map(|t| &mut t.along))
+            {
+                let taken = self.arena.mul(ratio, field[pivot]);
+                field[at] = self.arena.sub(field[at], taken);
+            }
+            self.q[at] = symbol;
+            self.kane.coordinates[at] = symbol;
+        }
+        self.rewrite(&pairs, wanted)
+    }
+
+    fn put_speeds(&mut self, moved: &[(usize, Expr)], wanted: &Wanted) -> Wanted {
+        let (pivot, of_pivot) = moved[0];
+        let mut pairs = Vec::new();
+        for &(at, number) in &moved[1..] {
+            let (u, of_u) = (self.kane.variables[at], self.kane.variables[pivot]);
+            let (ratio, symbol) = self.difference(u, of_u, number, of_pivot);
+            let name = self.arena.symbol_name(symbol).unwrap_or_default().to_owned();
+            let rate = self.arena.symbol(&format!("{name}'"));
+            pairs.push((u, self.carried(symbol, ratio, of_u)));
+            pairs.push((self.kane.unknowns[at], self.carried(rate, ratio, self.kane.unknowns[pivot])));
+            let back = self.arena.neg(ratio);
+            self.u_start[at] = self.carried(self.u_start[at], back, self.u_start[pivot]);
+            // Tᵀ M T and Tᵀ f for u = T w.
+            for row in &mut self.kane.matrix {
+                let moved = self.arena.mul(ratio, row[at]);
+                row[pivot] = self.arena.add(row[pivot], moved);
+            }
+            for column in 0..self.kane.matrix.len() {
+                let moved = self.arena.mul(ratio, self.kane.matrix[at][column]);
+                self.kane.matrix[pivot][column] = self.arena.add(self.kane.matrix[pivot][column], moved);
+            }
+            let moved = self.arena.mul(ratio, self.kane.forcing[at]);
+            self.kane.forcing[pivot] = self.arena.add(self.kane.forcing[pivot], moved);
+            for momentum in &mut self.momenta {
+                let moved = self.arena.mul(ratio, momentum.row[at]);
+                momentum.row[pivot] = self.arena.add(momentum.row[pivot], moved);
+                let taken = self.arena.mul(ratio, momentum.direction[pivot]);
+                momentum.direction[at] = self.arena.sub(momentum.direction[at], taken);
+            }
+            let first = self.q.len();
+            for turn in &mut self.turns {
+                let taken = self.arena.mul(ratio, turn.along[first + pivot]);
+                turn.along[first + at] = self.arena.sub(turn.along[first + at], taken);
+            }
+            self.kane.variables[at] = symbol;
+            self.kane.unknowns[at] = rate;
+        }
+        self.rewrite(&pairs, wanted)
+    }
+
+    /// Ratio at which a variable moves with the pivot, and the symbol of their difference.
+    fn difference(&mut self, variable: Expr, pivot: Expr, number: Expr, of_pivot: Expr) -> (Expr, Expr) {
+        let ratio = self.arena.div(number, of_pivot).expect("a component that is not zero");
+        let name = |e: Expr| self.arena.symbol_name(e).unwrap_or_default();
+        let wanted = format!("{}_from_{}", name(variable), name(pivot));
+        let symbol = fresh_symbol(&mut self.arena, &wanted);
+        self.relatives.push(Relative { variable, pivot, symbol });
+        (ratio, symbol)
+    }
+
+    /// e + ratio · pivot.
+    fn carried(&mut self, e: Expr, ratio: Expr, pivot: Expr) -> Expr {
+        let along = self.arena.mul(ratio, pivot);
+        self.arena.add(e, along)
+    }
+
+    fn rewrite(&mut self, pairs: &[(Expr, Expr)], wanted: &Wanted) -> Wanted {
+        let mut put = Substitution::new(pairs);
+        let kept = self.q.clone();
+        self.change(&mut |arena, simplifier, e| {
+            let moved = put.apply(arena, e);
+            simplifier.simplify(arena, moved)
+        });
+        // The variables themselves are no terms to be rewritten.
+        self.kane.coordinates.clone_from(&kept);
+        wanted.map(|e| put.apply(&mut self.arena, e))
+    }
+}

@@ -1,0 +1,328 @@
+//! Search for the moving frame by which a scene costs least.
+//!
+//! Symmetries that leave all wanted quantities unchanged are tried alone and in sets that close under brackets, with
+//! pins among the states that the scene otherwise integrates.
+
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::rank::rank;
+use crate::algebra::{Arena, Expr};
+use crate::flow::{Flow as Whole, Symmetry, turned};
+use crate::mechanics::Solved;
+use crate::reduce::basis::frame::Turn;
+use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::work::Work;
+use crate::reduce::slices::outputs::Wanted;
+use crate::reduce::slices::slice::Flow;
+
+/// Number of symmetries above which none are combined.
+const MOST_TURNS: usize = 9;
+/// Sections that are tried for each set of symmetries and momenta.
+const MOST_SECTIONS: usize = 4;
+/// Cost of a state beside that of its rate, in operations: sums of its stages, its error and its dense output.
+const STATE: usize = 12;
+
+/// A choice of momenta, and of a frame.
+#[derive(Clone, Debug, Default)]
+pub struct Choice {
+    /// The momenta that are held.
+    pub momenta: Vec<usize>,
+    /// The symmetries along which the frame moves.
+    pub turns: Vec<usize>,
+    /// The states that it keeps at zero.
+    pub pins: Vec<usize>,
+}
+
+/// Cost of a choice, in operations, from the number of integrated variables and the operations of their rates.
+fn cost(integrated: usize, operations: usize) -> usize {
+    STATE * integrated + operations
+}
+
+impl Ground {
+    /// Finds the frame that leaves a scene fewer variables than these momenta alone and costs least; `None` if no frame
+    /// is better.
+    pub(in crate::reduce) fn framing(
+        &mut self,
+        wanted: &Wanted,
+        choices: &[Vec<usize>],
+        momenta: &[usize],
+        work: &mut Work,
+    ) -> Option<Choice> {
+        if work.is_done() {
+            return None;
+        }
+        let plain = Choice { momenta: momenta.to_vec(), ..Choice::default() };
+        let mut trial = self.clone();
+        let flow = trial.flow_of(&plain, wanted)?;
+        let (_, without, operations) = flow.weight(&trial);
+        let (mut least, mut best) = (cost(without, operations), None);
+        // The states of the model that the scene integrates, or differences of them.
+        let mut back = trial.back();
+        let variables = flow.core.iter().chain(&flow.quadratures);
+        let starts: Vec<Expr> = variables.map(|v| back.apply(&mut trial.arena, v.symbol)).collect();
+        let states = [self.q.as_slice(), &self.kane.variables].concat();
+        let is_needed = |at: &usize| starts.iter().any(|start| trial.arena.mentions(*start, states[*at]));
+        let needed: Vec<usize> = (0..states.len()).filter(is_needed).collect();
+        self.find_turns(&needed, wanted);
+        for turns in self.closed_sets() {
+            for choice in self.framed(&turns, wanted, choices) {
+                if work.is_done() {
+                    return best;
+                }
+                let mut trial = self.clone();
+                let flow = trial.flow_of(&choice, wanted);
+                work.add(&trial, self);
+                let Some(flow) = flow else { continue };
+                let (_, integrated, operations) = flow.weight(&trial);
+                let weight = cost(integrated, operations);
+                if integrated < without && weight < least {
+                    (least, best) = (weight, Some(choice));
+                }
+            }
+        }
+        best
+    }
+
+    /// Puts differences for variables that the momenta of a choice move together. In a frame only momenta count whose
+    /// symmetries move all speeds at constant ratios, since on its section the others move less.
+    pub(in crate::reduce) fn differences(&mut self, choice: &Choice, wanted: &Wanted) -> Wanted {
+        let momenta = if choice.turns.is_empty() { choice.momenta.clone() } else { self.plain(&choice.momenta) };
+        self.relative(&momenta, wanted.clone())
+    }
+
+    /// Those of these momenta whose symmetries move all speeds at constant ratios.
+    fn plain(&self, momenta: &[usize]) -> Vec<usize> {
+        let is_plain = |at: &&usize| self.momenta[**at].direction.iter().all(|e| self.arena.as_number(*e).is_some());
+        momenta.iter().filter(is_plain).copied().collect()
+    }
+
+    /// Least system that a choice needs; `None` if its equations are not determined.
+    fn flow_of(&mut self, choice: &Choice, wanted: &Wanted) -> Option<Flow> {
+        let wanted = self.differences(choice, wanted);
+        let wanted = self.framed_by(choice, wanted)?;
+        let level = self.level(&choice.momenta, None)?;
+        Flow::new(self, &level, &wanted)
+    }
+
+    /// Writes the wanted quantities in the frame of a choice; unchanged if it has none.
+    pub(in crate::reduce) fn framed_by(&mut self, choice: &Choice, wanted: Wanted) -> Option<Wanted> {
+        match choice.turns.as_slice() {
+            [] => Some(wanted),
+            turns => self.in_frame((turns, &choice.pins), &choice.momenta, &wanted),
+        }
+    }
+
+    /// Finds the symmetries that turn some of these states and leave the wanted quantities unchanged.
+    fn find_turns(&mut self, needed: &[usize], wanted: &Wanted) {
+        let Some(mut whole) = self.whole_flow() else { return };
+        let rates = whole.rates.clone();
+        let rates = whole.behind(&rates);
+        let accelerations: Vec<(Expr, Expr)> =
+            self.kane.unknowns.iter().copied().zip(rates[self.q.len()..].iter().copied()).collect();
+        let mut solved = Substitution::new(&accelerations);
+        let shown = Wanted { conditions: Vec::new(), ..wanted.clone() };
+        let mut solve = |e: Expr| solved.apply(&mut whole.arena, e);
+        let [all, shown] =
+            [wanted, &shown].map(|wanted| wanted.values().into_iter().map(&mut solve).collect::<Vec<_>>());
+        let states = whole.states.clone();
+        let mut found = |values: &[Expr]| {
+            let mut is_wanted = |arena: &mut Arena, along: &[Expr]| {
+                let mut change =
+                    Differential::along(&states.iter().copied().zip(along.iter().copied()).collect::<Vec<_>>());
+                needed.iter().any(|at| along[*at] != Expr::ZERO)
+                    && values.iter().all(|e| {
+                        let change = change.apply(arena, *e);
+                        zero_test(arena, change) == ZeroTest::Zero
+                    })
+            };
+            turned(&self.model, &mut whole, self.fields.clone(), &mut is_wanted)
+        };
+        let symmetries = found(&all);
+        let mut kept = Vec::new();
+        if symmetries.is_empty() && all.len() > shown.len() {
+            kept = found(&shown);
+        }
+        let words = |symmetry: &Symmetry| symmetry.words(&self.model);
+        let kept = kept.iter().map(words).collect();
+        let turns = symmetries.into_iter().map(|symmetry| Turn {
+            words: words(&symmetry),
+            of_model: symmetry.along.clone(),
+            along: symmetry.along,
+        });
+        let turns = turns.collect();
+        (self.turns, self.kept_by_domain) = (turns, kept);
+        self.arena = whole.arena;
+    }
+
+    /// x' = f(x) of the whole model, with solved rates.
+    fn whole_flow(&self) -> Option<Whole> {
+        let mut arena = self.arena.clone();
+        let steps = Solved::steps(&mut arena, &self.kane).ok()?;
+        let unknowns = self.kane.unknowns.iter().take(self.model.speeds.len());
+        Some(Whole {
+            arena,
+            steps,
+            parameters: self.model.p(),
+            states: [self.q.clone(), self.kane.variables.clone()].concat(),
+            rates: self.kane.coordinate_rates.iter().chain(unknowns).copied().collect(),
+            inertia: self.kane.matrix.clone(),
+            balances: self.kane.forcing.clone(),
+            loops: Vec::new(),
+            closed: Vec::new(),
+            symmetries: Vec::new(),
+            energies: [Expr::ZERO; 3],
+            divisors: Vec::new(),
+        })
+    }
+
+    /// Single symmetries, commuting pairs, and triples in which the bracket of any two is zero or a member.
+    fn closed_sets(&mut self) -> Vec<Vec<usize>> {
+        let count = self.turns.len();
+        let mut sets: Vec<Vec<usize>> = (0..count).map(|at| vec![at]).collect();
+        if count > MOST_TURNS {
+            return sets;
+        }
+        // Of each with those before it.
+        let mut bracket: Vec<Vec<Bracket>> = Vec::new();
+        for a in 0..count {
+            bracket.push((0..a).map(|b| self.bracket(a, b)).collect());
+        }
+        let inside = |a: usize, b: usize, set: &[usize]| match bracket[a.max(b)][a.min(b)] {
+            Bracket::Zero => true,
+            Bracket::Turn(c) => set.contains(&c),
+            Bracket::Other => false,
+        };
+        for a in 0..count {
+            for b in a + 1..count {
+                if inside(a, b, &[a, b]) {
+                    sets.push(vec![a, b]);
+                }
+                for c in b + 1..count {
+                    let set = [a, b, c];
+                    if inside(a, b, &set) && inside(b, c, &set) && inside(a, c, &set) {
+                        sets.push(set.to_vec());
+                    }
+                }
+            }
+        }
+        sets
+    }
+
+    /// Classifies the bracket of ζ_a and ζ_b: zero, one of the symmetries, or another field.
+    fn bracket(&mut self, a: usize, b: usize) -> Bracket {
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let arena = &mut self.arena;
+        let along = |field: &[Expr]| {
+            Differential::along(&states.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())
+        };
+        let (one, other) = (&self.turns[a].along, &self.turns[b].along);
+        let (mut by_one, mut by_other) = (along(one), along(other));
+        let mut bracket = Vec::new();
+        for (x, y) in one.iter().zip(other) {
+            let (first, second) = (by_one.apply(arena, *y), by_other.apply(arena, *x));
+            bracket.push(arena.sub(first, second));
+        }
+        let is_zero = |e: Expr, arena: &Arena| zero_test(arena, e) == ZeroTest::Zero;
+        if bracket.iter().all(|e| is_zero(*e, arena)) {
+            return Bracket::Zero;
+        }
+        for (at, turn) in self.turns.iter().enumerate() {
+            let mut vanishes = |of: fn(&mut Arena, Expr, Expr) -> Expr| {
+                bracket.iter().zip(&turn.along).all(|(e, x)| {
+                    let rest = of(arena, *e, *x);
+                    is_zero(rest, arena)
+                })
+            };
+            if vanishes(Arena::add) || vanishes(Arena::sub) {
+                return Bracket::Turn(at);
+            }
+        }
+        Bracket::Other
+    }
+
+    /// Choices of momenta and pins for a frame along these symmetries, with the largest possible sets of momenta.
+    fn framed(&self, turns: &[usize], wanted: &Wanted, choices: &[Vec<usize>]) -> Vec<Choice> {
+        let mut list: Vec<Choice> = Vec::new();
+        let mut sorted: Vec<&Vec<usize>> = choices.iter().collect();
+        sorted.sort_by_key(|momenta| std::cmp::Reverse(momenta.len()));
+        for momenta in sorted {
+            let smaller = list.first().is_some_and(|found| found.momenta.len() > momenta.len());
+            if smaller {
+                break;
+            }
+            let mut ground = self.clone();
+            let wanted = ground.relative(&self.plain(momenta), wanted.clone());
+            for pins in ground.sections(turns, momenta, &wanted) {
+                let mut trial = ground.clone();
+                let framed = trial.in_frame((turns, &pins), momenta, &wanted);
+                if framed.is_some_and(|_| trial.level(momenta, None).is_some()) {
+                    list.push(Choice { momenta: momenta.clone(), turns: turns.to_vec(), pins });
+                }
+            }
+        }
+        list
+    }
+
+    /// Candidate sets of pins: states that the frame's symmetries move and the scene would integrate. Coordinates come
+    /// first and each kind from the last, so that a distance is along the first axis.
+    fn sections(&self, turns: &[usize], momenta: &[usize], wanted: &Wanted) -> Vec<Vec<usize>> {
+        let needed = self.needed(momenta, wanted);
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let moved = |at: usize| turns.iter().any(|turn| self.turns[*turn].along[at] != Expr::ZERO);
+        let order = (0..self.q.len()).rev().chain((self.q.len()..states.len()).rev());
+        let open: Vec<usize> = order.filter(|at| needed.contains(&states[*at]) && moved(*at)).collect();
+        let mut sections: Vec<Vec<usize>> = Vec::new();
+        for first in &open {
+            let mut pins = vec![*first];
+            for next in &open {
+                if pins.len() < turns.len()
+                    && !pins.contains(next)
+                    && self.is_section(turns, &[&pins[..], &[*next]].concat())
+                {
+                    pins.push(*next);
+                }
+            }
+            pins.sort_unstable();
+            let is_whole = pins.len() == turns.len() && self.is_section(turns, &pins);
+            if is_whole && !sections.contains(&pins) {
+                sections.push(pins);
+            }
+            if sections.len() == MOST_SECTIONS {
+                break;
+            }
+        }
+        sections
+    }
+
+    /// True if the symmetries' components at these states are independent where the states are zero.
+    fn is_section(&self, turns: &[usize], pins: &[usize]) -> bool {
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let mut arena = self.arena.clone();
+        let mut put = Substitution::new(&pins.iter().map(|at| (states[*at], Expr::ZERO)).collect::<Vec<_>>());
+        let mut rows: Vec<Vec<Expr>> = Vec::new();
+        for pin in pins {
+            rows.push(turns.iter().map(|turn| put.apply(&mut arena, self.turns[*turn].along[*pin])).collect());
+        }
+        put.undefined.is_none() && rank(&arena, &rows).is_some_and(|found| found.rank == pins.len())
+    }
+
+    /// Variables that a scene integrates without a frame if it holds those of these momenta whose symmetries move all
+    /// speeds at constant ratios.
+    fn needed(&self, momenta: &[usize], wanted: &Wanted) -> Vec<Expr> {
+        let mut trial = self.clone();
+        let level = trial.level(&self.plain(momenta), None).or_else(|| trial.level(&[], None));
+        let Some(flow) = level.and_then(|level| Flow::new(&mut trial, &level, wanted)) else { return Vec::new() };
+        flow.core.iter().chain(&flow.quadratures).map(|v| v.symbol).collect()
+    }
+}
+
+/// Bracket of two symmetries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Bracket {
+    /// Zero: the two commute.
+    Zero,
+    /// One of the symmetries, or its negative.
+    Turn(usize),
+    /// Another field.
+    Other,
+}

@@ -1,0 +1,99 @@
+//! The singular surface of a reduction, and equations in the distance from it.
+//!
+//! Where a momentum does not determine its speed, as the spin about the vertical on a vertical axis, the reduced
+//! equations hold a quotient N(q; c)/D(q) whose parts vanish together. In d = q − q_s the divisor is computed without
+//! cancellation; `separate` treats the numerator.
+
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::Distance;
+use crate::reduce::basis::ground::Ground;
+use crate::reduce::levels::level::Level;
+use crate::reduce::levels::separate::Surface;
+use crate::reduce::slices::outputs::Wanted;
+use crate::reduce::slices::slice::Flow;
+use crate::scene::Scene;
+use std::f64::consts::FRAC_PI_2;
+
+/// Turns from the origin within which surfaces are looked for.
+const MOST_TURNS: i32 = 100;
+
+impl Ground {
+    /// Finds the singular surface of this level, if it is a multiple of a quarter turn of a coordinate among the
+    /// states. The surface that the scene names is taken, or else the one nearest to the start.
+    pub(in crate::reduce) fn surface(&mut self, level: &Level, wanted: &Wanted, scene: &Scene) -> Option<Distance> {
+        let stated = scene.integration.distance;
+        if !scene.integration.may_measure || (level.divisors.is_empty() && stated.is_none()) {
+            return None;
+        }
+        let flow = Flow::new(self, level, wanted)?;
+        let candidates: Vec<usize> = (0..self.q.len()).filter(|at| flow.is_core(self.q[*at])).collect();
+        let mut found: Vec<(f64, usize, i32)> = Vec::new();
+        for at in candidates {
+            let away = |turns: i32| (scene.q[at] - f64::from(turns) * FRAC_PI_2).abs();
+            for quarter_turns in -2..2 {
+                // Whole turns later the same surface comes again: the one next to the start counts.
+                let again = (-MOST_TURNS..=MOST_TURNS).map(|turn| quarter_turns + 4 * turn);
+                let nearest = again.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(quarter_turns);
+                let place = Distance { coordinate: at, quarter_turns: nearest };
+                if level.divisors.iter().any(|d| self.vanishes(*d, place)) {
+                    found.push((away(nearest), at, nearest));
+                }
+            }
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        let nearest = found
+            .first()
+            .map(|(_, coordinate, quarter_turns)| Distance { coordinate: *coordinate, quarter_turns: *quarter_turns });
+        stated.filter(|d| flow.is_core(self.q[d.coordinate])).or(nearest)
+    }
+
+    fn vanishes(&mut self, e: Expr, place: Distance) -> bool {
+        let origin = quarter(&mut self.arena, place.quarter_turns);
+        let mut there = Substitution::new(&[(self.q[place.coordinate], origin)]);
+        let value = there.apply(&mut self.arena, e);
+        there.undefined.is_none() && self.simplifier.simplify(&mut self.arena, value) == Expr::ZERO
+    }
+
+    /// Writes every equation in the distance from a surface; returns the wanted quantities in it.
+    pub(in crate::reduce) fn measure_from(&mut self, place: Distance, wanted: &Wanted) -> (Surface, Wanted) {
+        let surface = Surface { symbol: self.distance_symbol(place) };
+        let Distance { coordinate, quarter_turns } = place;
+        if quarter_turns == 0 {
+            return (surface, wanted.clone());
+        }
+        let origin = quarter(&mut self.arena, quarter_turns);
+        let sum = self.arena.add(surface.symbol, origin);
+        let mut put = Substitution::new(&[(self.q[coordinate], sum)]);
+        let mut rewrite = |arena: &mut Arena, simplifier: &mut Simplifier, e: Expr| {
+            let moved = put.apply(arena, e);
+            simplifier.simplify(arena, moved)
+        };
+        self.change(&mut rewrite);
+        let wanted = wanted.map(|e| put.apply(&mut self.arena, e));
+        self.q[coordinate] = surface.symbol;
+        self.q_start[coordinate] = self.arena.sub(self.q_start[coordinate], origin);
+        self.kane.coordinates[coordinate] = surface.symbol;
+        (surface, wanted)
+    }
+
+    /// The symbol of the distance from a surface.
+    fn distance_symbol(&mut self, place: Distance) -> Expr {
+        let name = &self.model.coordinates[place.coordinate].name;
+        let degrees = 90 * place.quarter_turns;
+        let side = if degrees < 0 { "plus" } else { "minus" };
+        match degrees {
+            0 => self.q[place.coordinate],
+            _ => fresh_symbol(&mut self.arena, &format!("{name}_{side}_{}deg", degrees.abs())),
+        }
+    }
+}
+
+/// Angle k π/2 of k quarter turns.
+pub fn quarter(arena: &mut Arena, turns: i32) -> Expr {
+    let pi = arena.pi();
+    let half_turns = arena.ratio(i64::from(turns), 2);
+    arena.mul(half_turns, pi)
+}

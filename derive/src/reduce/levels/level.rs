@@ -1,0 +1,156 @@
+//! The motion on a level set of momenta: speeds that the momenta determine, and equations for the others.
+//!
+//! With A u + b = c solved as u = P(q; c) + Z(q) u_R, Kane's equations multiplied by Zᵀ read  (Zᵀ M Z) u̇_R = Zᵀ(f − M
+//! (Ṗ + Ż u_R)). The rows of A are momenta of symmetries ξ, so that ξᵀ times the same equations says that c is
+//! constant; together they are all of the equations wherever A has full rank.
+
+use super::momenta::Held;
+use super::separate::Surface;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::steps::Definition;
+use crate::algebra::{Arena, Expr};
+use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::pivots::{Solved, solve_rows};
+
+/// Equations on a level set of momenta.
+#[derive(Clone)]
+pub struct Level {
+    /// The held momenta.
+    pub held: Vec<Held>,
+    /// Indices of the speeds that stay.
+    pub kept: Vec<usize>,
+    /// The other speeds, each in q, the held momenta, the kept speeds and those defined before it.
+    pub definitions: Vec<Definition>,
+    /// Every u̇ in q, u and the rates of the kept speeds.
+    pub accelerations: Vec<Expr>,
+    /// Zᵀ M Z, in q.
+    pub matrix: Vec<Vec<Expr>>,
+    /// Zᵀ(f − M (Ṗ + Ż u_R)), in q and u.
+    pub forcing: Vec<Expr>,
+    /// Divisors of the solved speeds.
+    pub divisors: Vec<Expr>,
+}
+
+impl Ground {
+    /// The equations on the level set of these momenta; `None` if their symmetries move more speeds than there are
+    /// momenta.
+    pub(in crate::reduce) fn level(&mut self, momenta: &[usize], surface: Option<&Surface>) -> Option<Level> {
+        let n = self.kane.variables.len();
+        if momenta.len() > n {
+            return None;
+        }
+        let mut held: Vec<Held> = momenta.iter().map(|at| self.hold(*at)).collect();
+        // With as many speeds as symmetries, M on these speeds is positive definite, and the momenta determine them
+        // wherever the symmetries themselves are independent. Other speeds could be solved for, but would bring
+        // singularities of their own.
+        let moved = |at: usize| momenta.iter().any(|m| self.momenta[*m].direction[at] != Expr::ZERO);
+        let free = (0..n).filter(|at| !self.is_pinned_speed(*at));
+        let (solved_for, kept): (Vec<usize>, Vec<usize>) = free.partition(|at| moved(*at));
+        if solved_for.len() != momenta.len() {
+            return None;
+        }
+        let rows: Vec<Vec<Expr>> = momenta.iter().map(|at| self.momenta[*at].row.clone()).collect();
+        let right = held.iter().map(|h| self.right_of(h)).collect();
+        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let mut solved = solve_rows(arena, simplifier, rows, right, &states, &solved_for);
+        if solved.pivots.len() < momenta.len() {
+            return None;
+        }
+        let z = directions(arena, simplifier, &solved, &kept, n);
+        if let Some(surface) = surface {
+            surface.separate(arena, simplifier, &mut solved, &mut held);
+        }
+        self.choose_constants(&mut solved, &mut held);
+        Some(self.equations_on(held, kept, &solved, &z))
+    }
+
+    fn equations_on(&mut self, held: Vec<Held>, kept: Vec<usize>, solved: &Solved, z: &[Vec<Expr>]) -> Level {
+        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
+        let mut short = |arena: &mut Arena, e: Expr| simplifier.simplify(arena, e);
+        let (variables, unknowns) = (&self.kane.variables, &self.kane.unknowns);
+        let mut definitions = Vec::new();
+        let mut drifts = vec![Expr::ZERO; variables.len()];
+        let mut accelerations = unknowns.clone();
+        for (at, acceleration) in accelerations.iter_mut().enumerate() {
+            if self.frame.as_ref().is_some_and(|frame| frame.pins.contains(&(self.q.len() + at))) {
+                *acceleration = Expr::ZERO;
+            }
+        }
+        for k in (0..solved.pivots.len()).rev() {
+            let (_, column) = solved.pivots[k];
+            let value = solved.unknown(arena, k, 0, variables);
+            let value = short(arena, value);
+            // A constant speed stands for itself.
+            if value != variables[column] {
+                definitions.push(Definition { symbol: variables[column], value });
+            }
+            let drift = solved.unknown(arena, k, 1, &drifts);
+            drifts[column] = short(arena, drift);
+            let acceleration = solved.unknown(arena, k, 1, &accelerations);
+            accelerations[column] = short(arena, acceleration);
+        }
+        // The equations are those of the whole motion: what the frame adds to rates is not of it.
+        if let Some(frame) = &self.frame {
+            let added = &frame.added[self.q.len()..];
+            for ((drift, acceleration), added) in drifts.iter_mut().zip(&mut accelerations).zip(added) {
+                *drift = arena.sub(*drift, *added);
+                let whole = arena.sub(*acceleration, *added);
+                *acceleration = short(arena, whole);
+            }
+        }
+        let m = &self.kane.matrix;
+        let (mut matrix, mut forcing) = (Vec::new(), Vec::new());
+        for a in 0..kept.len() {
+            let mut projected = Vec::new();
+            for j in 0..m.len() {
+                let terms: Vec<Expr> = (0..m.len()).map(|i| arena.mul(z[i][a], m[i][j])).collect();
+                let sum = arena.sum(&terms);
+                projected.push(short(arena, sum));
+            }
+            let mut row = Vec::new();
+            for b in 0..kept.len() {
+                let terms: Vec<Expr> = projected.iter().zip(z).map(|(p, z)| arena.mul(*p, z[b])).collect();
+                let sum = arena.sum(&terms);
+                row.push(short(arena, sum));
+            }
+            matrix.push(row);
+            let mut terms: Vec<Expr> = self.kane.forcing.iter().zip(z).map(|(f, z)| arena.mul(*f, z[a])).collect();
+            for (p, drift) in projected.iter().zip(&drifts) {
+                let term = arena.mul(*p, *drift);
+                terms.push(arena.neg(term));
+            }
+            let sum = arena.sum(&terms);
+            forcing.push(short(arena, sum));
+        }
+        let mut divisors: Vec<Expr> =
+            solved.divisors.iter().copied().filter(|d| arena.as_number(*d).is_none()).collect();
+        divisors.extend(self.frame.iter().flat_map(|frame| &frame.divisors));
+        divisors.dedup();
+        Level { held, kept, definitions, accelerations, matrix, forcing, divisors }
+    }
+}
+
+/// Z: for each speed its coefficients of the kept ones.
+fn directions(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    solved: &Solved,
+    kept: &[usize],
+    n: usize,
+) -> Vec<Vec<Expr>> {
+    let unit = |place: usize| kept.iter().map(|k| if *k == place { Expr::ONE } else { Expr::ZERO }).collect();
+    let mut z: Vec<Vec<Expr>> = (0..n).map(unit).collect();
+    for (row, column) in solved.pivots.iter().rev() {
+        let others: Vec<usize> = (0..n).filter(|at| at != column && solved.rows[*row][*at] != Expr::ZERO).collect();
+        let direction = |direction: usize| {
+            let terms: Vec<Expr> =
+                others.iter().map(|at| arena.mul(solved.rows[*row][*at], z[*at][direction])).collect();
+            let sum = arena.sum(&terms);
+            let back = arena.neg(sum);
+            simplifier.simplify(arena, back)
+        };
+        z[*column] = (0..kept.len()).map(direction).collect();
+    }
+    z
+}

@@ -1,0 +1,6 @@
+//! Level sets of momenta, which are held at the values of a scene.
+
+pub(super) mod constants;
+pub(super) mod level;
+pub(super) mod momenta;
+pub(super) mod separate;

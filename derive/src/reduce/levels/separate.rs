@@ -1,0 +1,108 @@
+//! Quotients near a singular surface, written so that nothing cancels.
+//!
+//! Where a reduced equation holds N(q; c)/D(q) whose parts vanish together, the numerator is split into what is left of
+//! it on the surface, a constant of the motion that is computed once, and a rest in which every 1 − cos d stands as 2
+//! sin²(d/2).
+
+use super::momenta::Held;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::reduce::basis::pivots::Solved;
+
+/// A singular surface q = k π/2.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface {
+    /// The distance from it; the coordinate itself if k = 0.
+    pub symbol: Expr,
+}
+
+impl Surface {
+    /// Splits the right-hand sides that are divided by what vanishes on the surface.
+    pub(in crate::reduce) fn separate(
+        self,
+        arena: &mut Arena,
+        simplifier: &mut Simplifier,
+        solved: &mut Solved,
+        held: &mut [Held],
+    ) {
+        let mut on_surface = Substitution::new(&[(self.symbol, Expr::ZERO)]);
+        for k in 0..solved.pivots.len() {
+            let (row, divisor) = (solved.pivots[k].0, solved.divisors[k]);
+            let value = on_surface.apply(arena, divisor);
+            if simplifier.simplify(arena, value) != Expr::ZERO {
+                continue;
+            }
+            let Some((given_way, instead)) =
+                self.separate_row(arena, simplifier, (row, &mut solved.right[row][0], divisor), held)
+            else {
+                continue;
+            };
+            let mut put = Substitution::new(&[(given_way, instead)]);
+            for right in &mut solved.right {
+                let moved = put.apply(arena, right[0]);
+                right[0] = simplifier.simplify(arena, moved);
+            }
+        }
+    }
+
+    /// One quotient N/D with D = 0 on the surface and N linear in what is held: a momentum gives way to N on the
+    /// surface. Returned are the symbol that gave way and what stands for it now.
+    fn separate_row(
+        self,
+        arena: &mut Arena,
+        simplifier: &mut Simplifier,
+        (row, quotient, divisor): (usize, &mut Expr, Expr),
+        held: &mut [Held],
+    ) -> Option<(Expr, Expr)> {
+        let product = arena.mul(*quotient, divisor);
+        let numerator = simplifier.simplify(arena, product);
+        let mut on_surface = Substitution::new(&[(self.symbol, Expr::ZERO)]);
+        let left = on_surface.apply(arena, numerator);
+        let left = simplifier.simplify(arena, left);
+        if on_surface.undefined.is_some() || left == Expr::ZERO || left == numerator {
+            return None;
+        }
+        let symbols: Vec<Expr> = held.iter().map(|h| h.symbol).collect();
+        // Only a combination of momenta with constant coefficients is a constant of the motion.
+        let constant = arena
+            .reachable(&[left])
+            .iter()
+            .all(|e| arena.symbol_name(*e).is_none() || symbols.contains(e) || arena.is_positive(*e));
+        let (coefficients, rest) = LinearForm::new(&symbols).coefficients(arena, left).ok()?;
+        // Its own momentum, if that stands alone in the numerator.
+        let alone = |at: &usize| arena.as_number(coefficients[*at]).is_some_and(|k| !k.is_zero());
+        let at = std::iter::once(row).chain(0..symbols.len()).find(alone)?;
+        if !constant || rest != Expr::ZERO {
+            return None;
+        }
+        let name = arena.symbol_name(symbols[at]).unwrap_or_default().to_owned();
+        let fresh = fresh_symbol(arena, &format!("{name}_there"));
+        // fresh = Σ coefficient · momentum, solved for the one that gives way.
+        let others: Vec<Expr> = (0..symbols.len())
+            .filter(|other| *other != at)
+            .map(|other| arena.mul(coefficients[other], symbols[other]))
+            .collect();
+        let others = arena.sum(&others);
+        let difference = arena.sub(fresh, others);
+        let instead = arena.div(difference, coefficients[at])?;
+        let mut put = Substitution::new(&[(symbols[at], instead)]);
+        let moved = put.apply(arena, numerator);
+        let cosine = arena.cos(self.symbol);
+        let half = arena.scale(self.symbol, &Rational::fraction(1, 2)?);
+        let sine = arena.sin(half);
+        let square = arena.square(sine);
+        let twice = arena.scale(square, &Rational::integer(2));
+        let versed = arena.sub(Expr::ONE, twice);
+        let moved = Substitution::new(&[(cosine, versed)]).apply(arena, moved);
+        let moved = simplifier.simplify(arena, moved);
+        *quotient = arena.div(moved, divisor)?;
+        let terms: Vec<Expr> = coefficients.iter().zip(held.iter()).map(|(c, h)| arena.mul(*c, h.of_state)).collect();
+        let of_state = arena.sum(&terms);
+        let about = held[at].about.clone().then(", what is left of it on the singular surface");
+        held[at] = Held { symbol: fresh, of_state: simplifier.simplify(arena, of_state), about, ..held[at].clone() };
+        Some((symbols[at], instead))
+    }
+}

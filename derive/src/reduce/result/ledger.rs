@@ -1,0 +1,163 @@
+//! List of the omissions of a reduction, each with its reason and its proof.
+
+use super::proof::Proof;
+use super::reduction::Omission;
+use crate::algebra::Expr;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::term::steps::Definition;
+use crate::algebra::text::print::text;
+use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
+use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::prose::{Piece, Prose};
+use crate::reduce::levels::level::Level;
+use crate::reduce::slices::slice::{Flow, Variable};
+use crate::scene::Scene;
+
+/// Lists everything of the model that the reduced equations omit.
+pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene, proof: &Proof) -> Vec<Omission> {
+    let mut list = Vec::new();
+    for (name, value) in &ground.folded {
+        list.push(Omission {
+            what: format!("parameter {name}").into(),
+            why: format!("the scene fixes it at {}", value.to_f64()).into(),
+            proof: "the number of the scene file, put in exactly".to_owned(),
+        });
+    }
+    list.extend(held(ground, level, flow, proof));
+    for carried in &flow.carried {
+        let equation = Piece::Equation(carried.coordinate, carried.value);
+        list.push(Omission {
+            what: Prose::term(carried.coordinate),
+            why: Prose::from("not integrated: ").then(equation),
+            proof: format!("the rate of that position is the momentum, by identity{}", proof.doubt()),
+        });
+    }
+    list.extend(turned(ground, proof));
+    for relative in &ground.relatives {
+        let (arena, name) = (&ground.arena, text(&ground.arena, relative.variable));
+        list.push(Omission {
+            what: Prose::term(relative.variable),
+            why: Prose::term(relative.symbol).then(" stands for it"),
+            proof: format!("a symmetry moves {name} and {} together, by identity", text(arena, relative.pivot)),
+        });
+    }
+    let mut pinned = ground.pinned();
+    let mut is_pinned = |v: &Variable| pinned.apply(&mut ground.arena, v.symbol) != v.symbol;
+    let dropped: Vec<Variable> = flow
+        .dropped
+        .iter()
+        .filter(|v| !flow.carried.iter().any(|c| c.coordinate == v.symbol) && !is_pinned(v))
+        .copied()
+        .collect();
+    for variable in dropped {
+        list.push(independence(ground, flow, variable));
+    }
+    list.extend(unasked(ground, flow, scene));
+    list
+}
+
+/// States that a moving frame keeps at zero.
+fn turned(ground: &Ground, proof: &Proof) -> Vec<Omission> {
+    let Some(frame) = &ground.frame else { return Vec::new() };
+    let states = [ground.q.as_slice(), &ground.kane.variables].concat();
+    let words: Vec<&str> = frame.turns.iter().map(|turn| ground.turns[*turn].words.as_str()).collect();
+    let mut pins = frame.pins.iter().map(|pin| Piece::Term(states[*pin]));
+    let first = pins.next().map(Prose::from).unwrap_or_default();
+    let what = pins.fold(first, |what, pin| what.then(", ").then(pin));
+    vec![Omission {
+        what,
+        why: format!("zero in a frame that moves by {}, which changes nothing that is shown", words.join(" and by "))
+            .into(),
+        proof: format!(
+            "each commutes with the motion of the whole model and leaves what is shown and watched, by identity{}",
+            proof.doubt()
+        ),
+    }]
+}
+
+/// Speeds that momenta determine.
+fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omission> {
+    let used = flow.dependence.mentioned(&ground.arena, &flow.terms());
+    let one = |d: &Definition| {
+        if !used.contains(&d.symbol) {
+            return Omission {
+                what: Prose::term(d.symbol),
+                why: unneeded(d.symbol),
+                proof: "no formula that is left mentions it".to_owned(),
+            };
+        }
+        let constants = level.held.iter().filter(|h| ground.arena.mentions(d.value, h.symbol));
+        let mut why = Prose::from(Piece::Equation(d.symbol, d.value)).then(", from what is constant: ");
+        for (at, held) in constants.enumerate() {
+            why = why.then(if at == 0 { "" } else { "; " }).then(held.about.clone());
+        }
+        Omission {
+            why,
+            what: Prose::term(d.symbol),
+            proof: format!("Kane's equations of the whole model hold with it, by identity{}", proof.doubt()),
+        }
+    };
+    level.definitions.iter().rev().map(one).collect()
+}
+
+/// A variable on which neither the outputs nor the variables that they need depend.
+fn independence(ground: &mut Ground, flow: &Flow, variable: Variable) -> Omission {
+    let (mut weakest, mut shown) = (f64::INFINITY, Vec::new());
+    for (rate, value) in &flow.raw {
+        let present = flow.core.iter().chain(&flow.quadratures).any(|v| v.symbol == *rate);
+        if !present || !ground.arena.mentions(*value, variable.symbol) {
+            continue;
+        }
+        let slope = Differential::partial(variable.symbol).apply(&mut ground.arena, *value);
+        if let (ZeroTest::Zero, exponent) = bounded_zero_test(&ground.arena, slope) {
+            weakest = weakest.min(exponent);
+            shown.push(format!("{}'", text(&ground.arena, *rate)));
+        }
+    }
+    let proof = if shown.is_empty() {
+        "no formula that is left mentions it".to_owned()
+    } else {
+        let exponent = weakest.min(999.0).floor();
+        format!("{} mention it and do not depend on it: exact (in doubt by less than 2^-{exponent})", shown.join(", "))
+    };
+    Omission { what: Prose::term(variable.symbol), why: unneeded(variable.symbol), proof }
+}
+
+/// Reason of an omission: no wanted quantity depends on this symbol.
+fn unneeded(symbol: Expr) -> Prose {
+    Prose::from("no output and nothing that outputs need depends on ").then(Piece::Term(symbol))
+}
+
+/// Omissions of quantities that no output requests: reactions, and the total energy.
+fn unasked(ground: &Ground, flow: &Flow, scene: &Scene) -> Vec<Omission> {
+    let (arena, model) = (&ground.arena, &ground.model);
+    let asked: Vec<Expr> = scene
+        .outputs
+        .iter()
+        .map(|o| o.value)
+        .chain(scene.events.iter().map(|e| e.function))
+        .chain(model.domain.iter().map(|c| c.positive))
+        .collect();
+    let mut list = Vec::new();
+    let reactions: Vec<&str> = model
+        .reactions
+        .iter()
+        .filter(|r| !asked.iter().any(|e| arena.mentions(*e, r.symbol)))
+        .map(|r| r.name.as_str())
+        .collect();
+    if !reactions.is_empty() {
+        list.push(Omission {
+            what: reactions.join(", ").into(),
+            why: "no output or event asks for it".into(),
+            proof: "reactions enter no equation of motion".to_owned(),
+        });
+    }
+    if flow.energy.is_none() && ground.energy.is_some() {
+        list.push(Omission {
+            what: "the total energy".into(),
+            why: "it depends on what is left out".into(),
+            proof: "zero tests of its derivatives".to_owned(),
+        });
+    }
+    list
+}

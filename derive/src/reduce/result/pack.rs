@@ -1,0 +1,402 @@
+//! A reduced system as a model and equations like any others, with the list of omissions.
+
+use super::ledger::omissions;
+use super::proof::{Whole, prove};
+use super::reduction::{Output, Quantity, Reduction};
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::steps::Definition;
+use crate::algebra::text::print::text;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::range::never_zero;
+use crate::algebra::{Arena, Expr, Node};
+use crate::mechanics::{By, Derivation, Equations, Formulation, RowName};
+use crate::model::{Condition, Coordinate, KinematicEquations, Parameter, Speed, Unit};
+use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::hoist::Hoist;
+use crate::reduce::basis::prose::Prose;
+use crate::reduce::levels::level::Level;
+use crate::reduce::slices::one_degree::Slope;
+use crate::reduce::slices::outputs::Wanted;
+use crate::reduce::slices::slice::{Flow, Variable};
+use crate::scene::Scene;
+use rustc_hash::FxHashSet;
+
+/// The reduced system of a scene.
+///
+/// # Errors
+/// Statement that cannot be proved, in words: such a reduction must not be used.
+pub fn pack(
+    mut ground: Ground,
+    whole: &Whole,
+    level: &Level,
+    mut flow: Flow,
+    scene: &Scene,
+) -> Result<Reduction, String> {
+    flow.strip_energy(&mut ground, level);
+    flow.keep_system(&mut ground, level);
+    let proof = prove(&mut ground, whole, level, &mut flow)?;
+    let states = quantities(&ground, &flow.core);
+    let quadratures = quantities(&ground, &flow.quadratures);
+    let omitted = omissions(&mut ground, level, &flow, scene, &proof);
+    // What is watched is evaluated apart from the equations, without their definitions.
+    let mut dependence = flow.dependence.clone();
+    for e in flow.wanted.events.iter_mut().chain(&mut flow.wanted.conditions) {
+        *e = dependence.whole(&mut ground.arena, *e);
+    }
+    let mut equations = equations(&mut ground, level, &flow);
+    let hoisted = hoist(&mut ground, level, &mut equations);
+    let outputs =
+        flow.wanted.outputs.iter().map(|(name, value)| Output { name: name.clone(), value: *value }).collect();
+    let folded = ground.folded.clone();
+    let frame = ground.turned();
+    let kept_by_domain = ground.kept_by_domain.clone();
+    let events = flow.wanted.events.clone();
+    let slope = flow.slope(&mut ground, equations.kinetic_energy, equations.potential_energy);
+    let constants = constants(&mut ground, level, &flow, (&equations, slope.as_ref()), &hoisted);
+    let mut divisors = equations.divisors.clone();
+    divisors.dedup();
+    let has_energy = flow.energy.is_some();
+    let time = flow.time;
+    let model = model(ground, &flow, &constants, &equations);
+    let derivation = Derivation { arena: model.arena.clone(), equations };
+    let reduction = Reduction {
+        model,
+        derivation,
+        states,
+        quadratures,
+        constants,
+        products: hoisted
+            .constants
+            .iter()
+            .map(|(symbol, value)| Definition { symbol: *symbol, value: *value })
+            .collect(),
+        outputs,
+        events,
+        frame,
+        kept_by_domain,
+        folded,
+        omitted,
+        divisors,
+        has_energy,
+        slope,
+        time,
+        proof,
+    };
+    closed(&reduction)?;
+    Ok(reduction)
+}
+
+/// Checks that every symbol used in a formula has a value: it is a parameter, a variable, the time, or defined before.
+fn closed(reduction: &Reduction) -> Result<(), String> {
+    let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
+    let mut known: FxHashSet<Expr> = reduction.model.p().into_iter().collect();
+    let has_value = |known: &FxHashSet<Expr>, values: &[Expr], what: &str| {
+        let symbols = arena.reachable(values).into_iter().filter(|e| matches!(arena.node(*e), Node::Symbol(_)));
+        let unknown = symbols.into_iter().find(|e| !known.contains(e)).and_then(|e| arena.symbol_name(e));
+        unknown.map_or(Ok(()), |name| Err(format!("that `{name}`, which {what} mentions, has a value")))
+    };
+    if let Some(slope) = &reduction.slope {
+        let (sincs, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
+        let mut known = known.clone();
+        known.extend(slope.ends);
+        has_value(&known, &angles, "the slope of the potential energy")?;
+        known.extend(sincs);
+        has_value(&known, &[slope.value], "the slope of the potential energy")?;
+    }
+    known.extend(e.coordinates.iter().chain(&e.variables));
+    // What is watched is evaluated without the definitions.
+    has_value(&known, &reduction.events, "an event")?;
+    let conditions: Vec<Expr> = reduction.model.domain.iter().map(|c| c.positive).collect();
+    has_value(&known, &conditions, "the domain")?;
+    for definition in &e.definitions {
+        has_value(&known, &[definition.value], "a step")?;
+        known.insert(definition.symbol);
+    }
+    let rates =
+        e.matrix.concat().into_iter().chain(e.forcing.iter().copied()).chain(e.coordinate_rates.iter().copied());
+    has_value(&known, &rates.chain([e.kinetic_energy, e.potential_energy]).collect::<Vec<_>>(), "an equation")?;
+    // Outputs alone may be functions of the time.
+    known.insert(reduction.time);
+    reduction.outputs.iter().try_for_each(|o| has_value(&known, &[o.value], &format!("the output {}", o.name)))
+}
+
+/// Variables with their values at the start.
+fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
+    let quantity = |v: &Variable| {
+        let name = ground.arena.symbol_name(v.symbol).unwrap_or_default().to_owned();
+        let model = &ground.model;
+        let (of_start, own, about, unit) = if v.is_speed {
+            let speed = &model.speeds[v.place];
+            (ground.u_start[v.place], speed.symbol, "generalized speed", &speed.unit)
+        } else {
+            let coordinate = &model.coordinates[v.place];
+            (ground.q_start[v.place], coordinate.symbol, coordinate.about.as_str(), &coordinate.unit)
+        };
+        let about = if of_start == own { about.into() } else { Prose::term(of_start) };
+        Quantity { name, symbol: v.symbol, about, unit: unit.clone(), of_start }
+    };
+    list.iter().map(quantity).collect()
+}
+
+/// The held momenta, and the mass centre's place at the start, if the system mentions them.
+fn constants(
+    ground: &mut Ground,
+    level: &Level,
+    flow: &Flow,
+    (equations, slope): (&Equations, Option<&Slope>),
+    hoisted: &Hoist,
+) -> Vec<Quantity> {
+    let held = level.held.iter().map(|h| (h.symbol, h.about.clone(), h.unit.clone(), h.of_state));
+    let places = flow.carried.iter().map(|c| {
+        let about = Prose::term(c.position).then(" at the start");
+        let unit = ground.momenta[level.held[c.held].momentum].position_unit.clone();
+        (c.symbol, about, unit, c.position)
+    });
+    let mut all: Vec<(Expr, Prose, Unit, Expr)> = held.chain(places).collect();
+    let mut of_held = Substitution::new(&level.held.iter().map(|h| (h.symbol, h.of_state)).collect::<Vec<_>>());
+    for (symbol, value) in &hoisted.constants {
+        let unit = ground.model.unit_of(&ground.arena, *value).unwrap_or_default();
+        let of_state = of_held.apply(&mut ground.arena, *value);
+        all.push((*symbol, Prose::term(*value), unit, of_state));
+    }
+    let mentioned = mentioned(&ground.arena, flow, equations, slope);
+    let mut back = ground.back();
+    all.into_iter()
+        .filter(|(symbol, ..)| mentioned.contains(symbol))
+        .map(|(symbol, about, unit, of_state)| {
+            let of_start = back.apply(&mut ground.arena, of_state);
+            let name = ground.arena.symbol_name(symbol).unwrap_or_default().to_owned();
+            Quantity { name, symbol, about, unit, of_start }
+        })
+        .collect()
+}
+
+/// The symbols of all computed terms, definitions included.
+///
+/// Only equations have constants in place of products of momenta and parameters: other terms may name a momentum that
+/// the equations do not.
+fn mentioned(arena: &Arena, flow: &Flow, e: &Equations, slope: Option<&Slope>) -> FxHashSet<Expr> {
+    let wanted = flow.wanted.named().into_iter().map(|(_, value)| value);
+    let lists = [&e.forcing, &e.coordinate_rates].into_iter().flatten().chain(e.matrix.iter().flatten());
+    let of_slope = slope.into_iter().flat_map(|slope| slope.sincs.iter().map(|(_, angle)| *angle).chain([slope.value]));
+    let energies = [e.kinetic_energy, e.potential_energy];
+    let all: Vec<Expr> = wanted.chain(lists.copied()).chain(energies).chain(of_slope).collect();
+    let mut found: FxHashSet<Expr> = arena.reachable(&all).into_iter().collect();
+    for definition in e.definitions.iter().rev() {
+        if found.contains(&definition.symbol) {
+            found.extend(arena.reachable(&[definition.value]));
+        }
+    }
+    found
+}
+
+/// Takes constants out of the equations, which are evaluated in every step.
+fn hoist(ground: &mut Ground, level: &Level, e: &mut Equations) -> Hoist {
+    let folded = &ground.folded;
+    let free = ground.model.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name));
+    let parameters: Vec<Expr> = free.map(|p| p.symbol).chain(level.held.iter().map(|h| h.symbol)).collect();
+    let mut hoist = Hoist::default();
+    let definitions = e.definitions.iter_mut().map(|d| &mut d.value);
+    for value in definitions.chain(&mut e.forcing).chain(&mut e.coordinate_rates).chain(e.matrix.iter_mut().flatten()) {
+        *value = hoist.apply(&mut ground.arena, &parameters, *value);
+    }
+    hoist
+}
+
+impl Flow {
+    /// Removes a constant part of the energy that is not of the system: the energy of a mass centre that no output
+    /// shows.
+    fn strip_energy(&mut self, ground: &mut Ground, level: &Level) {
+        let Some(energy) = self.energy.take() else { return };
+        let terms = self.terms();
+        let own = self.dependence.mentioned(&ground.arena, &terms);
+        let pairs: Vec<(Expr, Expr)> =
+            level.held.iter().filter(|h| !own.contains(&h.symbol)).map(|h| (h.symbol, Expr::ZERO)).collect();
+        let whole = self.dependence.whole(&mut ground.arena, energy);
+        let mut without = Substitution::new(&pairs);
+        let rest = without.apply(&mut ground.arena, whole);
+        let difference = ground.arena.sub(whole, rest);
+        let constant = self.core.iter().chain(&self.quadratures).all(|v| {
+            let slope = Differential::partial(v.symbol).apply(&mut ground.arena, difference);
+            zero_test(&ground.arena, slope) == ZeroTest::Zero
+        });
+        let short = without.apply(&mut ground.arena, energy);
+        // A constant that stands in a definition which only the energy uses is written out first.
+        let mentioned = self.dependence.mentioned(&ground.arena, &[short]);
+        let clean = pairs.iter().all(|(symbol, _)| !mentioned.contains(symbol));
+        self.energy = match (constant && without.undefined.is_none(), clean) {
+            (true, true) => Some(short),
+            (true, false) => Some(ground.simplifier.simplify(&mut ground.arena, rest)),
+            (false, _) => Some(energy),
+        };
+    }
+
+    /// Keeps the linear system on the level, if all of its speeds are there and it mentions only variables on which
+    /// they depend.
+    fn keep_system(&mut self, ground: &mut Ground, level: &Level) {
+        let all: Vec<Variable> = self.core.iter().chain(&self.quadratures).copied().collect();
+        let speeds = all.iter().filter(|v| v.is_speed).map(|v| v.place);
+        if !speeds.eq(level.kept.iter().copied()) {
+            return;
+        }
+        let variables: Vec<Expr> = self.raw.iter().map(|(symbol, _)| *symbol).collect();
+        let (arena, simplifier, dependence) = (&mut ground.arena, &mut ground.simplifier, &mut self.dependence);
+        let mut settle = |e: &Expr| dependence.settle(arena, simplifier, *e, &variables);
+        let matrix: Vec<Vec<Expr>> = level.matrix.iter().map(|row| row.iter().map(&mut settle).collect()).collect();
+        let forcing: Vec<Expr> = level.forcing.iter().map(&mut settle).collect();
+        let mentioned = self.dependence.mentioned(&ground.arena, &[matrix.concat(), forcing.clone()].concat());
+        let of_rates: Vec<Expr> = all.iter().filter(|v| v.is_speed).map(|v| v.rate).collect();
+        let needed = self.dependence.mentioned(&ground.arena, &of_rates);
+        if variables.iter().all(|v| !mentioned.contains(v) || needed.contains(v)) {
+            self.system = Some((matrix, forcing));
+        }
+    }
+
+    /// Everything that the reduced system computes.
+    pub(in crate::reduce) fn terms(&self) -> Vec<Expr> {
+        let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate);
+        rates.chain(self.shown()).collect()
+    }
+
+    /// Values that are shown and watched: outputs, conditions, events and the energy.
+    fn shown(&self) -> impl Iterator<Item = Expr> {
+        let Wanted { outputs, conditions, events } = &self.wanted;
+        let outputs = outputs.iter().map(|(_, e)| *e);
+        outputs.chain(conditions.iter().copied()).chain(events.iter().copied()).chain(self.energy)
+    }
+}
+
+/// v̇ = rates, solved as they are.
+fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
+    let all = || flow.core.iter().chain(&flow.quadratures);
+    let speeds: Vec<&Variable> = all().filter(|v| v.is_speed).collect();
+    let coordinates: Vec<&Variable> = all().filter(|v| !v.is_speed).collect();
+    let variables: Vec<Expr> = speeds.iter().map(|v| v.symbol).collect();
+    let unknowns: Vec<Expr> = speeds.iter().map(|v| ground.kane.unknowns[v.place]).collect();
+    let n = speeds.len();
+    let identity = |i: usize| (0..n).map(|j| if i == j { Expr::ONE } else { Expr::ZERO }).collect();
+    // The accelerations as they were solved for, unless all of the system is there: then as a linear system, which code
+    // generation eliminates in its own way.
+    let (mut matrix, mut forcing): (Vec<Vec<Expr>>, Vec<Expr>) =
+        ((0..n).map(identity).collect(), speeds.iter().map(|v| v.rate).collect());
+    if let Some((whole_matrix, whole_forcing)) = flow.system.as_ref().filter(|_| n > 1) {
+        (matrix, forcing) = (whole_matrix.clone(), whole_forcing.clone());
+    }
+    // An output may be an acceleration as it was solved for, even where the equations are kept as a linear system.
+    let rates = coordinates.iter().map(|v| v.rate);
+    let terms: Vec<Expr> = flow.shown().chain(rates).chain(matrix.concat()).chain(forcing.iter().copied()).collect();
+    let arena = &mut ground.arena;
+    let (kinetic_energy, potential_energy) = flow.energy.map_or((Expr::ZERO, Expr::ZERO), |energy| {
+        let at_rest: Vec<(Expr, Expr)> = variables.iter().map(|u| (*u, Expr::ZERO)).collect();
+        let through = flow.dependence.mentioned(arena, &[energy]);
+        let definitions = flow.dependence.definitions.iter().filter(|d| through.contains(&d.symbol));
+        // Where a momentum determines a speed beside other speeds, its definition is written out at rest, too.
+        let moving = definitions.into_iter().any(|d| variables.iter().any(|u| arena.mentions(d.value, *u)));
+        let form = if moving { flow.dependence.clone().whole(arena, energy) } else { energy };
+        let potential = Substitution::new(&at_rest).apply(arena, form);
+        let potential = ground.simplifier.simplify(arena, potential);
+        let kinetic = arena.sub(energy, potential);
+        (ground.simplifier.simplify(arena, kinetic), potential)
+    });
+    let present: Vec<Expr> = all().map(|v| v.symbol).collect();
+    let divides = |d: &&Expr| present.iter().any(|s| arena.mentions(**d, *s));
+    let definitions = flow.used(arena, &terms);
+    let divisors: Vec<Expr> = level.divisors.iter().chain(&ground.kane.divisors).filter(divides).copied().collect();
+    let mut divisors: Vec<Expr> = divisors.into_iter().filter_map(|d| part_with_zeros(arena, d)).collect();
+    divisors.sort_unstable();
+    divisors.dedup();
+    Equations {
+        definitions,
+        required: Vec::new(),
+        gauss: None,
+        by: By::Reduced,
+        distance: None,
+        formulation: Formulation::Kane,
+        coordinates: coordinates.iter().map(|v| v.symbol).collect(),
+        unknowns: unknowns.clone(),
+        rows: variables.iter().map(|u| RowName::Along(text(arena, *u))).collect(),
+        matrix,
+        forcing,
+        symmetric: true,
+        projection: Vec::new(),
+        embedding: None,
+        coordinate_rates: coordinates.iter().map(|v| v.rate).collect(),
+        speeds: variables.clone(),
+        generalized_speeds: variables.clone(),
+        generalized_speed_rates: unknowns,
+        motion_variables: variables.clone(),
+        variables,
+        kinetic_energy,
+        potential_energy,
+        power: Expr::ZERO,
+        divisors,
+        constraints: Vec::new(),
+    }
+}
+
+/// Factors of a divisor that can be zero. Numbers and factors that are proved never to be zero, such as an inertia, are
+/// left out; `None` if no factor remains.
+fn part_with_zeros(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
+    let (_, divisor) = arena.split_content(divisor);
+    let factors = match arena.node(divisor) {
+        Node::Product(factors) => factors.to_vec(),
+        _ => vec![(divisor, 1)],
+    };
+    let above = factors.into_iter().filter(|(_, n)| *n > 0).map(|(base, _)| base);
+    let open: Vec<Expr> = above.filter(|base| !never_zero(arena, *base)).collect();
+    (!open.is_empty()).then(|| arena.product(&open))
+}
+
+fn model(ground: Ground, flow: &Flow, constants: &[Quantity], equations: &Equations) -> crate::Model {
+    let Ground { model: whole, mut arena, folded, kane, .. } = ground;
+    let free = whole.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name)).cloned();
+    let held = constants.iter().map(|c| Parameter {
+        name: c.name.clone(),
+        symbol: c.symbol,
+        unit: c.unit.clone(),
+        value: None,
+        positive: false,
+        is_input: false,
+        about: c.about.text(&arena),
+    });
+    let parameters = free.chain(held).collect();
+    let all = || flow.core.iter().chain(&flow.quadratures);
+    let coordinates = all().filter(|v| !v.is_speed).map(|v| {
+        let old = &whole.coordinates[v.place];
+        let name = arena.symbol_name(v.symbol).unwrap_or_default().to_owned();
+        if v.symbol == old.symbol {
+            return old.clone();
+        }
+        let (rate, second_rate) = (arena.symbol(&format!("{name}'")), arena.symbol(&format!("{name}''")));
+        Coordinate { name, symbol: v.symbol, rate, second_rate, unit: old.unit.clone(), about: old.about.clone() }
+    });
+    let coordinates = coordinates.collect();
+    let speeds: Vec<Speed> = all()
+        .filter(|v| v.is_speed)
+        .map(|v| {
+            let (old, name) = (&whole.speeds[v.place], arena.symbol_name(v.symbol).unwrap_or_default().to_owned());
+            Speed { name, symbol: v.symbol, rate: kane.unknowns[v.place], definition: v.symbol, unit: old.unit.clone() }
+        })
+        .collect();
+    let conditions = whole.domain.iter().zip(&flow.wanted.conditions);
+    let domain = conditions.map(|(c, e)| Condition { positive: *e, ..c.clone() }).collect();
+    let kinematic_equations =
+        KinematicEquations { rates: equations.coordinate_rates.clone(), divisors: equations.divisors.clone() };
+    crate::Model {
+        arena,
+        parameters,
+        coordinates,
+        speeds,
+        bodies: Vec::new(),
+        gravity: None,
+        forces: Vec::new(),
+        torques: Vec::new(),
+        reactions: Vec::new(),
+        constraints: Vec::new(),
+        motion_constraints: Vec::new(),
+        loops: Vec::new(),
+        domain,
+        kinematic_equations,
+        ..whole
+    }
+}

@@ -1,0 +1,356 @@
+//! The proof that a reduced system is the whole one on each level set.
+//!
+//! No intermediate step is trusted. The coordinates and speeds of the model are written in the variables of the reduced
+//! system; differentiated along its rates, they must satisfy the kinematic equations and every row of Kane's M u̇ = f
+//! of the whole model, for all values of the constants. The wanted outputs, the terms left out of formulas, the
+//! constants and the energy are each compared with their values in the whole model. Every identity is a zero test at
+//! random points of random prime fields, with a stated bound.
+
+use crate::algebra::Expr;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
+use crate::mechanics::Equations;
+use crate::reduce::basis::frame::{Turn, solved_rates};
+use crate::reduce::basis::ground::Ground;
+use crate::reduce::basis::pivots::solve_rows;
+use crate::reduce::levels::level::Level;
+use crate::reduce::slices::outputs::Wanted;
+use crate::reduce::slices::slice::Flow;
+
+/// Proof that a reduced system gives the outputs of the whole one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Proof {
+    /// Number of identities that were tested, each of them zero.
+    pub identities: usize,
+    /// Each is wrong with a probability below 2^−exponent; infinite where all are zero by form.
+    pub exponent: f64,
+}
+
+impl Proof {
+    /// ` (in doubt by less than 2^-95)`; empty if every identity is zero by form.
+    pub(in crate::reduce) fn doubt(&self) -> String {
+        match self.exponent {
+            e if e.is_finite() => format!(" (in doubt by less than 2^-{})", e.floor().min(9999.0)),
+            _ => String::new(),
+        }
+    }
+}
+
+impl std::fmt::Display for Proof {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (n, doubt) = (self.identities, self.doubt());
+        let what = "the kinematic equations and Kane's of the whole model, its constants and outputs, along the reduced motion";
+        write!(f, "{n} identities hold: {what}{doubt}")
+    }
+}
+
+/// The whole model as the reduction must reproduce it.
+pub struct Whole {
+    /// Kane's equations in the model's own q and u.
+    pub kane: Equations,
+    /// The wanted outputs, in the same variables, u̇ among them.
+    pub wanted: Wanted,
+}
+
+/// Proves a reduction against the whole model.
+///
+/// # Errors
+/// Identity that is not proved, in words.
+pub fn prove(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow) -> Result<Proof, String> {
+    let mut check =
+        Check::new(ground, whole, level, flow).ok_or("the variables are no linear functions of the model's")?;
+    check.frame(ground, whole)?;
+    check.kinematics(ground, whole)?;
+    check.dynamics(ground, whole)?;
+    check.constants(ground, level, flow)?;
+    check.rates(ground, flow)?;
+    check.wanted(ground, whole, flow)?;
+    Ok(check.proof)
+}
+
+/// A proof under way.
+struct Check {
+    /// The model's q, u and u̇ in the variables of the level, the held momenta and parameters.
+    written: Substitution,
+    /// d/dt along the motion on the level, with every term kept.
+    change: Differential,
+    /// q̇ and u̇ of the whole motion in the same.
+    rates: Vec<Expr>,
+    proof: Proof,
+}
+
+impl Check {
+    fn new(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow) -> Option<Self> {
+        let change = Differential::along(&flow.raw);
+        let (of_q, of_u) = (whole.kane.coordinates.clone(), whole.kane.variables.clone());
+        let there: Vec<Expr> = ground.q.clone();
+        let q = inverse(ground, &of_q, &ground.q_start.clone(), &there)?;
+        let mut put = ground.pinned();
+        let q: Vec<Expr> = q.into_iter().map(|e| put.apply(&mut ground.arena, e)).collect();
+        // A speed is kept, defined, or a constant itself.
+        let held = level.definitions.iter().map(|d| d.symbol).chain(level.held.iter().map(|h| h.symbol));
+        let known: Vec<Expr> = held.chain(level.kept.iter().map(|k| ground.kane.variables[*k])).collect();
+        let speeds: Vec<Expr> = ground.kane.variables.clone();
+        if !speeds.iter().enumerate().all(|(at, u)| known.contains(u) || ground.is_pinned_speed(at)) {
+            return None;
+        }
+        let u = inverse(ground, &of_u, &ground.u_start.clone(), &speeds)?;
+        let mut check = Self {
+            written: Substitution::default(),
+            change,
+            rates: Vec::new(),
+            proof: Proof { identities: 0, exponent: f64::INFINITY },
+        };
+        let u: Vec<Expr> = u.into_iter().map(|e| put.apply(&mut ground.arena, e)).collect();
+        let u: Vec<Expr> = u.into_iter().map(|e| flow.dependence.whole(&mut ground.arena, e)).collect();
+        let states: Vec<Expr> = q.into_iter().chain(u).collect();
+        let rates: Vec<Expr> = states.iter().map(|e| check.change.apply(&mut ground.arena, *e)).collect();
+        let names = of_q.iter().chain(&of_u).copied();
+        check.written = Substitution::new(&names.zip(states).collect::<Vec<_>>());
+        // The rates of the whole motion are those of the state less what the frame adds.
+        check.rates = rates;
+        if let Some(frame) = &ground.frame {
+            for (turn, rate) in frame.turns.iter().zip(&frame.rates) {
+                let turning = flow.dependence.whole(&mut ground.arena, *rate);
+                for (total, along) in check.rates.iter_mut().zip(&ground.turns[*turn].of_model) {
+                    let along = check.written.apply(&mut ground.arena, *along);
+                    let part = ground.arena.mul(turning, along);
+                    *total = ground.arena.sub(*total, part);
+                }
+            }
+        }
+        for (unknown, rate) in whole.kane.unknowns.iter().zip(&check.rates[of_q.len()..]) {
+            check.written.set(*unknown, *rate);
+        }
+        Some(check)
+    }
+
+    /// Checks that each symmetry of the frame commutes with the motion of the whole model and leaves the wanted
+    /// quantities unchanged.
+    fn frame(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
+        let Some(frame) = ground.frame.clone() else { return Ok(()) };
+        let flow = solved_rates(&mut ground.arena, &whole.kane)
+            .ok_or("the accelerations of the whole model are not determined")?;
+        let states = [whole.kane.coordinates.clone(), whole.kane.variables.clone()].concat();
+        let along = |field: &[Expr]| {
+            Differential::along(&states.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())
+        };
+        let accelerations = &flow[whole.kane.coordinates.len()..];
+        let accelerations: Vec<(Expr, Expr)> =
+            whole.kane.unknowns.iter().copied().zip(accelerations.iter().copied()).collect();
+        let mut solved = Substitution::new(&accelerations);
+        for turn in frame.turns {
+            let Turn { words, of_model, .. } = ground.turns[turn].clone();
+            let (mut by_field, mut by_time) = (along(&of_model), along(&flow));
+            for (rate, component) in flow.iter().zip(&of_model) {
+                let a = by_field.apply(&mut ground.arena, *rate);
+                let b = by_time.apply(&mut ground.arena, *component);
+                self.equal(ground, a, b, || format!("that {words} is a symmetry"))?;
+            }
+            for (about, value) in whole.wanted.named() {
+                let value = solved.apply(&mut ground.arena, value);
+                let change = by_field.apply(&mut ground.arena, value);
+                self.zero(ground, change, || format!("that {words} leaves {about} as it is"))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Records an identity, or names the one that does not hold.
+    fn zero(&mut self, ground: &Ground, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
+        self.proof.identities += 1;
+        if e == Expr::ZERO {
+            return Ok(());
+        }
+        let (answer, exponent) = bounded_zero_test(&ground.arena, e);
+        self.proof.exponent = self.proof.exponent.min(exponent);
+        match answer {
+            ZeroTest::Zero => Ok(()),
+            ZeroTest::NonZero => Err(format!("{} does not hold", what())),
+            ZeroTest::Undecided => Err(format!("{} cannot be decided", what())),
+        }
+    }
+
+    fn equal(&mut self, ground: &mut Ground, a: Expr, b: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
+        let difference = ground.arena.sub(a, b);
+        self.zero(ground, difference, what)
+    }
+
+    /// Checks that the speeds give q̇.
+    fn kinematics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
+        let rates = whole.kane.coordinates.iter().zip(&whole.kane.coordinate_rates);
+        for (at, (q, rate)) in rates.enumerate() {
+            debug_assert_eq!(*q, whole.kane.coordinates[at], "a rate for each coordinate");
+            let found = self.rates[at];
+            let stated = self.written.apply(&mut ground.arena, *rate);
+            self.equal(ground, found, stated, || format!("kinematic equation {}", at + 1))?;
+        }
+        Ok(())
+    }
+
+    /// Checks M u̇ − f = 0, row by row.
+    fn dynamics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
+        for (at, (row, right)) in whole.kane.matrix.iter().zip(&whole.kane.forcing).enumerate() {
+            let products = row.iter().zip(&whole.kane.unknowns);
+            let products: Vec<Expr> = products.map(|(m, x)| ground.arena.mul(*m, *x)).collect();
+            let left = ground.arena.sum(&products);
+            let difference = ground.arena.sub(left, *right);
+            let residual = self.written.apply(&mut ground.arena, difference);
+            self.zero(ground, residual, || format!("Kane's equation {}", at + 1))?;
+        }
+        Ok(())
+    }
+
+    /// Checks that each constant has its stated value at every state of its level, and does not change.
+    fn constants(&mut self, ground: &mut Ground, level: &Level, flow: &mut Flow) -> Result<(), String> {
+        let mut back = ground.back();
+        for held in &level.held {
+            let of_start = back.apply(&mut ground.arena, held.of_state);
+            let value = self.written.apply(&mut ground.arena, of_start);
+            let about = held.about.text(&ground.arena);
+            self.equal(ground, value, held.symbol, || format!("that {about} is constant"))?;
+        }
+        for carried in &flow.carried {
+            let change = self.change.apply(&mut ground.arena, carried.position);
+            let change = flow.dependence.whole(&mut ground.arena, change);
+            self.equal(ground, change, level.held[carried.held].symbol, || "the motion of the mass centre".to_owned())?;
+        }
+        Ok(())
+    }
+
+    /// Checks the rates with terms left out, and the solved rates themselves, against the equations of the level; and
+    /// the energy against its rate.
+    fn rates(&mut self, ground: &mut Ground, flow: &mut Flow) -> Result<(), String> {
+        for variable in flow.core.iter().chain(&flow.quadratures) {
+            let (_, raw) =
+                *flow.raw.iter().find(|(symbol, _)| *symbol == variable.symbol).ok_or("a variable without a rate")?;
+            let shed = flow.dependence.whole(&mut ground.arena, variable.rate);
+            self.equal(ground, shed, raw, || "a rate without what it does not depend on".to_owned())?;
+        }
+        let accelerations: Vec<Expr> = flow.raw[ground.q.len()..].iter().map(|(_, rate)| *rate).collect();
+        let (matrix, forcing) = flow.system.clone().unwrap_or_default();
+        for (row, right) in matrix.iter().zip(forcing) {
+            let products: Vec<Expr> = row.iter().zip(&accelerations).map(|(m, x)| ground.arena.mul(*m, *x)).collect();
+            let left = ground.arena.sum(&products);
+            let difference = ground.arena.sub(left, right);
+            let residual = flow.dependence.whole(&mut ground.arena, difference);
+            self.zero(ground, residual, || "a row of the equations on the level".to_owned())?;
+        }
+        if let Some(energy) = flow.energy {
+            let energy = flow.dependence.whole(&mut ground.arena, energy);
+            let change = self.change.apply(&mut ground.arena, energy);
+            self.zero(ground, change, || "that the energy is constant".to_owned())?;
+        }
+        Ok(())
+    }
+
+    /// Checks the wanted outputs against those of the whole model; a coordinate computed from the time is checked
+    /// against itself.
+    fn wanted(&mut self, ground: &mut Ground, whole: &Whole, flow: &mut Flow) -> Result<(), String> {
+        let mut started = Vec::new();
+        for carried in &flow.carried {
+            // What is called the position at the start is the position less its motion since.
+            let momentum = self.change.apply(&mut ground.arena, carried.position);
+            let moved = ground.arena.mul(momentum, flow.time);
+            started.push((carried.symbol, ground.arena.sub(carried.position, moved)));
+        }
+        let mut started = Substitution::new(&started);
+        let stated = whole.wanted.named();
+        for ((about, stated), (_, found)) in stated.into_iter().zip(flow.wanted.named()) {
+            let stated = self.written.apply(&mut ground.arena, stated);
+            let found = started.apply(&mut ground.arena, found);
+            let found = flow.dependence.whole(&mut ground.arena, found);
+            self.equal(ground, found, stated, || about)?;
+        }
+        Ok(())
+    }
+}
+
+/// The model's variables in those of the equations, which are linear functions of them with numbers as coefficients.
+fn inverse(ground: &mut Ground, model: &[Expr], stated: &[Expr], symbols: &[Expr]) -> Option<Vec<Expr>> {
+    let mut form = LinearForm::new(model);
+    let (mut rows, mut right) = (Vec::new(), Vec::new());
+    for (value, symbol) in stated.iter().zip(symbols) {
+        let (row, rest) = form.coefficients(&mut ground.arena, *value).ok()?;
+        rows.push(row);
+        right.push(vec![ground.arena.sub(*symbol, rest)]);
+    }
+    let columns: Vec<usize> = (0..model.len()).collect();
+    let solved = solve_rows(&mut ground.arena, &mut ground.simplifier, rows, right, &[], &columns);
+    let mut values = model.to_vec();
+    if solved.pivots.len() < model.len() {
+        return None;
+    }
+    for k in (0..solved.pivots.len()).rev() {
+        let value = solved.unknown(&mut ground.arena, k, 0, &values);
+        values[solved.pivots[k].1] = ground.simplifier.simplify(&mut ground.arena, value);
+    }
+    Some(values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Source;
+    use crate::model::Model;
+    use std::path::Path;
+
+    /// The proof of the spherical pendulum's reduction with something spoilt on the way.
+    fn spoilt(spoil: impl FnOnce(&mut Ground, &mut Level, &mut Flow)) -> Result<Proof, String> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/spherical_pendulum");
+        let mut model = Model::read(&folder.join("model.toml")).unwrap();
+        let source = Source::read(&folder.join("scenes/wide.toml")).unwrap();
+        let scene = crate::scene::load(&source, &mut model).unwrap();
+        let mut ground = Ground::new(&model).unwrap();
+        let wanted = ground.wanted(&scene).unwrap();
+        let whole = Whole { kane: ground.kane.clone(), wanted: wanted.clone() };
+        let mut level = ground.level(&[0], None).unwrap();
+        let mut flow = Flow::new(&mut ground, &level, &wanted).unwrap();
+        spoil(&mut ground, &mut level, &mut flow);
+        prove(&mut ground, &whole, &level, &mut flow)
+    }
+
+    /// A small part of a term, so that nothing is grossly wrong.
+    fn slightly(ground: &mut Ground, e: &mut Expr) {
+        let part = ground.arena.ratio(1, 1_000_000);
+        let part = ground.arena.mul(part, ground.q[0]);
+        *e = ground.arena.add(*e, part);
+    }
+
+    #[test]
+    fn what_is_right_is_proved() {
+        let proof = spoilt(|_, _, _| ()).unwrap();
+        assert!(proof.identities > 10 && proof.exponent > 64.0, "{proof}");
+    }
+
+    #[test]
+    fn a_wrong_acceleration_is_seen_in_kanes_equations() {
+        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.raw.last_mut().unwrap().1)).unwrap_err();
+        assert_eq!(error, "Kane's equation 1 does not hold");
+    }
+
+    #[test]
+    fn a_wrong_rate_of_a_coordinate_is_seen_in_the_kinematic_equations() {
+        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.raw[0].1)).unwrap_err();
+        assert_eq!(error, "kinematic equation 1 does not hold");
+    }
+
+    #[test]
+    fn a_constant_that_is_called_something_else_is_seen() {
+        let error = spoilt(|ground, level, _| slightly(ground, &mut level.held[0].of_state)).unwrap_err();
+        assert_eq!(error, "that momentum p_phi = ∂L/∂phi' is constant does not hold");
+    }
+
+    #[test]
+    fn a_rate_that_lost_what_it_depends_on_is_seen() {
+        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.core[0].rate)).unwrap_err();
+        assert_eq!(error, "a rate without what it does not depend on does not hold");
+    }
+
+    #[test]
+    fn a_wrong_output_is_named() {
+        let error = spoilt(|ground, _, flow| slightly(ground, &mut flow.wanted.outputs[1].1)).unwrap_err();
+        assert_eq!(error, "the output phi does not hold");
+    }
+}

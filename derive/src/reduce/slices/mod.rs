@@ -1,0 +1,6 @@
+//! Slices: the least set of variables that determines the outputs of a scene.
+
+pub(super) mod dependence;
+pub(super) mod one_degree;
+pub(super) mod outputs;
+pub(super) mod slice;

@@ -1,0 +1,82 @@
+//! Potential energy of a system with one degree of freedom in a form without cancellation, for its solution by
+//! quadrature.
+
+use super::slice::Flow;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::divided::divided_difference;
+use crate::algebra::term::period::turns;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr, Rational};
+use crate::reduce::basis::ground::Ground;
+
+/// (V(b) − V(a))/(b − a) of the potential energy in the one coordinate among the states.
+#[derive(Clone, Debug)]
+pub struct Slope {
+    /// The symbols a and b.
+    pub ends: [Expr; 2],
+    /// The value, in parameters, a, b and the symbols below.
+    pub value: Expr,
+    /// (symbol, z): the symbol stands for sin z/z.
+    pub sincs: Vec<(Expr, Expr)>,
+    /// Turns of 2 π of the coordinate after which rates, T and V repeat; `None` if no such number is found.
+    pub turns: Option<Rational>,
+}
+
+impl Slope {
+    /// Change of the coordinate after which rates, T and V repeat.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        self.turns.as_ref().map(|turns| std::f64::consts::TAU * turns.to_f64())
+    }
+}
+
+impl Flow {
+    /// The slope of the potential, if the system is one degree of freedom with q′ = k(q) v and T = ½ m(q) v², and the
+    /// rates of its quadratures are functions of q and v.
+    pub(in crate::reduce) fn slope(&self, ground: &mut Ground, kinetic: Expr, potential: Expr) -> Option<Slope> {
+        let [q, v] = self.core.as_slice() else { return None };
+        if q.is_speed || !v.is_speed || self.quadratures.iter().any(|v| v.is_speed) {
+            return None;
+        }
+        self.energy?;
+        let mut dependence = self.dependence.clone();
+        let arena = &mut ground.arena;
+        let of_core = |arena: &Arena, e: Expr| {
+            self.quadratures.iter().chain(&self.dropped).all(|other| !arena.mentions(e, other.symbol))
+        };
+        let mut repeating = Vec::new();
+        for quadrature in &self.quadratures {
+            let rate = dependence.whole(arena, quadrature.rate);
+            if !of_core(arena, rate) {
+                return None;
+            }
+            repeating.push(rate);
+        }
+        let [rate, kinetic, potential] = [q.rate, kinetic, potential].map(|e| dependence.whole(arena, e));
+        let homogeneous = is_homogeneous(arena, rate, v.symbol, 1) && is_homogeneous(arena, kinetic, v.symbol, 2);
+        if !homogeneous
+            || arena.mentions(potential, v.symbol)
+            || ![kinetic, potential].iter().all(|e| of_core(arena, *e))
+        {
+            return None;
+        }
+        let name = arena.symbol_name(q.symbol).unwrap_or_default().to_owned();
+        let ends = ["from", "to"].map(|end| fresh_symbol(arena, &format!("{name}_{end}")));
+        let divided = divided_difference(arena, potential, q.symbol, ends[0], ends[1])?;
+        repeating.extend([rate, kinetic, potential]);
+        let turns = turns(arena, &repeating, q.symbol);
+        Some(Slope { ends, value: divided.value, sincs: divided.sincs, turns })
+    }
+}
+
+/// True if e = xⁿ e(x = 1), by meaning.
+fn is_homogeneous(arena: &mut Arena, e: Expr, x: Expr, n: i64) -> bool {
+    let slope = Differential::partial(x).apply(arena, e);
+    let times = arena.mul(x, slope);
+    let degree = arena.scale(e, &Rational::integer(n));
+    let euler = arena.sub(times, degree);
+    let mut at_zero = Substitution::new(&[(x, Expr::ZERO)]);
+    let rest = at_zero.apply(arena, e);
+    zero_test(arena, euler) == ZeroTest::Zero && zero_test(arena, rest) == ZeroTest::Zero
+}

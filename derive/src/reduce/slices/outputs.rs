@@ -1,0 +1,87 @@
+//! Outputs, conditions and events of a scene, in the variables of a reduction.
+
+use crate::algebra::Expr;
+use crate::algebra::term::calculus::Substitution;
+use crate::mechanics::{DeriveError, rates_to_speeds};
+use crate::reduce::basis::ground::Ground;
+use crate::scene::Scene;
+
+/// Values that a scene shows or watches: outputs, conditions and events.
+#[derive(Clone, Debug)]
+pub struct Wanted {
+    /// Names and values of the outputs.
+    pub outputs: Vec<(String, Expr)>,
+    /// The conditions of the domain.
+    pub conditions: Vec<Expr>,
+    /// The functions of the events.
+    pub events: Vec<Expr>,
+}
+
+impl Wanted {
+    /// Each value rewritten.
+    pub fn map(&self, mut rewrite: impl FnMut(Expr) -> Expr) -> Self {
+        Self {
+            outputs: self.outputs.iter().map(|(name, e)| (name.clone(), rewrite(*e))).collect(),
+            conditions: self.conditions.iter().map(|e| rewrite(*e)).collect(),
+            events: self.events.iter().map(|e| rewrite(*e)).collect(),
+        }
+    }
+
+    /// Each value with its description.
+    pub fn named(&self) -> Vec<(String, Expr)> {
+        let outputs = self.outputs.iter().map(|(name, e)| (format!("the output {name}"), *e));
+        let conditions = self.conditions.iter().map(|e| ("a condition of the domain".to_owned(), *e));
+        let events = self.events.iter().map(|e| ("an event".to_owned(), *e));
+        outputs.chain(conditions).chain(events).collect()
+    }
+
+    pub(in crate::reduce) fn values(&self) -> Vec<Expr> {
+        let outputs = self.outputs.iter().map(|(_, e)| *e);
+        outputs.chain(self.conditions.iter().copied()).chain(self.events.iter().copied()).collect()
+    }
+}
+
+impl Ground {
+    /// Values that the scene shows or watches, in q and u; reactions from the force balance.
+    pub(in crate::reduce) fn wanted(&mut self, scene: &Scene) -> Result<Wanted, DeriveError> {
+        let mut rewrite = self.names(scene)?;
+        let mut output = |ground: &mut Self, e: Expr| {
+            let e = rewrite.apply(&mut ground.arena, e);
+            let e = rates_to_speeds(&ground.model).apply(&mut ground.arena, e);
+            ground.simplifier.simplify(&mut ground.arena, e)
+        };
+        let outputs = scene.outputs.iter().map(|o| (o.name.clone(), output(self, o.value))).collect();
+        let conditions: Vec<Expr> = self.model.domain.iter().map(|c| c.positive).collect();
+        let events: Vec<Expr> = scene.events.iter().map(|e| e.function).collect();
+        let conditions = conditions.into_iter().map(|e| output(self, e)).collect();
+        let events = events.into_iter().map(|e| output(self, e)).collect();
+        Ok(Wanted { outputs, conditions, events })
+    }
+
+    /// Names that scenes may use beside those of the state: parameters as numbers, energies, reactions.
+    fn names(&mut self, scene: &Scene) -> Result<Substitution, DeriveError> {
+        let mut pairs = Vec::new();
+        for (name, value) in &self.folded {
+            if let Some(p) = self.model.parameters.iter().find(|p| p.name == *name) {
+                pairs.push((p.symbol, self.arena.number(value.clone())));
+            }
+        }
+        let (kinetic, potential) = (self.kane.kinetic_energy, self.kane.potential_energy);
+        let total = self.arena.add(kinetic, potential);
+        let energies = [("kinetic_energy", kinetic), ("potential_energy", potential), ("total_energy", total)];
+        pairs.extend(energies.into_iter().filter_map(|(name, e)| Some((self.arena.find_symbol(name)?, e))));
+        let mentioned = |e: Expr| self.model.reactions.iter().any(|r| self.arena.mentions(e, r.symbol));
+        let conditions = self.model.domain.iter().map(|c| c.positive);
+        let values = scene.outputs.iter().map(|o| o.value).chain(scene.events.iter().map(|e| e.function));
+        if values.chain(conditions).any(mentioned) {
+            pairs.extend(self.reactions()?);
+        }
+        Ok(Substitution::new(&pairs))
+    }
+
+    /// Each reaction in q and u.
+    fn reactions(&mut self) -> Result<Vec<(Expr, Expr)>, DeriveError> {
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        Ok(self.balance.clone()?.solved(&mut self.arena, &mut self.simplifier, &states))
+    }
+}

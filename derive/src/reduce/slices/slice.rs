@@ -1,0 +1,295 @@
+//! Dependence of the outputs on the variables, by meaning, and the least set of variables that they need.
+//!
+//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. If it does not, any value may stand for q₁, and terms
+//! that mention q₁ only by form vanish.
+
+use super::dependence::Dependence;
+use super::outputs::Wanted;
+use crate::algebra::form::simplify::cost_of_all;
+use crate::algebra::solve::elimination::{LinearSystem, eliminate};
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::steps::Definition;
+use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::reduce::basis::ground::Ground;
+use crate::reduce::levels::level::Level;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// A variable of the equations, and its rate.
+#[derive(Clone, Copy, Debug)]
+pub struct Variable {
+    /// Its symbol.
+    pub symbol: Expr,
+    /// Its rate in variables, held momenta and parameters.
+    pub rate: Expr,
+    /// True for a speed, false for a coordinate.
+    pub is_speed: bool,
+    /// Its place among the model's coordinates or speeds.
+    pub place: usize,
+}
+
+/// A position that a held momentum carries on at a constant rate, solved for a coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried {
+    /// The coordinate.
+    pub coordinate: Expr,
+    /// Its value in other variables, time, held momenta and the position at the start.
+    pub value: Expr,
+    /// The symbol of the position at the start.
+    pub symbol: Expr,
+    /// The position in q.
+    pub position: Expr,
+    /// Index of the held momentum that moves it.
+    pub held: usize,
+}
+
+/// The least closed set of variables on which the wanted quantities depend.
+#[derive(Clone)]
+pub struct Flow {
+    /// The variables on which others depend: coordinates first.
+    pub core: Vec<Variable>,
+    /// Variables on which only wanted quantities depend, each after those it depends on.
+    pub quadratures: Vec<Variable>,
+    /// Variables of the model that are left out.
+    pub dropped: Vec<Variable>,
+    /// Definitions of longer terms, and the test of dependence.
+    pub dependence: Dependence,
+    /// The wanted quantities, in the variables that are kept.
+    pub wanted: Wanted,
+    /// The energy, if it is conserved and a function of the kept variables.
+    pub energy: Option<Expr>,
+    /// Coordinates computed from the motion of a mass centre.
+    pub carried: Vec<Carried>,
+    /// The time since the start.
+    pub time: Expr,
+    /// The matrix and the right-hand side of the speeds' rates, if that form of the equations is kept.
+    pub system: Option<(Vec<Vec<Expr>>, Vec<Expr>)>,
+    /// Each variable and its rate before terms on which it does not depend were taken out.
+    pub raw: Vec<(Expr, Expr)>,
+}
+
+impl Flow {
+    /// Finds the variables of a level that the wanted quantities need; `None` if the level does not determine its
+    /// accelerations.
+    pub(in crate::reduce) fn new(ground: &mut Ground, level: &Level, wanted: &Wanted) -> Option<Self> {
+        let (mut variables, definitions) = ground.variables(level)?;
+        let symbols: Vec<Expr> = variables.iter().map(|v| v.symbol).collect();
+        let solved: Vec<(Expr, Expr)> = level
+            .kept
+            .iter()
+            .map(|k| ground.kane.unknowns[*k])
+            .zip(variables[ground.q.len()..].iter().map(|v| v.rate))
+            .collect();
+        let mut solved = Substitution::new(&solved);
+        let accelerations: Vec<(Expr, Expr)> =
+            ground.kane.unknowns.iter().copied().zip(level.accelerations.iter().copied()).collect();
+        let mut accelerations = Substitution::new(&accelerations);
+        let time = ground.time();
+        let (arena, simplifier, energy) = (&mut ground.arena, &mut ground.simplifier, ground.energy);
+        let mut dependence = Dependence::new(arena, definitions);
+        let mut put = |e: Expr| {
+            let moved = accelerations.apply(arena, e);
+            let moved = solved.apply(arena, moved);
+            let short = simplifier.simplify(arena, moved);
+            let short = dependence.settle(arena, simplifier, short, &symbols);
+            // Where roots or functions without rules leave a doubt, the term stays as it was stated.
+            let (before, after) = (dependence.whole(arena, moved), dependence.whole(arena, short));
+            let difference = arena.sub(before, after);
+            if bounded_zero_test(arena, difference).0 == ZeroTest::Zero { short } else { moved }
+        };
+        let wanted = wanted.map(&mut put);
+        let energy = energy.map(&mut put);
+        let mut raw = Vec::new();
+        for variable in &mut variables {
+            raw.push((variable.symbol, dependence.whole(arena, variable.rate)));
+            variable.rate = dependence.settle(arena, simplifier, variable.rate, &symbols);
+        }
+        let (core, quadratures, carried) = Default::default();
+        let mut flow = Self {
+            core,
+            quadratures,
+            dropped: variables,
+            dependence,
+            wanted,
+            energy,
+            carried,
+            time,
+            raw,
+            system: None,
+        };
+        flow.close(&ground.arena);
+        flow.carry(ground, level);
+        let present: Vec<Expr> = flow.core.iter().chain(&flow.quadratures).map(|v| v.symbol).collect();
+        let others: Vec<Expr> = symbols.into_iter().filter(|s| !present.contains(s)).collect();
+        flow.energy = flow.energy.filter(|e| {
+            let mentioned = flow.dependence.mentioned(&ground.arena, &[*e]);
+            !others.iter().any(|s| mentioned.contains(s))
+        });
+        Some(flow)
+    }
+
+    /// True if a variable is among the states.
+    pub fn is_core(&self, symbol: Expr) -> bool {
+        self.core.iter().any(|v| v.symbol == symbol)
+    }
+
+    /// Numbers of states, of integrated variables and of operations.
+    pub(in crate::reduce) fn weight(&self, ground: &Ground) -> (usize, usize, usize) {
+        let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate).collect::<Vec<_>>();
+        let used = self.used(&ground.arena, &rates);
+        let rates: Vec<Expr> = rates.into_iter().chain(used.iter().map(|d| d.value)).collect();
+        let integrated = self.core.len() + self.quadratures.len();
+        (self.core.len(), integrated, cost_of_all(&ground.arena, &rates))
+    }
+
+    /// Sorts all variables anew into needed and unneeded ones.
+    pub(in crate::reduce) fn close(&mut self, arena: &Arena) {
+        let mut all: Vec<Variable> =
+            self.core.drain(..).chain(self.quadratures.drain(..)).chain(self.dropped.drain(..)).collect();
+        all.sort_by_key(|v| (v.is_speed, v.place));
+        let mut needed = vec![false; all.len()];
+        let of_rates: Vec<FxHashSet<Expr>> = all.iter().map(|v| self.dependence.mentioned(arena, &[v.rate])).collect();
+        let mut open = vec![self.dependence.mentioned(arena, &self.wanted.values())];
+        while let Some(mentioned) = open.pop() {
+            for (at, variable) in all.iter().enumerate() {
+                if !needed[at] && mentioned.contains(&variable.symbol) {
+                    needed[at] = true;
+                    open.push(of_rates[at].clone());
+                }
+            }
+        }
+        let mut of_rates: FxHashMap<Expr, FxHashSet<Expr>> = all.iter().map(|v| v.symbol).zip(of_rates).collect();
+        let (mut kept, dropped): (Vec<_>, Vec<_>) = all.into_iter().zip(needed).partition(|(_, needed)| *needed);
+        self.dropped = dropped.into_iter().map(|(v, _)| v).collect();
+        let mut peeled = Vec::new();
+        while let Some(at) = (0..kept.len()).find(|at| {
+            let symbol = kept[*at].0.symbol;
+            !kept.iter().any(|(other, _)| of_rates[&other.symbol].contains(&symbol))
+        }) {
+            let gone = kept.remove(at).0;
+            of_rates.remove(&gone.symbol);
+            peeled.push(gone);
+        }
+        peeled.reverse();
+        self.quadratures = peeled;
+        self.core = kept.into_iter().map(|(v, _)| v).collect();
+    }
+
+    /// The definitions that these terms use, in order.
+    pub(in crate::reduce) fn used(&self, arena: &Arena, terms: &[Expr]) -> Vec<Definition> {
+        let mentioned = self.dependence.mentioned(arena, terms);
+        self.dependence.definitions.iter().copied().filter(|d| mentioned.contains(&d.symbol)).collect()
+    }
+
+    /// Takes out coordinates on which no rate depends and that the uniform motion of a mass centre gives.
+    fn carry(&mut self, ground: &mut Ground, level: &Level) {
+        // A frame may move the mass centre.
+        if ground.frame.is_some() {
+            return;
+        }
+        for (held, h) in level.held.iter().enumerate() {
+            let momentum = &ground.momenta[h.momentum];
+            // What is left of a momentum on a singular surface is no rate of a position.
+            let Some(position) = momentum.position.filter(|_| h.of_state == momentum.value) else { continue };
+            // What is watched is a function of the state alone, without the time.
+            let watched: Vec<Expr> = self.wanted.conditions.iter().chain(&self.wanted.events).copied().collect();
+            let watched = self.dependence.mentioned(&ground.arena, &watched);
+            let found = self.quadratures.iter().find_map(|v| {
+                let others = self.core.iter().chain(&self.quadratures);
+                let rates: Vec<Expr> = others.filter(|o| o.symbol != v.symbol).map(|o| o.rate).collect();
+                let free = !self.dependence.mentioned(&ground.arena, &rates).contains(&v.symbol);
+                (free && !v.is_speed && !watched.contains(&v.symbol)).then_some(())?;
+                ground.carried_coordinate(v.symbol, position, h.symbol, self.time).map(|(value, symbol)| Carried {
+                    coordinate: v.symbol,
+                    value,
+                    symbol,
+                    position,
+                    held,
+                })
+            });
+            let Some(carried) = found else { continue };
+            let mut put = Substitution::new(&[(carried.coordinate, carried.value)]);
+            let (arena, simplifier) = (&mut ground.arena, &mut ground.simplifier);
+            self.wanted = self.wanted.map(|e| {
+                let moved = put.apply(arena, e);
+                simplifier.simplify(arena, moved)
+            });
+            self.carried.push(carried);
+            self.close(&ground.arena);
+        }
+    }
+}
+
+impl Ground {
+    /// Coordinates and kept speeds with their rates, and the definitions of these; `None` if the matrix is singular.
+    fn variables(&mut self, level: &Level) -> Option<(Vec<Variable>, Vec<Definition>)> {
+        let mut list: Vec<Variable> = Vec::new();
+        for (place, (symbol, rate)) in self.q.iter().zip(&self.kane.coordinate_rates).enumerate() {
+            list.push(Variable { symbol: *symbol, rate: *rate, is_speed: false, place });
+        }
+        let unknowns: Vec<Expr> = level.kept.iter().map(|k| self.kane.unknowns[*k]).collect();
+        let system = LinearSystem {
+            matrix: &level.matrix,
+            right: &level.forcing,
+            unknowns: &unknowns,
+            symmetric: true,
+            is_large: false,
+        };
+        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
+        let solved = eliminate(arena, simplifier, system).ok()?;
+        let (mut written, mut definitions) = (Substitution::default(), level.definitions.clone());
+        for step in &solved.steps {
+            let value = written.apply(arena, step.value);
+            if unknowns.contains(&step.symbol) {
+                written.set(step.symbol, value);
+            } else {
+                definitions.push(Definition { symbol: step.symbol, value });
+            }
+        }
+        for (k, unknown) in level.kept.iter().zip(&unknowns) {
+            let rate = written.apply(arena, *unknown);
+            list.push(Variable { symbol: self.kane.variables[*k], rate, is_speed: true, place: *k });
+        }
+        Some((list, definitions))
+    }
+
+    /// The symbol of the time since the start.
+    fn time(&mut self) -> Expr {
+        match self.arena.find_symbol("t") {
+            Some(taken)
+                if !self.model.q().contains(&taken)
+                    && !self.model.u().contains(&taken)
+                    && !self.model.p().contains(&taken) =>
+            {
+                taken
+            }
+            Some(_) => crate::algebra::term::steps::fresh_symbol(&mut self.arena, "elapsed"),
+            None => self.arena.symbol("t"),
+        }
+    }
+
+    /// A coordinate from position = start + momentum · t, if it enters the position with a constant factor.
+    fn carried_coordinate(
+        &mut self,
+        coordinate: Expr,
+        position: Expr,
+        momentum: Expr,
+        time: Expr,
+    ) -> Option<(Expr, Expr)> {
+        let arena = &mut self.arena;
+        let factor = Differential::partial(coordinate).apply(arena, position);
+        let factor = self.simplifier.simplify(arena, factor);
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        if factor == Expr::ZERO || states.iter().any(|s| arena.mentions(factor, *s)) {
+            return None;
+        }
+        let rest = Substitution::new(&[(coordinate, Expr::ZERO)]).apply(arena, position);
+        let name = arena.symbol_name(coordinate).unwrap_or_default().to_owned();
+        let symbol = crate::algebra::term::steps::fresh_symbol(arena, &format!("centre_{name}"));
+        let moved = arena.mul(momentum, time);
+        let there = arena.add(symbol, moved);
+        let difference = arena.sub(there, rest);
+        let value = arena.div(difference, factor)?;
+        Some((self.simplifier.simplify(arena, value), symbol))
+    }
+}

@@ -1,0 +1,113 @@
+//! A family of scenes: one file, read for many values of some of its numbers.
+//!
+//! Invariant: a member is what reading the file would give if the file said these values, formulas in the swept
+//! parameters included. The same code reads both; only the parsing is done once.
+
+use super::axis::Grid;
+use crate::diagnostic::Diagnostics;
+use crate::model::Model;
+use crate::read::Reader;
+use crate::scene::numbers::values::{Number, Terms, Values, Varied, doubles};
+use crate::scene::starts::state::Start;
+use crate::scene::{Numbers, Scene};
+use toml::Spanned;
+use toml::de::DeTable;
+
+/// A scene for every point of a grid.
+pub struct Family<'a> {
+    scene: &'a Scene,
+    grid: &'a Grid,
+    table: Spanned<DeTable<'a>>,
+    model: Model,
+    terms: Terms,
+}
+
+impl<'a> Family<'a> {
+    /// The family of the scene that a file gave for this model, over a grid that was read for it.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] if the scene's text is not TOML, which it was when it was loaded.
+    pub fn new(scene: &'a Scene, model: &Model, grid: &'a Grid) -> Result<Self, Diagnostics> {
+        let (_, table) = Reader::parse(&scene.source)?;
+        Ok(Self { scene, grid, table, model: model.clone(), terms: Terms::default() })
+    }
+
+    /// The values of what varies at a point below [`Grid::count`], as [`Grid::values`] has them, and the scene there,
+    /// without a ladder; instead of the scene what these values make of it: a mass that is negative, a start without a
+    /// value.
+    pub fn point(&mut self, point: u64) -> (Vec<f64>, Result<Scene, Diagnostics>) {
+        let given = self.grid.numbers(point);
+        (given.iter().map(|(_, number)| number.double).collect(), self.scene(&given))
+    }
+
+    fn scene(&mut self, given: &[(Varied, Number)]) -> Result<Scene, Diagnostics> {
+        let mut values = Values {
+            reader: Reader::new(&self.scene.source),
+            model: &mut self.model,
+            terms: std::mem::take(&mut self.terms),
+            given,
+            instant: None,
+            names: Vec::new(),
+            is_wide: false,
+        };
+        let numbers = values.scene_numbers(self.table.get_ref());
+        self.terms = values.terms;
+        values.reader.finish()?;
+        let Numbers { p, start: Start { q, u, exact, closed }, span, integration, coefficients } = numbers;
+        let span = span.expect("reported if missing");
+        let parameters = doubles(&p);
+        let impacts = self.scene.impacts.iter().zip(&coefficients).map(|(impact, of)| impact.with(of)).collect();
+        Ok(Scene { parameters, q, u, exact, closed, span, integration, impacts, ladder: None, ..self.scene.clone() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Source;
+    use crate::scene::load;
+
+    const MODEL: &str = include_str!("../../../../models/pendulum/model.toml");
+    const SCENE: &str = "span = [0, \"10*sqrt(l/g)\"]\n[parameters]\nl = 2\n[start]\ntheta = \"90*deg\"\n\
+                         omega = \"sqrt(g/l)\"\n[integration]\nrtol = \"l/1000\"\ndistance = { theta = \"90*deg\" }\n";
+
+    /// Goal: a member is the scene with those numbers. Method: the same file, edited, read as any scene.
+    #[test]
+    fn a_member_is_the_scene_that_says_its_values() {
+        let mut model = crate::model::load(&Source::from_text("model.toml", MODEL)).unwrap();
+        let scene = load(&Source::from_text("scene.toml", SCENE), &mut model).unwrap();
+        let over = ["l=1:3:4".to_owned(), "theta=80*deg,90*deg-1e-9,sqrt(2)".to_owned()];
+        let grid = Grid::read(&over, "--over", &scene, &mut model).unwrap();
+        let mut family = Family::new(&scene, &model, &grid).unwrap();
+        let lengths = ["1", "1 + 2*1/3", "1 + 2*2/3", "3"];
+        let angles = ["80*deg", "90*deg-1e-9", "sqrt(2)"];
+        for (at, (length, angle)) in lengths.iter().flat_map(|l| angles.map(|a| (l, a))).enumerate() {
+            let text = SCENE.replace("l = 2", &format!("l = \"{length}\"")).replacen("90*deg", angle, 1);
+            let edited = load(&Source::from_text("scene.toml", &text), &mut model).unwrap();
+            let member = family.point(at as u64).1.unwrap();
+            assert_eq!((member.parameters, member.q, member.u), (edited.parameters, edited.q, edited.u), "point {at}");
+            assert_eq!((member.exact, member.span), (edited.exact, edited.span), "point {at}");
+            assert_eq!(member.integration, edited.integration, "point {at}");
+        }
+    }
+
+    /// Goal: no point depends on which were read before it.
+    #[test]
+    fn points_may_be_read_in_any_order() {
+        let mut model = crate::model::load(&Source::from_text("model.toml", MODEL)).unwrap();
+        let scene = load(&Source::from_text("scene.toml", SCENE), &mut model).unwrap();
+        let grid =
+            Grid::read(&["l=-1:1:3".to_owned(), "omega=1:2:5".to_owned()], "--over", &scene, &mut model).unwrap();
+        let mut family = Family::new(&scene, &model, &grid).unwrap();
+        let numbers = |scene: Result<Scene, Diagnostics>| scene.map(|s| (s.parameters, s.u, s.span));
+        let forward: Vec<_> = (0..15).map(|at| numbers(family.point(at).1)).collect();
+        for at in (0..15).rev() {
+            let fresh = Family::new(&scene, &model, &grid).unwrap().point(at).1;
+            let at = usize::try_from(at).unwrap();
+            assert_eq!(numbers(family.point(at as u64).1), forward[at]);
+            assert_eq!(numbers(fresh), forward[at]);
+        }
+        assert!(forward[..5].iter().all(|p| p.as_ref().is_err_and(|e| e.list[0].message.contains("positive"))));
+        assert!(forward[10..].iter().all(Result::is_ok));
+    }
+}

@@ -1,0 +1,61 @@
+//! A ladder: the same scene from several starts that differ in one number, to see where runs give way.
+
+use crate::diagnostic::nearest;
+use crate::scene::numbers::values::{Number, Values};
+use crate::scene::starts::start::{Exact, Stated};
+use toml::de::{DeTable, DeValue};
+use tripos_traits::DoubleDouble;
+
+/// Values of one coordinate or generalized speed at the start.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ladder {
+    /// The name of the coordinate or speed.
+    pub name: String,
+    /// Its place among coordinates, then speeds.
+    pub at: usize,
+    /// The values, a rung each.
+    pub values: Vec<DoubleDouble>,
+}
+
+impl<'a> Values<'a, '_> {
+    /// `[ladder]` with one coordinate or speed and a list of values.
+    pub fn ladder(&mut self, table: &'a DeTable<'a>, p: &[Number], start: &Exact) -> Option<Ladder> {
+        const HOW: &str = "write one coordinate or speed with its values, as u2 = [1.6, 0.8]";
+        let section = self.section(table, "ladder")?;
+        let place = self.reader.get(table, "ladder").map_or(0..0, toml::Spanned::span);
+        let entries = self.reader.entries(section);
+        let [(name, value)] = entries.as_slice() else {
+            let message = format!("`ladder` varies {} numbers, not one", entries.len());
+            self.reader.error(place, message, HOW);
+            return None;
+        };
+        let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
+        let speeds = self.model.speeds.iter().map(|s| s.name.clone());
+        let stated = if matches!(start.motion, Stated::Speeds(_)) { speeds.collect() } else { Vec::new() };
+        let names: Vec<String> = coordinates.chain(stated).collect();
+        let Some(at) = names.iter().position(|known| *known == name.text) else {
+            let help = nearest(&name.text, names.iter().map(String::as_str));
+            self.reader.error(name.span.clone(), format!("the start states no `{}`", name.text), help);
+            return None;
+        };
+        if at < self.model.coordinates.len() && !self.model.loops.is_empty() {
+            let message = format!("a ladder of `{}` would open the loops of the model", name.text);
+            self.reader.error(name.span.clone(), message, "vary a speed, or sweep over the coordinate");
+            return None;
+        }
+        let DeValue::Array(array) = value.get_ref() else {
+            self.reader.error(value.span(), "the values of a ladder must be a list", HOW);
+            return None;
+        };
+        let mut values = Vec::new();
+        for value in array {
+            let formula = self.reader.formula(value, "a value of the ladder")?;
+            values.push(self.number(&formula, p, "a value of the ladder")?.extended());
+        }
+        if values.is_empty() {
+            self.reader.error(value.span(), "the ladder has no values", HOW);
+            return None;
+        }
+        Some(Ladder { name: name.text.clone(), at, values })
+    }
+}

@@ -1,0 +1,5 @@
+//! Given motions, and tables of their samples.
+
+pub(super) mod motion;
+#[cfg(feature = "files")]
+pub(super) mod samples;

@@ -1,0 +1,236 @@
+//! Motions that are given, whose forces are asked for: at one instant, by formulas of t, or by samples.
+
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::text::parse::parse;
+use crate::algebra::value::interval::lost_constant;
+use crate::algebra::{Expr, Rational};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
+use crate::model::{Model, StatedUnit, TIME};
+use crate::read::{Located, Reader};
+use crate::scene::numbers::values::{Number, Values, extended};
+use toml::de::DeTable;
+use tripos_traits::DoubleDouble;
+
+/// Instants that a motion may be asked at.
+const MOST: usize = 1_000_000;
+
+/// A motion.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// Values of the parameters, in the order of the model.
+    pub parameters: Vec<DoubleDouble>,
+    /// Form in which the motion is given.
+    pub given: Given,
+}
+
+/// Form of a given motion.
+#[derive(Clone, Debug)]
+pub enum Given {
+    /// Coordinates, speeds and accelerations at instants.
+    Samples(Vec<Moving>),
+    /// Coordinates as formulas.
+    Formulas(Formulas),
+}
+
+/// One instant of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moving {
+    /// The instant, s, if it is known.
+    pub t: Option<f64>,
+    /// Coordinates, time among them where the model names it.
+    pub q: Vec<DoubleDouble>,
+    /// Generalized speeds.
+    pub u: Vec<DoubleDouble>,
+    /// Their rates.
+    pub rates: Vec<DoubleDouble>,
+}
+
+/// Coordinates as functions of t.
+#[derive(Clone, Debug)]
+pub struct Formulas {
+    /// Symbol of time t.
+    pub time: Expr,
+    /// Each coordinate with its first and its second derivative, in parameters and t; `None` for those that loops
+    /// determine.
+    pub coordinates: Vec<Option<[Expr; 3]>>,
+    /// Guesses from which the search for the other coordinates starts; 0 for all others.
+    pub guesses: Vec<f64>,
+    /// The instants, s.
+    pub instants: Vec<f64>,
+}
+
+/// Reads a motion: `[state]` with `[accelerations]`, or `[motion]` with `[times]`.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the file.
+pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnostics> {
+    let (mut reader, table) = Reader::parse(source)?;
+    reader.schema(table.get_ref());
+    let mut values = Values::new(reader, model);
+    let inputs = values.inputs(table.get_ref());
+    values.reader.finish()?;
+    if inputs.bindings != values.model.bindings {
+        *model = model.bound(inputs.bindings, source, inputs.place)?;
+    }
+    let (reader, table) = Reader::parse(source)?;
+    let table = table.get_ref();
+    let mut values = Values::new(reader, model);
+    let keys =
+        ["schema", "title", "about", "parameters", "inputs", "state", "accelerations", "motion", "times", "guess"];
+    values.reader.allow(table, "a motion", &keys);
+    let parameters = values.parameters(table);
+    let given = match (&parameters, table.contains_key("state"), table.contains_key("motion")) {
+        (None, ..) => None,
+        (Some(parameters), true, false) => {
+            values.at_instant(table, parameters).map(|moving| Given::Samples(vec![moving]))
+        }
+        (Some(parameters), false, true) => values.formulas(table, parameters).map(Given::Formulas),
+        _ => {
+            let help = "give [state] with [accelerations] for one instant, or [motion] with [times]";
+            values.reader.errors.push(Diagnostic::of_file("the file is no motion", help));
+            None
+        }
+    };
+    values.reader.finish()?;
+    let parameters = extended(&parameters.expect("reported if missing"));
+    Ok(Motion { parameters, given: given.expect("reported if missing") })
+}
+
+impl<'a> Values<'a, '_> {
+    /// `[state]` and `[accelerations]`.
+    fn at_instant(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Moving> {
+        let state = self.section(table, "state")?;
+        let start = self.state(table, state, parameters);
+        let mut rates: Vec<Option<DoubleDouble>> = vec![None; self.model.speeds.len()];
+        let names: Vec<String> = self.model.speeds.iter().map(|s| format!("{}'", s.name)).collect();
+        for (name, value) in self.section(table, "accelerations").map_or(Vec::new(), |s| self.reader.entries(s)) {
+            let Some(at) = names.iter().position(|known| *known == name.text) else {
+                let help = nearest(&name.text, names.iter().map(String::as_str));
+                self.reader.error(name.span, format!("the model has no acceleration `{}`", name.text), help);
+                continue;
+            };
+            let formula = self.reader.formula(value, &format!("`{}`", name.text));
+            rates[at] = formula.and_then(|f| self.number(&f, parameters, "an acceleration")).map(|n| n.extended());
+        }
+        let missing: Vec<&str> =
+            names.iter().zip(&rates).filter(|(_, rate)| rate.is_none()).map(|(name, _)| name.as_str()).collect();
+        if !missing.is_empty() && self.reader.errors.is_empty() {
+            let message = format!("no value for {}", missing.join(", "));
+            self.reader.errors.push(Diagnostic::of_file(message, "give the rate of every speed in [accelerations]"));
+        }
+        let start = start?;
+        let t = self.model.time().map(|at| start.q[at]);
+        // Speeds by rates are known in doubles.
+        let by_rates = || start.u.iter().map(|x| DoubleDouble::from(*x)).collect();
+        let u = if let crate::scene::Stated::Speeds(u) = start.exact.motion { u } else { by_rates() };
+        Some(Moving { t, q: start.exact.q, u, rates: rates.into_iter().collect::<Option<_>>()? })
+    }
+
+    /// `[motion]`, `[times]` and `[guess]`.
+    fn formulas(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Formulas> {
+        let time = self.model.arena.symbol(TIME);
+        let mut formulas: Vec<Option<Expr>> = vec![None; self.model.coordinates.len()];
+        let section = self.section(table, "motion")?;
+        for (name, value) in self.reader.entries(section) {
+            let Some(at) = self.coordinate(&name) else { continue };
+            if let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) {
+                formulas[at] = self.of_time(&formula, time);
+            }
+        }
+        if let Some(at) = self.model.time() {
+            formulas[at] = Some(time);
+        }
+        let mut guesses = vec![0.0; formulas.len()];
+        for (name, value) in self.section(table, "guess").map_or(Vec::new(), |s| self.reader.entries(s)) {
+            let Some(at) = self.coordinate(&name) else { continue };
+            let formula = self.reader.formula(value, &format!("`{}`", name.text));
+            guesses[at] = formula.and_then(|f| self.number(&f, parameters, "a guess"))?.double;
+        }
+        let open = self.model.coordinates.iter().zip(&formulas).filter(|(_, formula)| formula.is_none());
+        let open: Vec<String> = open.map(|(c, _)| c.name.clone()).collect();
+        if !open.is_empty() && self.model.loops.is_empty() && self.reader.errors.is_empty() {
+            let message = format!("no formula for {}", open.join(", "));
+            let help = "give every coordinate in [motion]: no loop determines one";
+            self.reader.errors.push(Diagnostic::of_file(message, help));
+        }
+        let instants = self.instants(table, parameters)?;
+        let mut d_dt = Differential::partial(time);
+        let arena = &mut self.model.arena;
+        let coordinates = formulas.into_iter().map(|formula| {
+            let first = d_dt.apply(arena, formula?);
+            Some([formula?, first, d_dt.apply(arena, first)])
+        });
+        Some(Formulas { time, coordinates: coordinates.collect(), guesses, instants })
+    }
+
+    fn coordinate(&mut self, name: &Located) -> Option<usize> {
+        let model = &self.model;
+        let at = model.coordinates.iter().position(|c| c.name == name.text && c.name != TIME);
+        if at.is_none() {
+            let known = model.coordinates.iter().map(|c| c.name.as_str()).filter(|known| *known != TIME);
+            let help = nearest(&name.text, known);
+            self.reader.error(name.span.clone(), format!("the model has no coordinate `{}`", name.text), help);
+        }
+        at
+    }
+
+    /// A formula in parameters and t.
+    fn of_time(&mut self, formula: &Located, time: Expr) -> Option<Expr> {
+        let model = &mut *self.model;
+        let own = model.parameters.iter().filter(|p| !p.is_input).map(|p| (p.name.clone(), p.symbol));
+        let known: Vec<(String, Expr)> = own.chain([(TIME.to_owned(), time)]).collect();
+        let stated = StatedUnit::of(&formula.text);
+        let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
+        let parsed = parse(&mut model.arena, &number.text, &mut |arena, name| {
+            if name == "deg" {
+                let pi = arena.pi();
+                return Ok(arena.scale(pi, &Rational::fraction(1, 180).expect("not zero")));
+            }
+            let found = known.iter().find(|(known, _)| known == name).map(|(_, symbol)| *symbol);
+            let names = known.iter().map(|(known, _)| known.as_str()).chain(["deg", "pi"]);
+            found.ok_or_else(|| (format!("`{name}` cannot stand in a motion"), Some(nearest(name, names))))
+        });
+        match parsed {
+            Ok(e) => {
+                let e = stated.map_or(e, |stated| stated.apply(&mut model.arena, e));
+                if let Some(lost) = lost_constant(&model.arena, e) {
+                    self.reader.lost(&model.arena, formula, lost);
+                    return None;
+                }
+                Some(e)
+            }
+            Err(error) => {
+                self.reader.error(formula.part(error.span), error.message, error.help.unwrap_or_default());
+                None
+            }
+        }
+    }
+
+    /// `[times]`: evenly spaced, both ends included.
+    fn instants(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Vec<f64>> {
+        let example = "add [times] with from = 0, to = 2, count = 101";
+        let Some(section) = self.section(table, "times") else {
+            if self.reader.errors.is_empty() {
+                self.reader.errors.push(Diagnostic::of_file("the motion has no `times`", example));
+            }
+            return None;
+        };
+        self.reader.allow(section, "`times`", &["from", "to", "count"]);
+        let place = self.reader.entries(section).first().map_or(0..0, |(key, _)| key.span.clone());
+        let mut number = |key: &str| {
+            let value = self.reader.need(section, key, "`times`", &place)?;
+            let formula = self.reader.formula(value, &format!("`{key}`"))?;
+            Some(self.number(&formula, parameters, "an instant")?.double)
+        };
+        let (from, to, count) = (number("from"), number("to"), number("count"));
+        let (from, to, count) = (from?, to?, count?);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the range, and whole")]
+        let whole = (count.fract() == 0.0 && count >= 1.0 && count <= MOST as f64).then_some(count as usize);
+        let Some(whole) = whole else {
+            self.reader.error(place, format!("`count` is {count}"), format!("give a whole number from 1 to {MOST}"));
+            return None;
+        };
+        let share = |k: usize| if whole == 1 { 0.0 } else { k as f64 / (whole - 1) as f64 };
+        Some((0..whole).map(|k| from + (to - from) * share(k)).collect())
+    }
+}

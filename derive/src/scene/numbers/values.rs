@@ -1,0 +1,376 @@
+//! Numbers in scene and state files: exact formulas in parameters, parsed once, evaluated for each reading.
+//!
+//! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier
+//! readings.
+
+use super::places::Places;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::text::parse::{InteractionName, VelocityName, parse, parse_with_quantities};
+use crate::algebra::value::evaluate::{Numeric, Tape};
+use crate::algebra::value::exact::exact_value;
+use crate::algebra::value::interval::lost_constant;
+use crate::algebra::{Arena, Expr, Rational};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::model::{Model, StatedInteraction, StatedUnit, Unit, is_redundant};
+use crate::read::{Located, Reader};
+use rustc_hash::FxHashMap;
+use toml::de::DeTable;
+use tripos_traits::DoubleDouble;
+
+/// A number of a file.
+#[derive(Clone, Debug)]
+pub struct Number {
+    /// The number rounded to a double.
+    pub double: f64,
+    /// Exact value, where it is known: not for function values such as √2.
+    pub exact: Option<Rational>,
+    /// To 32 digits, where they are known.
+    extended: DoubleDouble,
+}
+
+impl Number {
+    /// Known exactly.
+    pub fn exact(value: Rational) -> Self {
+        Self { double: value.to_f64(), extended: DoubleDouble::of(&value), exact: Some(value) }
+    }
+
+    /// A number of which no more than the double is known.
+    pub fn rounded(double: f64) -> Self {
+        Self { double, exact: None, extended: double.into() }
+    }
+
+    /// To 32 digits.
+    pub fn wide(extended: DoubleDouble) -> Self {
+        Self { double: extended.hi(), exact: None, extended }
+    }
+
+    /// To 32 digits, where they are known.
+    pub fn extended(&self) -> DoubleDouble {
+        self.extended
+    }
+}
+
+/// A number of a scene that may be given instead of what its file says, by its place in the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Varied {
+    /// A parameter.
+    Parameter(usize),
+    /// A coordinate at the start.
+    Coordinate(usize),
+    /// The rate of a coordinate at the start.
+    Rate(usize),
+    /// A generalized speed at the start.
+    Speed(usize),
+}
+
+/// Parsed formulas of a file, which do not change from one reading to the next.
+#[derive(Default)]
+pub struct Terms {
+    /// Formulas by their places in the file.
+    formulas: FxHashMap<usize, Term>,
+    /// The generalized speeds as functions of parameters, q and q̇.
+    pub(in crate::scene) speeds: Option<Tape>,
+    /// Terms that are linear in the rates: constraints and speeds.
+    pub(in crate::scene) conditions: Option<Tape>,
+}
+
+/// A formula of a file.
+struct Term {
+    expression: Expr,
+    tape: Tape,
+    /// True if the formula contains a parameter.
+    varies: bool,
+    /// Its value, once it was evaluated, if it mentions no parameter.
+    constant: Option<Number>,
+}
+
+/// Rounded to doubles.
+pub fn doubles(numbers: &[Number]) -> Vec<f64> {
+    numbers.iter().map(|n| n.double).collect()
+}
+
+/// To 32 digits, where they are known.
+pub fn extended(numbers: &[Number]) -> Vec<DoubleDouble> {
+    numbers.iter().map(Number::extended).collect()
+}
+
+/// Reads values that belong to a model.
+pub struct Values<'a, 'm> {
+    pub reader: Reader<'a>,
+    pub model: &'m mut Model,
+    /// Formulas that were met before, in this file.
+    pub terms: Terms,
+    /// Numbers that stand in the stead of the file's.
+    pub given: &'m [(Varied, Number)],
+    /// The instant of the state, s, where the file states it elsewhere.
+    pub instant: Option<Number>,
+    /// Numbers that the file names for itself.
+    pub names: Vec<(String, Expr, Number)>,
+    /// True if formulas that are not rational are evaluated to 32 digits, as derivatives of a start require.
+    pub is_wide: bool,
+}
+
+impl<'a, 'm> Values<'a, 'm> {
+    /// A reader of a file that is read once, as it is.
+    pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
+        Self { reader, model, terms: Terms::default(), given: &[], instant: None, names: Vec::new(), is_wide: false }
+    }
+}
+
+impl<'a> Values<'a, '_> {
+    /// A table under a key, if there is one.
+    pub fn section(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<&'a DeTable<'a>> {
+        let value = self.reader.get(table, key)?;
+        self.reader.table(value, &format!("`{key}`"), &format!("[{key}]"))
+    }
+
+    /// Values of all parameters: those stated, the model's defaults for the rest.
+    pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Option<Vec<Number>> {
+        let mut values: Vec<Option<Number>> = vec![None; self.model.parameters.len()];
+        let mut places = vec![None; values.len()];
+        let section = self.section(table, "parameters");
+        for (name, value) in section.map_or(Vec::new(), |s| self.reader.entries(s)) {
+            let Some(at) = self.model.parameters.iter().position(|p| p.name == name.text && !p.is_input) else {
+                if self.model.inputs.iter().any(|input| input.name == name.text) {
+                    self.reader.error(name.span, format!("`{}` is an input", name.text), "state it under [inputs]");
+                    continue;
+                }
+                let help = nearest(&name.text, self.model.parameters.iter().map(|p| p.name.as_str()));
+                self.reader.error(name.span, format!("the model has no parameter `{}`", name.text), help);
+                continue;
+            };
+            let Some(formula) = self.reader.formula(value, "a parameter's value") else { continue };
+            self.check_unit(&formula, &self.model.parameters[at].unit.clone(), &name.text);
+            let Some(number) = self.constant(&formula) else { continue };
+            if let Some(message) = self.not_positive(at, &number) {
+                self.reader.error(formula.span.clone(), message, "give a value above zero");
+            }
+            (values[at], places[at]) = (Some(number), Some(formula.span));
+        }
+        for (at, number, span) in self.numbers_of_inputs(table) {
+            (values[at], places[at]) = (Some(number), Some(span));
+        }
+        for (place, number) in self.given {
+            let Varied::Parameter(at) = *place else { continue };
+            if let Some(message) = self.not_positive(at, number) {
+                self.reader.errors.push(Diagnostic::of_file(message, "give a value above zero"));
+            }
+            values[at] = Some(number.clone());
+        }
+        for (parameter, value) in self.model.parameters.iter().zip(&mut values) {
+            if value.is_none() {
+                *value = parameter.value.clone().map(Number::exact);
+            }
+            if value.is_none() {
+                let message = format!("the parameter `{}` has no value", parameter.name);
+                let help = "give it in [parameters], or a default in the model file";
+                self.reader.errors.push(Diagnostic::of_file(message, help));
+            }
+        }
+        let values: Vec<Number> = values.into_iter().collect::<Option<_>>()?;
+        self.check_bodies(&values, &places);
+        Some(values)
+    }
+
+    /// Refuses values at which a body cannot exist, where the first of them that matters is stated.
+    fn check_bodies(&mut self, values: &[Number], places: &[Option<std::ops::Range<usize>>]) {
+        for (message, help, parameters) in self.model.impossible(&doubles(values)) {
+            match parameters.into_iter().find_map(|at| places[at].clone()) {
+                Some(span) => self.reader.error(span, message, help),
+                None => self.reader.errors.push(Diagnostic::of_file(message, help)),
+            }
+        }
+    }
+
+    /// Message about a parameter that is stated to be positive and is not; otherwise `None`.
+    fn not_positive(&self, at: usize, number: &Number) -> Option<String> {
+        let parameter = &self.model.parameters[at];
+        (parameter.positive && number.double <= 0.0)
+            .then(|| format!("`{}` is stated to be positive but is {}", parameter.name, number.double))
+    }
+
+    /// Reports a number that is stated in a unit of another kind.
+    pub(in crate::scene) fn check_unit(&mut self, formula: &Located, unit: &Unit, name: &str) {
+        if let Some(stated) = StatedUnit::of(&formula.text).filter(|stated| stated.unit != *unit) {
+            let message = format!("`{name}` is in {}, but this number in {}", unit.words(), stated.unit.words());
+            self.reader.error(formula.span.clone(), message, "state it in a unit of that kind");
+        }
+    }
+
+    /// A formula of numbers, `deg` and `pi`.
+    pub fn constant(&mut self, formula: &Located) -> Option<Number> {
+        self.evaluate(formula, &[], "a parameter's value")
+    }
+
+    /// A formula of numbers, `deg`, `pi` and parameters.
+    pub fn number(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
+        self.evaluate(formula, parameters, what)
+    }
+
+    fn evaluate(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
+        let place = formula.span.start;
+        if !self.terms.formulas.contains_key(&place) {
+            let term = self.term(formula, parameters.len(), what)?;
+            self.terms.formulas.insert(place, term);
+        }
+        let term = self.terms.formulas.get(&place)?;
+        if let Some(number) = &term.constant {
+            return Some(number.clone());
+        }
+        let own = self.names.iter().map(|(_, _, number)| number.double);
+        let value = term.tape.evaluate(&doubles(parameters).into_iter().chain(own).collect::<Vec<_>>())[0];
+        if !value.is_finite() {
+            self.reader.error(
+                formula.span.clone(),
+                format!("{what} is {value}, not a finite number"),
+                "give a finite number",
+            );
+            return None;
+        }
+        let symbols = self.model.parameters.iter().map(|p| p.symbol);
+        let own = self.names.iter().map(|(_, symbol, number)| (*symbol, number));
+        let pairs = symbols.zip(parameters).chain(own).filter_map(|(s, p)| Some((s, p.exact.clone()?)));
+        let exact = exact_value(&self.model.arena, term.expression, &pairs.collect::<Vec<_>>());
+        let number = match exact {
+            Some(exact) => Number::exact(exact),
+            None if self.is_wide => {
+                let own = self.names.iter().map(|(_, _, number)| number.extended());
+                let known: Vec<DoubleDouble> = extended(parameters).into_iter().chain(own).collect();
+                Number::wide(term.tape.to::<DoubleDouble>().evaluate(&known)[0])
+            }
+            None => Number::rounded(value),
+        };
+        if !term.varies {
+            self.terms.formulas.entry(place).and_modify(|term| term.constant = Some(number.clone()));
+        }
+        Some(number)
+    }
+
+    /// True if a formula that was evaluated contains a parameter.
+    pub fn mentions(&self, formula: &Located, parameter: usize) -> bool {
+        let term = self.terms.formulas.get(&formula.span.start);
+        term.is_some_and(|t| self.model.arena.mentions(t.expression, self.model.parameters[parameter].symbol))
+    }
+
+    /// The term of a formula that was evaluated.
+    pub fn expression(&self, formula: &Located) -> Option<Expr> {
+        self.terms.formulas.get(&formula.span.start).map(|term| term.expression)
+    }
+
+    /// A formula in the first `known` parameters and the names of the file, parsed.
+    fn term(&mut self, formula: &Located, known: usize, what: &str) -> Option<Term> {
+        let model = &mut *self.model;
+        let known: Vec<(String, Expr)> =
+            model.parameters.iter().take(known).map(|p| (p.name.clone(), p.symbol)).collect();
+        let own = self.names.iter().map(|(name, symbol, _)| (name.clone(), *symbol));
+        let known: Vec<(String, Expr)> = known.into_iter().chain(own).collect();
+        let stated = StatedUnit::of(&formula.text);
+        let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
+        let result = parse(&mut model.arena, &number.text, &mut |arena, name| {
+            if name == "deg" {
+                let pi = arena.pi();
+                return Ok(arena.scale(pi, &Rational::fraction(1, 180).expect("not zero")));
+            }
+            if let Some((_, symbol)) = known.iter().find(|(n, _)| n == name) {
+                return Ok(*symbol);
+            }
+            let names = known.iter().map(|(n, _)| n.as_str()).chain(["deg", "pi"]);
+            Err((format!("`{name}` cannot stand in {what}"), Some(nearest(name, names))))
+        });
+        let expression = match result {
+            Ok(e) => stated.map_or(e, |stated| stated.apply(&mut model.arena, e)),
+            Err(error) => {
+                self.reader.error(formula.part(error.span), error.message, error.help.unwrap_or_default());
+                return None;
+            }
+        };
+        // Without functions a value is exact.
+        let lost = lost_constant(&model.arena, expression);
+        if let Some(lost) = lost.filter(|lost| exact_value(&model.arena, *lost, &[]).is_none()) {
+            self.reader.lost(&model.arena, formula, lost);
+            return None;
+        }
+        let symbols: Vec<Expr> = known.iter().map(|(_, e)| *e).collect();
+        let tape = Tape::new(&model.arena, &symbols, &[expression]).ok()?;
+        let varies = symbols.iter().any(|symbol| model.arena.mentions(expression, *symbol));
+        Some(Term { expression, tape, varies, constant: None })
+    }
+
+    /// A formula in everything that has a value during a run.
+    pub fn motion_formula(&mut self, formula: &Located) -> Option<Expr> {
+        self.motion_formula_with(formula, &[])
+    }
+
+    /// A formula of a motion that may also mention `others`, such as accelerations; names of the model hide them.
+    pub fn motion_formula_with(&mut self, formula: &Located, others: &[&str]) -> Option<Expr> {
+        let model = &mut *self.model;
+        let mut known: Vec<(String, Expr)> = Vec::new();
+        known.extend(model.parameters.iter().map(|p| (p.name.clone(), p.symbol)));
+        known.extend(
+            model.coordinates.iter().flat_map(|c| [(c.name.clone(), c.symbol), (format!("{}'", c.name), c.rate)]),
+        );
+        known.extend(model.speeds.iter().map(|s| (s.name.clone(), s.symbol)));
+        known.extend(model.inputs.iter().map(|input| (input.name.clone(), input.value)));
+        known.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
+        known.extend(model.constraints.iter().map(|c| (c.fixes.clone(), c.value)));
+        known.extend(model.dependent_speeds.iter().map(|speed| (speed.name.clone(), speed.definition)));
+        if !others.is_empty() {
+            known.extend(model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate)));
+        }
+        let redundant: Vec<&str> = model.redundant.iter().map(|(_, r)| r.name.as_str()).collect();
+        let mut resolve = |arena: &mut Arena, name: &str| {
+            if let Some((_, e)) = known.iter().find(|(n, _)| n == name) {
+                return Ok(*e);
+            }
+            if others.contains(&name) {
+                return Ok(arena.symbol(name));
+            }
+            if redundant.contains(&name) {
+                let (message, help) = is_redundant(name);
+                return Err((message, Some(help.to_owned())));
+            }
+            let names = known.iter().map(|(n, _)| n.as_str()).chain(others.iter().copied());
+            Err((format!("unknown name `{name}`"), Some(nearest(name, names))))
+        };
+        let mut stated = Vec::new();
+        let mut interaction = |arena: &mut Arena, name: &InteractionName<'_>| {
+            let interaction = StatedInteraction::new(arena, formula, name);
+            let symbol = interaction.symbol;
+            stated.push(interaction);
+            Ok(symbol)
+        };
+        let mut arena = std::mem::take(&mut model.arena);
+        let mut places = Places::default();
+        let mut component = |arena: &mut Arena, name: &VelocityName<'_>| places.component(&*model, arena, name);
+        let result = parse_with_quantities(&mut arena, &formula.text, &mut resolve, &mut component, &mut interaction);
+        self.model.arena = arena;
+        let result = match result {
+            Ok(e) => Ok(self.with_interactions(e, &stated)?),
+            Err(error) => Err(error),
+        };
+        let model = &mut *self.model;
+        match result.map(|e| (e, lost_constant(&model.arena, e))) {
+            Ok((e, None)) => Some(e),
+            Ok((_, Some(lost))) => {
+                self.reader.lost(&model.arena, formula, lost);
+                None
+            }
+            Err(error) => {
+                self.reader.error(formula.part(error.span), error.message, error.help.unwrap_or_default());
+                None
+            }
+        }
+    }
+
+    /// A formula, in which forces and torques between bodies are replaced by terms in reactions.
+    fn with_interactions(&mut self, e: Expr, stated: &[StatedInteraction]) -> Option<Expr> {
+        let mut pairs = Vec::new();
+        for interaction in stated {
+            match self.model.interaction(interaction) {
+                Ok(value) => pairs.push((interaction.symbol, value)),
+                Err(error) => self.reader.errors.push(error),
+            }
+        }
+        (pairs.len() == stated.len()).then(|| Substitution::new(&pairs).apply(&mut self.model.arena, e))
+    }
+}

@@ -1,0 +1,327 @@
+//! Contacts of a scene: where bodies meet, how they part, and what slows or holds them along the contact.
+//!
+//! Contacts, and the energy that a collision costs, are assumptions of a scene about its mechanism. The equations of
+//! the model do not change with them, nor does their hash.
+
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::text::parse::{InteractionName, VelocityName, VelocityOf, parse_with_quantities};
+use crate::algebra::{Arena, Expr};
+use crate::diagnostic::nearest;
+use crate::model::TIME;
+use crate::read::Located;
+use crate::scene::numbers::places::Places;
+use crate::scene::numbers::values::{Number, Values};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+use tripos_traits::DoubleDouble;
+
+/// Law of restitution: it determines how much of the closing velocity, or of the impulse of compression, comes back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ImpactLaw {
+    /// Newton's: the normal velocity after is −e times the one before, or more where other contacts push.
+    #[default]
+    Newton,
+    /// Poisson's: the impulse of expansion is e times that of compression.
+    Poisson,
+}
+
+impl ImpactLaw {
+    /// The names in scene files.
+    pub const NAMES: [&str; 2] = ["newton", "poisson"];
+}
+
+/// A contact of a scene.
+#[derive(Clone, Debug)]
+pub struct Impact {
+    /// Its name.
+    pub name: String,
+    /// The gap, in parameters and coordinates: positive apart, 0 where the bodies meet.
+    pub gap: Expr,
+    /// Its rate in parameters, q and q̇.
+    pub rate: Expr,
+    /// Velocities that no longer slip when the contact closes, in parameters, q, q̇ and u; empty for a smooth contact.
+    pub slips: Vec<Expr>,
+    /// Coulomb friction, for a contact that has it; it then has no velocities that do not slip.
+    pub friction: Option<ContactFriction>,
+    /// The coefficient of restitution, from 0 to 1.
+    pub restitution: f64,
+    /// Its value to 32 digits, where they are known.
+    pub restitution_extended: DoubleDouble,
+    /// The law; one for all contacts of a scene.
+    pub law: ImpactLaw,
+}
+
+/// Coulomb friction at a contact: at most the coefficient times the force along the gap.
+#[derive(Clone, Debug)]
+pub struct ContactFriction {
+    /// The velocity at which the contact slips, in parameters, q, q̇ and u, linear in q̇ and u.
+    pub along: Expr,
+    /// The coefficient, 0 or more.
+    pub coefficient: f64,
+    /// Its value to 32 digits, where they are known.
+    pub coefficient_extended: DoubleDouble,
+}
+
+/// The coefficients of a contact.
+#[derive(Clone, Debug)]
+pub(in crate::scene) struct Coefficients {
+    /// The coefficient of restitution.
+    restitution: Number,
+    /// The coefficient of friction, if the contact has one.
+    friction: Option<Number>,
+}
+
+impl Impact {
+    /// This contact with other coefficients.
+    pub(in crate::scene) fn with(&self, of: &Coefficients) -> Self {
+        let friction = self.friction.as_ref().zip(of.friction.as_ref()).map(|(own, mu)| ContactFriction {
+            coefficient: mu.double,
+            coefficient_extended: mu.extended(),
+            ..own.clone()
+        });
+        let (restitution, restitution_extended) = (of.restitution.double, of.restitution.extended());
+        Self { friction, restitution, restitution_extended, ..self.clone() }
+    }
+}
+
+/// The most contacts of a scene: which of them push is looked for among all of their subsets.
+const MOST: usize = 10;
+/// The most contacts with friction: their behaviour is sought among all combinations of sticking, slipping either way
+/// and opening.
+const MOST_ROUGH: usize = 4;
+/// The key of the section.
+const IMPACTS: &str = "impacts";
+
+impl<'a> Values<'a, '_> {
+    /// The coefficients of contacts, in the order of the file, for these values of parameters.
+    pub(in crate::scene) fn coefficients(
+        &mut self,
+        table: &'a DeTable<'a>,
+        parameters: &[Number],
+    ) -> Vec<Coefficients> {
+        let Some(section) = table.get(IMPACTS).and_then(|value| value.get_ref().as_table()) else { return Vec::new() };
+        let mut list = Vec::new();
+        for (name, value) in self.reader.entries(section) {
+            let Some(entry) = value.get_ref().as_table() else { continue };
+            let stated = self.reader.need(entry, "restitution", &format!("the contact `{}`", name.text), &name.span);
+            let restitution = stated.and_then(|value| {
+                let may_be = |e: f64| (0.0..=1.0).contains(&e);
+                let help = "0 takes all of the closing velocity away, 1 gives all of it back";
+                self.coefficient(value, ("restitution", &name.text), parameters, (&may_be, "not from 0 to 1", help))
+            });
+            let friction = self.reader.get(entry, "friction").and_then(|value| {
+                let may_be = |mu: f64| mu >= 0.0 && mu.is_finite();
+                let help = "friction takes energy: its coefficient is 0 or more";
+                self.coefficient(value, ("friction", &name.text), parameters, (&may_be, "below 0", help))
+            });
+            list.push(Coefficients { restitution: restitution.unwrap_or_else(|| Number::rounded(0.0)), friction });
+        }
+        list
+    }
+
+    /// A coefficient of a contact: key and contact, what it may be, and what is said if it is not.
+    fn coefficient(
+        &mut self,
+        value: &'a Spanned<DeValue<'a>>,
+        (key, contact): (&str, &str),
+        parameters: &[Number],
+        (may_be, wrong, help): (&dyn Fn(f64) -> bool, &str, &str),
+    ) -> Option<Number> {
+        let quoted = format!("`{key}`");
+        let formula = self.reader.formula(value, &quoted)?;
+        let number = self.number(&formula, parameters, &quoted)?;
+        if !may_be(number.double) {
+            let message = format!("the {key} of `{contact}` is {}, {wrong}", number.double);
+            self.reader.error(formula.span.clone(), message, help);
+        }
+        Some(number)
+    }
+
+    /// Reads `[impacts.NAME]`, with coefficients that were read before, for a start at these values.
+    pub(in crate::scene) fn impacts(&mut self, table: &'a DeTable<'a>, coefficients: &[Coefficients]) -> Vec<Impact> {
+        let Some(section) = self.section(table, IMPACTS) else { return Vec::new() };
+        let (mut places, mut list) = (Places::default(), Vec::<Impact>::new());
+        let entries = self.reader.entries(section);
+        if let Some((name, _)) = entries.get(MOST) {
+            let message = format!("the scene has {} contacts, more than {MOST}", entries.len());
+            self.reader.error(name.span.clone(), message, "leave out those that are not met");
+        }
+        let none = Coefficients { restitution: Number::rounded(0.0), friction: None };
+        for ((name, value), own) in entries.into_iter().zip(coefficients.iter().chain(std::iter::repeat(&none))) {
+            let what = format!("the contact `{}`", name.text);
+            let Some(entry) =
+                self.reader.table(value, &what, "[impacts.NAME] with gap = \"…\" and restitution = \"…\"")
+            else {
+                continue;
+            };
+            self.reader.allow(entry, &what, &["gap", "restitution", "law", "no_slip", "friction", "along", "about"]);
+            let law = match self.choice(Some(entry), "law", &ImpactLaw::NAMES) {
+                Some("poisson") => ImpactLaw::Poisson,
+                _ => ImpactLaw::Newton,
+            };
+            if list.first().is_some_and(|first| first.law != law) {
+                let help = "impulses of one instant follow from all contacts together: state one law for all of them";
+                self.reader.error(name.span.clone(), format!("{what} has another law than those before it"), help);
+            }
+            let gap = self.reader.need(entry, "gap", &what, &name.span);
+            let gap = gap.and_then(|value| self.reader.formula(value, "`gap`"));
+            let gap = gap.and_then(|formula| self.gap(&mut places, &formula));
+            let slips = self.slips(&mut places, entry);
+            if law == ImpactLaw::Poisson && !slips.is_empty() {
+                let help = "leave `no_slip` out, or take law = \"newton\"";
+                self.reader.error(
+                    name.span.clone(),
+                    format!("{what} does not slip, which Poisson's law says nothing of"),
+                    help,
+                );
+            }
+            let friction = self.friction(&mut places, (&name, entry), own.friction.as_ref());
+            if friction.is_some() && list.iter().filter(|impact| impact.friction.is_some()).count() == MOST_ROUGH {
+                let help = "give friction to those that matter most, or `no_slip` to those that do not slip";
+                self.reader.error(name.span.clone(), format!("more than {MOST_ROUGH} contacts have friction"), help);
+            }
+            if let Some((gap, rate)) = gap {
+                let (restitution, restitution_extended) = (own.restitution.double, own.restitution.extended());
+                list.push(Impact {
+                    name: name.text,
+                    gap,
+                    rate,
+                    slips,
+                    friction,
+                    restitution,
+                    restitution_extended,
+                    law,
+                });
+            }
+        }
+        list
+    }
+
+    /// `friction = "mu"` with `along = "v(A) @ N [1]"`.
+    fn friction(
+        &mut self,
+        places: &mut Places,
+        (name, entry): (&Located, &'a DeTable<'a>),
+        coefficient: Option<&Number>,
+    ) -> Option<ContactFriction> {
+        let (friction, along) = (self.reader.get(entry, "friction"), self.reader.get(entry, "along"));
+        if let (Some(value), true) = (friction, entry.get("no_slip").is_some()) {
+            let message = format!("the contact `{}` has friction of a coefficient, and does not slip", name.text);
+            self.reader.error(value.span(), message, "leave `no_slip` out, or `friction` with `along`");
+            return None;
+        }
+        let along = match (friction, along) {
+            (None, None) => return None,
+            (Some(value), None) => {
+                let help = "add along = \"v(A) @ N [1]\", the velocity at which the contact slips";
+                let message = format!("nothing says along which velocity the friction of `{}` acts", name.text);
+                self.reader.error(value.span(), message, help);
+                return None;
+            }
+            (None, Some(value)) => {
+                let message = format!("`along` of the contact `{}` has no friction to go with", name.text);
+                self.reader.error(value.span(), message, "add friction = 0.3, or leave `along` out");
+                return None;
+            }
+            (Some(_), Some(value)) => self.reader.formula(value, "`along`")?,
+        };
+        let slip = self.slip(places, &along)?;
+        let mu = coefficient?;
+        Some(ContactFriction { along: slip, coefficient: mu.double, coefficient_extended: mu.extended() })
+    }
+
+    /// A velocity along a contact.
+    fn slip(&mut self, places: &mut Places, formula: &Located) -> Option<Expr> {
+        let slip = self.contact_formula(places, formula, true)?;
+        let model = &mut *self.model;
+        let moving: Vec<Expr> = model.coordinates.iter().map(|c| c.rate).chain(model.u()).collect();
+        let arena = &mut model.arena;
+        if !moving.iter().any(|symbol| arena.mentions(slip, *symbol)) {
+            let message = "what slips, or does not, is a velocity, and no speed is in this";
+            self.reader.error(formula.span.clone(), message, "write a velocity, such as \"v(A) @ N [1]\"");
+            return None;
+        }
+        let slopes: Vec<Expr> = moving.iter().map(|symbol| Differential::partial(*symbol).apply(arena, slip)).collect();
+        if slopes.iter().any(|slope| moving.iter().any(|symbol| arena.mentions(*slope, *symbol))) {
+            let message = "a velocity along a contact is linear in speeds, and this is not";
+            self.reader.error(formula.span.clone(), message, "write a velocity, such as \"v(A) @ N [1]\"");
+            return None;
+        }
+        Some(slip)
+    }
+
+    /// A gap and its rate.
+    fn gap(&mut self, places: &mut Places, formula: &Located) -> Option<(Expr, Expr)> {
+        let gap = self.contact_formula(places, formula, false)?;
+        let model = &mut *self.model;
+        if !model.coordinates.iter().any(|c| c.name != TIME && model.arena.mentions(gap, c.symbol)) {
+            let help = "a gap is a formula of coordinates or positions, such as \"p(P) @ N [3] - R\"";
+            self.reader.error(formula.span.clone(), "no coordinate changes this gap", help);
+            return None;
+        }
+        let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let rate = Differential::along(&rates).apply(&mut model.arena, gap);
+        Some((gap, rate))
+    }
+
+    /// `no_slip = ["v(A) @ N [1]"]`.
+    fn slips(&mut self, places: &mut Places, entry: &'a DeTable<'a>) -> Vec<Expr> {
+        let Some(value) = self.reader.get(entry, "no_slip") else { return Vec::new() };
+        let DeValue::Array(array) = value.get_ref() else {
+            let help = "write no_slip = [\"v(A) @ N [1]\"], the velocities along the contact";
+            self.reader.error(value.span(), "`no_slip` must be a list of velocities", help);
+            return Vec::new();
+        };
+        let mut list = Vec::new();
+        for entry in array {
+            let Some(formula) = self.reader.formula(entry, "a velocity") else { continue };
+            list.extend(self.slip(places, &formula));
+        }
+        list
+    }
+
+    /// A formula in parameters, coordinates and positions, and, `with_rates`, in rates, speeds and velocities.
+    fn contact_formula(&mut self, places: &mut Places, formula: &Located, with_rates: bool) -> Option<Expr> {
+        let model = &mut *self.model;
+        let mut arena = std::mem::take(&mut model.arena);
+        let mut known: Vec<(String, Expr)> = model.parameters.iter().map(|p| (p.name.clone(), p.symbol)).collect();
+        known.extend(model.coordinates.iter().map(|c| (c.name.clone(), c.symbol)));
+        known.extend(model.constraints.iter().map(|c| (c.fixes.clone(), c.value)));
+        if with_rates {
+            known.extend(model.coordinates.iter().map(|c| (format!("{}'", c.name), c.rate)));
+            known.extend(model.speeds.iter().map(|s| (s.name.clone(), s.symbol)));
+        }
+        let what = if with_rates { "a velocity along a contact" } else { "a gap" };
+        let mut resolve = |_: &mut Arena, name: &str| {
+            if let Some((_, e)) = known.iter().find(|(known, _)| known == name) {
+                return Ok(*e);
+            }
+            let help = if name == TIME {
+                "nothing in the model names `t`: let a point of it move in time, and take its position".to_owned()
+            } else {
+                nearest(name, known.iter().map(|(known, _)| known.as_str()))
+            };
+            Err((format!("`{name}` cannot stand in {what}"), Some(help)))
+        };
+        let mut component = |arena: &mut Arena, name: &VelocityName<'_>| {
+            if !with_rates && !matches!(name.of, VelocityOf::Place(_)) {
+                let help = "a gap is made of coordinates and positions".to_owned();
+                return Err((format!("the velocity `{}` cannot stand in a gap", name.text()), Some(help)));
+            }
+            places.component(model, arena, name)
+        };
+        let mut interaction = |_: &mut Arena, name: &InteractionName<'_>| {
+            let help = "contacts are made of places and velocities".to_owned();
+            Err((format!("`{}` cannot stand in {what}", name.text()), Some(help)))
+        };
+        let result = parse_with_quantities(&mut arena, &formula.text, &mut resolve, &mut component, &mut interaction);
+        model.arena = arena;
+        match result {
+            Ok(e) => self.reader.is_computable(&self.model.arena, formula, e).then_some(e),
+            Err(error) => {
+                self.reader.error(formula.part(error.span), error.message, error.help.unwrap_or_default());
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Values that a scene gives to a model's inputs: numbers, formulas, tables.
+
+use crate::algebra::Arena;
+use crate::algebra::text::parse::parse;
+use crate::diagnostic::{Diagnostics, Source, nearest};
+use crate::model::{Binding, Input, Model, StatedUnit, TIME};
+use crate::read::{Located, Reader};
+use crate::scene::numbers::table::{Interpolation, interpolated};
+use crate::scene::numbers::values::{Number, Values};
+use crate::scene::{Scene, load};
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The key of the section.
+const INPUTS: &str = "inputs";
+
+/// The formulas that a scene gives to inputs.
+#[derive(Default)]
+pub struct Given {
+    /// In the order of the scene.
+    pub bindings: Vec<Binding>,
+    /// Byte range of the section in the file.
+    pub place: Range<usize>,
+}
+
+/// Reads a scene for its model, and puts the formulas that the scene gives to inputs into the model. Equations are
+/// derived with these formulas, so no other scene of this model may have been read.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the scene file.
+pub fn load_bound(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
+    bind(source, model)?;
+    load(source, model)
+}
+
+/// Puts the formulas that a file gives to the inputs of a model into it.
+pub(in crate::scene) fn bind(source: &Source, model: &mut Model) -> Result<(), Diagnostics> {
+    let (reader, table) = Reader::parse(source)?;
+    let mut values = Values::new(reader, model);
+    let given = values.inputs(table.get_ref());
+    values.reader.finish()?;
+    if given.bindings != model.bindings {
+        *model = model.bound(given.bindings, source, given.place)?;
+    }
+    Ok(())
+}
+
+impl<'a> Values<'a, '_> {
+    /// Reads `[inputs]`.
+    pub(in crate::scene) fn inputs(&mut self, table: &'a DeTable<'a>) -> Given {
+        let mut given = Given::default();
+        let Some(section) = self.section(table, INPUTS) else { return given };
+        given.place = self.reader.get(table, INPUTS).map_or(0..0, Spanned::span);
+        for (name, value) in self.reader.entries(section) {
+            let Some(input) = self.model.inputs.iter().find(|input| input.name == name.text) else {
+                let help = nearest(&name.text, self.model.inputs.iter().map(|input| input.name.as_str()));
+                self.reader.error(name.span, format!("the model has no input `{}`", name.text), help);
+                continue;
+            };
+            let takes_numbers = self.takes_numbers(input);
+            let formula = match value.get_ref() {
+                DeValue::Table(_) => self.table_of(table, &name, value),
+                _ => self.reader.formula(value, "an input").filter(|formula| self.is_signal(formula)),
+            };
+            let Some(formula) = formula else { continue };
+            if !takes_numbers || !Self::is_number(&formula) {
+                given.bindings.push(Binding { input: name.text, formula: formula.text });
+            }
+        }
+        given
+    }
+
+    /// True if a number given to an input is the value of a parameter.
+    fn takes_numbers(&self, input: &Input) -> bool {
+        input.is_parameter && self.model.bindings.iter().all(|binding| binding.input != input.name)
+    }
+
+    /// The inputs to which the scene gives numbers, which are parameters, by place.
+    pub(in crate::scene) fn numbers_of_inputs(&mut self, table: &'a DeTable<'a>) -> Vec<(usize, Number, Range<usize>)> {
+        let mut numbers = Vec::new();
+        // Errors of the section are reported where its formulas are read.
+        let Some(section) = table.get(INPUTS).and_then(|value| value.get_ref().as_table()) else { return numbers };
+        for (name, value) in self.reader.entries(section) {
+            let input = self.model.inputs.iter().find(|input| input.name == name.text);
+            let Some(input) = input.filter(|input| self.takes_numbers(input)).cloned() else { continue };
+            if value.get_ref().is_table() {
+                continue;
+            }
+            let formula = self.reader.formula(value, "an input").filter(Self::is_number);
+            let Some(formula) = formula else { continue };
+            self.check_unit(&formula, &input.unit, &name.text);
+            let at = self.model.parameters.iter().position(|p| p.name == name.text);
+            if let (Some(at), Some(number)) = (at, self.constant(&formula)) {
+                numbers.push((at, number, formula.span));
+            }
+        }
+        numbers
+    }
+
+    /// True if a formula is a number: it contains no name.
+    fn is_number(formula: &Located) -> bool {
+        let number = StatedUnit::of(&formula.text).map_or_else(|| formula.clone(), |stated| stated.number(formula));
+        let mut known = |arena: &mut Arena, name: &str| match name {
+            "deg" => Ok(arena.pi()),
+            _ => Err((String::new(), None)),
+        };
+        parse(&mut Arena::new(), &number.text, &mut known).is_ok()
+    }
+
+    /// True if every name in a formula may occur in an input; reports those that may not.
+    fn is_signal(&mut self, formula: &Located) -> bool {
+        if Self::is_number(formula) {
+            return true;
+        }
+        let model = &*self.model;
+        let mut known: Vec<String> = model.parameters.iter().filter(|p| !p.is_input).map(|p| p.name.clone()).collect();
+        let coordinates = model.coordinates.iter().filter(|c| c.name != TIME);
+        known.extend(coordinates.flat_map(|c| [c.name.clone(), format!("{}'", c.name)]));
+        known.extend(model.constraints.iter().map(|c| c.fixes.clone()));
+        known.extend(model.speeds.iter().map(|s| s.name.clone()));
+        known.push(TIME.to_owned());
+        let mut arena = model.arena.clone();
+        let result = parse(&mut arena, &formula.text, &mut |arena, name| {
+            if known.iter().any(|known| known == name) {
+                return Ok(arena.symbol(name));
+            }
+            Err((format!("`{name}` cannot stand in an input"), Some(nearest(name, known.iter().map(String::as_str)))))
+        });
+        if let Err(error) = &result {
+            self.reader.error(
+                formula.part(error.span.clone()),
+                error.message.clone(),
+                error.help.clone().unwrap_or_default(),
+            );
+        }
+        result.is_ok()
+    }
+
+    /// The formula of a table: `{ table = "drive.csv", column = "F" }`.
+    fn table_of(&mut self, file: &'a DeTable<'a>, name: &Located, value: &'a Spanned<DeValue<'a>>) -> Option<Located> {
+        let what = format!("input `{}`", name.text);
+        let entry = self.reader.table(value, &what, "{ table = \"drive.csv\", column = \"F\" }")?;
+        self.reader.allow(entry, &what, &["table", "time", "column", "interpolation"]);
+        let path = self.reader.need(entry, "table", &what, &name.span)?;
+        let path = self.reader.string(path, "`table`")?;
+        let mut column = |key: &str, default: &str| match self.reader.get(entry, key) {
+            Some(value) => self.reader.string(value, &format!("`{key}`")).map(|text| text.text),
+            None => Some(default.to_owned()),
+        };
+        let (time, column) = (column("time", TIME)?, column("column", &name.text)?);
+        let how = self.choice(Some(entry), "interpolation", &["linear", "cubic"]);
+        let how = if how == Some("cubic") { Interpolation::Cubic } else { Interpolation::Linear };
+        let span = self.span_of(file)?;
+        let folder = self.reader.source.path.parent().map(std::path::Path::to_owned).unwrap_or_default();
+        match interpolated(&folder.join(&path.text), [&time, &column], how, span) {
+            Ok(text) => Some(Located { text, span: path.span, exact: false }),
+            Err((message, help)) => {
+                self.reader.error(path.span, message, help);
+                None
+            }
+        }
+    }
+
+    /// First and last instant of the span, if they are plain numbers.
+    fn span_of(&mut self, file: &'a DeTable<'a>) -> Option<(f64, f64)> {
+        let parameters = self.parameters(file)?;
+        let (from, to) = self.span(file, &parameters)?;
+        Some((from.double.min(to.double), from.double.max(to.double)))
+    }
+}

@@ -1,0 +1,345 @@
+//! Integration of a scene: method, solve, tolerances, steps, and the variables to integrate in.
+
+use crate::algebra::Rational;
+use crate::algebra::value::exact::pi;
+use crate::diagnostic::{Diagnostic, UnknownName, nearest};
+use crate::mechanics::Distance;
+use crate::scene::numbers::values::{Number, Values};
+use std::fmt;
+use std::str::FromStr;
+use toml::de::{DeTable, DeValue};
+use tripos_traits::{ATOL, AbsoluteTolerance, Method, RTOL};
+
+/// The solves by name.
+pub(crate) const SOLVES: [&str; Solve::ALL.len()] = [Solve::ALL[0].name(), Solve::ALL[1].name()];
+
+/// Integrator of a run: a method that takes steps, or quadrature.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Integrator {
+    /// Steps of this method.
+    Steps(Method),
+    /// Integrals of a scene's own equations with one degree of freedom, exact to rounding, without steps.
+    Quadrature,
+}
+
+impl Integrator {
+    /// Names of all: the methods as they are always listed, then quadrature.
+    pub const NAMES: [&str; Method::ALL.len() + 1] = {
+        let mut names = [Self::Quadrature.name(); Method::ALL.len() + 1];
+        let mut at = 0;
+        while at < Method::ALL.len() {
+            names[at] = Method::ALL[at].name();
+            at += 1;
+        }
+        names
+    };
+
+    /// The name on the command line and in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Steps(method) => method.name(),
+            Self::Quadrature => "quadrature",
+        }
+    }
+
+    /// The method that takes the steps; `None` for quadrature.
+    #[must_use]
+    pub const fn method(self) -> Option<Method> {
+        match self {
+            Self::Steps(method) => Some(method),
+            Self::Quadrature => None,
+        }
+    }
+}
+
+impl Default for Integrator {
+    fn default() -> Self {
+        Self::Steps(Method::default())
+    }
+}
+
+impl From<Method> for Integrator {
+    fn from(method: Method) -> Self {
+        Self::Steps(method)
+    }
+}
+
+impl fmt::Display for Integrator {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Integrator {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let methods = Method::ALL.into_iter().map(Self::Steps);
+        let found = methods.chain([Self::Quadrature]).find(|integrator| integrator.name() == name);
+        found.ok_or_else(|| UnknownName::new(format!("there is no method `{name}`"), name, Self::NAMES))
+    }
+}
+
+/// Method by which the accelerations are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Solve {
+    /// Elimination, when the code is generated.
+    #[default]
+    Eliminated,
+    /// Solution of the linear system at each state.
+    Numeric,
+}
+
+impl Solve {
+    /// Both, in the order in which they are always listed.
+    pub const ALL: [Self; 2] = [Self::Eliminated, Self::Numeric];
+
+    /// The name on the command line and in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Eliminated => "eliminated",
+            Self::Numeric => "numeric",
+        }
+    }
+}
+
+impl FromStr for Solve {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        Self::ALL.into_iter().find(|solve| solve.name() == name).ok_or_else(|| {
+            UnknownName::new(format!("accelerations are not found by `{name}`"), name, Self::ALL.map(Self::name))
+        })
+    }
+}
+
+/// Invariant onto which each step of a run is projected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Project {
+    /// The energy that the run has at its start.
+    Energy,
+}
+
+impl Project {
+    /// All, in the order in which they are always listed.
+    pub const ALL: [Self; 1] = [Self::Energy];
+
+    /// The name on the command line and in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Energy => "energy",
+        }
+    }
+}
+
+impl FromStr for Project {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        Self::ALL.into_iter().find(|project| project.name() == name).ok_or_else(|| {
+            UnknownName::new(format!("runs are not projected onto `{name}`"), name, Self::ALL.map(Self::name))
+        })
+    }
+}
+
+/// Settings of the integration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Integration {
+    /// The integrator.
+    pub method: Integrator,
+    /// Method by which accelerations are found; `None` leaves it to the model.
+    pub solve: Option<Solve>,
+    /// Relative tolerance.
+    pub rtol: f64,
+    /// Absolute tolerance.
+    pub atol: AbsoluteTolerance,
+    /// The length of every step, s; chosen by the error if nothing is said.
+    pub step: Option<f64>,
+    /// The longest step that the error may choose, s; the method decides if nothing is said.
+    pub max_step: Option<f64>,
+    /// Steps after which a run is given up.
+    pub step_limit: u64,
+    /// Number of equally spaced samples of the output; by default four points for each step.
+    pub samples: Option<usize>,
+    /// True if leaving the model's domain ends the run.
+    pub domain_stops: bool,
+    /// Invariant onto which each step is projected, if any.
+    pub project: Option<Project>,
+    /// The distance that is integrated instead of a coordinate.
+    pub distance: Option<Distance>,
+    /// True if the scene's own equations may choose a distance; false if the file says `distance = "none"`.
+    pub may_measure: bool,
+}
+
+const KEYS: [&str; 11] =
+    ["method", "solve", "rtol", "atol", "step", "max_step", "step_limit", "samples", "domain", "project", "distance"];
+
+impl<'a> Values<'a, '_> {
+    /// The section `integration`; settings that are not stated have their defaults.
+    pub fn integration(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Integration {
+        let section = self.section(table, "integration");
+        if let Some(section) = section {
+            self.reader.allow(section, "`integration`", &KEYS);
+        }
+        let rtol = self.size(section, "rtol", p).unwrap_or(RTOL);
+        let atol = self.absolute(section, p);
+        if rtol == 0.0 && atol == AbsoluteTolerance::Uniform(0.0) {
+            let help = "give at least one tolerance above zero";
+            self.reader.errors.push(Diagnostic::of_file("rtol and atol are both zero", help));
+        }
+        let project = self.choice(section, "project", &Project::ALL.map(Project::name));
+        let solve = self.choice(section, "solve", &SOLVES);
+        let method = self.choice(section, "method", &Integrator::NAMES);
+        let method = method.and_then(|name| name.parse().ok()).unwrap_or_default();
+        let given = |key: &str| section.and_then(|s| s.get(key));
+        if let (Some(_), Some(longest)) = (given("step"), given("max_step")) {
+            let help = "leave one of the two out";
+            let message = "every step is as long as `step` says: `max_step` means nothing";
+            self.reader.error(longest.span(), message, help);
+        }
+        if method == Integrator::Quadrature {
+            let steps = "takes no steps";
+            for (key, what) in [("step", steps), ("max_step", steps), ("project", "keeps the energy by itself")] {
+                if let Some(value) = section.and_then(|s| self.reader.get(s, key)) {
+                    let help = format!("leave `{key}` out, or give a stepping method");
+                    self.reader.error(value.span(), format!("quadrature {what}: `{key}` means nothing"), help);
+                }
+            }
+        }
+        Integration {
+            method,
+            solve: solve.and_then(|name| name.parse().ok()),
+            rtol,
+            atol,
+            step: self.step(section, "step", p),
+            max_step: self.step(section, "max_step", p),
+            step_limit: self.count(section, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000),
+            samples: self.count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
+            domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
+            project: project.and_then(|name| name.parse().ok()),
+            may_measure: !self.says_none(section),
+            distance: self.distance(section),
+        }
+    }
+
+    /// A number that is not negative.
+    fn size(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let formula = self.reader.formula(value, &format!("`{key}`"))?;
+        let number = self.number(&formula, p, &format!("`{key}`"))?.double;
+        if number < 0.0 {
+            self.reader.error(formula.span, format!("`{key}` is negative"), format!("let `{key}` be zero or above"));
+        }
+        Some(number)
+    }
+
+    /// The length of a step, above zero.
+    fn step(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let step = self.size(section, key, p)?;
+        if step == 0.0 {
+            let help = "give the length of a step in seconds, above zero";
+            self.reader.error(value.span(), format!("`{key}` is zero"), help);
+        }
+        Some(step)
+    }
+
+    /// One number, or a table with one for each coordinate and speed; what it leaves out has the default.
+    fn absolute(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> AbsoluteTolerance {
+        let Some(value) = section.and_then(|s| self.reader.get(s, "atol")) else {
+            return AbsoluteTolerance::default();
+        };
+        if !matches!(value.get_ref(), DeValue::Table(_)) {
+            return AbsoluteTolerance::Uniform(self.size(section, "atol", p).unwrap_or(ATOL));
+        }
+        let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
+        let names: Vec<String> = coordinates.chain(self.model.speeds.iter().map(|s| s.name.clone())).collect();
+        let mut each = vec![ATOL; names.len()];
+        let Some(table) = self.reader.table(value, "`atol`", "atol = { q1 = 1e-9 }") else {
+            return AbsoluteTolerance::Each(each);
+        };
+        for (name, _) in self.reader.entries(table) {
+            match names.iter().position(|known| *known == name.text) {
+                Some(at) => each[at] = self.size(Some(table), &name.text, p).unwrap_or(ATOL),
+                None => {
+                    let (message, help) = self.model.no_state(&name.text, names.iter().map(String::as_str));
+                    self.reader.error(name.span, message, help);
+                }
+            }
+        }
+        AbsoluteTolerance::Each(each)
+    }
+
+    /// `distance = "none"`: coordinates stay what they are.
+    fn says_none(&self, section: Option<&'a DeTable<'a>>) -> bool {
+        let value = section.and_then(|s| self.reader.get(s, "distance"));
+        value.is_some_and(|v| v.get_ref().as_str() == Some("none"))
+    }
+
+    /// `distance = { q2 = "90*deg" }`: q2 − 90° is integrated instead of q2.
+    fn distance(&mut self, section: Option<&'a DeTable<'a>>) -> Option<Distance> {
+        const HOW: &str = "distance = { q2 = \"90*deg\" }";
+        let value = section.and_then(|s| self.reader.get(s, "distance"))?;
+        if value.get_ref().as_str() == Some("none") {
+            return None;
+        }
+        let table = self.reader.table(value, "`distance`", HOW)?;
+        let entries = self.reader.entries(table);
+        let [(name, origin)] = entries.as_slice() else {
+            let message = format!("`distance` names {} coordinates, not one", entries.len());
+            self.reader.error(value.span(), message, format!("write {HOW}"));
+            return None;
+        };
+        let Some(coordinate) = self.model.coordinates.iter().position(|c| c.name == name.text) else {
+            let help = nearest(&name.text, self.model.coordinates.iter().map(|c| c.name.as_str()));
+            self.reader.error(name.span.clone(), format!("the model has no coordinate `{}`", name.text), help);
+            return None;
+        };
+        let formula = self.reader.formula(origin, "the origin of a distance")?;
+        let exact = self.constant(&formula)?.exact;
+        // Of π only the decimals that stand for it are known here: a quarter turn is recognized by its nearness.
+        let quarter = pi().recip().map(|inverse| Rational::integer(2).mul(&inverse));
+        let turns = exact.zip(quarter).map(|(origin, quarter)| origin.mul(&quarter).to_f64());
+        let found = (-4..=4).find(|k| *k != 0 && turns.is_some_and(|t| (t - f64::from(*k)).abs() < 1e-15));
+        if found.is_none() {
+            let help = "give 90, 180, 270 or 360 degrees, or their negatives: there sines or cosines vanish exactly";
+            self.reader.error(formula.span, "the origin of a distance is not a multiple of a right angle", help);
+        }
+        found.map(|quarter_turns| Distance { coordinate, quarter_turns })
+    }
+
+    /// Reads a key whose value is one of these words.
+    pub fn choice(
+        &mut self,
+        section: Option<&'a DeTable<'a>>,
+        key: &str,
+        allowed: &[&'static str],
+    ) -> Option<&'static str> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let text = self.reader.string(value, &format!("`{key}`"))?;
+        let found = allowed.iter().find(|a| **a == text.text).copied();
+        if found.is_none() {
+            let help = crate::diagnostic::nearest(&text.text, allowed.iter().copied());
+            self.reader.error(text.span, format!("`{}` is not a value of `{key}`", text.text), help);
+        }
+        found
+    }
+
+    /// A whole number in a range.
+    pub fn count(&mut self, section: Option<&'a DeTable<'a>>, key: &str, least: u64, most: u64) -> Option<u64> {
+        let value = section.and_then(|s| self.reader.get(s, key))?;
+        let number = match value.get_ref() {
+            DeValue::Integer(n) if n.radix() == 10 => n.as_str().replace('_', "").parse::<u64>().ok(),
+            _ => None,
+        };
+        let number = number.filter(|n| (least..=most).contains(n));
+        if number.is_none() {
+            let help = format!("write a whole number from {least} to {most}");
+            self.reader.error(value.span(), format!("`{key}` is out of range"), help);
+        }
+        number
+    }
+}

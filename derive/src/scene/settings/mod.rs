@@ -1,0 +1,6 @@
+//! Settings of a scene: inputs, integration, outputs, contacts.
+
+pub(super) mod impacts;
+pub(super) mod inputs;
+pub(super) mod integration;
+pub(super) mod outputs;

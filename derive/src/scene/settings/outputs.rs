@@ -1,0 +1,132 @@
+//! Outputs of a scene, and messages for quantities that rigid-body equations cannot show.
+
+use crate::diagnostic::nearest;
+use crate::model::Model;
+use crate::plain::one_line;
+use crate::read::Located;
+use crate::scene::SceneOutput;
+use crate::scene::numbers::values::Values;
+use toml::de::{DeTable, DeValue};
+
+/// Names of energies in outputs; a model's own names go first.
+pub const ENERGIES: [&str; 3] = ["kinetic_energy", "potential_energy", "total_energy"];
+
+/// Words for quantities that are not in the equations, and the message to a user who asks for one.
+const NOT_THERE: [(&[&str], &str); 4] = [
+    (
+        &["impact", "bounce", "rebound", "collision", "restitution"],
+        "an impact is no output: state the contact under [impacts], and the run lists its impacts with their impulses and losses",
+    ),
+    (
+        &["lift_off", "liftoff", "flight", "contact_loss", "loss_of_contact", "separation"],
+        "what follows a loss of contact is not in equations with a constraint that keeps it. Show the reaction, and let the run end where it is zero; \
+         or leave the constraint out of the model, and state the contact under [impacts]",
+    ),
+    (
+        &["slip", "stick", "friction", "rolling"],
+        "a change between sticking and slipping is not in the equations: they hold for one kind of contact. Model the friction as an \
+         applied force",
+    ),
+    (
+        &["deformation", "stress", "strain", "heat", "sound"],
+        "bodies are rigid in the equations: nothing in them deforms, warms or sounds",
+    ),
+];
+
+impl<'a> Values<'a, '_> {
+    /// `outputs = ["q2", "u1"]`, each a name or a formula, or `{ name = "lean", value = "q2" }`; every coordinate and
+    /// speed without it. The second value says whether the file has it.
+    pub fn outputs(&mut self, table: &'a DeTable<'a>) -> (Vec<SceneOutput>, bool) {
+        let Some(value) = self.reader.get(table, "outputs") else { return (states(self.model), false) };
+        let DeValue::Array(array) = value.get_ref() else {
+            let help = "write outputs = [\"q2\", \"u1\"], or a formula in quotes";
+            self.reader.error(value.span(), "`outputs` must be a list", help);
+            return (Vec::new(), true);
+        };
+        if array.is_empty() {
+            let help = "name what the scene shall show, or leave `outputs` out to see every coordinate and speed";
+            self.reader.error(value.span(), "`outputs` is empty", help);
+        }
+        let mut list: Vec<SceneOutput> = Vec::new();
+        for entry in array {
+            let (name, formula) = match entry.get_ref() {
+                DeValue::Table(_) => {
+                    let how = "{ name = \"lean\", value = \"q2\" }";
+                    let Some(table) = self.reader.table(entry, "an output", how) else { continue };
+                    self.reader.allow(table, "an output", &["name", "value"]);
+                    let name = self.reader.need(table, "name", "an output", &entry.span());
+                    let name = name.and_then(|v| self.reader.name(v, "an output's name"));
+                    let value = self.reader.need(table, "value", "an output", &entry.span());
+                    let value = value.and_then(|v| self.reader.formula(v, "an output"));
+                    let (Some(name), Some(value)) = (name, value) else { continue };
+                    (name, value)
+                }
+                _ => {
+                    let Some(formula) = self.reader.formula(entry, "an output") else { continue };
+                    (formula.clone(), formula)
+                }
+            };
+            let name = Located { text: one_line(&name.text), ..name };
+            if name.text.is_empty() || name.text == "t" {
+                let message = format!("an output cannot be called `{}`", name.text);
+                self.reader.error(name.span, message, "give it a name of its own; `t` is the time");
+                continue;
+            }
+            // A number is what its name says.
+            let is_taken = self.model.arena.find_symbol(&name.text).is_some() || ENERGIES.contains(&name.text.as_str());
+            if is_taken && name.text != formula.text.trim() {
+                let message = format!("an output cannot be called `{}`, which is something else", name.text);
+                self.reader.error(name.span, message, "give it a name that the model does not have");
+                continue;
+            }
+            if list.iter().any(|o| o.name == name.text) {
+                let message = format!("the output `{}` is listed twice", name.text);
+                self.reader.error(name.span, message, "leave one of them out");
+                continue;
+            }
+            if let Some(value) = self.output_formula(&formula) {
+                list.push(SceneOutput { name: name.text, value });
+            }
+        }
+        (list, true)
+    }
+
+    /// The value of an output.
+    pub(in crate::scene) fn output_formula(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
+        let word = formula.text.trim().to_lowercase().replace([' ', '-'], "_");
+        let known = self.model.arena.find_symbol(formula.text.trim()).is_some();
+        if let (false, Some((_, why))) = (known, NOT_THERE.iter().find(|(words, _)| words.contains(&word.as_str()))) {
+            self.reader.error(formula.span.clone(), format!("no output `{}` can be had", formula.text), *why);
+            return None;
+        }
+        self.motion_formula_with(formula, &ENERGIES)
+    }
+
+    /// `free = ["M"]`: parameters that stay letters in the scene's own equations.
+    pub fn free(&mut self, table: &'a DeTable<'a>) -> Vec<usize> {
+        let Some(value) = self.reader.get(table, "free") else { return Vec::new() };
+        let DeValue::Array(array) = value.get_ref() else {
+            self.reader.error(value.span(), "`free` must be a list of parameters", "write free = [\"M\"]");
+            return Vec::new();
+        };
+        let mut list = Vec::new();
+        for entry in array {
+            let Some(name) = self.reader.string(entry, "a parameter's name") else { continue };
+            match self.model.parameters.iter().position(|p| p.name == name.text) {
+                Some(at) if !list.contains(&at) => list.push(at),
+                Some(_) => {}
+                None => {
+                    let help = nearest(&name.text, self.model.parameters.iter().map(|p| p.name.as_str()));
+                    self.reader.error(name.span, format!("the model has no parameter `{}`", name.text), help);
+                }
+            }
+        }
+        list
+    }
+}
+
+/// Every coordinate, then every speed.
+fn states(model: &Model) -> Vec<SceneOutput> {
+    let coordinates = model.coordinates.iter().map(|c| SceneOutput { name: c.name.clone(), value: c.symbol });
+    coordinates.chain(model.speeds.iter().map(|s| SceneOutput { name: s.name.clone(), value: s.symbol })).collect()
+}

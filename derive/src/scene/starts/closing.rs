@@ -1,0 +1,148 @@
+//! Starts of mechanisms with loops: coordinates that close them, from guesses.
+
+use super::loops::{Found, Loops};
+use super::start::Closed;
+use crate::model::TIME;
+use crate::scene::numbers::values::{Number, Values, doubles};
+use std::ops::Range;
+use toml::de::DeTable;
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Residual up to which a loop counts as closed if every coordinate is stated, in as many digits as people write.
+const STATED: f64 = 1e-9;
+impl<'a> Values<'a, '_> {
+    /// The guesses of a scene for the coordinates that its start leaves open.
+    pub(in crate::scene) fn guesses(
+        &mut self,
+        table: &'a DeTable<'a>,
+        parameters: &[Number],
+    ) -> Option<Vec<Option<Number>>> {
+        let mut guesses = vec![None; self.model.coordinates.len()];
+        let Some(section) = self.section(table, "guess") else { return Some(guesses) };
+        let place = self.reader.get(table, "guess").map_or(0..0, toml::Spanned::span);
+        if self.model.loops.is_empty() && self.model.constraints.is_empty() {
+            let message = "the model has no constraint that a coordinate could be solved from";
+            self.reader.error(place, message, "state every coordinate in [start]");
+            return None;
+        }
+        for (name, value) in self.reader.entries(section) {
+            // What a constraint fixes needs no guess; whether it does is no matter of the scene.
+            if self.model.constraints.iter().any(|c| c.fixes == name.text) {
+                let formula = self.reader.formula(value, &format!("`{}`", name.text))?;
+                self.number(&formula, parameters, "a guess")?;
+                continue;
+            }
+            let Some(at) = self.model.coordinates.iter().position(|c| c.name == name.text && c.name != TIME) else {
+                let names = self.model.coordinates.iter().map(|c| c.name.as_str());
+                let help = crate::diagnostic::nearest(&name.text, names);
+                self.reader.error(name.span, format!("the model has no coordinate `{}`", name.text), help);
+                continue;
+            };
+            let formula = self.reader.formula(value, &format!("`{}`", name.text))?;
+            guesses[at] = Some(self.number(&formula, parameters, "a guess")?);
+        }
+        Some(guesses)
+    }
+
+    /// Closes the loops by the coordinates that are not stated, or reports by how much they are open. Variables that
+    /// constraints fix are held, by their constraints, at the values that the start states. Returns the coordinates
+    /// that were solved for.
+    pub(in crate::scene) fn close(
+        &mut self,
+        q: &mut [Option<Number>],
+        (held, guesses): (&[(usize, Number)], &[Option<Number>]),
+        parameters: &[Number],
+        place: Range<usize>,
+    ) -> Option<Vec<Closed>> {
+        let free: Vec<usize> = (0..q.len()).filter(|at| q[*at].is_none()).collect();
+        // If nothing is free, held variables are checked when all values are known.
+        let held = if free.is_empty() { &[] } else { held };
+        if self.model.loops.is_empty() && held.is_empty() {
+            return Some(Vec::new());
+        }
+        let loops = Loops::holding(self.model, held);
+        let p = doubles(parameters);
+        let value = |at: usize| q[at].as_ref().or(guesses[at].as_ref()).map_or(0.0, |x| x.double);
+        let start: Vec<f64> = (0..q.len()).map(value).collect();
+        let all: Vec<usize> = (0..q.len()).collect();
+        let found = loops.newton(&p, &start, if free.is_empty() { &all } else { &free });
+        let open_at_start = loops.open(&p, &start);
+        let is_stated = free.is_empty() && loops.is_closed(&p, &start, &open_at_start, STATED);
+        if !found.is_closed || free.is_empty() && !is_stated {
+            self.report_open((&loops, &found), &open_at_start, &free, place);
+            return None;
+        }
+        if loops.is_singular(&p, &found.q) {
+            let message = "the start is a singular pose: the slopes of the loops are dependent there, and several motions may go on from it";
+            let shown = |at: &usize| format!("{} = {}", self.model.coordinates[*at].name, found.q[*at]);
+            let pose: Vec<String> = all.iter().map(shown).collect();
+            self.reader.error(place, message, format!("start beside {}", pose.join(", ")));
+            return None;
+        }
+        if let Some(name) = loops.not_following(&p, &found.q) {
+            let message = format!(
+                "at the values of this scene `{name}` does not follow from the other constraints, as it does at the default values"
+            );
+            let help =
+                "the mechanism has fewer freedoms there than its equations: make these values the defaults of a model";
+            self.reader.error(place, message, help);
+            return None;
+        }
+        // To 32 digits, with the slopes in doubles: each step gives sixteen more.
+        let mut precise: Vec<DoubleDouble> = (0..q.len())
+            .map(|at| q[at].as_ref().map_or_else(|| DoubleDouble::from_f64(found.q[at]), Number::extended))
+            .collect();
+        let moving = if free.is_empty() { &all } else { &free };
+        let wide: Vec<DoubleDouble> = parameters.iter().map(Number::extended).collect();
+        for _ in 0..3 {
+            let open = loops.open_extended(&wide, &precise);
+            for (row, at) in moving.iter().enumerate() {
+                for (column, open) in open.iter().enumerate() {
+                    let share = DoubleDouble::from_f64(found.inverse[(row, column)]) * *open;
+                    precise[*at] = precise[*at] - share;
+                }
+            }
+        }
+        for at in moving {
+            q[*at] = Some(Number::wide(precise[*at]));
+        }
+        let name = |at: &usize| Closed {
+            name: self.model.coordinates[*at].name.clone(),
+            value: precise[*at].hi(),
+            is_rate: false,
+        };
+        Some(free.iter().map(name).collect())
+    }
+
+    fn report_open(
+        &mut self,
+        (loops, found): (&Loops, &Found),
+        open_at_start: &[f64],
+        free: &[usize],
+        place: Range<usize>,
+    ) {
+        let model = &self.model;
+        let worst = |open: &[f64]| {
+            let named = loops.names().map(str::to_owned).zip(open.iter().copied());
+            named.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap_or_default()
+        };
+        let shown = |at: &usize| format!("{} = {}", model.coordinates[*at].name, found.q[*at]);
+        let all: Vec<usize> = (0..found.q.len()).collect();
+        let nearest: Vec<String> = if free.is_empty() { &all } else { free }.iter().map(shown).collect();
+        let (message, help) = if free.is_empty() && found.is_closed {
+            let (name, open) = worst(open_at_start);
+            let message = format!("the start breaks the constraint `{name}`: it is {open:e}, not 0");
+            let help = format!(
+                "leave a coordinate out of [start] for each loop, with a value near it in [guess]; the nearest closed \
+                 configuration has {}",
+                nearest.join(", ")
+            );
+            (message, help)
+        } else {
+            let (name, open) = worst(&found.open);
+            let message = format!("no configuration that closes the loops was found: `{name}` stays open by {open:e}");
+            (message, format!("the nearest that was found has {}: give other guesses", nearest.join(", ")))
+        };
+        self.reader.error(place, message, help);
+    }
+}

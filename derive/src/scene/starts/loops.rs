@@ -1,0 +1,230 @@
+//! The loops of a mechanism as functions of parameters and coordinates, and the search for poses that close them.
+
+use crate::algebra::Expr;
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::value::evaluate::Tape;
+use crate::model::Model;
+use crate::scene::numbers::values::Number;
+use nalgebra::{DMatrix, DVector};
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Steps of Newton's method, and halvings of one.
+const STEPS: usize = 100;
+const HALVINGS: usize = 40;
+/// Residual up to which a loop counts as closed, over the sum of the sizes of its terms.
+const OPEN: f64 = 1e-13;
+/// Such a bound for a pose in which all coordinates are held: they may be stated with fewer digits.
+const HELD: f64 = 1e-9;
+/// Singular values below the largest times this do not count.
+const RANK: f64 = 1e-10;
+/// Ratio of the least to the largest singular value up to which loops are dependent. A pose that is a double root is
+/// found to half of the digits.
+const SINGULAR: f64 = 1e-6;
+
+/// Loops of a model: first those that tie it, then those that follow from them where all are closed. Behind them are
+/// variables that constraints fix, if they are held at values.
+pub struct Loops {
+    values: Tape,
+    slopes: Tape,
+    names: Vec<String>,
+    /// Number of loops that tie the mechanism; `count` is the number of all loops.
+    independent: usize,
+    count: usize,
+    /// Values at which the variables are held, to 32 digits.
+    held: Vec<DoubleDouble>,
+}
+
+/// Result of a search for a closed pose.
+pub(in crate::scene) struct Found {
+    pub q: Vec<f64>,
+    /// Residual of each loop, in its unit.
+    pub open: Vec<f64>,
+    pub is_closed: bool,
+    /// The pseudo-inverse of the slopes along the coordinates that were free.
+    pub inverse: DMatrix<f64>,
+}
+
+impl Loops {
+    /// Those of a model.
+    #[must_use]
+    pub fn new(model: &Model) -> Self {
+        Self::holding(model, &[])
+    }
+
+    /// Those of a model with variables, each the one that this constraint fixes, held at a value.
+    pub(in crate::scene) fn holding(model: &Model, held: &[(usize, Number)]) -> Self {
+        let arena = &mut model.arena.clone();
+        let coordinates = model.q();
+        let inputs = [model.p(), coordinates.clone()].concat();
+        let all = || model.loops.iter().chain(&model.closed);
+        let fixed = || held.iter().map(|(at, _)| &model.constraints[*at]);
+        let equations: Vec<Expr> = all().map(|c| c.equation).chain(fixed().map(|c| c.value)).collect();
+        let mut gradient = Gradient::new(&coordinates);
+        let mut slopes = vec![Expr::ZERO; equations.len() * coordinates.len()];
+        // Nothing moves time.
+        let time = model.time();
+        for (row, equation) in equations.iter().enumerate() {
+            for &(at, slope) in gradient.apply(arena, *equation).iter().filter(|(at, _)| Some(*at) != time) {
+                slopes[row * coordinates.len() + at] = slope;
+            }
+        }
+        let tape = |values: &[Expr]| match Tape::new(arena, &inputs, values) {
+            Ok(tape) => tape,
+            Err(unknown) => unreachable!("loops tie coordinates, not {}", unknown.0),
+        };
+        let names: Vec<String> = all().map(|c| c.name.clone()).chain(fixed().map(|c| c.fixes.clone())).collect();
+        Self {
+            values: tape(&equations),
+            slopes: tape(&slopes),
+            independent: model.loops.len(),
+            count: names.len() - held.len(),
+            names,
+            held: held.iter().map(|(_, value)| value.extended()).collect(),
+        }
+    }
+
+    /// Names of the loops, then of the variables that are held.
+    pub(in crate::scene) fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.iter().map(String::as_str)
+    }
+
+    /// Loops that are to follow from the others: the name and residual of each, in its unit, and the residual over the
+    /// sum of the sizes of its terms.
+    #[must_use]
+    pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64, f64)> {
+        let (open, slopes) = (self.open(p, q), self.slopes(p, q));
+        let following = (self.independent..self.count)
+            .map(|row| (self.names[row].as_str(), open[row], open[row].abs() / size(&slopes, row, q)));
+        following.collect()
+    }
+
+    /// Finds a closed pose near another, to 32 digits, in which some coordinates are held. `None` if none is found, or
+    /// if the loops do not determine the free coordinates.
+    #[must_use]
+    pub fn close(&self, p: &[DoubleDouble], q: &[DoubleDouble], free: &[usize]) -> Option<Vec<DoubleDouble>> {
+        let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
+        let known = doubles(p);
+        if free.is_empty() {
+            let held = doubles(q);
+            return self.is_closed(&known, &held, &self.open(&known, &held), HELD).then(|| q.to_vec());
+        }
+        let found = self.newton(&known, &doubles(q), free);
+        let slopes = self.slopes(&known, &found.q).select_columns(free);
+        let sizes = slopes.singular_values();
+        let determines = slopes.nrows() >= free.len() && sizes.min() > SINGULAR * sizes.max();
+        if !found.is_closed || !determines {
+            return None;
+        }
+        // With the slopes in doubles each step gives sixteen digits more.
+        let mut precise = q.to_vec();
+        for at in free {
+            precise[*at] = found.q[*at].into();
+        }
+        for _ in 0..3 {
+            let open = self.open_extended(p, &precise);
+            for (row, at) in free.iter().enumerate() {
+                for (column, open) in open.iter().enumerate() {
+                    precise[*at] = precise[*at] - DoubleDouble::from_f64(found.inverse[(row, column)]) * *open;
+                }
+            }
+        }
+        Some(precise)
+    }
+
+    /// Name and residual of each loop, in its unit.
+    #[must_use]
+    pub fn openings(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64)> {
+        self.names.iter().map(String::as_str).zip(self.open(p, q)).collect()
+    }
+
+    /// Name of a loop that is to follow from the others, and whose slopes do not; `None` if all do.
+    pub(in crate::scene) fn not_following(&self, p: &[f64], q: &[f64]) -> Option<&str> {
+        let slopes = self.slopes(p, q);
+        let axes = slopes.rows(0, self.independent).transpose().qr().q();
+        (self.independent..self.count).find_map(|row| {
+            let row_of = slopes.row(row).transpose();
+            let left = &row_of - &axes * axes.tr_mul(&row_of);
+            (left.norm() > SINGULAR * row_of.norm()).then(|| self.names[row].as_str())
+        })
+    }
+
+    /// Residual of each loop, then the deviation of each held variable from its value, in its unit.
+    pub(in crate::scene) fn open(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
+        let mut open = self.values.evaluate(&[p, q].concat());
+        for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
+            *open -= held.hi();
+        }
+        open
+    }
+
+    /// Residuals as [`Self::open`] returns them, to 32 digits.
+    pub(in crate::scene) fn open_extended(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let mut open = self.values.to::<DoubleDouble>().evaluate(&[p, q].concat());
+        for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
+            *open = *open - *held;
+        }
+        open
+    }
+
+    fn slopes(&self, p: &[f64], q: &[f64]) -> DMatrix<f64> {
+        let values = self.slopes.evaluate(&[p, q].concat());
+        DMatrix::from_row_slice(values.len() / q.len().max(1), q.len(), &values)
+    }
+
+    /// True if the residual of every loop is at most this part of the size of its terms.
+    pub(in crate::scene) fn is_closed(&self, p: &[f64], q: &[f64], open: &[f64], part: f64) -> bool {
+        let slopes = self.slopes(p, q);
+        open.iter().enumerate().all(|(row, open)| open.abs() <= part * size(&slopes, row, q))
+    }
+
+    /// True if the slopes of the loops are dependent.
+    pub(in crate::scene) fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
+        let values = self.slopes(p, q).rows(0, self.independent).singular_values();
+        self.independent > 0 && values.min() <= SINGULAR * values.max()
+    }
+
+    /// Runs Newton's method with halved steps, along these coordinates alone. If the loops leave some of them open, it
+    /// takes the smallest change.
+    pub(in crate::scene) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> Found {
+        let mut q = start.to_vec();
+        let mut open = DVector::from_vec(self.open(p, &q));
+        let inverse_at = |q: &[f64]| {
+            let slopes = self.slopes(p, q).select_columns(free);
+            let svd = slopes.svd(true, true);
+            let largest = svd.singular_values.iter().fold(0.0, |most: f64, s| most.max(*s));
+            svd.pseudo_inverse(RANK * largest).expect("both factors were asked for, and no rank is below 0")
+        };
+        let mut inverse = inverse_at(&q);
+        for _ in 0..STEPS {
+            let step = &inverse * &open;
+            if !step.iter().all(|x| x.is_finite()) {
+                break;
+            }
+            let mut share = 1.0;
+            let mut better = None;
+            for _ in 0..HALVINGS {
+                let mut next = q.clone();
+                for (at, step) in free.iter().zip(step.iter()) {
+                    next[*at] -= share * step;
+                }
+                let left = DVector::from_vec(self.open(p, &next));
+                if left.norm() < open.norm() {
+                    better = Some((next, left));
+                    break;
+                }
+                share /= 2.0;
+            }
+            let Some((next, left)) = better else { break };
+            (q, open) = (next, left);
+            inverse = inverse_at(&q);
+        }
+        let open: Vec<f64> = open.iter().copied().collect();
+        let is_closed = self.is_closed(p, &q, &open, OPEN);
+        Found { q, open, is_closed, inverse }
+    }
+}
+
+/// Sum of the sizes of the terms of a loop: |slope| max(1, |q|) of every coordinate.
+fn size(slopes: &DMatrix<f64>, row: usize, q: &[f64]) -> f64 {
+    slopes.row(row).iter().zip(q).map(|(slope, q)| (slope * q).abs().max(slope.abs())).sum()
+}

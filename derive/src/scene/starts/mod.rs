@@ -1,0 +1,8 @@
+//! Start of a scene: coordinates and rates that its file states, and those that constraints determine.
+
+pub(super) mod closing;
+pub(super) mod loops;
+pub(super) mod rates;
+pub(super) mod start;
+pub(super) mod state;
+pub(super) mod unknowns;

@@ -1,0 +1,219 @@
+//! The motion at a start: the rates of all coordinates, from those that a file states and from the constraints.
+//!
+//! All conditions are linear in the rates: motion constraints, stated rates, speeds, and rates of variables that
+//! constraints fix. They are solved in doubles by singular values, and then to 32 digits with the same factors. If a
+//! rate is left open, the file has to state more. A speed does not determine the motion at a dead point, nor does the
+//! rate of a coordinate that cannot move.
+
+use super::start::Closed;
+use crate::algebra::Expr;
+use crate::algebra::term::calculus::Gradient;
+use crate::algebra::value::evaluate::Tape;
+use crate::model::Model;
+use crate::scene::numbers::values::{Number, Values, doubles, extended};
+use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Singular values below the largest times this leave a rate open.
+const RANK: f64 = 1e-9;
+/// Components of a direction above this take part in it.
+const PART: f64 = 1e-6;
+/// Residual up to which a condition holds, over the largest rate and the length of its row.
+const RESIDUAL: f64 = 1e-9;
+/// Refinements: each gives sixteen more digits.
+const REFINEMENTS: usize = 3;
+
+/// Motion that a file states, by indices into the lists of the model.
+#[derive(Default)]
+pub(in crate::scene) struct StatedMotion {
+    /// Rates of coordinates.
+    pub rates: Vec<(usize, DoubleDouble)>,
+    /// Rates of variables that constraints fix.
+    pub fixed: Vec<(usize, DoubleDouble)>,
+    /// Generalized speeds.
+    pub speeds: Vec<(usize, DoubleDouble)>,
+}
+
+/// Terms that are linear in the rates, as one tape of parameters, coordinates and rates: motion constraints,
+/// generalized speeds, and the rates of variables that constraints fix.
+fn linear_in_rates(model: &Model) -> Tape {
+    let arena = &mut model.arena.clone();
+    let (coordinates, rates) = (model.q(), model.q_dot());
+    let mut gradient = Gradient::new(&coordinates);
+    let mut list: Vec<Expr> = model.motion_constraints.iter().map(|c| c.equation).collect();
+    list.extend(model.speeds.iter().map(|speed| speed.definition));
+    for constraint in &model.constraints {
+        let slopes: Vec<(usize, Expr)> = gradient.apply(arena, constraint.value).to_vec();
+        let mut rate = Expr::ZERO;
+        for (at, slope) in slopes {
+            let share = arena.mul(slope, rates[at]);
+            rate = arena.add(rate, share);
+        }
+        list.push(rate);
+    }
+    match Tape::new(arena, &[model.p(), coordinates, rates].concat(), &list) {
+        Ok(tape) => tape,
+        Err(unknown) => unreachable!("constraints and speeds tie coordinates and rates, not {}", unknown.0),
+    }
+}
+
+/// A condition: its place on the tape, or the coordinate whose rate it states; what it is to be; its name.
+struct Condition {
+    of: Of,
+    value: DoubleDouble,
+    name: String,
+}
+
+enum Of {
+    Tape(usize),
+    Rate(usize),
+}
+
+impl Values<'_, '_> {
+    /// Solves for the rates of all coordinates, to 32 digits. Reports rates that are left open, and statements that
+    /// contradict one another.
+    pub(in crate::scene) fn solve_motion(
+        &mut self,
+        stated: &StatedMotion,
+        (parameters, q): (&[Number], &[Number]),
+        place: &Range<usize>,
+    ) -> Option<Vec<DoubleDouble>> {
+        if self.terms.conditions.is_none() {
+            self.terms.conditions = Some(linear_in_rates(self.model));
+        }
+        let tape = self.terms.conditions.as_ref()?;
+        let list = conditions(self.model, stated);
+        let n = q.len();
+        let known = [doubles(parameters), doubles(q)].concat();
+        let matrix = slopes(&list, n, |rates| tape.evaluate(&[&known, rates].concat()));
+        let sizes: Vec<f64> = matrix.row_iter().map(|row| row.norm()).collect();
+        let square = matrix.resize_vertically(list.len().max(n), 0.0);
+        if !square.iter().all(|x| x.is_finite()) {
+            self.reader.error(place.clone(), "the constraints have no value at this state", "choose another state");
+            return None;
+        }
+        let svd = square.svd(true, true);
+        let least = RANK * svd.singular_values.max();
+        let open = open(&svd.singular_values, svd.v_t.as_ref()?, least);
+        if !open.is_empty() {
+            self.report_open_rates(stated, &open, place);
+            return None;
+        }
+        let wide = tape.to::<DoubleDouble>();
+        let known = [extended(parameters), extended(q)].concat();
+        let mut rates = vec![DoubleDouble::int(0); n];
+        let mut left = Vec::new();
+        for _ in 0..=REFINEMENTS {
+            let values = wide.evaluate(&[known.as_slice(), &rates].concat());
+            left = list.iter().map(|condition| condition.value - condition.at(&values, &rates)).collect();
+            let sides = DVector::from_iterator(list.len(), left.iter().map(|left| left.hi()))
+                .resize_vertically(list.len().max(n), 0.0);
+            for (rate, step) in rates.iter_mut().zip(svd.solve(&sides, least).ok()?.iter()) {
+                *rate = *rate + DoubleDouble::from_f64(*step);
+            }
+        }
+        let most = rates.iter().fold(1.0, |most: f64, rate| most.max(rate.hi().abs()));
+        let broken = list.iter().zip(&left).zip(&sizes).find(|((_, left), size)| {
+            let left = left.hi().abs();
+            left.is_nan() || left > RESIDUAL * most * size.max(1.0)
+        });
+        if let Some(((condition, left), _)) = broken {
+            let message = format!(
+                "no motion has the rates that the start states: `{}` is off by {:e} in the nearest",
+                condition.name,
+                left.hi()
+            );
+            self.reader.error(place.clone(), message, "state fewer rates: the others follow from the constraints");
+            return None;
+        }
+        Some(rates)
+    }
+
+    /// Reports coordinates whose rates nothing determines.
+    fn report_open_rates(&mut self, stated: &StatedMotion, open: &[usize], place: &Range<usize>) {
+        let model = &self.model;
+        let names: Vec<String> = open.iter().map(|at| format!("`{}'`", model.coordinates[*at].name)).collect();
+        let (names, first) = (names.join(", "), &model.coordinates[open[0]].name);
+        let (message, help) = if stated.speeds.is_empty() {
+            (
+                format!("the rates that the start states leave {names} open"),
+                format!("state one of them as well, such as \"{first}'\" = 0"),
+            )
+        } else {
+            let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
+            let do_not = if speeds.len() == 1 { "does not" } else { "do not" };
+            (
+                format!(
+                    "{} {do_not} determine {names} in this pose, a dead point of this choice of speeds",
+                    speeds.join(", ")
+                ),
+                format!(
+                    "state rates in place of speeds, such as \"{first}'\" = 0: as many as the mechanism has freedoms"
+                ),
+            )
+        };
+        self.reader.error(place.clone(), message, help);
+    }
+
+    /// The rates that a start states not, as what was solved for.
+    pub(in crate::scene) fn solved_rates(&self, stated: &StatedMotion, rates: &[DoubleDouble]) -> Vec<Closed> {
+        let is_stated = |at: usize| stated.rates.iter().any(|(other, _)| *other == at);
+        let list = self.model.coordinates.iter().zip(rates).enumerate().filter(|(at, _)| !is_stated(*at));
+        list.map(|(_, (c, rate))| Closed { name: format!("{}'", c.name), value: rate.hi(), is_rate: true }).collect()
+    }
+}
+
+impl Condition {
+    fn at(&self, values: &[DoubleDouble], rates: &[DoubleDouble]) -> DoubleDouble {
+        match self.of {
+            Of::Tape(at) => values[at],
+            Of::Rate(at) => rates[at],
+        }
+    }
+}
+
+/// The conditions on the rates.
+fn conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
+    let (ties, speeds) = (model.motion_constraints.len(), model.speeds.len());
+    let mut list: Vec<Condition> = Vec::new();
+    for (at, constraint) in model.motion_constraints.iter().enumerate() {
+        list.push(Condition { of: Of::Tape(at), value: DoubleDouble::int(0), name: constraint.name.clone() });
+    }
+    for (at, value) in &stated.speeds {
+        list.push(Condition { of: Of::Tape(ties + at), value: *value, name: model.speeds[*at].name.clone() });
+    }
+    for (at, value) in &stated.fixed {
+        let name = format!("{}'", model.constraints[*at].fixes);
+        list.push(Condition { of: Of::Tape(ties + speeds + at), value: *value, name });
+    }
+    for (at, value) in &stated.rates {
+        list.push(Condition { of: Of::Rate(*at), value: *value, name: format!("{}'", model.coordinates[*at].name) });
+    }
+    list
+}
+
+/// The slopes of the conditions along the rates, row by row, by differences: they are linear.
+fn slopes(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
+    let mut along = vec![0.0; n];
+    let still = evaluate(&along);
+    let mut matrix = DMatrix::zeros(list.len(), n);
+    for column in 0..n {
+        along[column] = 1.0;
+        let values = evaluate(&along);
+        along[column] = 0.0;
+        for (row, condition) in list.iter().enumerate() {
+            matrix[(row, column)] = match condition.of {
+                Of::Tape(at) => values[at] - still[at],
+                Of::Rate(at) => f64::from(u8::from(at == column)),
+            };
+        }
+    }
+    matrix
+}
+
+/// The columns that take part in a direction along which nothing is determined.
+fn open(sizes: &DVector<f64>, directions: &DMatrix<f64>, least: f64) -> Vec<usize> {
+    let free: Vec<usize> = (0..sizes.len()).filter(|at| sizes[*at] <= least).collect();
+    (0..directions.ncols()).filter(|column| free.iter().any(|row| directions[(*row, *column)].abs() > PART)).collect()
+}

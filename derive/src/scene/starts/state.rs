@@ -1,0 +1,265 @@
+//! States in scene and state files: every coordinate and speed of a model at one instant, and what holds between them.
+
+use super::rates::StatedMotion;
+use super::start::{Closed, Exact, Stated};
+use crate::algebra::value::evaluate::Tape;
+use crate::algebra::{Expr, Rational};
+use crate::diagnostic::Diagnostic;
+use crate::model::{Model, TIME, Unit};
+use crate::read::Located;
+use crate::scene::numbers::values::{Number, Values, Varied, doubles, extended};
+use std::ops::Range;
+use toml::de::DeTable;
+use tripos_traits::DoubleDouble;
+
+/// A state at one instant, with what the file says of it beyond the precision of a double.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// Coordinates.
+    pub q: Vec<f64>,
+    /// Generalized speeds.
+    pub u: Vec<f64>,
+    /// The values to 32 digits.
+    pub exact: Exact,
+    /// Coordinates and rates that were solved for.
+    pub closed: Vec<Closed>,
+}
+
+/// Deviation up to which a stated variable satisfies the constraint that fixes it, over one plus the size of its value.
+const RESIDUAL: f64 = 1e-9;
+
+/// Numbers that are stated in a list, with their indices.
+fn by_place(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
+    let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.extended())));
+    stated.collect()
+}
+
+/// Name of the rate of a coordinate in files.
+fn model_rate(model: &Model, at: usize) -> String {
+    format!("{}'", model.coordinates[at].name)
+}
+
+impl<'a> Values<'a, '_> {
+    /// Every coordinate, and every speed or every q′: as (q, u).
+    ///
+    /// Coordinates may be left out that close the loops, or that follow from stated values of variables that
+    /// constraints fix. Guesses of them are under the key `guess` of `file`. Rates that follow from the others may be
+    /// left out.
+    pub fn state(&mut self, file: &'a DeTable<'a>, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
+        let before = self.reader.errors.len();
+        let (n, p) = (self.model.coordinates.len(), self.model.speeds.len());
+        let (mut q, mut rates, mut u) = (vec![None; n], vec![None; n], vec![None; p]);
+        let (mut constrained, mut fixed) = (Vec::new(), Vec::new());
+        for (name, value) in self.reader.entries(table) {
+            let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) else { continue };
+            let Some(number) = self.number(&formula, parameters, "a value at the start") else { continue };
+            if let Some(unit) = self.unit_at_start(&name.text) {
+                self.check_unit(&formula, &unit, &name.text);
+            }
+            let model = &self.model;
+            let rate = name.text.strip_suffix('\'');
+            if let Some(at) = model.coordinates.iter().position(|c| c.name == name.text) {
+                q[at] = Some(number);
+            } else if let Some(at) = rate.and_then(|r| model.coordinates.iter().position(|c| c.name == r)) {
+                rates[at] = Some((number, name));
+            } else if let Some(at) = model.speeds.iter().position(|s| s.name == name.text) {
+                u[at] = Some((number, name));
+            } else if let Some(at) = model.constraints.iter().position(|c| c.fixes == name.text) {
+                constrained.push((at, number, formula.span));
+            } else if let Some(at) = rate.and_then(|r| model.constraints.iter().position(|c| c.fixes == r)) {
+                fixed.push((at, number, name));
+            } else {
+                let rates: Vec<String> = model.coordinates.iter().map(|c| format!("{}'", c.name)).collect();
+                let known = model.coordinates.iter().map(|c| c.name.as_str());
+                let known =
+                    known.chain(rates.iter().map(String::as_str)).chain(model.speeds.iter().map(|s| s.name.as_str()));
+                let (message, help) = model.no_state(&name.text, known);
+                self.reader.error(name.span, message, help);
+            }
+        }
+        if self.reader.errors.len() > before {
+            return None;
+        }
+        for (place, number) in self.given {
+            match *place {
+                Varied::Parameter(_) => {}
+                Varied::Coordinate(at) => q[at] = Some(number.clone()),
+                Varied::Rate(at) => {
+                    let name = Located { text: model_rate(self.model, at), span: 0..0, exact: false };
+                    rates[at] = Some((number.clone(), name));
+                }
+                Varied::Speed(at) => u[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
+            }
+        }
+        let guesses = self.guesses(file, parameters)?;
+        let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
+        let doubly = guesses.iter().zip(&q).position(|(guess, q)| guess.is_some() && q.is_some());
+        if let Some(at) = doubly {
+            let message = format!("`{}` is stated and guessed", self.model.coordinates[at].name);
+            self.reader.error(place, message, "leave it out of [guess], or out of [start] if the loops determine it");
+            return None;
+        }
+        self.now(&mut q, &mut rates, &place)?;
+        let held: Vec<(usize, Number)> = constrained.iter().map(|(at, number, _)| (*at, number.clone())).collect();
+        self.complete(table, (&q, held.len()), (&rates, fixed.len()), &u)?;
+        let mut closed = self.close(&mut q, (&held, &guesses), parameters, place.clone())?;
+        let exact_q: Vec<Number> = q.into_iter().flatten().collect();
+        let (p, q) = (doubles(parameters), doubles(&exact_q));
+        self.check_constrained(&constrained, &p, &q);
+        let by_rates = rates.iter().any(Option::is_some) || !fixed.is_empty();
+        let stated = StatedMotion {
+            rates: by_place(&rates),
+            fixed: fixed.iter().map(|(at, x, _)| (*at, x.extended())).collect(),
+            speeds: by_place(&u),
+        };
+        let given =
+            |list: Vec<Option<(Number, Located)>>| list.into_iter().flatten().map(|(x, _)| x).collect::<Vec<Number>>();
+        let (mut rates, exact_u) = (given(rates), given(u));
+        let is_whole = rates.len() == n && fixed.is_empty();
+        if by_rates && is_whole {
+            self.check_motion(table, &p, &q, &doubles(&rates));
+        } else if self.model.ties_rates() || !fixed.is_empty() {
+            let solved = self.solve_motion(&stated, (parameters, &exact_q), &place)?;
+            if by_rates {
+                closed.extend(self.solved_rates(&stated, &solved));
+                rates = solved.into_iter().map(Number::wide).collect();
+            }
+        }
+        let u = if by_rates { self.speeds_from_rates(&p, &q, &doubles(&rates)) } else { doubles(&exact_u) };
+        if let Some(at) = u.iter().position(|x| !x.is_finite()) {
+            let message = format!("the speed `{}` is not finite at this state", self.model.speeds[at].name);
+            self.reader.errors.push(Diagnostic::of_file(message, "choose another state"));
+            return None;
+        }
+        let motion = if by_rates { Stated::Rates(extended(&rates)) } else { Stated::Speeds(extended(&exact_u)) };
+        let rational = parameters.iter().map(|p| p.exact.clone()).collect();
+        let exact = Exact { parameters: extended(parameters), rational, q: extended(&exact_q), motion };
+        Some(Start { q, u, exact, closed })
+    }
+
+    /// Puts time in: the instant at which the span starts, or what a state file says, with 0 for nothing.
+    fn now(
+        &mut self,
+        q: &mut [Option<Number>],
+        rates: &mut [Option<(Number, Located)>],
+        place: &Range<usize>,
+    ) -> Option<()> {
+        let Some(at) = self.model.time() else { return Some(()) };
+        if rates[at].is_some() || self.instant.is_some() && q[at].is_some() {
+            let help = "leave it out: the first instant of `span` is where it starts";
+            self.reader.error(place.clone(), "time is not part of a start", help);
+            return None;
+        }
+        let stated = q[at].take().unwrap_or_else(|| Number::exact(Rational::ZERO));
+        q[at] = Some(self.instant.clone().unwrap_or(stated));
+        if rates.iter().any(Option::is_some) {
+            let name = Located { text: format!("{TIME}'"), span: place.clone(), exact: false };
+            rates[at] = Some((Number::exact(Rational::ONE), name));
+        }
+        Some(())
+    }
+
+    /// Reports coordinates, speeds and rates that have no value. `held` and `fixed` are the numbers of stated variables
+    /// that constraints fix and of their stated rates. Speeds and rates must not be mixed.
+    fn complete(
+        &mut self,
+        table: &'a DeTable<'a>,
+        (q, held): (&[Option<Number>], usize),
+        (rates, fixed): (&[Option<(Number, Located)>], usize),
+        u: &[Option<(Number, Located)>],
+    ) -> Option<()> {
+        let model = &self.model;
+        let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
+        let open = model.coordinates.iter().zip(q).filter(|(_, x)| x.is_none());
+        let mut missing: Vec<String> = open.map(|(c, _)| c.name.clone()).collect();
+        if !model.loops.is_empty() || missing.len() <= held {
+            missing.clear();
+        }
+        let by_rate = fixed > 0 || rates.iter().any(Option::is_some);
+        let by_speed = u.iter().flatten().next();
+        if let (true, Some((_, name))) = (by_rate, by_speed) {
+            let help = "state every speed or every q', not some of both: the others follow from the definitions";
+            self.reader.error(name.span.clone(), "speeds and time derivatives are mixed", help);
+            return None;
+        }
+        if by_rate && (model.ties_rates() || fixed > 0) {
+            // Others follow, or are asked for where they do not.
+        } else if by_rate {
+            let names = model.coordinates.iter().zip(rates).filter(|(_, x)| x.is_none());
+            missing.extend(names.map(|(c, _)| format!("{}'", c.name)));
+        } else {
+            let names = model.speeds.iter().zip(u).filter(|(_, x)| x.is_none());
+            missing.extend(names.map(|(s, _)| s.name.clone()));
+        }
+        if missing.is_empty() {
+            return Some(());
+        }
+        let message = format!("no value for {}", missing.join(", "));
+        self.reader.error(place, message, "give every coordinate, and every speed or every q'");
+        None
+    }
+
+    fn check_constrained(&mut self, stated: &[(usize, Number, std::ops::Range<usize>)], parameters: &[f64], q: &[f64]) {
+        for (at, number, span) in stated {
+            let constraint = self.model.constraints[*at].clone();
+            let inputs = [parameters, q].concat();
+            let symbols = [self.model.p(), self.model.q()].concat();
+            let Ok(tape) = Tape::new(&self.model.arena, &symbols, &[constraint.value]) else { continue };
+            let value = tape.evaluate(&inputs)[0];
+            let residual = number.double - value;
+            if residual.is_nan() || residual.abs() > RESIDUAL * (1.0 + value.abs()) {
+                let message = format!(
+                    "the constraint `{}` is broken: `{}` is off by {residual:e}",
+                    constraint.name, constraint.fixes
+                );
+                let help = format!("leave `{}` out, or state {value}", constraint.fixes);
+                self.reader.error(span.clone(), message, help);
+            }
+        }
+    }
+
+    /// Rates that a motion constraint does not permit are reported: the speeds that are left say nothing of them.
+    fn check_motion(&mut self, table: &'a DeTable<'a>, parameters: &[f64], q: &[f64], rates: &[f64]) {
+        let model = &self.model;
+        let symbols = [model.p(), model.q(), model.q_dot()].concat();
+        let equations: Vec<Expr> = model.motion_constraints.iter().map(|c| c.equation).collect();
+        let values = match Tape::new(&model.arena, &symbols, &equations) {
+            Ok(tape) => tape.evaluate(&[parameters, q, rates].concat()),
+            Err(unknown) => unreachable!("constraints tie coordinates and rates, not {}", unknown.0),
+        };
+        let size = rates.iter().fold(1.0, |most: f64, rate| most.max(rate.abs()));
+        let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
+        for (constraint, residual) in model.motion_constraints.iter().zip(values) {
+            if residual.is_nan() || residual.abs() > RESIDUAL * size {
+                let message =
+                    format!("the start breaks the motion constraint `{}`: it is {residual:e}, not 0", constraint.name);
+                self.reader.error(place.clone(), message, "state the speeds, which satisfy it by themselves");
+            }
+        }
+    }
+
+    pub(in crate::scene) fn speeds_from_rates(&mut self, parameters: &[f64], q: &[f64], rates: &[f64]) -> Vec<f64> {
+        let model = &self.model;
+        let tape = self.terms.speeds.get_or_insert_with(|| {
+            let symbols = [model.p(), model.q(), model.q_dot()].concat();
+            let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
+            match Tape::new(&model.arena, &symbols, &definitions) {
+                Ok(tape) => tape,
+                Err(unknown) => unreachable!("speeds are defined by coordinates and rates, not by {}", unknown.0),
+            }
+        });
+        tape.evaluate(&[parameters, q, rates].concat())
+    }
+
+    /// The unit of a coordinate, rate or speed.
+    fn unit_at_start(&self, name: &str) -> Option<Unit> {
+        let model = &self.model;
+        let coordinates = model.coordinates.iter();
+        let rate = name.strip_suffix('\'');
+        let of_speeds = model.speeds.iter().find(|s| s.name == name).map(|s| s.unit.clone());
+        of_speeds.or_else(|| {
+            let coordinate = coordinates.clone().find(|c| c.name == rate.unwrap_or(name))?;
+            Some(if rate.is_some() { coordinate.unit.per_second() } else { coordinate.unit.clone() })
+        })
+    }
+}

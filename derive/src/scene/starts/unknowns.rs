@@ -1,0 +1,251 @@
+//! States with unknowns: some numbers are held, others are sought near a guess.
+
+use crate::algebra::{Expr, Rational};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::model::{Model, TIME, not_a_name};
+use crate::read::{Located, Reader};
+use crate::scene::SceneOutput;
+use crate::scene::numbers::values::{Number, Values, Varied, doubles, extended};
+use crate::scene::settings::inputs::bind;
+use crate::scene::settings::outputs::ENERGIES;
+use toml::de::DeTable;
+use tripos_traits::DoubleDouble;
+
+/// A state, and the numbers of it that are sought so that conditions hold there.
+#[derive(Clone, Debug, Default)]
+pub struct Asked {
+    /// Values of the parameters, in the order of the model.
+    pub parameters: Vec<DoubleDouble>,
+    /// These values as rational numbers, where they are such.
+    pub rational: Vec<Option<Rational>>,
+    /// Coordinates, then generalized speeds: as stated, or as guessed.
+    pub x: Vec<DoubleDouble>,
+    /// The formula of each state, in parameters and names of the file.
+    pub formulas: Vec<Expr>,
+    /// The states under `[guess]`, by their places: those that are sought.
+    pub sought: Vec<usize>,
+    /// Numbers that the file names for itself: name, symbol, value.
+    pub names: Vec<(String, Expr, DoubleDouble)>,
+    /// Outputs to show; empty if the file states none.
+    pub outputs: Vec<SceneOutput>,
+}
+
+/// Sections that a state file may have; those of scenes beside them are of no matter here.
+const KEYS: [&str; 19] = [
+    "schema",
+    "model",
+    "title",
+    "about",
+    "names",
+    "parameters",
+    "inputs",
+    "state",
+    "start",
+    "guess",
+    "outputs",
+    "free",
+    "ladder",
+    "span",
+    "integration",
+    "impacts",
+    "events",
+    "figures",
+    "source",
+];
+
+/// Reads a state, or the start of a scene, with the quantities sought of it. Given numbers replace those of the file:
+/// of its names, of parameters, and of states.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the file.
+pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -> Result<Asked, Diagnostics> {
+    bind(source, model)?;
+    let (reader, table) = Reader::parse(source)?;
+    let table = table.get_ref();
+    let place = |name: &str| model.parameters.iter().position(|p| p.name == *name);
+    let varied = given.iter().filter_map(|(name, x)| Some((Varied::Parameter(place(name)?), Number::rounded(*x))));
+    let varied: Vec<(Varied, Number)> = varied.collect();
+    let mut values = Values { given: &varied, ..Values::new(reader, model) };
+    let mut asked = Asked::default();
+    if let Some(impacts) = values.reader.get(table, "impacts") {
+        let message = "what is near a contact is not told: it holds on one side alone";
+        values.reader.error(
+            impacts.span(),
+            message,
+            "leave the contacts out, and state what holds as a constraint of the model",
+        );
+    }
+    values.state_file(table, given);
+    let parameters = values.parameters(table).unwrap_or_default();
+    let stated = values.states(table, &parameters);
+    let (outputs, are_stated) = values.outputs(table);
+    asked.names = values.names.iter().map(|(name, symbol, value)| (name.clone(), *symbol, value.extended())).collect();
+    values.reader.finish()?;
+    for (at, (number, formula, is_guess)) in stated.expect("reported if missing").into_iter().enumerate() {
+        let name = state_names(model).nth(at).unwrap_or_default();
+        let value = given.iter().find(|(given, _)| *given == name).map(|(_, value)| *value);
+        asked.x.push(value.map_or(number.extended(), DoubleDouble::from));
+        asked.formulas.push(formula);
+        if is_guess && value.is_none() {
+            asked.sought.push(at);
+        }
+    }
+    asked.parameters = extended(&parameters);
+    asked.rational = parameters.into_iter().map(|number| number.exact).collect();
+    if are_stated {
+        asked.outputs = outputs;
+    }
+    Ok(asked)
+}
+
+/// An output in the words of an output of a scene, from elsewhere than a file.
+///
+/// # Errors
+/// [`Diagnostics`] if it is no formula in the names of the model.
+pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnostics> {
+    let source = Source::from_text("--output", text);
+    let mut values = Values::new(Reader::new(&source), model);
+    let formula = Located { text: text.to_owned(), span: 0..text.len(), exact: true };
+    let value = values.output_formula(&formula);
+    values.reader.finish()?;
+    Ok(SceneOutput { name: text.trim().to_owned(), value: value.expect("reported if missing") })
+}
+
+/// Coordinates, then speeds.
+fn state_names(model: &Model) -> impl Iterator<Item = String> {
+    model.coordinates.iter().map(|c| c.name.clone()).chain(model.speeds.iter().map(|s| s.name.clone()))
+}
+
+/// A value, its formula, and whether it is a guess.
+type StatedValue = (Number, Expr, bool);
+
+impl<'a> Values<'a, '_> {
+    /// Reads the entries that every state file may have, among them its own names.
+    pub(in crate::scene) fn state_file(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
+        self.reader.schema(table);
+        self.reader.allow(table, "a state file", &KEYS);
+        self.named(table, given);
+    }
+
+    /// `[names]`: numbers by names of the file's own.
+    fn named(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
+        let Some(section) = self.section(table, "names") else { return };
+        for (name, value) in self.reader.entries(section) {
+            if let Some(wrong) = not_a_name(&name) {
+                self.reader.errors.push(wrong);
+                continue;
+            }
+            if self.is_of_model(&name.text) {
+                let message = format!("`{}` is a name of the model", name.text);
+                self.reader.error(
+                    name.span,
+                    message,
+                    "choose another name, or state its value where the model's names are",
+                );
+                continue;
+            }
+            let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) else { continue };
+            let Some(number) = self.constant(&formula) else { continue };
+            let value = given.iter().find(|(given, _)| *given == name.text);
+            let number = value.map_or(number, |(_, value)| Number::rounded(*value));
+            let symbol = self.model.arena.symbol(&name.text);
+            self.names.push((name.text, symbol, number));
+        }
+    }
+
+    /// True if a name means something in formulas of the model's scenes.
+    fn is_of_model(&self, name: &str) -> bool {
+        let model = &self.model;
+        let own = |known: &str| known == name;
+        model.parameters.iter().any(|p| own(&p.name))
+            || model.inputs.iter().any(|input| own(&input.name))
+            || model.reactions.iter().any(|r| own(&r.name))
+            || model.constraints.iter().any(|c| own(&c.fixes))
+            || state_names(model).any(|known| own(&known))
+            || ENERGIES.contains(&name)
+            || [TIME, "pi", "deg"].contains(&name)
+    }
+
+    /// Every coordinate and every speed, from `[state]` or `[start]`, and from `[guess]`.
+    fn states(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Vec<StatedValue>> {
+        let names: Vec<String> = state_names(self.model).collect();
+        let n = self.model.coordinates.len();
+        let mut values: Vec<Option<StatedValue>> = vec![None; names.len()];
+        let mut rates: Vec<Option<Number>> = vec![None; n];
+        // Whether time is among the coordinates is asked elsewhere: here it is none that a file could state.
+        if let Some(at) = self.model.time() {
+            values[at] = Some((Number::rounded(0.0), Expr::ZERO, false));
+        }
+        let held = if table.contains_key("state") { "state" } else { "start" };
+        for (key, is_guess) in [(held, false), ("guess", true)] {
+            let Some(section) = self.section(table, key) else { continue };
+            for (name, value) in self.reader.entries(section) {
+                let rate = self.model.coordinates.iter().position(|c| format!("{}'", c.name) == name.text);
+                if let Some(at) = rate.filter(|_| !is_guess) {
+                    let formula = self.reader.formula(value, &format!("`{}`", name.text));
+                    rates[at] = formula.and_then(|formula| self.number(&formula, parameters, "a rate"));
+                    continue;
+                }
+                let Some(at) = self.place_of(&names, &name) else { continue };
+                let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) else { continue };
+                let Some(number) = self.number(&formula, parameters, "a value of a state") else { continue };
+                if values[at].is_some() {
+                    let message = format!("`{}` is stated and guessed", name.text);
+                    self.reader.error(
+                        name.span,
+                        message,
+                        "leave it out of [guess] to hold it, or out of the other to seek it",
+                    );
+                    continue;
+                }
+                let expression = self.expression(&formula)?;
+                values[at] = Some((number, expression, is_guess));
+            }
+        }
+        let rated = rates.iter().position(Option::is_some);
+        if let (Some(rate), Some(speed)) = (rated, values[n..].iter().position(Option::is_some)) {
+            let message = format!(
+                "speeds and time derivatives are mixed: `{}` and `{}'`",
+                self.model.speeds[speed].name, self.model.coordinates[rate].name
+            );
+            self.reader.errors.push(Diagnostic::of_file(message, "state every speed, or every q'"));
+        }
+        self.speeds_of(&rates, parameters, &mut values);
+        let missing: Vec<&str> =
+            names.iter().zip(&values).filter(|(_, value)| value.is_none()).map(|(name, _)| name.as_str()).collect();
+        if !missing.is_empty() && self.reader.errors.is_empty() {
+            let message = format!("no value is given to {}", missing.join(", "));
+            let help = "add what is held to [state], and what is sought, with a value near it, to [guess]";
+            self.reader.errors.push(Diagnostic::of_file(message, help));
+        }
+        values.into_iter().collect()
+    }
+
+    /// Puts in the speeds of a state that is stated by the rates of all coordinates.
+    fn speeds_of(&mut self, rates: &[Option<Number>], parameters: &[Number], values: &mut [Option<StatedValue>]) {
+        let (places, speeds) = values.split_at_mut(rates.len());
+        let rates: Option<Vec<f64>> = rates.iter().map(|rate| rate.as_ref().map(|rate| rate.double)).collect();
+        let q: Option<Vec<f64>> = places.iter().map(|value| value.as_ref().map(|(q, ..)| q.double)).collect();
+        let (Some(rates), Some(q)) = (rates, q) else { return };
+        for (speed, u) in speeds.iter_mut().zip(self.speeds_from_rates(&doubles(parameters), &q, &rates)) {
+            if speed.is_none() {
+                let term = Rational::from_f64_exact(u).map(|u| self.model.arena.number(u));
+                *speed = term.map(|term| (Number::rounded(u), term, false));
+            }
+        }
+    }
+
+    /// The place of a state of this name.
+    fn place_of(&mut self, names: &[String], name: &Located) -> Option<usize> {
+        if let Some(at) = names.iter().position(|known| *known == name.text && *known != TIME) {
+            return Some(at);
+        }
+        // What a constraint fixes follows from the others.
+        if self.model.constraints.iter().any(|c| c.fixes == name.text) {
+            return None;
+        }
+        let (message, help) = self.model.no_state(&name.text, names.iter().map(String::as_str));
+        self.reader.error(name.span.clone(), message, help);
+        None
+    }
+}
