@@ -10,18 +10,17 @@ use crate::files::{self, WriteError};
 #[cfg(feature = "rust")]
 use crate::origin::Origin;
 use crate::origin::{EMIT, is_written_by};
+use crate::target::LeftOut;
 #[cfg(feature = "rust")]
 use crate::workspace::{ModuleFiles, asked_for, module_files};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
-use tripos_derive::Formulation;
-#[cfg(feature = "rust")]
-use tripos_derive::Model;
 #[cfg(feature = "rust")]
 use tripos_derive::diagnostic::Diagnostics;
-use tripos_derive::mechanics::DeriveError;
 use tripos_derive::plain::path_in_line;
+#[cfg(feature = "rust")]
+use tripos_derive::{Formulation, Model};
 
 /// The files of one model in one language.
 #[derive(Debug)]
@@ -30,7 +29,7 @@ pub struct Emission {
     /// under `code/`.
     pub files: BTreeMap<String, String>,
     /// Formulations that the model does not support, each with the reason.
-    pub left_out: Vec<(Formulation, DeriveError)>,
+    pub left_out: LeftOut,
     /// Extension of the names of its files. Files with other extensions belong to other languages and are not touched.
     pub extension: &'static str,
 }
@@ -59,16 +58,10 @@ pub fn emit_model(
     formulations: &[Formulation],
     extras: Extras,
 ) -> Result<Emission, Diagnostics> {
-    // Each once, in the order in which they are always listed.
-    let ordered: Vec<_> = Formulation::ALL.into_iter().filter(|f| formulations.contains(f)).collect();
-    let named = (!ordered.is_empty()).then_some(ordered.as_slice());
     let origin = Origin::emitted(&model.source.path);
     let extras = extras.and(asked_for(model, &model.source.path)?);
-    let ModuleFiles { files, left_out, .. } = module_files(model, module, &origin, named, extras)?;
-    match left_out.first() {
-        Some((_, error)) if named.is_some() => Err(model.diagnose(error)),
-        _ => Ok(Emission { files: files.into_iter().collect(), left_out, extension: "rs" }),
-    }
+    let ModuleFiles { files, left_out, .. } = module_files(model, module, &origin, formulations, extras)?;
+    Ok(Emission { files, left_out, extension: "rs" })
 }
 
 /// Outcome for one file of a module.

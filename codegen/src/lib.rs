@@ -21,6 +21,8 @@ pub mod plan;
 pub mod rust;
 #[cfg(feature = "files")]
 pub mod scene_files;
+#[cfg(any(feature = "rust", feature = "js"))]
+pub mod target;
 pub mod taylor;
 #[cfg(feature = "rust")]
 pub mod workspace;

@@ -3,26 +3,20 @@
 use crate::extras::Extras;
 use crate::files::{self, WriteError};
 use crate::origin::Origin;
-use crate::plan::{FormulationPlan, Planner, module_name};
 use crate::rust::{
-    About, Entry, FormulationFiles, LANGUAGE, Named, SceneFile, Written, formulation_files, is_name, library,
-    module_files as module_files_of, scene_file, scene_list,
+    About, Named, RustModule, SceneFile, is_name, library, module_files as module_files_of, scene_file, scene_list,
+    unsolved,
 };
 use crate::scene_files::{is_same, name_beside, scene_files};
-use crate::taylor::recurrences_of;
+use crate::target::{self, LeftOut};
 use std::collections::BTreeMap;
 use std::path::Path;
-use tripos_derive::algebra::Arena;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{
-    Derivation, DeriveError, Solved, Unsolved, derive_all, distances, in_distance, is_reducible,
-};
-use tripos_derive::model::text_hash;
-use tripos_derive::publication::load_beside;
+use tripos_derive::mechanics::is_reducible;
+use tripos_derive::publication::hash_beside;
 use tripos_derive::reduce::reduce;
 use tripos_derive::scene::{load_bound as load_scene, model_path as scene_model};
-use tripos_derive::{Equations, Formulation, Model, derive};
+use tripos_derive::{Formulation, Model};
 
 /// Generated files of all models of a workspace.
 #[derive(Debug, Default)]
@@ -88,7 +82,7 @@ fn guarded(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
 ///
 /// # Errors
 /// [`Diagnostics`] of the model file.
-pub fn model_files(path: &Path, folder: &str) -> Result<Vec<(String, String)>, Diagnostics> {
+pub fn model_files(path: &Path, folder: &str) -> Result<BTreeMap<String, String>, Diagnostics> {
     Ok(workspace_module(path, folder)?.files)
 }
 
@@ -96,8 +90,8 @@ fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostic
     let origin = Origin { folder: format!("models/{folder}/"), model: "model.toml".to_owned(), command: "regenerate" };
     let model = Model::read(path)?;
     let extras = asked_for(&model, path)?;
-    let mut module = module_files(&model, folder, &origin, None, extras)?;
-    module.files.push((DERIVED_FROM.to_owned(), model.source.text));
+    let mut module = module_files(&model, folder, &origin, &[], extras)?;
+    module.files.insert(DERIVED_FROM.to_owned(), model.source.text);
     Ok(module)
 }
 
@@ -121,58 +115,33 @@ pub const DERIVED_FROM: &str = "derived_from.toml";
 /// Generated files of one model.
 pub(crate) struct ModuleFiles {
     /// Text of each file, by name.
-    pub files: Vec<(String, String)>,
+    pub files: BTreeMap<String, String>,
     /// Formulations that this model does not support, each with the reason.
-    pub left_out: Vec<(Formulation, DeriveError)>,
+    pub left_out: LeftOut,
     /// Scene files with errors, by their names as seen from the model.
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
-/// The files of a module of this name: of these formulations alone, or of all and of the publication beside the model.
+/// The files of a module of this name: of these formulations alone, or, if none are named, of all and of the
+/// publication beside the model.
 pub(crate) fn module_files(
     model: &Model,
     module: &str,
     origin: &Origin,
-    formulations: Option<&[Formulation]>,
+    formulations: &[Formulation],
     extras: Extras,
 ) -> Result<ModuleFiles, Diagnostics> {
     let path = model.source.path.as_path();
-    // The publication's symbols go to a store of their own: derived equations do not change with a publication.
-    let mut with_publication = model.clone();
     if !is_name(module) {
         let message = format!("the folder's name `{module}` cannot be a Rust module");
         let help = "rename the folder: a letter, then letters, digits and `_`";
         let diagnostic = Diagnostic::of_file(message, help);
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
-    let publication = if formulations.is_none() { load_beside(path, &mut with_publication)? } else { None };
-    let (mut module_text, mut left_out, mut near) = (ModuleText::new(origin, extras), Vec::new(), Vec::new());
-    for &f in formulations.unwrap_or(&Formulation::ALL) {
-        // Each with a store of terms of its own, so that one formulation's text does not hang on another's.
-        match derive(model, f) {
-            Ok(derivation) => {
-                near.extend(distances(model).into_iter().map(|d| (f, in_distance(model, derivation.clone(), d))));
-                module_text.solved(model, derivation, true).map_err(|why| unsolved(&model.source, f.title(), why))?;
-            }
-            Err(error) if error.is_unsupported() => left_out.push((f, error)),
-            Err(error) => return Err(model.diagnose(&error)),
-        }
-    }
-    if let Some(publication) = &publication {
-        let mut derivations = derive_all(&with_publication).map_err(|error| model.diagnose(&error))?;
-        for equations in printed_equations(&with_publication, &mut derivations, publication) {
-            let arena = &derivations.kinematics.arena;
-            module_text
-                .printed(&with_publication, arena, &equations)
-                .map_err(|diagnostic| Diagnostics::new(publication.source.clone(), vec![diagnostic]))?;
-        }
-    }
-    // Measured from a singular surface, they are for runs alone; last, so that what they have in common with others
-    // stands there.
-    for (f, derivation) in near {
-        module_text.solved(model, derivation, false).map_err(|why| unsolved(&model.source, f.title(), why))?;
-    }
-    let publication_hash = publication.map(|r| text_hash(&r.source.text)).unwrap_or_default();
+    let mut text = RustModule::new(origin, extras);
+    let left_out = target::write(model, formulations, &mut text)?;
+    let (mut files, entries) = text.finish(model)?;
+    let publication_hash = if formulations.is_empty() { hash_beside(path) } else { String::new() };
     let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
     if origin.has_scenes() {
         for scene in scene_files(path) {
@@ -188,89 +157,17 @@ pub(crate) fn module_files(
         publication_hash: &publication_hash,
         has_scenes: !scenes.is_empty(),
     };
-    let mut files = module_text.files;
-    let [own, code] = module_files_of(model, &about, &module_text.entries);
+    let [own, code] = module_files_of(model, &about, &entries);
     files.extend([("mod.rs".to_owned(), own), ("code/mod.rs".to_owned(), code)]);
     if !scenes.is_empty() {
         let [list, code] = scene_list(&model.title, &origin.of_model(), &scenes);
         files.extend([("scenes/mod.rs".to_owned(), list), ("scenes/code/mod.rs".to_owned(), code)]);
     }
     for SceneFile { module, text, code, .. } in scenes {
-        files.push((format!("scenes/{module}.rs"), text));
+        files.insert(format!("scenes/{module}.rs"), text);
         files.extend(code.map(|text| (format!("scenes/code/{module}.rs"), text)));
     }
     Ok(ModuleFiles { files, left_out, broken_scenes })
-}
-
-/// Convolutions an order above which no recurrences are written: a step of another method then costs less.
-const MOST_CONVOLUTIONS: usize = 200;
-/// Convolutions for each component of the state up to which recurrences are compiled in lanes as well: runs by them
-/// cost no more than by DOP853 up to there (2.4 of the disk cost 0.9 to 1.1 of it, 6.5 of a cart with three pendulums
-/// 2.3).
-const MOST_CONVOLUTIONS_IN_LANES: usize = 4;
-
-fn has_short_series(convolutions: usize, equations: &Equations) -> bool {
-    convolutions <= MOST_CONVOLUTIONS_IN_LANES * (equations.coordinates.len() + equations.variables.len())
-}
-
-/// The text of a model's module while it is written.
-struct ModuleText<'a> {
-    origin: &'a Origin,
-    extras: Extras,
-    files: Vec<(String, String)>,
-    entries: Vec<Entry>,
-    written: Written,
-}
-
-impl<'a> ModuleText<'a> {
-    fn new(origin: &'a Origin, extras: Extras) -> Self {
-        Self { origin, extras, files: Vec::new(), entries: Vec::new(), written: Written::default() }
-    }
-
-    /// Adds derived equations, solved for their accelerations; with a file for people, or their code alone.
-    fn solved(&mut self, model: &Model, derivation: Derivation, shown: bool) -> Result<(), Unsolved> {
-        let Derivation { mut arena, equations } = derivation;
-        let equations = equations.written(&mut arena);
-        let solved = Solved::new(&mut arena, &equations)?;
-        let recurrences =
-            if self.extras.taylor { recurrences_of(&mut arena, &equations, &solved.accelerations) } else { None };
-        let recurrences = recurrences.filter(|list| list.convolutions() <= MOST_CONVOLUTIONS);
-        let equations = equations.with_inverse_dynamics(&mut arena)?;
-        let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
-        let plan = FormulationPlan::new(&planner, Some(&solved), self.extras.jacobian, recurrences.as_ref());
-        self.add(&plan, &self.origin.of_model(), shown);
-        Ok(())
-    }
-
-    /// Adds equations that a publication prints, as they stand.
-    fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) -> Result<(), Diagnostic> {
-        let name = equations.name(model);
-        let file = format!("{}.rs", module_name(&name));
-        if self.files.iter().any(|(known, _)| *known == file) {
-            let message = format!("another entry than `{name}` gives the same file {file}");
-            return Err(Diagnostic::of_file(message, "let ids differ in more than signs"));
-        }
-        let planner = Planner::new(model, arena, equations, &LANGUAGE, false);
-        let plan = FormulationPlan::new(&planner, None, false, None);
-        self.add(&plan, &self.origin.of_publication(), true);
-        Ok(())
-    }
-
-    fn add(&mut self, plan: &FormulationPlan<'_>, origin: &str, shown: bool) {
-        let (equations, model) = (plan.planner.equations, plan.planner.model);
-        let (name, title) = (equations.name(model), equations.title(model));
-        let FormulationFiles { equations: text, code } = formulation_files(plan, origin, &mut self.written);
-        let file = format!("{}.rs", module_name(&name));
-        self.files.push((format!("code/{file}"), code));
-        self.files.extend(shown.then_some((file, text)));
-        let series = plan.taylor.as_ref().is_some_and(|taylor| has_short_series(taylor.list.convolutions(), equations));
-        self.entries.push(Entry { name, title, solved: plan.solved_cost, series, shown });
-    }
-}
-
-/// Why equations are not written: their accelerations cannot be used.
-fn unsolved(source: &Source, equations: &str, why: Unsolved) -> Diagnostics {
-    Diagnostics::new(source.clone(), vec![Diagnostic::of_file(format!("{equations}: {why}"), why.help())])
 }
 
 /// The file of one scene beside those that are there; nothing if it is of another model.

@@ -4,12 +4,12 @@ use super::{Module, RUNNERS, Written};
 use crate::emit::Emission;
 use crate::origin::Origin;
 use crate::plan::{MotionPlan, Watched, module_name};
+use crate::target::{self, Target};
 use std::collections::BTreeMap;
-use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
-use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::derive_all;
-use tripos_derive::publication::load_beside;
-use tripos_derive::{Formulation, Model, derive};
+use tripos_derive::algebra::Arena;
+use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::mechanics::Derivation;
+use tripos_derive::{Equations, Formulation, Model};
 
 /// Extension of JavaScript files: modules, for Node as for browsers.
 pub const EXTENSION: &str = "mjs";
@@ -20,64 +20,53 @@ pub const EXTENSION: &str = "mjs";
 /// # Errors
 /// [`Diagnostics`] of the model file or the publication; a formulation that is named and cannot be had is one.
 pub fn emit_model(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
-    let origin = Origin::emitted(&model.source.path);
-    let mut emitting = Emitting::new(model, &origin)?;
-    let mut left_out = Vec::new();
-    for f in Formulation::ALL.into_iter().filter(|f| formulations.is_empty() || formulations.contains(f)) {
-        match derive(model, f) {
-            Ok(derivation) => {
-                let written = Written::solved(derivation).map_err(|why| model.diagnose(&why))?;
-                emitting.add(model, &written, &origin.of_model())?;
-            }
-            Err(error) if error.is_unsupported() && formulations.is_empty() => left_out.push((f, error)),
-            Err(error) => return Err(model.diagnose(&error)),
-        }
-    }
-    if formulations.is_empty() {
-        emitting.printed(model, &origin.of_publication())?;
-    }
-    Ok(Emission { files: emitting.files, left_out, extension: EXTENSION })
+    let mut modules = Modules::new(model)?;
+    let left_out = target::write(model, formulations, &mut modules)?;
+    Ok(Emission { files: modules.files, left_out, extension: EXTENSION })
 }
 
-/// Modules while they are written.
-struct Emitting {
+/// Modules of JavaScript while they are written.
+struct Modules {
+    origin: Origin,
     files: BTreeMap<String, String>,
     /// The equations that give reactions, where the domain asks for some and they can be had.
     balance: Option<Written>,
 }
 
-impl Emitting {
-    fn new(model: &Model, origin: &Origin) -> Result<Self, Diagnostics> {
+impl Target for Modules {
+    fn files(&self) -> &BTreeMap<String, String> {
+        &self.files
+    }
+
+    fn file_of(&self, equations: &str) -> String {
+        format!("{}.{EXTENSION}", module_name(equations))
+    }
+
+    fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
+        let written = Written::solved(derivation).map_err(|why| model.diagnose(&why))?;
+        self.add(model, &written, &self.origin.of_model());
+        Ok(())
+    }
+
+    fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
+        let written = Written { arena: arena.clone(), equations: equations.clone(), solved: None };
+        self.add(model, &written, &self.origin.of_publication());
+    }
+}
+
+impl Modules {
+    fn new(model: &Model) -> Result<Self, Diagnostics> {
+        let origin = Origin::emitted(&model.source.path);
         let header = format!("// {}\n//\n", origin.beside());
         let runners = RUNNERS.map(|(name, text)| (format!("{name}.{EXTENSION}"), header.clone() + text));
-        Ok(Self {
-            files: runners.into(),
-            balance: Written::balance(model, model.domain.iter().map(|condition| condition.positive))?,
-        })
+        let balance = Written::balance(model, model.domain.iter().map(|condition| condition.positive))?;
+        Ok(Self { origin, files: runners.into(), balance })
     }
 
-    fn printed(&mut self, model: &Model, origin: &str) -> Result<(), Diagnostics> {
-        let mut with_publication = model.clone();
-        let Some(publication) = load_beside(&model.source.path, &mut with_publication)? else { return Ok(()) };
-        let mut derivations = derive_all(&with_publication).map_err(|error| model.diagnose(&error))?;
-        for equations in printed_equations(&with_publication, &mut derivations, &publication) {
-            let arena = derivations.kinematics.arena.clone();
-            self.add(&with_publication, &Written { arena, equations, solved: None }, origin)?;
-        }
-        Ok(())
-    }
-
-    fn add(&mut self, model: &Model, written: &Written, origin: &str) -> Result<(), Diagnostics> {
-        let name = written.equations.name(model);
-        let file = format!("{}.{EXTENSION}", module_name(&name));
-        if self.files.contains_key(&file) {
-            let message = format!("another entry than `{name}` gives the same file {file}");
-            let diagnostic = Diagnostic::of_file(message, "let ids differ in more than signs");
-            return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
-        }
+    fn add(&mut self, model: &Model, written: &Written, origin: &str) {
+        let file = self.file_of(&written.equations.name(model));
         let text = self.module(model, written, origin);
         self.files.insert(file, text);
-        Ok(())
     }
 
     fn module(&self, model: &Model, written: &Written, origin: &str) -> String {
