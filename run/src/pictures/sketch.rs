@@ -1,7 +1,8 @@
 //! Sketch of a mechanism as in textbooks: bodies, frames, coordinates, gravity and supports, on one sheet.
 //!
 //! ```
-//! use tripos::{Scene, sketch::Sketch};
+//! use tripos::Scene;
+//! use tripos::pictures::sketch::Sketch;
 //!
 //! let scene = Scene::read("../models/pendulum/scenes/swing.toml")?;
 //! let sketch = Sketch::of_scene(scene.mechanism(), scene.description())?;

@@ -1,7 +1,8 @@
 //! Solids of a mechanism and their poses during a motion. Rendering is left out on purpose.
 //!
 //! ```
-//! use tripos::{Scene, view::{Motion, View}};
+//! use tripos::Scene;
+//! use tripos::pictures::view::{Motion, View};
 //!
 //! let scene = Scene::read("../models/pendulum/scenes/over.toml")?;
 //! let motion = Motion::of_scene(scene.mechanism(), scene.description(), None)?;
