@@ -1,5 +1,6 @@
 //! One formulation: its equations, and apart from these the derivation step by step.
 
+use super::laws::law;
 use crate::page::content::Page;
 use crate::page::markup::html::{escape, folded, link, part, scroll};
 use crate::page::markup::math::{
@@ -90,7 +91,7 @@ fn definitions(arena: &Arena, list: &[Definition]) -> String {
 
 /// The principle, in a sentence.
 fn principle(formulation: Formulation, model: &Model) -> String {
-    let (principle, law) = (formulation.method().principle, formulation.law(model));
+    let (principle, law) = (formulation.method().principle, law(formulation, model));
     if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline(&law)) }
 }
 

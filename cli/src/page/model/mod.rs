@@ -1,5 +1,6 @@
 //! The mechanism, its derivations, and the proofs.
 
 pub(super) mod derivation;
+mod laws;
 pub(super) mod mechanism;
 pub(super) mod proof;

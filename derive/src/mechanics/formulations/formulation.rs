@@ -37,11 +37,8 @@ pub struct Method {
     pub title: &'static str,
     /// The name in a formula, such as `Kane = Wᵀ · Lagrange`.
     pub label: &'static str,
-    /// Principle of the method, in words.
+    /// Principle of the method, in words; a formula may follow it.
     pub principle: &'static str,
-    /// Formula at the end of the principle, as presentation MathML without its row, then the addition for motion
-    /// constraints. Empty if there is none.
-    law: [&'static str; 2],
     /// The system that it gives, in plain text, without and with motion constraints.
     equation: [&'static str; 2],
     /// Variables that are integrated beside q.
@@ -62,11 +59,6 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         title: "Kane's method",
         label: "Kane",
         principle: "For each generalized speed the generalized active force and the generalized inertia force add to zero:",
-        law: [
-            "<msub><mi>F</mi><mi>r</mi></msub><mo>+</mo><msubsup><mi>F</mi><mi>r</mi><mo>⋆</mo></msubsup><mo>=</mo>\
-              <mn>0</mn>",
-            "",
-        ],
         equation: ["M(q) u' = f(q, u)"; 2],
         variables: MotionVariables::Speeds,
         carries_reactions: false,
@@ -79,18 +71,6 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         title: "Lagrange's equations",
         label: "Lagrange",
         principle: "For each generalized coordinate",
-        law: [
-            "<mfrac><mi mathvariant=\"normal\">d</mi><mrow>\
-              <mi mathvariant=\"normal\">d</mi><mi>t</mi></mrow></mfrac><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi>\
-              </mrow><mrow><mo form=\"prefix\">∂</mo><msub><mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi>\
-              </msub></mrow></mfrac><mo>−</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi></mrow><mrow>\
-              <mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi></msub></mrow></mfrac><mo>+</mo><mfrac><mrow>\
-              <mo form=\"prefix\">∂</mo><mi>V</mi></mrow><mrow><mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi>\
-              </msub></mrow></mfrac><mo>=</mo><msub><mi>Q</mi><mi>i</mi></msub>",
-            "<mo>+</mo><munder><mo>∑</mo><mi>k</mi></munder><msub><mi>λ</mi><mi>k</mi></msub><mfrac><mrow>\
-              <mo form=\"prefix\">∂</mo><msub><mi>c</mi><mi>k</mi></msub></mrow><mrow><mo form=\"prefix\">∂</mo><msub>\
-              <mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi></msub></mrow></mfrac>",
-        ],
         equation: ["E(q) q'' = A(q, q')", "[E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q'))"],
         variables: MotionVariables::Rates,
         carries_reactions: false,
@@ -104,7 +84,6 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         label: "Newton–Euler",
         principle: "For each body the forces give its mass times the acceleration of its mass centre, and the moments about \
                     the mass centre give the rate of its angular momentum; the reactions are unknowns beside the accelerations",
-        law: [""; 2],
         equation: ["A(q, u) (u', reactions) = b(q, u)"; 2],
         variables: MotionVariables::Speeds,
         carries_reactions: true,
@@ -128,15 +107,6 @@ impl Formulation {
     #[must_use]
     pub fn equation(self, model: &Model) -> &'static str {
         self.method().equation[usize::from(!model.motion_constraints.is_empty())]
-    }
-
-    /// The law of the method, for this model, as presentation MathML; empty where words say it. The constraints c are
-    /// functions of q and q̇ that are zero.
-    #[must_use]
-    pub fn law(self, model: &Model) -> String {
-        let [law, of_constraints] = self.method().law;
-        let of_constraints = if model.motion_constraints.is_empty() { "" } else { of_constraints };
-        if law.is_empty() { String::new() } else { format!("<mrow>{law}{of_constraints}</mrow>") }
     }
 
     /// The name on the command line and in files.

@@ -1,0 +1,44 @@
+//! Laws of the formulations as formulas of the page.
+
+use tripos_derive::{Formulation, Model};
+
+/// Law of a formulation as presentation MathML without its row, then the addition for motion constraints.
+struct Law {
+    /// Name of the formulation.
+    formulation: &'static str,
+    formula: &'static str,
+    of_constraints: &'static str,
+}
+
+/// A formulation that is not listed has its principle in words alone.
+const LAWS: [Law; 2] = [
+    Law {
+        formulation: "kane",
+        formula: "<msub><mi>F</mi><mi>r</mi></msub><mo>+</mo><msubsup><mi>F</mi><mi>r</mi><mo>⋆</mo></msubsup><mo>=</mo>\
+          <mn>0</mn>",
+        of_constraints: "",
+    },
+    Law {
+        formulation: "lagrange",
+        formula: "<mfrac><mi mathvariant=\"normal\">d</mi><mrow>\
+              <mi mathvariant=\"normal\">d</mi><mi>t</mi></mrow></mfrac><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi>\
+              </mrow><mrow><mo form=\"prefix\">∂</mo><msub><mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi>\
+              </msub></mrow></mfrac><mo>−</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>T</mi></mrow><mrow>\
+              <mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi></msub></mrow></mfrac><mo>+</mo><mfrac><mrow>\
+              <mo form=\"prefix\">∂</mo><mi>V</mi></mrow><mrow><mo form=\"prefix\">∂</mo><msub><mi>q</mi><mi>i</mi>\
+              </msub></mrow></mfrac><mo>=</mo><msub><mi>Q</mi><mi>i</mi></msub>",
+        of_constraints: "<mo>+</mo><munder><mo>∑</mo><mi>k</mi></munder><msub><mi>λ</mi><mi>k</mi></msub><mfrac><mrow>\
+              <mo form=\"prefix\">∂</mo><msub><mi>c</mi><mi>k</mi></msub></mrow><mrow><mo form=\"prefix\">∂</mo><msub>\
+              <mover accent=\"true\"><mi>q</mi><mo>˙</mo></mover><mi>i</mi></msub></mrow></mfrac>",
+    },
+];
+
+/// The law of a formulation for this model, as presentation MathML; empty where words say it. The constraints c are
+/// functions of q and q̇ that are zero.
+pub fn law(formulation: Formulation, model: &Model) -> String {
+    let law = LAWS.iter().find(|law| law.formulation == formulation.name());
+    law.map_or_else(String::new, |Law { formula, of_constraints, .. }| {
+        let of_constraints = if model.motion_constraints.is_empty() { "" } else { of_constraints };
+        format!("<mrow>{formula}{of_constraints}</mrow>")
+    })
+}
