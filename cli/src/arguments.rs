@@ -265,7 +265,7 @@ pub enum Command {
         /// Draw exactly this state: a TOML file with [parameters] and [state]
         #[arg(long, value_name = "STATE.toml")]
         at: Option<PathBuf>,
-        /// File of the picture: .svg, or .tex for LaTeX with TikZ
+        /// File of the picture: .svg, .png, .pdf, or .tex for LaTeX with TikZ
         #[arg(long, value_name = "FILE", default_value = "sketch.svg")]
         out: PathBuf,
     },
@@ -333,6 +333,8 @@ pub struct Simulate {
     /// A scene file
     pub scene: PathBuf,
     #[command(flatten)]
+    pub set: Set,
+    #[command(flatten)]
     pub how: How,
     /// Also print the derivatives of all shown quantities by a parameter or a number of the start, at the end, at
     /// events, and in the columns d(NAME)/d(PARAMETER) of --csv; more than once for several. Whole equations are run
@@ -380,6 +382,8 @@ pub struct Plot {
     #[arg(long, value_name = "DOTS", default_value_t = crate::picture::DPI)]
     pub dpi: u32,
     #[command(flatten)]
+    pub set: Set,
+    #[command(flatten)]
     pub how: How,
 }
 
@@ -388,6 +392,8 @@ pub struct Plot {
 pub struct View {
     /// A scene file
     pub scene: PathBuf,
+    #[command(flatten)]
+    pub set: Set,
     #[command(flatten)]
     pub how: How,
     /// Also show, transparent: the scene by other equations (kane, lagrange, newton-euler, printed:ID), or another
@@ -435,6 +441,15 @@ pub struct Sweep {
     /// Print a summary as JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// Other values for numbers of a scene.
+#[derive(clap::Args)]
+pub struct Set {
+    /// Another value of a parameter or of a number of the start, as the scene would state it: NAME=VALUE, more than
+    /// once for several
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
 }
 
 /// Options with which the command line overrides a scene's integration.

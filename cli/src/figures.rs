@@ -145,18 +145,10 @@ pub fn energy(curves: &[Curve]) -> Panel {
     }
 }
 
-/// An angle's plain unit is shown as radians.
-pub fn radians(unit: &str) -> String {
-    match unit {
-        "1" => "rad".to_owned(),
-        other => other.strip_prefix("1/").map_or(other.to_owned(), |rest| format!("rad/{rest}")),
-    }
-}
-
 /// Panels of a scene's outputs, one each: a curve for each run, with its values sample by sample.
 pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) -> Vec<Panel> {
-    let unit = |output: &SceneOutput| match model.unit_of(&model.arena, output.value) {
-        Some(unit) => radians(&unit.to_string()),
+    let unit = |output: &SceneOutput| match model.unit_label(&model.arena, output.value) {
+        Some(unit) => unit,
         None if ENERGIES.contains(&output.name.as_str()) => "J".to_owned(),
         None => "SI".to_owned(),
     };
@@ -182,10 +174,10 @@ pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) 
 
 /// Every coordinate and speed, a panel each.
 pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
-    let coordinates = model.coordinates.iter().map(|c| (&c.name, &c.unit));
-    let quantities = coordinates.chain(model.speeds.iter().map(|s| (&s.name, &s.unit)));
-    let labels: Vec<String> =
-        quantities.map(|(name, unit)| format!("{name} [{}]", radians(&unit.to_string()))).collect();
+    let coordinates = model.coordinates.iter().map(|c| (&c.name, c.symbol));
+    let quantities = coordinates.chain(model.speeds.iter().map(|s| (&s.name, s.symbol)));
+    let unit = |symbol| model.unit_label(&model.arena, symbol).unwrap_or_else(|| "SI".to_owned());
+    let labels: Vec<String> = quantities.map(|(name, symbol)| format!("{name} [{}]", unit(symbol))).collect();
     let panel = |(at, label): (usize, &String)| Panel {
         title: label.split(' ').next().unwrap_or_default().to_owned(),
         x_label: "t [s]".to_owned(),

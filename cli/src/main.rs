@@ -12,6 +12,7 @@ mod output;
 mod page;
 mod picture;
 mod plot;
+mod scene_file;
 mod sketch;
 mod stability;
 mod sweep;

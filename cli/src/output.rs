@@ -35,6 +35,22 @@ pub fn table<H: AsRef<str>>(
     Ok(draft.finish()?)
 }
 
+/// Endings of files in formats that are not text, and that nothing here writes.
+const NOT_TEXT: [&str; 11] = ["parquet", "feather", "arrow", "xlsx", "xls", "ods", "mat", "h5", "hdf5", "npy", "npz"];
+
+/// Refuses the name of a table whose ending promises another format than CSV.
+///
+/// # Errors
+/// [`Failure::Refused`] for the ending of a format that is not text.
+pub fn csv_name(path: &Path) -> Result<(), Failure> {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+    if NOT_TEXT.contains(&ending.as_str()) {
+        let what = format!("`{}` would hold CSV, not what `.{ending}` promises", path_in_line(path));
+        return Err(Failure::request(what, "give a file that ends in .csv, which other programs convert"));
+    }
+    Ok(())
+}
+
 /// A text as a file, in the place of one that is there.
 ///
 /// # Errors

@@ -7,7 +7,10 @@ use tripos::Mechanism;
 use tripos::code::compiled;
 use tripos_codegen::scene_files::is_same;
 use tripos_derive::Model;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::model::is_model;
 use tripos_derive::plain::path_in_line;
+use tripos_derive::scene::{is_scene, model_path};
 use tripos_models::MODELS;
 
 /// The model file that an argument means: a file, or a folder with `model.toml` in it.
@@ -23,7 +26,20 @@ pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
         return Err(Failure::request(what, help));
     }
     let path = model_file(argument);
+    if let Some(failure) = not_a_model(&path) {
+        return Err(failure);
+    }
     Ok(Mechanism::read(&path)?.with(MODELS).followed(follow()))
+}
+
+/// Refuses a scene where a model is asked for, with the model that it belongs to.
+fn not_a_model(path: &Path) -> Option<Failure> {
+    let source = Source::read(path).ok().filter(|source| is_scene(source) && !is_model(source))?;
+    let what = format!("`{}` is a scene, not a model", path_in_line(path));
+    let model = model_path(&source).ok().filter(|model| model.is_file());
+    let help = model
+        .map_or_else(|| "give a model file".to_owned(), |model| format!("give its model, `{}`", path_in_line(&model)));
+    Some(Failure::request(what, help))
 }
 
 /// The short name of a model: its folder, or the file's own name if it is not called `model.toml`.

@@ -165,6 +165,13 @@ const KEYS: [&str; 16] = [
     "figures",
 ];
 
+/// True if a text is meant as a scene file: it has a section or key that other files do not have.
+#[must_use]
+pub fn is_scene(source: &Source) -> bool {
+    const OWN: [&str; 8] = ["start", "span", "integration", "outputs", "events", "impacts", "figures", "ladder"];
+    Reader::parse(source).is_ok_and(|(_, table)| OWN.iter().any(|key| table.get_ref().contains_key(*key)))
+}
+
 /// The model file that a scene file belongs to: its key `model`, relative to the scene, or
 /// `../model.toml`.
 ///

@@ -1,10 +1,10 @@
 //! `tripos chart`: speed against accuracy for every formulation, solve and method.
 
 use crate::chart::{figure, files};
-use crate::commands::simulate::read_scene;
 use crate::failure::{Failure, print, say, warn};
 use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs, text};
+use crate::scene_file::read_scene;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use tripos::studies::chart::{Plan, session};

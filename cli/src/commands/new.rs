@@ -5,6 +5,7 @@ use crate::workspace::{model_file, workspace_around};
 use std::path::{Path, PathBuf};
 use tripos_codegen::files;
 use tripos_derive::diagnostic::Source;
+use tripos_derive::model::is_model;
 use tripos_derive::plain::{one_line, path_in_line};
 
 const MODEL: &str = include_str!("new/model.toml");
@@ -64,7 +65,12 @@ fn copied(like: &Path) -> Result<Folder, Failure> {
         Some(root.join("models").join(like).join("model.toml")).filter(|path| path.is_file())
     };
     let path = if like.exists() { model_file(like) } else { named().unwrap_or_else(|| model_file(like)) };
-    let model = Source::read(&path).map_err(tripos::Error::from)?.text;
+    let source = Source::read(&path).map_err(tripos::Error::from)?;
+    if !is_model(&source) {
+        let what = format!("`{}` is no model file", path_in_line(&path));
+        return Err(Failure::request(what, "give a model.toml, or the folder that holds it"));
+    }
+    let model = source.text;
     let folder = path.parent().unwrap_or(Path::new("")).join("scenes");
     let entries = match std::fs::read_dir(&folder) {
         Ok(entries) => entries.collect::<Result<Vec<_>, _>>(),

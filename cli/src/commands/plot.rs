@@ -1,13 +1,12 @@
 //! `tripos plot`: quantities of one or several runs in a figure, with its data beside it.
 
-use super::simulate::read_scene;
 use crate::arguments::Plot;
 use crate::failure::{Failure, print, say, status, warn};
-use crate::figures::radians;
 use crate::follow;
 use crate::output::{keep_inputs, table};
 use crate::picture::{self, Kind};
 use crate::plot::{Panel, Scale, Series, draw, pretty};
+use crate::scene_file::read_scene_with;
 use std::path::{Path, PathBuf};
 use tripos::code::by_or_first;
 use tripos::{Error, Mechanism, Overrides, Run, Watch, simulate};
@@ -163,7 +162,7 @@ fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
 
 impl Curve {
     fn new(path: &Path, way: &Overrides, words: &str, wanted: &Wanted, request: &Plot) -> Result<Self, Failure> {
-        let (mut model, mut scene) = read_scene(path)?;
+        let (mut model, mut scene, _) = read_scene_with(path, &request.set.set)?;
         let quantities = wanted.quantities();
         if !quantities.is_empty() {
             let own = std::mem::take(&mut scene.outputs);
@@ -206,11 +205,11 @@ impl Curve {
     /// A quantity with its unit, as a label.
     fn label_of(&self, name: &str) -> String {
         let output = self.scene.outputs.iter().find(|output| output.name == name);
-        let unit = output.and_then(|output| self.model.unit_of(&self.model.arena, output.value));
+        let unit = output.and_then(|output| self.model.unit_label(&self.model.arena, output.value));
         let unit = match unit {
             _ if name == TIME => "s".to_owned(),
             _ if ENERGIES.contains(&name) => "J".to_owned(),
-            Some(unit) => radians(&unit.to_string()),
+            Some(unit) => unit,
             None => "SI".to_owned(),
         };
         format!("{name} [{unit}]")

@@ -1,7 +1,7 @@
 //! `tripos scene`: what a scene keeps of its model and what it leaves out.
 
-use super::simulate::read_scene;
 use crate::failure::{Failure, print, print_json};
+use crate::scene_file::read_scene;
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;

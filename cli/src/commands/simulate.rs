@@ -6,8 +6,9 @@ mod derivatives;
 use crate::arguments::Simulate;
 use crate::failure::{Failure, print, print_json, say, status, warn};
 use crate::follow;
-use crate::output::{keep_inputs, table};
-use crate::workspace::{edited, read_model, short_name};
+use crate::output::{csv_name, keep_inputs, table};
+use crate::scene_file::read_scene_with;
+use crate::workspace::short_name;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -15,19 +16,19 @@ use tripos::code::Form;
 use tripos::{
     At, Digits, Drift, Mechanism, Run, Sensitivities, method_words, sensitivities, simulate as simulate_scene,
 };
-use tripos_derive::diagnostic::Source;
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
-use tripos_derive::scene::{Scene, load_bound, model_path};
+use tripos_derive::scene::Scene;
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{EventRecord, ImpactRecord, Stop};
 
 /// Runs the scene and prints how it ended.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
-    let (model, mut scene) = read_scene(&request.scene)?;
+    let (model, mut scene, set) = read_scene_with(&request.scene, &request.set.set)?;
     request.how.overrides()?.change(&mut scene)?;
+    set.iter().for_each(|(name, value)| say(&format!("note: {name} = {value}, not the value of the scene")));
     if let Some(of) = &request.gradient {
-        return by_all::simulate(request, (&model, &scene), of);
+        return by_all::simulate(request, &model, &scene, &set, of);
     }
     if let Some(path) = &request.csv {
         check_csv(path, request.overwrite, &model, &scene)?;
@@ -41,7 +42,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
         (&plain, None)
     } else {
         let at = if request.csv.is_some() { At::Samples } else { At::End };
-        with = sensitivities(&model, &scene, &[], (&request.sensitivity, at), by)?;
+        with = sensitivities(&model, &scene, &set, (&request.sensitivity, at), by)?;
         (&with.run, Some(&with))
     };
     follow::hide();
@@ -75,15 +76,6 @@ fn shown_failure(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
         _ if failure.is_some() || (request.strict && !run.is_trusted()) => status::STOPPED,
         _ => 0,
     }
-}
-
-/// A scene and the model it belongs to.
-pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
-    let source = Source::read(path)?;
-    let mut model = read_model(&model_path(&source)?)?;
-    let scene = load_bound(&source, &mut model)?;
-    edited(&model).iter().chain(&scene.hints(&model)).for_each(|note| warn(note));
-    Ok((model, scene))
 }
 
 fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
@@ -304,6 +296,7 @@ fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(
 /// after a long run that would be too late.
 fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     keep_inputs(model, Some(scene), [path])?;
+    csv_name(path)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(Err(error)) = folder.map(std::fs::metadata) {
         return Err(Failure::Output(path_in_line(path), error));

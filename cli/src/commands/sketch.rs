@@ -1,9 +1,10 @@
 //! `tripos sketch`: a mechanism as textbooks draw it, as SVG or LaTeX.
 
-use super::simulate::read_scene;
 use crate::failure::{Failure, print};
 use crate::output::{keep_inputs, text};
-use crate::sketch::{document, picture};
+use crate::picture;
+use crate::scene_file::read_scene;
+use crate::sketch::{document, picture as tikz};
 use crate::workspace::{model_file, read_model};
 use std::path::Path;
 use tripos::Mechanism;
@@ -14,10 +15,12 @@ use tripos_derive::model::is_model;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load_bound, load_state};
 
-/// The kinds of pictures, by the ends of their names.
+/// Kinds of sketches, by the ends of their names.
 #[derive(Clone, Copy)]
 enum Kind {
-    Svg,
+    /// A figure, drawn as SVG.
+    Figure(picture::Kind),
+    /// LaTeX with TikZ.
     Latex,
 }
 
@@ -42,24 +45,20 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path) -> Result<u8, Failure>
         (None, Some(scene)) => Sketch::of_scene(&mechanism, scene)?,
         (None, None) => Sketch::of_model(&mechanism)?,
     };
-    let picture = match kind {
-        Kind::Svg => document(&sketch),
-        Kind::Latex => picture(&sketch),
-    };
-    text(out, &picture)?;
+    match kind {
+        Kind::Figure(kind) => picture::write(out, kind, &document(&sketch), picture::DPI)?,
+        Kind::Latex => text(out, &tikz(&sketch))?,
+    }
     print(&format!("{}\n{}\n{}\n", path_in_line(out), sketch.about, sketch.drawn))?;
     Ok(0)
 }
 
+/// The kind of sketch that a file's name asks for by its ending.
 fn kind(out: &Path) -> Result<Kind, Failure> {
-    match out.extension().and_then(|end| end.to_str()) {
-        Some("svg") => Ok(Kind::Svg),
-        Some("tex") => Ok(Kind::Latex),
-        _ => Err(Failure::request(
-            format!("`{}` names no kind of sketch", path_in_line(out)),
-            "give a file that ends in .svg, or in .tex for LaTeX".to_owned(),
-        )),
+    if out.extension().is_some_and(|end| end == "tex") {
+        return Ok(Kind::Latex);
     }
+    picture::kind(out, ", or in .tex for LaTeX").map(Kind::Figure)
 }
 
 /// The model, and the scene whose start is drawn: the one that is given, else the first of the model, if it has one.

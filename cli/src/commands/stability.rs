@@ -1,10 +1,10 @@
 //! `tripos stability`: where runs of a scene give way.
 
 use crate::commands::chart::progress;
-use crate::commands::simulate::read_scene;
 use crate::failure::{Failure, print};
 use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs};
+use crate::scene_file::read_scene;
 use crate::stability::{statements, write};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

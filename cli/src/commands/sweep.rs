@@ -1,10 +1,10 @@
 //! `tripos sweep`: runs of a scene from many starts or with many parameters.
 
-use super::simulate::read_scene;
 use crate::arguments::Sweep as Request;
 use crate::failure::{Failure, print_json, say, status, warn};
 use crate::follow;
-use crate::output::{Rows, keep_inputs};
+use crate::output::{Rows, csv_name, keep_inputs};
+use crate::scene_file::read_scene;
 use crate::sweep::{Alien, Columns, Kept, Record, Tally, refused, remove};
 use crate::workspace::short_name;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -26,6 +26,7 @@ const MOST_THREADS: usize = 4096;
 pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let (mut model, mut scene) = read_scene(&request.scene)?;
     keep_inputs(&model, Some(&scene), [request.out.as_path()])?;
+    csv_name(&request.out)?;
     let grid = Grid::read(&request.over, "--over", &scene, &mut model).map_err(Error::Inputs)?;
     grid.hints(&model).iter().for_each(|hint| warn(hint));
     let shard = Shard::read(&request.shard)?;

@@ -1,5 +1,6 @@
 //! A mechanism as the model file states it, checked.
 
+mod angle;
 mod bodies;
 mod constraint;
 pub(crate) mod constraints;
@@ -391,10 +392,19 @@ impl Model {
     /// The unit of a term of this arena in parameters, coordinates and speeds, if it has one.
     #[must_use]
     pub fn unit_of(&self, arena: &Arena, e: Expr) -> Option<Unit> {
+        let per_second = |unit: &Unit| unit.times(&Unit::new(0, 0, -1));
         let parameters = self.parameters.iter().map(|p| (p.symbol, p.unit.clone()));
-        let coordinates = self.coordinates.iter().map(|c| (c.symbol, c.unit.clone()));
-        let speeds = self.speeds.iter().map(|s| (s.symbol, s.unit.clone()));
-        unit_of(arena, e, &parameters.chain(coordinates).chain(speeds).collect()).ok().flatten()
+        let coordinates = self.coordinates.iter().flat_map(|c| {
+            let rate = per_second(&c.unit);
+            [(c.symbol, c.unit.clone()), (c.second_rate, per_second(&rate)), (c.rate, rate)]
+        });
+        let speeds = self.speeds.iter().flat_map(|s| [(s.symbol, s.unit.clone()), (s.rate, per_second(&s.unit))]);
+        let reactions = self.reactions.iter().map(|reaction| {
+            let lever = i64::from(matches!(reaction.kind, ReactionKind::Torque { .. }));
+            (reaction.symbol, Unit::new(1 + lever, 1, -2))
+        });
+        let symbols = parameters.chain(coordinates).chain(speeds).chain(reactions);
+        unit_of(arena, e, &symbols.collect()).ok().flatten()
     }
 
     /// Symbols of the generalized coordinates.

@@ -12,11 +12,17 @@ use tripos::{Gradient, Mechanism, gradient};
 use tripos_derive::scene::Scene;
 
 /// Runs the scene and prints how it ended, and the derivatives of one number there by all others.
-pub fn simulate(request: &Simulate, (model, scene): (&Mechanism, &Scene), of: &str) -> Result<u8, Failure> {
+pub fn simulate(
+    request: &Simulate,
+    model: &Mechanism,
+    scene: &Scene,
+    set: &[(String, f64)],
+    of: &str,
+) -> Result<u8, Failure> {
     check(request)?;
     follow::listen();
     follow::show(scene.span);
-    let found = gradient(model, scene, &[], of, request.how.by.as_deref())?;
+    let found = gradient(model, scene, set, of, request.how.by.as_deref())?;
     follow::hide();
     let status = shown_failure(request, &found.run, found.missing());
     if request.json {

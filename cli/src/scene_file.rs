@@ -1,0 +1,100 @@
+//! Scene files that arguments name, with the model that each belongs to, and other values for some of their numbers.
+
+use crate::failure::{Failure, warn};
+use crate::workspace::{edited, model_file, read_model};
+use std::path::{Path, PathBuf};
+use tripos::{Error, Mechanism};
+use tripos_codegen::scene_files::scene_files;
+use tripos_derive::diagnostic::{Source, nearest};
+use tripos_derive::model::is_model;
+use tripos_derive::plain::path_in_line;
+use tripos_derive::scene::{Family, Grid, Scene, load_bound, model_path};
+
+/// Reads a scene and the model that it belongs to.
+///
+/// # Errors
+/// [`Failure`] for a file that is missing or no scene, with the scenes that may be meant, and for every error of the
+/// scene and its model.
+pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
+    let source = scene_source(path)?;
+    let place = model_path(&source)?;
+    if !place.exists() {
+        let what = format!("`{}` names a model that is not there: `{}`", path_in_line(path), path_in_line(&place));
+        let help = "write `model = \"…\"` in the scene: the path of its model file, seen from the scene";
+        return Err(Failure::request(what, help));
+    }
+    let mut model = read_model(&place)?;
+    let scene = load_bound(&source, &mut model)?;
+    edited(&model).iter().chain(&scene.hints(&model)).for_each(|note| warn(note));
+    Ok((model, scene))
+}
+
+/// Reads a scene with other values for some of its numbers, each as `NAME=VALUE`, and returns these values as well.
+///
+/// # Errors
+/// [`Failure`] as for [`read_scene`]; for a name that is neither a parameter nor a number of the start, and for values
+/// that the scene cannot have.
+pub fn read_scene_with(path: &Path, set: &[String]) -> Result<(Mechanism, Scene, Vec<(String, f64)>), Failure> {
+    let (mut model, scene) = read_scene(path)?;
+    if set.is_empty() {
+        return Ok((model, scene, Vec::new()));
+    }
+    if let Some(text) = set.iter().find(|text| !text.contains('=')) {
+        return Err(Failure::request(
+            format!("`--set {text}` gives no value"),
+            "write --set NAME=VALUE, such as --set m=2",
+        ));
+    }
+    let grid = Grid::read(set, "--set", &scene, &mut model).map_err(Error::Inputs)?;
+    if grid.count() != 1 {
+        let what = format!("`--set` gives {} values where a run has one", grid.count());
+        return Err(Failure::request(what, "give one value for each name; `tripos sweep --over` runs many"));
+    }
+    grid.hints(&model).iter().for_each(|hint| warn(hint));
+    let names = grid.names().into_iter().map(str::to_owned);
+    let (values, member) = Family::new(&scene, &model, &grid)?.point(0);
+    let given = names.zip(values).collect();
+    let scene = Scene { ladder: scene.ladder.clone(), ..member? };
+    Ok((model, scene, given))
+}
+
+/// The text of a scene file.
+fn scene_source(path: &Path) -> Result<Source, Failure> {
+    let scenes_of =
+        |model: &Path| -> Vec<String> { scene_files(model).iter().map(|file| path_in_line(file)).collect() };
+    let offer = |scenes: &[String]| match scenes {
+        [] => "write a scene: docs/scene.md describes it".to_owned(),
+        scenes => format!("give one of its scenes: {}", scenes.join(", ")),
+    };
+    if path.is_dir() {
+        let what = format!("`{}` is a folder, not a scene", path_in_line(path));
+        return Err(Failure::request(what, offer(&scenes_of(&model_file(path)))));
+    }
+    if !path.exists() {
+        let what = format!("there is no scene at `{}`", path_in_line(path));
+        return Err(Failure::request(what, beside(path)));
+    }
+    let source = Source::read(path)?;
+    if is_model(&source) {
+        let what = format!("`{}` is a model, not a scene", path_in_line(path));
+        return Err(Failure::request(what, offer(&scenes_of(path))));
+    }
+    Ok(source)
+}
+
+/// Advice for a scene file that is not there: the files beside it with names like it.
+fn beside(path: &Path) -> String {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let Ok(entries) = std::fs::read_dir(folder) else {
+        return format!("there is no folder `{}` either", path_in_line(folder));
+    };
+    let files = entries.filter_map(|entry| Some(entry.ok()?.path()));
+    let files: Vec<PathBuf> = files.filter(|file| file.extension().is_some_and(|end| end == "toml")).collect();
+    let name = |file: &Path| file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let mut names: Vec<String> = files.iter().map(|file| name(file)).collect();
+    names.sort();
+    if names.is_empty() {
+        return format!("`{}` holds no scene", path_in_line(folder));
+    }
+    nearest(&name(path), names.iter().map(String::as_str))
+}

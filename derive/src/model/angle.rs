@@ -1,0 +1,154 @@
+//! Angles among plain numbers: a term without a dimension, or with that of a frequency, may be an angle or its rate.
+
+use super::{Model, Unit};
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use rustc_hash::FxHashMap;
+
+/// Names of units of mechanics, by their exponents of m, kg and s.
+const NAMED: [([i64; 3], &str); 3] = [([1, 1, -2], "N"), ([2, 1, -2], "N*m"), ([2, 1, -3], "W")];
+
+/// Measure of an angle, or of its rate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Measure {
+    /// Radians.
+    Radians,
+    /// An angle in radians over π. With the factor 180 it is in degrees.
+    HalfTurns,
+}
+
+/// Measures and factors of a term, as far as they are known.
+#[derive(Clone, Debug)]
+enum Kind {
+    /// An angle in this measure, times a factor.
+    Angle(Measure, Rational),
+    /// A term without coordinates, speeds and their rates.
+    Constant,
+    /// Any other term: no angle.
+    Other,
+}
+
+impl Model {
+    /// Unit of a term for an axis or a column: `rad`, `rad/s`, `°`, `m`, `N`, … Angles are told from other plain numbers:
+    /// a multiple of an angle is in radians, and q·180/π is in degrees; sin q is a plain number. `None` if units do not
+    /// fit or are not known.
+    #[must_use]
+    pub fn unit_label(&self, arena: &Arena, e: Expr) -> Option<String> {
+        let unit = self.unit_of(arena, e)?;
+        if let Some((_, name)) = NAMED.iter().find(|([m, kg, s], _)| unit == Unit::new(*m, *kg, *s)) {
+            return Some((*name).to_owned());
+        }
+        let unit = unit.to_string();
+        let rest = unit.strip_prefix('1').filter(|rest| rest.is_empty() || rest.starts_with('/'));
+        let Some(rest) = rest else { return Some(unit) };
+        let word = match self.kind(arena, e) {
+            Kind::Angle(Measure::Radians, _) => "rad",
+            Kind::Angle(Measure::HalfTurns, factor) if factor == Rational::integer(180) => "°",
+            _ => "1",
+        };
+        Some(format!("{word}{rest}"))
+    }
+
+    /// The kind of a term, from its operands upwards.
+    fn kind(&self, arena: &Arena, e: Expr) -> Kind {
+        let moving: Vec<Expr> = self
+            .coordinates
+            .iter()
+            .flat_map(|c| [c.symbol, c.rate, c.second_rate])
+            .chain(self.speeds.iter().flat_map(|s| [s.symbol, s.rate]))
+            .collect();
+        let mut kinds: FxHashMap<Expr, Kind> = FxHashMap::default();
+        for part in arena.reachable(&[e]) {
+            let kind = match arena.node(part) {
+                Node::Symbol(_) if moving.contains(&part) => Kind::Angle(Measure::Radians, Rational::ONE),
+                Node::Symbol(_) | Node::Number(_) | Node::Pi => Kind::Constant,
+                Node::Named(_, term) => kinds[term].clone(),
+                Node::Sum(_, terms) => sum(terms.iter().map(|(term, factor)| (kinds[term].clone(), factor.clone()))),
+                Node::Product(factors) => {
+                    product(factors.iter().map(|(base, n)| (arena.node(*base), kinds[base].clone(), *n)))
+                }
+                Node::Apply(Function::Asin | Function::Acos | Function::Atan, _) => {
+                    Kind::Angle(Measure::Radians, Rational::ONE)
+                }
+                Node::Apply(Function::Abs, argument) => kinds[argument].clone(),
+                Node::Apply(_, argument) if matches!(kinds[argument], Kind::Constant) => Kind::Constant,
+                Node::Apply(..) => Kind::Other,
+            };
+            kinds.insert(part, kind);
+        }
+        kinds.remove(&e).unwrap_or(Kind::Other)
+    }
+}
+
+/// A sum is an angle if all its terms that move are angles in one measure. Degrees have one factor.
+fn sum(terms: impl Iterator<Item = (Kind, Rational)>) -> Kind {
+    let mut found = Kind::Constant;
+    for (kind, factor) in terms {
+        found = match (found, kind) {
+            (found, Kind::Constant) => found,
+            (_, Kind::Other) | (Kind::Other, _) => return Kind::Other,
+            (Kind::Constant, Kind::Angle(measure, own)) => Kind::Angle(measure, own.mul(&factor)),
+            (Kind::Angle(measure, first), Kind::Angle(other, own)) if measure == other => {
+                let is_same = own.mul(&factor) == first;
+                Kind::Angle(measure, if is_same { first } else { Rational::ONE })
+            }
+            (Kind::Angle(..), Kind::Angle(..)) => return Kind::Other,
+        };
+    }
+    found
+}
+
+/// A product is an angle if exactly one factor is, and the others are constant.
+fn product<'a>(factors: impl Iterator<Item = (&'a Node, Kind, i32)>) -> Kind {
+    let (mut angle, mut per_pi) = (None, false);
+    for (base, kind, n) in factors {
+        match kind {
+            Kind::Constant if matches!(base, Node::Pi) && n == -1 => per_pi = true,
+            Kind::Constant => {}
+            Kind::Angle(Measure::Radians, factor) if n == 1 && angle.is_none() => angle = Some(factor),
+            Kind::Angle(..) | Kind::Other => return Kind::Other,
+        }
+    }
+    let measure = if per_pi { Measure::HalfTurns } else { Measure::Radians };
+    angle.map_or(Kind::Constant, |factor| Kind::Angle(measure, factor))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::algebra::text::parse::parse;
+    use crate::diagnostic::Source;
+    use crate::model::load;
+
+    const MODEL: &str = include_str!("../../../models/pendulum/model.toml");
+
+    /// Goal: an axis says rad for angles alone. Method: formulas of the pendulum, in the model's names.
+    #[test]
+    fn angles_are_told_from_numbers() {
+        let mut model = load(&Source::from_text("model.toml", MODEL)).unwrap_or_else(|e| panic!("{e}"));
+        let q = model.coordinates.iter().find(|c| c.unit.to_string() == "1").expect("an angle").name.clone();
+        let mut label = |formula: &str| {
+            let text = formula.replace('Q', &q);
+            let mut arena = std::mem::take(&mut model.arena);
+            let e = parse(&mut arena, &text, &mut |arena, name| Ok(arena.symbol(name))).unwrap();
+            let label = model.unit_label(&arena, e);
+            model.arena = arena;
+            label.unwrap_or_default()
+        };
+        for (formula, expected) in [
+            ("Q", "rad"),
+            ("2*Q + 1", "rad"),
+            ("Q'", "rad/s"),
+            ("Q*180/pi", "°"),
+            ("Q'*180/pi", "°/s"),
+            ("Q*90/pi", "1"),
+            ("Q/pi", "1"),
+            ("sin(Q)", "1"),
+            ("Q^2", "1"),
+            ("atan(Q)", "rad"),
+            ("abs(Q)", "rad"),
+            ("m*g", "N"),
+            ("m*l", "kg*m"),
+        ] {
+            assert_eq!(label(formula), expected, "{formula}");
+        }
+    }
+}
