@@ -1,5 +1,6 @@
 //! All tests of the command, as one program.
 
+mod arguments;
 #[path = "../../derive/tests/common/arm.rs"]
 #[allow(dead_code, reason = "its text alone is used")]
 mod arm;

@@ -63,6 +63,12 @@ pub enum Varied {
     Speed(usize),
 }
 
+/// One degree in radians: π/180.
+fn degree(arena: &mut Arena) -> Expr {
+    let pi = arena.pi();
+    arena.scale(pi, &Rational::fraction(1, 180).expect("not zero"))
+}
+
 /// Parsed formulas of a file, which do not change from one reading to the next.
 #[derive(Default)]
 pub struct Terms {
@@ -268,8 +274,7 @@ impl<'a> Values<'a, '_> {
         let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
         let result = parse(&mut model.arena, &number.text, &mut |arena, name| {
             if name == "deg" {
-                let pi = arena.pi();
-                return Ok(arena.scale(pi, &Rational::fraction(1, 180).expect("not zero")));
+                return Ok(degree(arena));
             }
             if let Some((_, symbol)) = known.iter().find(|(n, _)| n == name) {
                 return Ok(*symbol);
@@ -324,6 +329,9 @@ impl<'a> Values<'a, '_> {
             }
             if others.contains(&name) {
                 return Ok(arena.symbol(name));
+            }
+            if name == "deg" {
+                return Ok(degree(arena));
             }
             if redundant.contains(&name) {
                 let (message, help) = is_redundant(name);
