@@ -147,7 +147,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// As [`crate::sensitivities`].
+    /// Errors of [`crate::sensitivities`].
     pub fn sensitivities(&self, names: &[&str], at: At, how: &Overrides) -> Result<Sensitivities, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
@@ -169,7 +169,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// As [`crate::gradient`].
+    /// Errors of [`crate::gradient`].
     pub fn gradient(&self, of: &str, how: &Overrides) -> Result<Gradient, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
@@ -179,7 +179,7 @@ impl Scene {
     /// Runs the scene with recorded signals for a part of its inputs, each held from one instant to the next.
     ///
     /// # Errors
-    /// As [`Scene::simulate_sampled`]; [`Error::Request`] for a signal without as many values as instants.
+    /// Errors of [`Scene::simulate_sampled`]; [`Error::Request`] for a signal without as many values as instants.
     pub fn simulate_held(&self, signals: &[Held<'_>], how: &Overrides) -> Result<SampledRun, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;

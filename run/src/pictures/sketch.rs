@@ -95,7 +95,7 @@ impl Sketch {
     /// Sketch of a mechanism without a scene, at the values of its file and in a pose that shows everything.
     ///
     /// # Errors
-    /// As [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no pose closes the loops.
+    /// Errors of [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no pose closes the loops.
     pub fn of_model(mechanism: &Mechanism) -> Result<Self, Error> {
         let (parameters, q) = without_scene(mechanism)?;
         Self::seen(mechanism, (&parameters, &q), "the model by itself".to_owned())
@@ -104,7 +104,7 @@ impl Sketch {
     /// Sketch of a mechanism in exactly this state.
     ///
     /// # Errors
-    /// As [`Self::of_scene`].
+    /// Errors of [`Self::of_scene`].
     pub fn at_state(mechanism: &Mechanism, state: &State) -> Result<Self, Error> {
         let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
         let of = "the state that was asked for".to_owned();

@@ -63,7 +63,7 @@ impl Case {
     /// Prepares the case for the start of a scene. The scene must have the model and the outputs of the case.
     ///
     /// # Errors
-    /// As [`Reduced::with`].
+    /// Errors of [`Reduced::with`].
     pub fn prepare<'a>(&'a self, model: &'a Mechanism, scene: &'a Scene) -> Result<Prepared<'a>, Error> {
         let reduction = self.reduction.clone();
         let mut reduced = reduction.map(|reduction| Reduced::with(reduction, model, scene)).transpose()?;
@@ -87,7 +87,7 @@ impl Prepared<'_> {
     /// The problem, ready to be integrated.
     ///
     /// # Errors
-    /// As [`Problem::new`].
+    /// Errors of [`Problem::new`].
     pub fn problem(&self) -> Result<Problem<'_>, Error> {
         let Self { case, model, scene, reduced } = self;
         match reduced {
@@ -199,7 +199,7 @@ pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
 /// Lists the cases of the whole model.
 ///
 /// # Errors
-/// As [`cases`].
+/// Errors of [`cases`].
 pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = (Vec::new(), Vec::new());
     let mut why = None;

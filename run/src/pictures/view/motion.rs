@@ -48,7 +48,7 @@ impl Motion {
     /// Runs a scene by whole equations. `None` takes the first formulation of the model.
     ///
     /// # Errors
-    /// As [`crate::simulate()`].
+    /// Errors of [`crate::simulate()`].
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Self, Error> {
         let mut scene = scene.clone();
         let how = &mut scene.integration;

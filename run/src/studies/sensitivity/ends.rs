@@ -66,7 +66,7 @@ fn rates(parts: &Parts<'_>, kept: &Kept, (t, y): (f64, &[f64])) -> Result<Vec<f6
 /// Computes the derivatives of the instants of a run's events; `t_end` holds those of its end.
 ///
 /// # Errors
-/// As [`end`].
+/// Errors of [`end`].
 pub fn instants(parts: &Parts<'_>, carried: &Carried, t_end: &[f64]) -> Result<Vec<Option<Vec<f64>>>, Error> {
     carried.solution.events.iter().map(|event| instant(parts, carried, t_end, event)).collect()
 }
