@@ -1,4 +1,4 @@
-//! Sections of a model file that stand for themselves: names, parameters, expressions, repetition.
+//! Sections of a model file that need no others to be read: names, parameters, expressions, repetition.
 
 pub(super) mod domain;
 pub(super) mod expressions;
