@@ -55,7 +55,7 @@ impl Model {
     /// Reads and checks a model file.
     ///
     /// # Errors
-    /// [`Diagnostics`] with every error of the file.
+    /// [`Diagnostics`] with every error of the model file.
     #[cfg(feature = "files")]
     pub fn read(path: &std::path::Path) -> Result<Self, Diagnostics> {
         load(&Source::read(path)?)

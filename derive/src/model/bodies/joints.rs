@@ -50,7 +50,7 @@ pub struct Placed {
     pub joint: Option<Located>,
 }
 
-/// All joints of a file, and the names by which they place bodies.
+/// All joints of a model file, and the names by which they place bodies.
 #[derive(Default)]
 pub struct Joints<'a> {
     pub list: Vec<Joint<'a>>,

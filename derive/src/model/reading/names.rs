@@ -234,12 +234,12 @@ impl Names {
         self.known.get(name).map(|(kind, _, _)| *kind)
     }
 
-    /// Byte range in the file of a name's declaration.
+    /// Byte range in the model file of a name's declaration; `None` if the name is not declared.
     pub fn span(&self, name: &str) -> Option<Range<usize>> {
         self.known.get(name).map(|(_, span, _)| span.clone())
     }
 
-    /// Byte range in the file of every name's declaration.
+    /// Byte range in the model file of every name's declaration.
     pub fn places(&self) -> FxHashMap<String, Range<usize>> {
         self.known.iter().map(|(name, (_, span, _))| (name.clone(), span.clone())).collect()
     }
