@@ -43,9 +43,9 @@ impl Grid {
     ///
     /// # Errors
     /// [`Diagnostics`] for each text with errors: the text is no axis; the name is no parameter and the scene's start
-    /// does not state it; the name has an axis already; the count is 0. Another error is an end that is not finite, that
-    /// mentions a swept parameter, or that is not positive although spaced by logarithms. One more if the grid has more
-    /// than [`MOST_POINTS`] points.
+    /// does not state it; the name has an axis already; the count is 0. Another error is an end that is not finite,
+    /// that mentions a swept parameter, or that is not positive although spaced by logarithms. One more if the grid has
+    /// more than [`MOST_POINTS`] points.
     pub fn read(texts: &[String], named: &str, scene: &Scene, model: &mut Model) -> Result<Self, Vec<Diagnostics>> {
         let sources: Vec<Source> = texts.iter().map(|text| Source::from_text(named, text)).collect();
         let (mut axes, mut errors) = (Vec::<Axis>::new(), Vec::new());
