@@ -135,7 +135,7 @@ impl<'m> Judge<'m> {
         }
         let power = arena.sum(&terms);
         let power = rates_to_speeds(self.model).apply(arena, power);
-        // Rates of a model with constraints name parameters once more.
+        // Rates of a model with constraints contain parameters again.
         let power = self.defaults.apply(arena, power);
         Some(self.simplifier.simplify(arena, power))
     }
@@ -320,7 +320,7 @@ impl<'m> Judge<'m> {
     }
 }
 
-/// Text that a load adds energy in this state.
+/// Words that a load adds energy in this state, with the coordinates and speeds that are not zero.
 fn words(model: &Model, q: &[f64], u: &[f64]) -> String {
     let coordinates = model.coordinates.iter().map(|c| &c.name).zip(q);
     let named = coordinates.chain(model.speeds.iter().map(|s| &s.name).zip(u)).filter(|(_, value)| **value != 0.0);

@@ -55,7 +55,7 @@ pub struct Letters {
     fixed: Vec<[usize; 2]>,
     /// True if square roots occur in the columns.
     pub has_roots: bool,
-    /// Symbols of coordinates, speeds, accelerations and signals.
+    /// Symbols that change during a motion: coordinates, speeds, accelerations and inputs.
     pub moving: FxHashSet<Expr>,
 }
 

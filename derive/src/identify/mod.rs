@@ -37,7 +37,7 @@ pub struct Base {
 /// Factor with which one inertial parameter is added to another in a base parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor {
-    /// A proved formula in the parameters that have no columns.
+    /// A proved formula in the parameters that have no columns in the regressor.
     Exact(Expr),
     /// A number that holds in closed poses, at the parameter values of the model file.
     Number(f64),
@@ -68,7 +68,7 @@ pub struct Identification {
     pub base: Vec<Base>,
     /// Indices of the columns whose parameters have no effect.
     pub without_effect: Vec<usize>,
-    /// Number of random states at which the columns were evaluated.
+    /// Number of random states at which the columns of the regressor were evaluated.
     pub states: usize,
     /// Certainty that the base parameters are complete.
     pub complete: Complete,

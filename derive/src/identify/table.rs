@@ -32,7 +32,7 @@ pub struct Table<'a> {
 pub struct Row {
     /// Residues of the factors of each dependent column, in the order of the pivots of its sum.
     pub factors: Vec<Vec<u64>>,
-    /// Residues of the atoms of the letters.
+    /// Residues of the atoms at this point, in the order of [`Letters::atoms`].
     pub atoms: Vec<u64>,
 }
 

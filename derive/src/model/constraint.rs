@@ -58,7 +58,7 @@ pub enum Tie {
     Rolling(Rolled),
     /// The time derivative of an equation between coordinates, with its index in [`super::Model::loops`].
     Loop(usize),
-    /// Rate of time: t' = 1.
+    /// The constraint on the rate of time: t' = 1.
     Clock,
 }
 

@@ -35,7 +35,7 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use units::unit_of;
 
-/// A quantity that stays fixed during a motion.
+/// A quantity that stays fixed during a motion, or an input.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     /// Name of the parameter in the model file.
@@ -81,7 +81,7 @@ impl Coordinate {
     }
 }
 
-/// A generalized speed.
+/// A generalized speed u, with its definition in q and q̇.
 #[derive(Clone, Debug)]
 pub struct Speed {
     /// Name of the speed in the model file.
@@ -112,7 +112,7 @@ pub struct DependentSpeed {
 pub struct Inertia {
     /// Index of the frame of the tensor's components. The tensor is constant in the body.
     pub frame: usize,
-    /// The symmetric tensor, kg m².
+    /// Components of the symmetric inertia tensor about the mass centre, kg m².
     pub tensor: [[Expr; 3]; 3],
 }
 
@@ -129,7 +129,7 @@ pub struct Body {
     pub rigid: Option<(usize, Inertia)>,
 }
 
-/// Uniform gravity.
+/// Uniform gravity, which acts on every body.
 #[derive(Clone, Debug)]
 pub struct Gravity {
     /// Index of the frame of the acceleration's components: the inertial frame.
@@ -342,9 +342,9 @@ pub struct Model {
     pub bindings: Vec<Binding>,
     /// Names of inputs whose formula has a parameter of the same name added to it ([`Self::with_varied`]).
     pub varied: Vec<String>,
-    /// Applied forces.
+    /// Applied forces, including those of springs and friction.
     pub forces: Vec<Force>,
-    /// Applied torques.
+    /// Applied torques, including those of friction about axes.
     pub torques: Vec<Torque>,
     /// Potential energies that the model file states.
     pub potentials: Vec<Potential>,
@@ -450,7 +450,7 @@ impl Model {
     }
 }
 
-/// The hash that compiled equations carry: the first 16 hexadecimal digits of SHA-256.
+/// Hash of a text, as compiled equations carry it: the first 16 hexadecimal digits of its SHA-256.
 #[must_use]
 pub fn text_hash(text: &str) -> String {
     use sha2::Digest;

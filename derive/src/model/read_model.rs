@@ -373,7 +373,7 @@ impl<'a> Loading<'a> {
             elements.forces.extend(forces);
             self.friction_loads(&mut moving, elements, friction);
         }
-        // Closings of joints, which come after the constraints of the file, are no contacts.
+        // Equations of joints, which come after the constraints of the model file, are no contacts.
         for (compared, constraint) in compared.iter_mut().zip(&stated) {
             compared.moved = self.moved(elements, coordinates, constraint.equation);
         }

@@ -1,4 +1,4 @@
-//! Units of measurement and the check that every sum adds like to like.
+//! Units of measurement, and a check that all terms of a sum have the same unit.
 //!
 //! Quantities are declared in coherent SI units, so that no conversion can be forgotten; a radian counts as 1. A plain
 //! number may be stated in other units, and is converted when it is read.

@@ -7,12 +7,12 @@ use crate::algebra::{Arena, Expr};
 use crate::read::Located;
 use std::ops::Range;
 
-/// A component of a velocity in the inertial frame, m/s or rad/s, or of a position, m, that formulas name.
+/// Component of a velocity relative to the inertial frame, m/s or rad/s, or of a position, m, that formulas name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedVelocity {
     /// Symbol of the velocity or position in formulas. Its name is that of the quantity, `v(disk, P) @ A [1]`.
     pub symbol: Expr,
-    /// Moving thing: a point, a body and a point (the material that is there now), or a frame that turns.
+    /// Moving object: a point, the material of a body at a point, or a frame that turns.
     pub of: VelocityOf<usize>,
     /// Index of the frame along whose axis the component is taken.
     pub frame: usize,

@@ -83,7 +83,7 @@ impl<'a> Loading<'a, '_> {
     pub fn listing(&mut self, item: &Item<'a>) -> Option<Listing> {
         let formulation = self.formulation(item);
         let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
-        // An odd state is an error of its own, and says nothing about the other lengths.
+        // An odd length of the state is reported by itself, and decides nothing about the other lengths.
         let length = state.as_ref().map(|(array, _)| array.len()).filter(|n| n.is_multiple_of(2));
         let state = state.and_then(|(array, span)| self.state(array, &span, formulation?));
         let derivative = self.required_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");

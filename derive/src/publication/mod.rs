@@ -140,7 +140,7 @@ pub enum EntryKind {
     },
     /// A printed linear system, such as M u̇ = F.
     System(System),
-    /// A program that computes the derivative of a state.
+    /// A printed program that computes the derivative of a state.
     Listing(Listing),
     /// A printed number of a parameter or of a start.
     Initial(Initial),

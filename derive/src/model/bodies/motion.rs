@@ -10,7 +10,7 @@ use crate::geometry::{Frames, Motion, Vector};
 use crate::model::velocities::NamedVelocity;
 use crate::model::{Coordinate, Place};
 
-/// Frames and points of a mechanism along every motion of its coordinates.
+/// Positions and velocities of the frames and points of a mechanism, in q and q̇.
 pub struct Moving {
     frames: Frames,
     motion: Motion,
@@ -28,7 +28,7 @@ impl Moving {
         Self { frames, motion, rates, simplifier: Simplifier::default() }
     }
 
-    /// Component of a velocity or position that a formula names.
+    /// Component of a velocity or position that a formula names, as a simplified term in q and q̇.
     pub fn named(&mut self, arena: &mut Arena, elements: &Elements, name: &NamedVelocity) -> Expr {
         let vector = match name.of {
             VelocityOf::Material(body, point) => self.material(arena, elements, body, point),

@@ -28,7 +28,7 @@ pub struct StatedSpring {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[springs.NAME]`.
+    /// Reads the section `[springs]` of a model file.
     pub fn springs(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedSpring> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "springs", &[]) {

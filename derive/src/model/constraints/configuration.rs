@@ -27,7 +27,7 @@ pub struct Stated {
     pub enforced_by: Option<usize>,
     /// Byte range of the equation in the model file.
     pub span: Range<usize>,
-    /// True if the equation may follow from others: it then counts as no constraint.
+    /// True if the equation may follow from other constraints without an error. It is then no constraint.
     pub may_repeat: bool,
 }
 

@@ -26,7 +26,7 @@ const MOST_BODIES: usize = 24;
 type Axis = (ReactionKind, usize, usize);
 
 impl Model {
-    /// Finds the loads that the file leaves open: potentials as forces and torques, then reactions.
+    /// Finds the loads that the model file leaves open: potentials as forces and torques, then reactions.
     pub(in crate::model) fn complete_loads(&mut self) {
         self.place_potentials();
         self.complete_reactions();

@@ -20,7 +20,7 @@ use std::ops::Range;
 /// Name of the ground where bodies are named. If a body has this name, it means the body.
 pub const GROUND: &str = "ground";
 
-/// Component of the force or torque that a body exerts on another, by names with their places in the file.
+/// Component of the force or torque that a body exerts on another, by names with their places in the model file.
 #[derive(Clone, Debug)]
 pub struct StatedInteraction {
     /// Symbol of the component until reactions are known.

@@ -114,7 +114,7 @@ impl Relative<'_> {
         let rolled = rolled.chain(model.repeated.iter().filter_map(|repeated| repeated.rolled));
         let mut list: Vec<(usize, Holder)> = rolled.map(|Rolled { body, against, .. }| (body, against)).collect();
         list.extend(model.stated_reactions().iter().map(|reaction| super::relative_motion::sides(reaction.kind)));
-        // Friction on the ground may be that of the air.
+        // Friction against the ground may be air resistance, which is no contact.
         list.extend(model.contacts.rubbing.iter().filter(|(_, against)| against.is_some()));
         list.extend(self.compared(free, &list));
         list

@@ -111,7 +111,7 @@ pub struct Names {
     pub root: String,
     /// Names that each named expression contains, with their kinds.
     made_of: FxHashMap<String, Vec<(String, Kind)>>,
-    /// Names that something refers to.
+    /// Names to which a formula or an entry of the file refers.
     used: RefCell<FxHashSet<String>>,
     /// Velocities and positions that formulas name, each once.
     pub velocities: Vec<StatedVelocity>,
@@ -136,7 +136,7 @@ pub fn not_a_name(name: &Located) -> Option<Diagnostic> {
 }
 
 impl Names {
-    /// Declares a name; reports one that is not an identifier, is reserved or is taken.
+    /// Declares a name; reports a name that is no identifier, is reserved or is declared already.
     pub fn declare(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind, symbol: Option<Expr>) {
         let text = &name.text;
         let twice = || {

@@ -37,7 +37,7 @@ pub struct Loops {
 /// Result of a search for a closed pose.
 pub(in crate::scene) struct Found {
     pub q: Vec<f64>,
-    /// Residual of each loop, in its unit.
+    /// Residual of each loop, in the loop's unit.
     pub open: Vec<f64>,
     pub is_closed: bool,
     /// Pseudo-inverse of the slopes along the coordinates that the search may change: a row for each of these.
