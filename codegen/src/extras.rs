@@ -1,6 +1,6 @@
 //! Optional functions of generated code: Jacobians and Taylor recurrences.
 //!
-//! They are longer than all other code together, and runs are possible without them. Then a Jacobian is computed by
+//! These functions are longer than all other code, and runs are possible without them. Then a Jacobian is computed by
 //! differentiating the code as it runs, and Taylor's method is interpreted.
 
 use std::path::Path;

@@ -52,7 +52,7 @@ pub enum Unfinished {
 pub enum WriteError {
     /// A file of this name exists, and must be kept.
     There(PathBuf),
-    /// As [`Self::There`], but the file appeared while the new one was written. The second path is the part, which
+    /// Like [`Self::There`], but the file appeared while the new one was written. The second path is the part, which
     /// contains the whole new text.
     Appeared(PathBuf, PathBuf),
     /// Another writer is writing this file.

@@ -16,7 +16,7 @@ const MOST_ROWS: usize = 8;
 /// Known zeros of the determinant of a matrix.
 #[derive(Clone, Debug)]
 pub struct Singularity {
-    /// The determinant, simplified.
+    /// Determinant of the matrix, simplified.
     pub determinant: Expr,
     /// True if the determinant is proved never to be zero.
     pub never: bool,

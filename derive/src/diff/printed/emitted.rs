@@ -7,9 +7,9 @@ use crate::publication::{EntryKind, Publication};
 
 /// Equations from every printed system and listing of a publication.
 ///
-/// They are run exactly as printed, except for the order of the unknowns. Energies and the conversions between q̇ and u
-/// are the derived ones, so that a printed run can be measured. An incomplete system, such as one without all unknowns,
-/// is left out.
+/// The equations are run exactly as printed, except for the order of the unknowns. Energies and the conversions between
+/// q̇ and u are the derived ones, so that a printed run can be measured. An incomplete system, such as one without all
+/// unknowns, is left out.
 pub fn printed_equations(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Equations> {
     let mut list = Vec::new();
     for motion in motions(model, derivations, publication) {

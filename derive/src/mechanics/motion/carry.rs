@@ -17,7 +17,7 @@ const MOST_TERMS: usize = 50;
 
 /// True if the closed form of the equations of a model would be too long to be read or computed with.
 ///
-/// It counts products of two parts of velocities, with the speeds that each part depends on and the terms of the
+/// The test counts products of two parts of velocities, with the speeds that each part depends on and the terms of the
 /// rotation between the parts. A mass matrix multiplied out consists of such products. The count depends only on the
 /// model's tree, so it is the same for every formulation and on every machine.
 #[must_use]

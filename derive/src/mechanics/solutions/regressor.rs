@@ -48,7 +48,7 @@ pub enum Of {
 /// Column of a regressor: the force that one parameter adds, per unit of the parameter.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// The parameter of the column.
+    /// Parameter to which the column belongs.
     pub of: Of,
     /// Name of the parameter, such as `mx_rod`.
     pub name: String,
