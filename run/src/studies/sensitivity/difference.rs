@@ -10,7 +10,7 @@ pub const STEP: f64 = 1.0 / 131_072.0;
 /// *Handbook of Mathematical Functions* (1964), table 25.2.
 pub const CENTRAL: [(i32, i64); 4] = [(-2, 1), (-1, -8), (1, 8), (2, -1)];
 
-/// One-sided difference of order 4: the places in steps, and twelve times the weights.
+/// Difference of order 4 on one side: the places in steps, and twelve times the weights.
 pub const FORWARD: [(i32, i64); 5] = [(0, -25), (1, 48), (2, -36), (3, 16), (4, -3)];
 
 /// Derivative of several values, which are given at the places of a rule for differences.

@@ -10,12 +10,12 @@ use tripos_sim::{Failure, Share};
 /// Law that determines the impulses of a strike.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law {
-    /// By Newton's law, impulses remove the velocities along gaps times 1 + e.
+    /// Impulses remove the velocities along gaps times 1 + e, by Newton's law.
     Turn,
-    /// By Poisson's law, or to bring contacts to rest, impulses remove the velocities. Impulses `given` along gaps
-    /// cause friction as well.
+    /// Impulses remove the velocities, by Poisson's law or to bring contacts to rest. Impulses `given` along gaps cause
+    /// friction as well.
     Stop { given: Option<DVector<f64>> },
-    /// By Poisson's law, impulses along gaps are e times those of the strike before, which the variant holds.
+    /// Impulses along gaps are e times those of the strike before, which the variant holds, by Poisson's law.
     Return(DVector<f64>),
 }
 
