@@ -240,7 +240,7 @@ impl<'r> Passage<'r> {
         Ok((leg, beyond.get()))
     }
 
-    /// Runs a part in the chosen speeds, and converts its solution from there to (q, q̇).
+    /// Runs a part in the chosen speeds, and converts its solution to (q, q̇).
     fn by_speeds(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,

@@ -69,8 +69,8 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option
     })
 }
 
-/// Runs a scene by its own reduced equations. If the caller did not ask for these, whole equations run if the reduced
-/// ones do not exist, are no gain, or do not reach the end.
+/// Runs a scene by its own reduced equations. If the caller did not ask for these and they do not exist, are no gain,
+/// or do not reach the end, whole equations run.
 fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Result<Run, Error> {
     let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
     let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;

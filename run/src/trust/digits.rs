@@ -2,7 +2,7 @@
 //!
 //! The second run follows the same motion with other steps ([`tripos_sim::seconds`]). Its start and its parameters are
 //! one rounding away. So the difference of the two runs contains the errors of the steps, of rounding, and of numbers
-//! that doubles cannot hold, each as far as the motion has amplified it.
+//! that doubles cannot hold. Each error counts as far as the motion has amplified it.
 //!
 //! During the run an error is measured relative to the largest size s of its value along the run. s is at least the
 //! quotient of absolute and relative tolerance, since a smaller size does not matter by these tolerances. A curve
@@ -280,8 +280,8 @@ fn samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
 /// that end may happen later in the second run.
 const BEYOND: f64 = 0.02;
 
-/// Scene for the second run, from the start of the first run to a little beyond its end. Each parameter that doubles
-/// cannot hold is rounded to the other side.
+/// Scene for the second run, from the start of the first run to a little beyond its end. A parameter that doubles
+/// cannot hold has the neighbouring double on the other side of its exact number.
 fn beside(scene: &Scene, t_end: f64) -> Scene {
     let (start, end) = scene.span;
     let beyond = t_end + BEYOND * (t_end - start);
@@ -289,7 +289,8 @@ fn beside(scene: &Scene, t_end: f64) -> Scene {
     Scene { parameters: other_side(scene), span: (start, if is_inside { beyond } else { end }), ..scene.clone() }
 }
 
-/// Parameters of a scene, each rounded to the other side if doubles cannot hold its number.
+/// Parameters of a scene. One that doubles cannot hold is replaced by the neighbouring double on the other side of its
+/// exact number.
 pub fn other_side(scene: &Scene) -> Vec<f64> {
     let other = |(x, exact): (&f64, &DoubleDouble)| {
         let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();

@@ -122,8 +122,8 @@ impl Witness {
 
     /// True if two formulations have identical terms: their rates have the same bits near the start.
     ///
-    /// Different terms for equal rates differ in one of 106 bits of a rate at one of these states. The result is stated
-    /// with a reference, and decides no other question.
+    /// Different terms for the same rates give values that differ in one of 106 bits at one of the tested states. The
+    /// result is stated with a reference, and decides no other question.
     fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
         if self.code.system().lengths().state() != other.code.system().lengths().state() {
             return Ok(false);

@@ -6,8 +6,8 @@
 //! Closed contacts that would be pushed together are held ([`held`]). A contact with friction is held along its gap,
 //! and along its slip while it sticks ([`slipping`]). Another part begins where it begins or ceases to slip.
 //!
-//! Bounces that become ever shorter have no end in numbers. The contact is held instead where its next flight would be
-//! shorter than [`LEAST`] of the time scale, or no higher than the rounding of its gap.
+//! Bounces that become ever shorter have no end in numbers. So the contact is held if its next flight would be shorter
+//! than [`LEAST`] of the time scale, or no higher than the rounding of its gap.
 //!
 //! The work of impacts is part of the work of the run, so that T + V less the work is constant across them.
 

@@ -10,14 +10,15 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{EventRecord, Method, Options, Output, Solution, Stop};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Scalar};
 
-/// Ratio of the tolerances of the second run to those of the first.
+/// Ratio of the tolerances of the second run, which gives the errors, to those of the first.
 const FINER: f64 = 0.1;
-/// Relative and absolute tolerance of the second run if the first has equal steps.
+/// Relative and absolute tolerance of the second run, which gives the errors, if the first has equal steps.
 const EQUAL: f64 = 1e-12;
-/// Longest step of the second run, relative to the length of a window. The first run may take each window in one step.
+/// Longest step of the second run, which gives the errors, relative to the length of a window. The first run may take
+/// each window in one step.
 const PART_OF_WINDOW: f64 = 0.4;
 
-/// Options of the second run, which is finer than the first, made from those of the first.
+/// Options of the second run, which gives the errors and is finer than the first, made from those of the first.
 pub fn finer(first: &Options) -> Options {
     let step_limit = first.step_limit.saturating_mul(10);
     if first.step.is_some() {

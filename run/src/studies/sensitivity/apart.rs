@@ -15,14 +15,14 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Nearby, Scene};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Real, Scalar, larger};
 
-/// Step of the differences, relative to the size of the number that changes.
+/// Step of the differences of runs, relative to the size of the number that changes.
 const STEP: f64 = 1.0 / 1024.0;
 /// Least size of a number of the start, in its unit: a smaller number counts as this size. The step of a parameter that
 /// is not zero is always relative to its own size.
 const LEAST: f64 = 0.01;
-/// Factor from the tolerances of the run to those of the other runs.
+/// Factor from the tolerances of a run to those of the runs with other values, whose differences give its derivatives.
 const FINER: f64 = 0.01;
-/// Least tolerance of the other runs.
+/// Least tolerance of the runs whose differences give a derivative.
 const FINEST: f64 = 1e-13;
 
 /// Text that tells how derivatives by differences of runs were found.
@@ -130,7 +130,7 @@ impl Apart<'_> {
     }
 }
 
-/// Gives a scene the finer tolerances of the other runs.
+/// Gives a scene the finer tolerances of runs whose differences give a derivative.
 fn finer(mut scene: Scene) -> Scene {
     let how = &mut scene.integration;
     let finer = |x: f64| if x > 0.0 { (FINER * x).max(FINEST.min(x)) } else { x };

@@ -21,7 +21,7 @@ pub struct Row {
     pub case: String,
     /// Name of the quantity whose value is given.
     pub quantity: &'static str,
-    /// Value of the quantity; `None` if a run did not get there.
+    /// Value of the quantity; `None` if the run stopped before it.
     pub value: Option<f64>,
     /// Expected value by theory or by the reference; `None` if there is none.
     pub expected: Option<f64>,
@@ -42,7 +42,7 @@ pub struct Passed {
     pub variable: Variable,
     /// Least distance of the passage: the smallest size of the divisor of the kinematic equations.
     pub least: f64,
-    /// Error at the end of the run; `None` if the run did not get there.
+    /// Error at the end of the run; `None` if the run stopped earlier.
     pub error: Option<f64>,
     /// Number of accepted steps of the run.
     pub steps: u64,

@@ -70,8 +70,8 @@ const ASK: &str = "put what may change under [guess], or ask `tripos equilibria`
 /// Linearises a mechanism about a steady motion: the given state, with its sought states solved for.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived or lacks one of the inputs, if the state is not steady and no steady state
-/// was found near it, or if the state is singular.
+/// [`Error`] if the model cannot be derived or lacks one of the inputs, or if the state is singular. [`Error`] also if
+/// the state is not steady and no steady state was found near it.
 pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<About, Error> {
     let mut question = Question::new(model, asked, &wanted.inputs)?;
     let unknowns = Unknowns { states: asked.sought.clone(), moves: true };

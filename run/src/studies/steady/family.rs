@@ -46,8 +46,8 @@ impl Question {
         found.is_steady() && found.residual <= LEFT.max(10.0 * steady.residual) && back <= BACK * way.norm()
     }
 
-    /// Direction in the given states of the mechanism that has the components `way` in the kept states, as far as the
-    /// slopes of the residual determine it.
+    /// Direction in the given states of the mechanism, with the components `way` in the kept states. Other components
+    /// are those that the slopes of the residual determine. `None` if a slope is not finite.
     fn lifted(&self, steady: &Steady, states: &[usize], system: &Quotient, way: &DVector<f64>) -> Option<Vec<f64>> {
         let slopes = self.slopes_at(steady, states);
         let (rows, columns) = slopes.shape();

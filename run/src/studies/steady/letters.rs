@@ -104,7 +104,7 @@ fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error
     })
 }
 
-/// Makes an entry of a matrix: a polynomial if there is a single letter and it is one, otherwise a formula.
+/// Makes an entry of a matrix: a polynomial if the term is one in a single letter, otherwise a formula.
 fn entry(system: &mut InLetters, e: Expr, letters: &[Expr], known: &[(Expr, DoubleDouble)]) -> Entry {
     let polynomial = if let [letter] = letters { system.polynomial(e, *letter, known) } else { None };
     let polynomial = polynomial.map(|list| list.iter().map(|c| c.hi()).collect());
