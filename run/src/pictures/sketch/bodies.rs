@@ -203,8 +203,7 @@ fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
     Some(vec![Mark::solid(Role::Ground, Path::polygon(&corners))])
 }
 
-/// Least and greatest corner of the solids and points in the projection, in the unit of the camera's spots: m at the
-/// scale 1.
+/// Least and greatest corner of the solids and points on a sheet whose scale is one px per metre.
 pub fn extent(subject: &Subject<'_>) -> (Spot, Spot) {
     let camera = &subject.camera;
     let mut all: Vec<(Spot, f64)> = Vec::new();
