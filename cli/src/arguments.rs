@@ -1,4 +1,4 @@
-//! The command line.
+//! Arguments of the command line. Doc comments of options are the help texts that the command prints.
 
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -489,10 +489,10 @@ pub struct How {
 }
 
 impl How {
-    /// Settings that override the scene's; `None` keeps the scene's value.
+    /// Settings of the command line that override the scene's; `None` keeps the scene's value.
     ///
     /// # Errors
-    /// [`Error::Request`] for a name that means no method, solve or invariant.
+    /// [`Error::Request`] for an unknown name of a method, solve or invariant.
     pub fn overrides(&self) -> Result<Overrides, Error> {
         let Self { by, method, project, solve, step, max_step, rtol, atol, until } = self;
         Ok(Overrides {

@@ -8,43 +8,43 @@ use tripos_derive::SCHEMA;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 use tripos_derive::plain::{is_forbidden, path_in_line, visible};
 
-/// Exit statuses, the same for every command.
+/// Exit statuses, equal for every command.
 pub mod status {
-    /// The answer is "no": a difference, stale text.
+    /// Status of the answer "no": a difference, stale text.
     pub const NO: u8 = 1;
-    /// Bad input.
+    /// Status after bad input: a file, an option or a request.
     pub const BAD_INPUT: u8 = 2;
-    /// A run that could not go on.
+    /// Status after a run that could not go on.
     pub const STOPPED: u8 = 3;
-    /// Somebody ended the command; what it had finished is kept.
+    /// Status after an interruption by the user; finished results are kept.
     pub const INTERRUPTED: u8 = 130;
 }
 
-/// Why a command could not do its work.
+/// Reason why a command could not do its work.
 #[derive(Debug)]
 pub enum Failure {
-    /// A refused request, or one that has no result, with the reason.
+    /// A request was refused, or has no result, for this reason.
     Refused(Error),
-    /// A file that could not be written.
+    /// A file could not be written: its name and the error.
     Output(String, std::io::Error),
-    /// Somebody ended the command: what is kept, if anything is.
+    /// The user interrupted the command: words for the results that are kept; empty if there are none.
     Interrupted(String),
-    /// The reader of standard output has gone.
+    /// The reader of standard output has closed it.
     Hangup,
 }
 
 impl Failure {
-    /// A request that makes no sense, and what to do instead.
+    /// Makes the failure of a request that makes no sense, with a help on what to do instead.
     pub fn request(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Refused(Error::request(what, help))
     }
 
-    /// The first line of the message.
+    /// First line of the failure's message.
     pub fn first_line(&self) -> String {
         self.said().0.lines().next().unwrap_or_default().to_owned()
     }
 
-    /// The exit status.
+    /// Exit status of the command after this failure.
     pub fn status(&self) -> u8 {
         match self {
             Self::Refused(Error::Stopped(_)) => status::STOPPED,
@@ -54,14 +54,14 @@ impl Failure {
         }
     }
 
-    /// A failure as programs read it: what is wrong, what to do, and every place in a file, with the exit status.
+    /// Failure as JSON for programs: the message, the help, every place in a file, and the exit status.
     pub fn json(&self) -> Value {
         let places = if let Self::Refused(error) = self { places(error.files()) } else { Vec::new() };
         let (message, help) = self.said();
         json!({ "error": { "message": message, "help": help, "places": places }, "exit_status": self.status() })
     }
 
-    /// The message and the help. Of several errors the first is told.
+    /// Message and help of the failure; those of the first error if there are several.
     fn said(&self) -> (String, Option<String>) {
         match self {
             Self::Refused(error) => error.what_and_help(),
@@ -82,13 +82,13 @@ impl fmt::Display for Failure {
         match (self, self.said()) {
             (Self::Refused(error), _) => write!(f, "{error}"),
             (Self::Output(..), (what, Some(help))) => write!(f, "error: {what}\nhelp: {help}"),
-            // No error: it was asked for.
+            // An interruption is no error: the user wanted it.
             (_, (what, _)) => f.write_str(&what),
         }
     }
 }
 
-/// Every error of these files, with its place if it has one.
+/// Every error of these files as JSON, with its place if it has one.
 fn places(files: &[Diagnostics]) -> Vec<Value> {
     let of = |file: &Diagnostics| {
         let path = file.source.path.display().to_string();
@@ -122,31 +122,31 @@ impl From<WriteError> for Failure {
             }
             WriteError::Appeared(..) => Self::request(what, "rename it to what you want to keep it as".to_owned()),
             WriteError::Busy(_) => Self::request(what, "wait for it, or give another file".to_owned()),
-            // Nobody listens any more.
+            // The reader of the output is gone.
             WriteError::Io(_, error) if error.kind() == std::io::ErrorKind::BrokenPipe => Self::Hangup,
             WriteError::Io(path, error) => Self::Output(path_in_line(&path), error),
         }
     }
 }
 
-/// A warning on standard error; one that cannot be written is lost, as nothing is left to say so on.
+/// Prints a warning on standard error. A failure to write it is ignored, since no other channel is left.
 pub fn warn(text: &str) {
     say(&format!("warning: {text}"));
 }
 
-/// A line on standard error, for people.
+/// Prints a line on standard error, for people.
 pub fn say(text: &str) {
     use std::io::Write;
     let _ = writeln!(std::io::stderr().lock(), "{}", visible(text));
 }
 
-/// Writes text for people to standard output; a closed pipe is not an error of ours.
+/// Writes text for people to standard output. A closed pipe is a [`Failure::Hangup`].
 pub fn print(text: &str) -> Result<(), Failure> {
     write_out(&visible(text))
 }
 
-/// Writes JSON to standard output, the version of its format first. Control characters and those that turn a line are
-/// escaped, which JSON reads back as they were.
+/// Writes JSON to standard output, with the version of its format first. Control characters and those that change the
+/// direction of text are escaped; JSON restores them.
 pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     let mut versioned = serde_json::Map::from_iter([("schema".to_owned(), SCHEMA.into())]);
     let versioned = match value {

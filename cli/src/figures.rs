@@ -1,4 +1,4 @@
-//! Panels of a scene's figures, drawn from runs.
+//! Panels of the figures of a scene, drawn from its runs.
 
 use crate::page::{Standing, two_digits};
 use crate::plot::{Panel, Scale, Series};
@@ -8,23 +8,23 @@ use tripos_derive::Model;
 use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
 use tripos_sim::Stop;
 
-/// A run with what was watched along it, and how its curves look.
+/// A run with the quantities that were watched along it, and the look of its curves.
 #[derive(Clone)]
 pub struct Curve<'a> {
     /// The run that the curve shows.
     pub run: &'a Run,
     /// Quantities watched along the run.
     pub course: &'a Course,
-    /// Colour, dashes and marker, the same in every figure.
+    /// Index of colour, dashes and marker, equal in every figure.
     pub style: usize,
-    /// The name in a legend.
+    /// Name of the run in a legend.
     pub label: String,
     /// Standing of the run: right, loose, stopped, wrong or undecided.
     pub standing: &'a Standing,
 }
 
 impl<'a> Curve<'a> {
-    /// The curves of a run; wrong equations are called so in every legend.
+    /// Makes the curves of a run; the label of wrong printed equations says that they are wrong.
     pub fn new(run: &'a Run, course: &'a Course, style: usize, standing: &'a Standing) -> Self {
         let label = match run.by.printed_id() {
             Some(id) if *standing == Standing::Wrong => format!("printed {id} (wrong)"),
@@ -34,7 +34,7 @@ impl<'a> Curve<'a> {
         Self { run, course, style, label, standing }
     }
 
-    /// True if two runs show the same numbers, and either both or neither is wrong.
+    /// True if two runs show equal numbers, and either both or neither is wrong.
     fn shows_the_same(&self, other: &Self) -> bool {
         let (own, its) = (self.run, other.run);
         (*self.standing == Standing::Wrong) == (*other.standing == Standing::Wrong)
@@ -47,7 +47,7 @@ impl<'a> Curve<'a> {
         Series::curve(self.label.clone(), self.style, points)
     }
 
-    /// The curve of one of the values that the run shows, with the band in which the true one lies.
+    /// Curve of one of the values that the run shows, with the band of its estimated error.
     fn with_band(&self, values: impl IntoIterator<Item = f64>, which: usize) -> Series {
         let mut series = self.series(values);
         if let (Some(digits), false) = (&self.run.digits, *self.standing == Standing::Wrong) {
@@ -62,7 +62,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// Curves of the same numbers as one, under all their names.
+/// Merges curves with equal numbers into one, whose label has all their names.
 pub fn merged(curves: Vec<Curve>) -> Vec<Curve> {
     let mut list: Vec<Curve> = Vec::new();
     for curve in curves {
@@ -92,7 +92,7 @@ pub fn said(curves: &[Curve]) -> String {
     out + &loose(curves) + banded(curves)
 }
 
-/// Fewer digits than this are seen in a figure.
+/// Number of correct digits below which errors can be seen in a figure.
 const SEEN: f64 = 2.5;
 
 /// Sentence about the shaded bands; empty if no band is wide enough to be seen.
@@ -103,7 +103,7 @@ fn banded(curves: &[Curve]) -> &'static str {
     if is_seen { " Shaded: between which values the true ones lie, as far as a second run tells." } else { "" }
 }
 
-/// The curves of right equations that are loosely integrated, with their errors.
+/// Sentence about right equations that were loosely integrated, with their errors; empty if there are none.
 fn loose(curves: &[Curve]) -> String {
     let mut how = "";
     let mut list = Vec::new();
@@ -132,7 +132,7 @@ fn note(curves: &[Curve]) -> Option<String> {
     (!notes.is_empty()).then(|| notes.join("; "))
 }
 
-/// Total energy, on a linear axis.
+/// Panel of the total energy over time, on a linear axis.
 pub fn energy(curves: &[Curve]) -> Panel {
     Panel {
         title: "Total energy".to_owned(),
@@ -145,7 +145,19 @@ pub fn energy(curves: &[Curve]) -> Panel {
     }
 }
 
+<<<<<<< HEAD
 /// Panels of a scene's outputs, one each: a curve for each run, with its values sample by sample.
+=======
+/// Unit of an angle as text: a plain unit, 1, becomes rad.
+pub fn radians(unit: &str) -> String {
+    match unit {
+        "1" => "rad".to_owned(),
+        other => other.strip_prefix("1/").map_or(other.to_owned(), |rest| format!("rad/{rest}")),
+    }
+}
+
+/// Panels of a scene's outputs, one for each output: a curve for each run, from its values sample by sample.
+>>>>>>> comments
 pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) -> Vec<Panel> {
     let unit = |output: &SceneOutput| match model.unit_label(&model.arena, output.value) {
         Some(unit) => unit,
@@ -162,7 +174,7 @@ pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) 
             .iter()
             .map(|(curve, values)| {
                 let values = values.iter().map(|sample| sample[at]);
-                // Digits are of what a run shows itself: whole equations show states.
+                // Digits are known only for values that a run shows itself; whole equations show states.
                 if curve.run.by.is_reduced() { curve.with_band(values, at) } else { curve.series(values) }
             })
             .filter(|series| series.points.iter().any(|(_, y)| y.is_finite()))
@@ -172,7 +184,7 @@ pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) 
     scene.outputs.iter().enumerate().map(panel).collect()
 }
 
-/// Every coordinate and speed, a panel each.
+/// Panels of every coordinate and speed except the time, one for each.
 pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
     let coordinates = model.coordinates.iter().map(|c| (&c.name, c.symbol));
     let quantities = coordinates.chain(model.speeds.iter().map(|s| (&s.name, s.symbol)));
@@ -193,12 +205,12 @@ pub fn states(model: &Model, curves: &[Curve]) -> Vec<Panel> {
     labels.iter().enumerate().filter(|(at, _)| Some(*at) != model.time()).map(panel).collect()
 }
 
-/// |I(t) − I(t₀)| of every first integral, a panel each, on logarithmic axes.
+/// Panels of |I(t) − I(t₀)|, one for each first integral, on logarithmic axes.
 pub fn integrals(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
     let panel = |(at, integral): (usize, &Conserved)| {
         let (least, most) = shown(curves, at);
         let symbol = format!("I{}", at + 1);
-        // The first sample is the one that the others are compared with.
+        // The first sample is left out: the others are compared with it.
         let series = |curve: &Curve| {
             let mut series = curve.series(clamped(curve.course.changes(at), least, most));
             series.points.drain(..series.points.len().min(1));
@@ -217,9 +229,9 @@ pub fn integrals(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
     watch.integrals.iter().enumerate().map(panel).collect()
 }
 
-/// The smallest and the largest change of a first integral that a figure tells apart, by the size that the derived runs
-/// give it: from below its rounding error to a million times itself. A printed run that explodes must not hide the
-/// others.
+/// Smallest and largest change of a first integral that a figure can show. They follow from the integral's size in the
+/// derived runs: from below its rounding error to a million times the size. A printed run that explodes must not hide
+/// the others.
 fn shown(curves: &[Curve], integral: usize) -> (f64, f64) {
     let largest = |of: &dyn Fn(&Curve) -> bool| {
         let values = curves.iter().filter(|curve| of(curve)).flat_map(|curve| &curve.course.integrals[integral]);
@@ -231,7 +243,7 @@ fn shown(curves: &[Curve], integral: usize) -> (f64, f64) {
     if decade.is_finite() { (10_f64.powf(decade - 17.0), 10_f64.powf(decade + 6.0)) } else { (1e-17, 1e6) }
 }
 
-/// Values outside at the edges; what is not a number stays so.
+/// Moves values outside the range to its edges; values that are not a number stay so.
 fn clamped(values: Vec<f64>, least: f64, most: f64) -> impl Iterator<Item = f64> {
     values.into_iter().map(move |x| {
         if x < least {
@@ -244,7 +256,7 @@ fn clamped(values: Vec<f64>, least: f64, most: f64) -> impl Iterator<Item = f64>
     })
 }
 
-/// Determinants, condition numbers and the divisors of the kinematic equations, on logarithmic axes.
+/// Panels of determinants, condition numbers and divisors of the kinematic equations, on logarithmic axes.
 pub fn nearness(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
     let panel = |title: &str, y_label: String, series: Vec<Series>| Panel {
         title: title.to_owned(),
@@ -257,7 +269,7 @@ pub fn nearness(watch: &Watch, curves: &[Curve]) -> Vec<Panel> {
     };
     let each = |values: &dyn Fn(&Course) -> Vec<f64>| -> Vec<Series> {
         let series = curves.iter().map(|curve| curve.series(clamped(values(curve.course), 1e-20, 1e20)));
-        // A scene's own equations have no matrix.
+        // The reduced equations of a scene have no matrix.
         series.filter(|series| !series.points.is_empty()).collect()
     };
     let mut panels = vec![

@@ -1,10 +1,10 @@
-//! Who follows long commands: the person who may end them, and who wants to see how far they are.
+//! Interruption and progress of long commands: the user may end them, and sees how far they are.
 //!
-//! Invariant: a command that was interrupted ends soon, with [`status::INTERRUPTED`], and keeps what it had finished. A
+//! Invariant: a command that was interrupted ends soon, with [`status::INTERRUPTED`], and keeps its finished results. A
 //! second interruption ends it at once. Commands that would lose nothing do not listen, and end at the first.
 //!
-//! Signals are of the process, not of a call, and so are the state here and the progress of the one run that is
-//! shown. Absent on purpose: any influence on numbers. A run that was interrupted has the steps that it would have had.
+//! Signals belong to the process, not to a call, and so do the state here and the progress of the run that is shown.
+//! Absent on purpose: any influence on numbers. The steps of an interrupted run are those it would have had.
 
 use crate::failure::{say, status};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -14,15 +14,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use tripos::follow::{Follow, Progress};
 use tripos_sim::Poll;
 
-/// True once the command was asked to end.
+/// True once the user asked the command to end.
 static ASKED: AtomicBool = AtomicBool::new(false);
-/// Progress bar of the one run that is shown, kept up to date by the poll.
+/// Progress bar of the run that is shown, kept up to date by the poll of its steps.
 static SHOWN: OnceLock<Shown> = OnceLock::new();
 
-/// Parts of a span that a bar tells apart.
+/// Number of parts of a span that a progress bar can show.
 const PARTS: u32 = 1000;
 
-/// Listens for interruptions: of the keyboard, and polite requests to end. Where that cannot be had, they end the
+/// Listens for interruptions: of the keyboard, and polite requests to end. If signals cannot be caught, they end the
 /// process.
 pub fn listen() {
     let asked = || {
@@ -31,16 +31,16 @@ pub fn listen() {
         }
         say("interrupted: ending what is under way, and keeping what is finished; once more to leave at once");
     };
-    // Where signals cannot be had, they end the process.
+    // If signals cannot be caught, they end the process.
     let _ = ctrlc::set_handler(asked);
 }
 
-/// True if the command was asked to end.
+/// True if the user asked the command to end.
 pub fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
 
-/// For whatever runs in this command.
+/// Makes the follower for any run of this command: it polls for interruptions and shows progress.
 pub fn follow() -> Follow {
     Follow::new(Poll::new(look), asked)
 }
@@ -51,7 +51,7 @@ struct Shown {
     span: (f64, f64),
 }
 
-/// Shows on a terminal how far runs over this span have come.
+/// Shows a progress bar on the terminal for runs over this span, s.
 pub fn show(span: (f64, f64)) {
     let bar = ProgressBar::new(u64::from(PARTS));
     let style = ProgressStyle::with_template("{bar:30} {percent} % of the span, {eta} left");
@@ -59,7 +59,7 @@ pub fn show(span: (f64, f64)) {
     SHOWN.get_or_init(|| Shown { bar, span });
 }
 
-/// Takes the progress away.
+/// Removes the progress bar from the terminal.
 pub fn hide() {
     if let Some(shown) = SHOWN.get() {
         shown.bar.finish_and_clear();
@@ -78,7 +78,7 @@ fn look(t: f64) -> ControlFlow<()> {
     if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
-/// A bar as the progress of work of many parts.
+/// Progress of work of many parts, shown by a progress bar.
 pub struct Shows<'a>(pub &'a ProgressBar);
 
 impl Progress for Shows<'_> {

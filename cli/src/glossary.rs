@@ -1,6 +1,6 @@
-//! Definitions of the names that a document shows.
+//! Definitions of the names in the formulas of a document.
 //!
-//! Invariant: a name stands in no document that does not define it.
+//! Invariant: a document contains no name that it does not define.
 
 use crate::words::NAMED;
 use serde_json::{Map, Value, json};
@@ -9,7 +9,7 @@ use tripos_derive::algebra::text::definitions::glossary;
 use tripos_derive::algebra::text::print::{text, whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// A paragraph that defines every name in the formulas that are shown, each by those before it; empty without names.
+/// Paragraph that defines every name in the shown formulas, each line by those before it; empty without names.
 pub fn names_text(arena: &Arena, shown: &[Expr]) -> String {
     let names = glossary(arena, shown);
     if names.is_empty() {
@@ -22,7 +22,7 @@ pub fn names_text(arena: &Arena, shown: &[Expr]) -> String {
     out
 }
 
-/// Every name in the formulas that are shown, with its formula.
+/// JSON of the definitions of every name in the shown formulas.
 pub fn names_json(arena: &Arena, shown: &[Expr]) -> Value {
     let names = glossary(arena, shown).into_iter();
     Value::Object(names.map(|d| (text(arena, d.symbol), json!(whole_text(arena, d.value)))).collect::<Map<_, _>>())

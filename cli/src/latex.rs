@@ -1,8 +1,8 @@
-//! Words of files in LaTeX.
+//! Words and names from files, in LaTeX.
 
 use tripos_derive::plain::called;
 
-/// Words for text mode: what TeX reads otherwise is written out, and what its fonts do not have is named.
+/// Escapes words for the text mode of LaTeX. Characters that its fonts do not have are replaced by their names.
 pub fn escape(text: &str) -> String {
     let one = |c: char| match c {
         '\\' => "\\textbackslash{}".to_owned(),
@@ -20,7 +20,7 @@ pub fn escape(text: &str) -> String {
     text.chars().map(one).collect()
 }
 
-/// An axis of a frame, counted from 0, as a basis vector.
+/// Writes an axis of a frame, counted from 0, as a basis vector in LaTeX.
 pub fn basis(frame: &str, axis: usize) -> String {
     format!("\\mathbf{{{}}}_{{{}}}", escape(&frame.to_lowercase()), axis + 1)
 }

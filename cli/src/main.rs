@@ -1,4 +1,4 @@
-//! `tripos`: equations of motion from a model file, derived three ways, compiled and run.
+//! `tripos`: equations of motion from a model file, derived in three ways, compiled and run.
 
 mod arguments;
 mod chart;
@@ -35,12 +35,12 @@ fn main() -> ExitCode {
         Ok(status) => ExitCode::from(status),
         Err(Failure::Hangup) => ExitCode::from(Failure::Hangup.status()),
         Err(failure) => {
-            // What ends early because it was asked to has no error of its own.
+            // A command that ends early because the user asked for it has no error of its own.
             let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
             let failure = if follow::asked() && !is_own { Failure::Interrupted(String::new()) } else { failure };
             say(&failure.to_string());
             if is_json {
-                // Where nobody reads it there is nobody to tell.
+                // If standard output is closed, the error cannot be reported there.
                 let _ = print_json(&failure.json());
             }
             ExitCode::from(failure.status())
@@ -48,8 +48,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Says what is wrong with the command line, also to programs, and ends; help and version are asked for in the same
-/// way.
+/// Prints the error of the command line, also as JSON if that was wanted, and ends the program. Help and version are
+/// printed in this way too.
 fn wrong_arguments(error: &clap::Error) -> ! {
     let words: Vec<_> = std::env::args_os().collect();
     let has = |word: &str| words.iter().any(|given| given == word);

@@ -1,7 +1,7 @@
 //! Output of commands to files: tables, texts, folders.
 //!
-//! Invariant: everything goes through [`tripos_codegen::files`], so that a file of its name is whole, and nothing
-//! that a command reads is written over by it: [`keep_inputs`] is asked before work begins.
+//! Invariant: everything goes through [`tripos_codegen::files`], so that a file under its final name is whole. No
+//! command overwrites an input: [`keep_inputs`] is called before work begins.
 
 use crate::failure::Failure;
 use std::io::{Error, Read, Write};
@@ -12,10 +12,10 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::publication::beside;
 use tripos_derive::scene::Scene;
 
-/// A table as a file, in the place of one that is there.
+/// Writes a table as a file, and replaces an existing one.
 ///
 /// # Errors
-/// [`Failure`] if it cannot be written; then there is no part of it.
+/// [`Failure`] if the table cannot be written; then no part of it remains.
 pub fn table<H: AsRef<str>>(
     path: &Path,
     header: &[H],
@@ -35,6 +35,7 @@ pub fn table<H: AsRef<str>>(
     Ok(draft.finish()?)
 }
 
+<<<<<<< HEAD
 /// Endings of files in formats that are not text, and that nothing here writes.
 const NOT_TEXT: [&str; 11] = ["parquet", "feather", "arrow", "xlsx", "xls", "ods", "mat", "h5", "hdf5", "npy", "npz"];
 
@@ -52,35 +53,38 @@ pub fn csv_name(path: &Path) -> Result<(), Failure> {
 }
 
 /// A text as a file, in the place of one that is there.
+=======
+/// Writes a text as a file, and replaces an existing one.
+>>>>>>> comments
 ///
 /// # Errors
-/// [`Failure`] if it cannot be written.
+/// [`Failure`] if the text cannot be written.
 pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(files::write(path, text)?)
 }
 
-/// Bytes as a file, in the place of one that is there.
+/// Writes bytes as a file, and replaces an existing one.
 ///
 /// # Errors
-/// [`Failure`] if it cannot be written.
+/// [`Failure`] if the bytes cannot be written.
 #[cfg(feature = "pictures")]
 pub fn bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(files::write(path, bytes)?)
 }
 
-/// The folder, made if it is not there.
+/// Makes a folder if it does not exist.
 ///
 /// # Errors
-/// [`Failure::Output`] if it cannot be made.
+/// [`Failure::Output`] if the folder cannot be made.
 pub fn folder(path: &Path) -> Result<(), Failure> {
     Ok(files::folder(path)?)
 }
 
-/// Refuses outputs that would change what a command reads: a model, the publication beside it, and a scene if there is
+/// Refuses outputs that would change an input of a command: a model, the publication beside it, and a scene if there is
 /// one.
 ///
 /// # Errors
-/// [`Failure::Refused`] that names both.
+/// [`Failure::Refused`] that names the output and the input.
 pub fn keep_inputs<'a>(
     model: &Model,
     scene: Option<&Scene>,
@@ -99,22 +103,22 @@ pub fn keep_inputs<'a>(
     Ok(())
 }
 
-/// A table that grows row by row, and stays as far as it came.
+/// A table file that grows row by row, and keeps the rows that it has if the command is interrupted.
 pub struct Rows(Draft);
 
 impl Rows {
-    /// Starts the table.
+    /// Creates the file of the table, under an unfinished name.
     ///
     /// # Errors
-    /// [`Failure`] if the file is there and is to be kept, another command is writing it, or it cannot be written.
+    /// [`Failure`] if the file exists and is to be kept, another command is writing it, or it cannot be written.
     pub fn create(path: &Path, existing: Existing) -> Result<Self, Failure> {
         Ok(Self(Draft::create(path, existing, Unfinished::Left)?))
     }
 
-    /// Takes over the table that an earlier command has left unfinished, if it has left one.
+    /// Opens the table that an earlier command has left unfinished; `None` if there is none.
     ///
     /// # Errors
-    /// [`Failure`] as by [`Self::create`]; then nothing is changed.
+    /// [`Failure`], as for [`Self::create`]; then no file is changed.
     pub fn resume(path: &Path, existing: Existing) -> Result<Option<Self>, Failure> {
         Ok(Draft::resume(path, existing)?.map(Self))
     }
@@ -124,32 +128,32 @@ impl Rows {
         self.0.left()
     }
 
-    /// Cuts what an earlier command has left to so many bytes, behind which lines are added.
+    /// Cuts the rows that an earlier command has left to this number of bytes; further rows are added behind them.
     ///
     /// # Errors
-    /// [`Failure::Output`] if that cannot be done.
+    /// [`Failure::Output`] if the file cannot be cut.
     pub fn keep(&mut self, bytes: u64) -> Result<(), Failure> {
         Ok(self.0.keep(bytes)?)
     }
 
-    /// Adds lines, to be seen at once.
+    /// Adds lines to the file, without a delay.
     ///
     /// # Errors
-    /// [`Failure::Output`] if they cannot be written.
+    /// [`Failure::Output`] if the lines cannot be written.
     pub fn add(&mut self, lines: &[u8]) -> Result<(), Failure> {
         let written = self.0.write_all(lines).and_then(|()| self.0.flush());
         written.map_err(|error| WriteError::Io(self.0.place().to_owned(), error).into())
     }
 
-    /// Path of the rows until the table is whole.
+    /// Path of the unfinished file of the table.
     pub fn place(&self) -> &Path {
         self.0.place()
     }
 
-    /// Gives the table its name.
+    /// Finishes the table, and gives its file the final name.
     ///
     /// # Errors
-    /// [`Failure`] if it cannot be renamed, or a file of its name has appeared that is to be kept.
+    /// [`Failure`] if the file cannot be renamed, or a file of its name has appeared that is to be kept.
     pub fn finish(self) -> Result<(), Failure> {
         Ok(self.0.finish()?)
     }

@@ -1,12 +1,12 @@
-//! The page: one file that needs nothing else, with a derivation and the runs of its equations.
+//! Page about a model: one HTML file without outside resources, with a derivation and the runs of its equations.
 //!
-//! The order is by importance: an abstract, the motion, the mistakes in print, the runs, then equations, proofs and
-//! derivations. Long parts are folded.
+//! Parts are ordered by importance: an abstract, the motion, the mistakes in print, the runs, then equations, proofs
+//! and derivations. Long parts are folded.
 //!
-//! Invariant: the same input gives the same bytes, except for measured times; every text from a file is escaped; every
-//! link in the page has its place. Two scripts in the page itself open the folded target of a link and move the motion;
-//! without them the page says the same. Absent on purpose: outside resources, which the page forbids itself, dates and
-//! paths of the machine. The only links out of the page lead to the tables of measured figures.
+//! Invariant: equal input gives equal bytes, except for measured times; every text from a file is escaped; every link
+//! inside the page has a target. Two scripts in the page open the folded target of a link and move the motion; without
+//! them the page has the same content. Absent on purpose: outside resources, which the page's policy forbids, dates and
+//! paths of the machine. Links out of the page lead only to the tables of measured figures.
 
 mod content;
 mod markup;
@@ -27,10 +27,10 @@ use std::fmt::Write;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::DerivationInSteps;
 
-/// Policy of the page: it may load and run only its own content.
+/// Content security policy of the page: it may load and run only its own content.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:";
 
-/// The page as HTML.
+/// Writes the page as HTML.
 pub fn render(page: &Page) -> String {
     let title = escape(&page.model.title);
     let viewer = page.moving.as_ref().and_then(|moving| moving.viewer.as_ref().ok());
@@ -54,7 +54,7 @@ pub fn render(page: &Page) -> String {
     )
 }
 
-/// Everything after the abstract, in the order of what matters.
+/// HTML of everything after the abstract, in order of importance.
 fn body(page: &Page) -> String {
     let mut out = contents(page);
     if let Some(why) = &page.unfinished {
@@ -75,7 +75,7 @@ fn body(page: &Page) -> String {
     out + &derivations(page)
 }
 
-/// The scenes: that of the motion open, of the others what came of them.
+/// HTML of the scenes: the scene of the shown motion is open, the others are folded behind a sentence.
 fn simulation(page: &Page) -> String {
     if page.scenes.is_empty() {
         return String::new();
@@ -90,7 +90,7 @@ fn simulation(page: &Page) -> String {
     out + "</section>\n"
 }
 
-/// The derivations of all formulations, step by step.
+/// HTML of the derivations of all formulations, step by step.
 fn derivations(page: &Page) -> String {
     let mut shown = Vec::new();
     let steps = page.derivations.iter();
@@ -119,7 +119,7 @@ fn contents(page: &Page) -> String {
     out + "</ul>\n</nav>\n"
 }
 
-/// A formulation in the contents.
+/// HTML of the entry of a formulation in the table of contents.
 fn contents_of((formulation, result): &(Formulation, Result<DerivationInSteps, String>)) -> String {
     let missing = if result.is_err() { " <span class=\"quiet\">(not derived)</span>" } else { "" };
     format!("{}{missing}", link(formulation.name(), &escape(formulation.title())))

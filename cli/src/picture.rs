@@ -1,8 +1,8 @@
-//! Figures as files: SVG as it is drawn, and PNG and PDF made of it.
+//! Figures as files: SVG as it is drawn, and PNG and PDF made from it.
 //!
 //! Invariant: a figure is the same on any machine. Letters of PNG and PDF come from the fonts in `cli/fonts`, never
-//! from those of the system. PNG and PDF need the feature `pictures`: the libraries that make them take a third as long
-//! to compile as all other code.
+//! from those of the system. PNG and PDF need the feature `pictures`: compiling their libraries adds a third to the
+//! compile time.
 
 #[cfg(feature = "pictures")]
 mod made;
@@ -12,33 +12,33 @@ use crate::output::text;
 use std::path::Path;
 use tripos_derive::plain::path_in_line;
 
-/// Dots of an inch where nothing is said.
+/// Resolution of a PNG if no option states it, in dots per inch.
 pub const DPI: u32 = 200;
-/// Pixels of CSS, in which figures are measured, in an inch.
+/// CSS pixels per inch, the unit in which figures are measured.
 #[cfg(feature = "pictures")]
 const CSS: f32 = 96.0;
-/// Dots of an inch that make a picture.
+/// Smallest resolution of a PNG that is accepted, in dots per inch; `MOST_DPI` is the largest.
 const LEAST_DPI: u32 = 20;
 const MOST_DPI: u32 = 1200;
-/// Pixels of a picture that fit into memory anywhere.
+/// Largest number of pixels of a PNG: such a picture fits into memory everywhere.
 #[cfg(feature = "pictures")]
 const MOST_PIXELS: f32 = 2e8;
 
-/// A kind of file that figures are written as.
+/// Kind of a figure's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// SVG text as drawn, unchanged.
+    /// SVG text as it is drawn, unchanged.
     Svg,
-    /// An image of pixels.
+    /// PNG, an image of pixels.
     Png,
-    /// A page of its size, with its fonts.
+    /// PDF with a page of the figure's size, and its fonts.
     Pdf,
 }
 
-/// The kind of figure that a file's name asks for by its ending; `more` is said of what else may be written.
+/// Kind of a figure's file, by the ending of its name; `more` completes the help of the error.
 ///
 /// # Errors
-/// [`Failure::Refused`] of a name that asks for none, and of a kind that this program cannot write.
+/// [`Failure::Refused`] for an unknown ending, and for a kind that this program cannot write.
 pub fn kind(path: &Path, more: &str) -> Result<Kind, Failure> {
     let kind = match path.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => Kind::Svg,
@@ -55,10 +55,10 @@ pub fn kind(path: &Path, more: &str) -> Result<Kind, Failure> {
     Ok(kind)
 }
 
-/// Dots of an inch that were asked for.
+/// Checks the resolution of a picture, in dots per inch.
 ///
 /// # Errors
-/// [`Failure::Refused`] of a number that makes no picture.
+/// [`Failure::Refused`] for a resolution below `LEAST_DPI` or above `MOST_DPI`.
 pub fn checked_dpi(dpi: u32) -> Result<u32, Failure> {
     if (LEAST_DPI..=MOST_DPI).contains(&dpi) {
         return Ok(dpi);
@@ -66,10 +66,10 @@ pub fn checked_dpi(dpi: u32) -> Result<u32, Failure> {
     Err(Failure::request(format!("--dpi is {dpi}"), format!("give a number from {LEAST_DPI} to {MOST_DPI}")))
 }
 
-/// Writes a figure, in the place of a file that is there; `dpi` counts for PNG alone.
+/// Writes a figure to a file, and replaces an existing one; `dpi` is used only for PNG.
 ///
 /// # Errors
-/// [`Failure`] if it has too many pixels, or cannot be written.
+/// [`Failure`] if the figure has too many pixels, or cannot be written.
 pub fn write(path: &Path, kind: Kind, svg: &str, dpi: u32) -> Result<(), Failure> {
     match kind {
         Kind::Svg => text(path, svg),

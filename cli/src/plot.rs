@@ -1,8 +1,8 @@
 //! Line charts as inline SVG.
 //!
-//! Lengths are pixels of a figure 1000 wide. The canvas has a few units to a pixel, because plotters
-//! places everything at whole numbers. Invariant: the same panels give the same bytes. Logarithmic axes are for sizes;
-//! a drift is shown on a linear one, since they hide its sign.
+//! Lengths are pixels of a figure that is 1000 wide. The canvas has several units to a pixel, because plotters places
+//! everything at whole numbers. Invariant: equal panels give equal bytes. Logarithmic axes are for sizes; a drift with
+//! a sign is shown on a linear axis, since a logarithm has no sign.
 
 mod axis;
 mod error;
@@ -26,12 +26,12 @@ use thin::{marked, thin};
 const WIDTH: f64 = 1000.0;
 const GAP: f64 = 22.0;
 const LINE: f64 = 17.0;
-/// A band that is nowhere wider is not seen beside its curve.
+/// Width of a band, in pixels, that is not seen beside its curve: a band that is nowhere wider is not drawn.
 const BAND: f64 = 1.0;
-/// Names that one legend may hold; where all panels together have more, each has its own.
+/// Largest number of names in a legend; if all panels together have more, each panel has its own legend.
 const MOST_NAMES: usize = 8;
 
-/// Panels in a grid, row by row, with one legend, as one `<svg>` element.
+/// Draws panels in a grid, row by row, with one legend if that is enough, as one `<svg>` element.
 ///
 /// # Errors
 /// [`PlotError`] if plotters fails, which it does not when it writes to memory.
@@ -43,7 +43,7 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
         |panel| if is_shared { Vec::new() } else { legend(std::slice::from_ref(panel), WIDTH / columns as f64 - 90.0) };
     let plots: Vec<Plot> = panels.iter().map(|panel| Plot::new(panel, columns, own(panel))).collect();
     let top = if shared.is_empty() { 0.0 } else { lines(&shared) * LINE + 10.0 };
-    // One left edge for all, so that the time axes of a column stand under each other.
+    // All panels have the same left margin, so that the time axes of a column stand under each other.
     let left = 14.0 + plots.iter().map(|plot| plot.tick_width).fold(0.0, f64::max);
     let column = (WIDTH - GAP * (columns - 1) as f64) / columns as f64;
     let (mut corners, mut y) = (Vec::new(), top);
@@ -70,7 +70,7 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     Ok(finish(&svg, &describe(panels), y))
 }
 
-/// The document of plotters as an element with dashes and a name.
+/// Makes an element with dashes, a title and a size from the document of plotters.
 fn finish(svg: &str, about: &str, height: f64) -> String {
     let body = svg.split_once('>').map_or("", |(_, body)| body).trim_start();
     let about = about.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
@@ -101,15 +101,15 @@ fn shares_names(panels: &[Panel]) -> bool {
     panels.len() == 1 || legend(panels, WIDTH).len() <= MOST_NAMES
 }
 
-/// Lines of a legend.
+/// Number of lines of a legend.
 fn lines(entries: &[Entry<'_>]) -> f64 {
     entries.last().map_or(0.0, |(_, _, y)| y / LINE + 1.0)
 }
 
-/// A curve with the place of its name, right and down from that of the legend.
+/// A curve with the place of its name, as distances to the right and down from the corner of the legend.
 type Entry<'a> = (&'a Series, f64, f64);
 
-/// Draws a legend at a place.
+/// Draws a legend whose corner is at a place of the canvas.
 fn names(canvas: &Canvas, entries: &[Entry<'_>], (left, top): (f64, f64)) -> Result<(), PlotError> {
     for (series, x, y) in entries {
         let (look, x, y) = (look(series.style), left + x, top + y + 9.0);
@@ -120,7 +120,7 @@ fn names(canvas: &Canvas, entries: &[Entry<'_>], (left, top): (f64, f64)) -> Res
     Ok(())
 }
 
-/// Entries of the legend: every label once, with its place. Each panel begins a line for the labels that no panel
+/// Entries of a legend: every label once, with its place. Each panel begins a new line for its labels that no panel
 /// before it has. A single curve named as its panel needs no entry.
 fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry> = Vec::new();
@@ -146,13 +146,13 @@ fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
     entries
 }
 
-/// A panel with its axes, before its place is known.
+/// A panel with its axes and texts, before its place on the canvas is known.
 struct Plot<'a> {
     panel: &'a Panel,
     x: Axis,
     y: Axis,
     head: Vec<(String, FontStyle)>,
-    /// Its own legend, where the panels do not share one.
+    /// Entries of the panel's own legend; empty if the panels share one.
     names: Vec<Entry<'a>>,
     foot: Vec<String>,
     tick_width: f64,
@@ -180,12 +180,12 @@ impl<'a> Plot<'a> {
         }
         let foot = panel.note.as_ref().map_or(Vec::new(), |note| wrap(note, WIDTH / columns as f64 - 90.0));
         let tick_width = y.ticks.iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max);
-        // Where both axes are logarithmic, slopes are read.
+        // On two logarithmic axes slopes matter: such a panel is higher.
         let height = if columns == 1 || panel.x_scale == Scale::Logarithmic { 300.0 } else { 150.0 };
         Self { panel, x, y, head, names, foot, tick_width, height }
     }
 
-    /// Lines of words above it.
+    /// Number of lines of words above the panel.
     fn lines_above(&self) -> f64 {
         self.head.len() as f64 + lines(&self.names)
     }
@@ -268,7 +268,7 @@ fn wrap(text: &str, width: f64) -> Vec<String> {
     lines
 }
 
-/// An estimate, a little wide: no font is at hand.
+/// Estimated width of a text in pixels, a little too wide: the font is not known.
 fn text_width(text: &str) -> f64 {
     7.0 * text.chars().count() as f64
 }

@@ -1,7 +1,7 @@
-//! A sketch as a picture: SVG, and LaTeX for a thesis.
+//! Sketch of a mechanism as a picture: SVG, and LaTeX for a document.
 //!
-//! Invariant: both are the same paths and labels, with the looks of one table; text that came from a file is escaped
-//! where it is written. Absent on purpose: geometry, which is [`tripos::pictures::sketch`]'s.
+//! Invariant: both pictures have equal paths and labels, with the looks of one table; text from a file is escaped when
+//! it is written. Absent on purpose: geometry, which is in [`tripos::pictures::sketch`].
 
 mod latex;
 mod look;
@@ -10,8 +10,8 @@ mod svg;
 pub use latex::picture;
 pub use svg::{document, figure};
 
-/// A coordinate of the sheet, in tenths of a px.
+/// Coordinate of the sheet as text, rounded to tenths of a px.
 fn rounded(x: f64) -> String {
-    // Not -0.
+    // The sum with 0 removes the sign of -0.
     ((x * 10.0).round() / 10.0 + 0.0).to_string()
 }

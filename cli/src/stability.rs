@@ -9,7 +9,7 @@ use std::path::Path;
 use tripos::Mechanism;
 use tripos::studies::stability::{Findings, Topic};
 
-/// `stability.csv`, `passages.csv` and the figures.
+/// Writes `stability.csv`, `passages.csv` and the figures of the studies.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
@@ -21,7 +21,7 @@ pub fn write(findings: &Findings, out: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// `stability.csv`, and `passages.csv` if there were any: what the heat map shows.
+/// Writes `stability.csv`, and `passages.csv` if there are passages: the data of the heat map.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
@@ -45,7 +45,7 @@ pub fn tables(findings: &Findings, out: &Path) -> Result<(), Failure> {
     table(&out.join("passages.csv"), &header, rows)
 }
 
-/// Conclusions, a line each: those of the studies, and after the passages those from their table.
+/// Conclusions of the studies, a line each; after those on passages follow conclusions from the table of passages.
 pub fn statements(model: &Mechanism, findings: &Findings) -> Vec<String> {
     let (passages, others): (Vec<_>, Vec<_>) = findings.statements.iter().partition(|s| s.study == Topic::Passages);
     let mut list: Vec<String> = passages.into_iter().map(|s| s.text.clone()).collect();

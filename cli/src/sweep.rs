@@ -1,4 +1,4 @@
-//! Output of a sweep: a table, and a summary; if it is interrupted, a record with which it can go on.
+//! Output of a sweep: a table, and a summary; an interrupted sweep also has a record with which it can be resumed.
 
 mod kept;
 mod record;

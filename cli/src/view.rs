@@ -1,8 +1,8 @@
-//! A motion to be seen: a figure of HTML that turns, plays and speaks, in a page or alone.
+//! View of a motion: a figure of HTML that turns, plays and describes itself, in a page or alone.
 //!
-//! Invariant: a view needs no other file and no network; every text that came from a file reaches the browser
-//! as text: in HTML through [`escape`], in data through [`as_script`], and from there by `textContent` alone. Absent on
-//! purpose: mechanics, which is [`tripos::pictures::view`]'s, and libraries.
+//! Invariant: a view needs no other file and no network. Every text that came from a file reaches the browser as text:
+//! in HTML through [`escape`], in data through [`as_script`], and from there by `textContent` only. Absent on purpose:
+//! mechanics, which is in [`tripos::pictures::view`], and libraries.
 
 mod data;
 mod live;
@@ -17,7 +17,7 @@ use tripos::pictures::view::{ArrowKind, Forces, Form, Motion, View};
 use tripos_codegen::js::{RUNNERS, in_page};
 use tripos_derive::scene::Scene;
 
-/// The viewer, in the order in which its parts use one another.
+/// Scripts of the viewer, in the order in which they use one another.
 const SCRIPT: [&str; 11] = [
     include_str!("view/space.js"),
     include_str!("view/motion.js"),
@@ -33,37 +33,37 @@ const SCRIPT: [&str; 11] = [
 ];
 /// Script that starts a viewer in each figure, once the page is loaded.
 const BEGIN: &str = include_str!("view/begin.js");
-/// Style of a viewer.
+/// Style of a viewer, as CSS.
 pub const STYLE: &str = include_str!("view/style.css");
 const PAGE_STYLE: &str = include_str!("view/page.css");
 
 /// Content of a view: the mechanism, its scene, solids and motions.
 pub struct Seen<'a> {
-    /// The mechanism.
+    /// Mechanism that moves.
     pub mechanism: &'a Mechanism,
-    /// The scene that ran.
+    /// Scene that was run.
     pub scene: &'a Scene,
-    /// Its solids.
+    /// Solids of the mechanism, and the size and orientation of the view.
     pub view: View,
-    /// The motions: the first is drawn as solids, the others as ghosts.
+    /// Motions of the mechanism: the first is drawn as solids, the others as ghosts.
     pub motions: Vec<Motion>,
-    /// The scene's title, or the name of its file.
+    /// Title of the scene, or the name of its file.
     pub title: String,
 }
 
 impl Seen<'_> {
-    /// True if there are forces to be drawn.
+    /// True if the first motion has forces to draw.
     fn has_arrows(&self) -> bool {
         self.motions.first().is_some_and(|motion| !motion.forces.list.is_empty())
     }
 }
 
-/// A view with the equations that it runs by itself, if it does.
+/// A view with the equations that it runs by itself, if it runs any.
 #[derive(Clone, Copy)]
 pub struct Shown<'a> {
     /// Content of the view.
     pub seen: &'a Seen<'a>,
-    /// Its equations.
+    /// Equations that the view runs, or the reason why it runs none.
     pub live: &'a Live,
 }
 
@@ -72,7 +72,7 @@ pub fn turns_truly(seen: &Seen<'_>, home: Home) -> bool {
     data::turns_truly(seen, home.bytes())
 }
 
-/// A page of its own.
+/// Writes the HTML page of a view that stands alone in a file.
 pub fn document(seen: &Seen<'_>, live: &Live) -> String {
     let shown = Shown { seen, live };
     let (title, scene) = (escape(&seen.mechanism.title), escape(&seen.title));
@@ -91,14 +91,14 @@ pub fn document(seen: &Seen<'_>, live: &Live) -> String {
 /// Place of a view: a file of its own or a page.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Home {
-    /// In a file of its own.
+    /// The view is a file of its own.
     Alone,
-    /// In the page of a model, among other things.
+    /// The view is in the page of a model, among other parts.
     Page,
 }
 
 impl Home {
-    /// Bytes that the data of a motion may take, about.
+    /// Largest number of bytes of a motion's data, about.
     const fn bytes(self) -> usize {
         match self {
             Self::Alone => 800_000,
@@ -106,7 +106,7 @@ impl Home {
         }
     }
 
-    /// Bytes that the equations of a view may take.
+    /// Largest number of bytes of the equations of a view.
     const fn equations(self) -> usize {
         match self {
             Self::Alone => 400_000,
@@ -115,7 +115,7 @@ impl Home {
     }
 }
 
-/// The viewer, once for all views of a page, with the equations of each that has some.
+/// Element with the viewer's script, once for all views of a page, and with the equations of the views that run some.
 pub fn script(list: &[Shown<'_>]) -> String {
     let method: String = RUNNERS.iter().map(|(_, text)| in_page(text)).collect();
     let equations = list.iter().map(|shown| match shown.live {
@@ -130,7 +130,7 @@ pub fn script(list: &[Shown<'_>]) -> String {
     )
 }
 
-/// A view as a figure, the first of its page.
+/// HTML of the figure of a view, the first of its page.
 pub fn figure(shown: Shown<'_>, home: Home) -> String {
     let Shown { seen, live } = shown;
     let words = words(seen);
@@ -168,7 +168,7 @@ pub fn figure(shown: Shown<'_>, home: Home) -> String {
     )
 }
 
-/// Controls for the values that can be changed, or the reason why none can.
+/// HTML of the controls for values that can be changed, or of the reason why none can.
 fn controls(seen: &Seen<'_>, live: &Live) -> String {
     let title = match live {
         Live::Rests(why) => {
@@ -207,7 +207,7 @@ fn controls(seen: &Seen<'_>, live: &Live) -> String {
     )
 }
 
-/// Legend of the motions; empty if there is only one.
+/// HTML of the legend of the motions; empty if there is only one.
 fn legend(seen: &Seen<'_>) -> String {
     if seen.motions.len() < 2 {
         return String::new();
@@ -221,7 +221,7 @@ fn legend(seen: &Seen<'_>) -> String {
     out + "</ul>\n"
 }
 
-/// Legend of the kinds of arrows; empty if there are none.
+/// HTML of the legend of the kinds of arrows; empty if there are no arrows.
 fn acting(seen: &Seen<'_>) -> String {
     let Some(forces) = seen.motions.first().map(|motion| &motion.forces) else { return String::new() };
     let kinds = [
@@ -237,7 +237,7 @@ fn acting(seen: &Seen<'_>) -> String {
     if items.is_empty() { items } else { format!("<ul class=\"view-acts\">\n{items}</ul>\n") }
 }
 
-/// Sentences about forces: the scale of the arrows, and the forces that are not shown.
+/// HTML of sentences about forces: the scale of the arrows, and the forces that are not shown.
 fn forces_in_words(forces: &Forces) -> String {
     let mut out = String::new();
     if !forces.list.is_empty() {
@@ -259,7 +259,7 @@ fn forces_in_words(forces: &Forces) -> String {
     out
 }
 
-/// Description of the view, in words, as HTML.
+/// HTML of the description of a view, in words.
 fn words(seen: &Seen<'_>) -> String {
     let mut out = String::new();
     let kinds: Vec<String> = seen
@@ -310,7 +310,7 @@ fn words(seen: &Seen<'_>) -> String {
     out
 }
 
-/// A number in some digits.
+/// Number as text with five significant digits.
 fn short(x: f64) -> String {
     crate::page::rounded(x, 5).replace('-', "−")
 }

@@ -1,19 +1,19 @@
-//! Words that several parts of the command say.
+//! Words that several parts of the command print.
 
-/// Heading of the terms that stand by their names in the formulas after it.
+/// Heading of the definitions of named terms in formulas.
 pub const NAMED: &str = "Terms that stand by a name";
 
-/// A number of entries, in words.
+/// Number of entries, in words.
 pub fn entries(count: usize) -> String {
     if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
 }
 
-/// Formulas that nobody reads to their end are cut; --json has them whole.
+/// Shortens a formula that is too long to read; `--json` has it whole.
 pub fn shortened(formula: &str) -> String {
     cut(formula, 400, ", see --json")
 }
 
-/// The start of a formula where its name says in which file the rest is.
+/// Start of a formula, for a text that names the file with the rest.
 pub fn start_of(formula: &str) -> String {
     cut(formula, 200, "")
 }

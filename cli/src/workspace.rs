@@ -1,4 +1,4 @@
-//! Models by what arguments say, and the workspace that a command is called in.
+//! Models that arguments of commands name, and the workspace in which a command is called.
 
 use crate::failure::Failure;
 use crate::follow::follow;
@@ -13,12 +13,12 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{is_scene, model_path};
 use tripos_models::MODELS;
 
-/// The model file that an argument means: a file, or a folder with `model.toml` in it.
+/// Model file that an argument names: a file, or `model.toml` in a folder.
 pub fn model_file(argument: &Path) -> PathBuf {
     if argument.is_dir() { argument.join("model.toml") } else { argument.to_owned() }
 }
 
-/// Reads the model that an argument means.
+/// Reads the model that an argument names, ready to be run by compiled equations if there are any.
 pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
     if std::fs::symlink_metadata(argument).is_err_and(|error| error.kind() == std::io::ErrorKind::NotFound) {
         let what = format!("there is no model at `{}`: no such file or folder", path_in_line(argument));
@@ -32,6 +32,7 @@ pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
     Ok(Mechanism::read(&path)?.with(MODELS).followed(follow()))
 }
 
+<<<<<<< HEAD
 /// Refuses a scene where a model is asked for, with the model that it belongs to.
 fn not_a_model(path: &Path) -> Option<Failure> {
     let source = Source::read(path).ok().filter(|source| is_scene(source) && !is_model(source))?;
@@ -43,6 +44,9 @@ fn not_a_model(path: &Path) -> Option<Failure> {
 }
 
 /// The short name of a model: its folder, or the file's own name if it is not called `model.toml`.
+=======
+/// Short name of a model: that of its folder, or of its file if it is not called `model.toml`.
+>>>>>>> comments
 pub fn short_name(model: &Model) -> String {
     let path = &model.source.path;
     let stem = path.file_stem().map_or("model".into(), |s| s.to_string_lossy().into_owned());
@@ -53,7 +57,7 @@ pub fn short_name(model: &Model) -> String {
     full.parent().and_then(Path::file_name).map_or(stem, |folder| folder.to_string_lossy().into_owned())
 }
 
-/// Warning about a model of the workspace that was edited since its equations were compiled.
+/// Warning about a model of the workspace that was edited since its equations were compiled; `None` if it was not.
 pub fn edited(model: &Mechanism) -> Option<String> {
     let of_place = MODELS.iter().find(|m| is_workspace_model(model, m.name))?;
     (compiled(model).is_none()).then(|| {
@@ -65,7 +69,7 @@ pub fn edited(model: &Mechanism) -> Option<String> {
     })
 }
 
-/// True if the model file is, by its place, the one that a compiled model was derived from.
+/// True if the model file is, by its place, the file from which a compiled model was derived.
 fn is_workspace_model(model: &Model, name: &str) -> bool {
     let path = &model.source.path;
     let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_owned));
@@ -73,17 +77,17 @@ fn is_workspace_model(model: &Model, name: &str) -> bool {
     root.is_some_and(|root| is_same(&root.join("models").join(name).join("model.toml"), path))
 }
 
-/// The workspace that a folder lies in: the nearest folder, from this one upwards, that holds `models` and
-/// `generated/src`.
+/// Workspace in which a folder lies: the nearest folder, from this one upwards, that holds `models` and
+/// `generated/src`; `None` if there is none.
 pub fn workspace_around(folder: &Path) -> Option<PathBuf> {
     let is_root = |folder: &&Path| folder.join("models").is_dir() && folder.join("generated/src").is_dir();
     folder.ancestors().find(is_root).map(Path::to_owned)
 }
 
-/// The workspace that the command was called in.
+/// Workspace in which the command was called.
 ///
 /// # Errors
-/// [`Failure::Refused`] if it was called elsewhere: no command looks for a workspace that it was not called in.
+/// [`Failure::Refused`] if it was called elsewhere: no command searches for a workspace in other places.
 pub fn workspace_here() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     workspace_around(&here).ok_or_else(|| {
@@ -96,10 +100,10 @@ pub fn workspace_here() -> Result<PathBuf, Failure> {
     })
 }
 
-/// The folder that the command was called in.
+/// Folder in which the command was called.
 ///
 /// # Errors
-/// [`Failure::Refused`] if it is gone.
+/// [`Failure::Refused`] if the folder no longer exists.
 pub fn current_folder() -> Result<PathBuf, Failure> {
     let gone =
         |error| Failure::request(format!("there is no current folder: {error}"), "go to one that exists".to_owned());

@@ -1,8 +1,8 @@
-//! The modules of any one model file, for programs of its user's own: Rust, or another target's.
+//! Modules of code for any model file, for use in other programs: in Rust, or in another target's language.
 //!
-//! Invariant: a file that [`place`] did not write is never changed, and nothing is changed if one stands in the way.
-//! The header of a file tells whether this module wrote it. Absent on purpose: the crate around a module of Rust; it
-//! needs `tripos-traits`.
+//! Invariant: a file that [`place`] did not write is never changed, and no file is changed if one is in the way. The
+//! header of a file tells whether [`place`] wrote it. A Rust module comes without a crate around it; it needs the crate
+//! `tripos-traits`.
 
 #[cfg(feature = "rust")]
 use crate::extras::Extras;
@@ -22,35 +22,35 @@ use tripos_derive::plain::path_in_line;
 #[cfg(feature = "rust")]
 use tripos_derive::{Formulation, Model};
 
-/// The files of one model in one language.
+/// Files of one model's module in one language.
 #[derive(Debug)]
 pub struct Emission {
-    /// Text of each file by its name. In Rust: `mod.rs`, one file of equations for each formulation, and their code
-    /// under `code/`.
+    /// Texts of the files, by file name. In Rust: `mod.rs`, one file of equations for each formulation, and their code
+    /// in `code/`.
     pub files: BTreeMap<String, String>,
     /// Formulations that the model does not support, each with the reason.
     pub left_out: LeftOut,
-    /// Extension of the names of its files. Files with other extensions belong to other languages and are not touched.
+    /// Extension of the names of the files. Files with other extensions belong to other languages and are not touched.
     pub extension: &'static str,
 }
 
-/// Emits the module `module` of a model file: these formulations alone, or, if none are named, all that the model
-/// supports and the printed equations of the publication beside it; with these extras, and those that are asked for
-/// beside the model.
+/// Emits the module `module` of a model file. It contains the given formulations, or, if none are given, all that the
+/// model supports and the printed equations of the publication beside it. It contains the given extras, and those that
+/// the file `code.toml` beside the model asks for.
 ///
-/// The text is what a workspace has in `generated/src/MODULE`, but for the line that says where it comes from.
+/// The text equals that in `generated/src/MODULE` of a workspace, except for the line with its origin.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model file or the publication; a formulation that is named and cannot be had is one.
+/// [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not support.
 #[cfg(feature = "rust")]
 pub fn emit(path: &Path, module: &str, formulations: &[Formulation], extras: Extras) -> Result<Emission, Diagnostics> {
     emit_model(&Model::read(path)?, module, formulations, extras)
 }
 
-/// Emits a model that is read already, or was changed since, like [`emit`].
+/// Emits a model that is already read, or was changed after reading, like [`emit`].
 ///
 /// # Errors
-/// As [`emit`].
+/// [`Diagnostics`], for the same reasons as [`emit`].
 #[cfg(feature = "rust")]
 pub fn emit_model(
     model: &Model,
@@ -64,14 +64,14 @@ pub fn emit_model(
     Ok(Emission { files, left_out, extension: "rs" })
 }
 
-/// Outcome for one file of a module.
+/// Change of one file of a module, with the name of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Placed {
-    /// It is new or has another text than before.
+    /// The file is new or its text has changed.
     Written(String),
-    /// It had this text already, and was not touched.
+    /// The file had this text already, and was not touched.
     Unchanged(String),
-    /// An earlier emission wrote it, and this one has no such file.
+    /// An earlier emission wrote the file, and the module no longer contains it.
     Removed(String),
 }
 
@@ -85,14 +85,14 @@ impl fmt::Display for Placed {
     }
 }
 
-/// Why a module could not be placed.
+/// Reason why a module could not be placed in a folder.
 #[derive(Debug)]
 pub enum PlaceError {
-    /// A file that this did not write has the place of one of the module.
+    /// A file that [`place`] did not write has the name of a file of the module.
     Foreign(PathBuf),
-    /// A file or folder that cannot be read or removed.
+    /// A file or folder cannot be read or removed.
     Io(PathBuf, std::io::Error),
-    /// A file that cannot be written.
+    /// A file cannot be written.
     Write(WriteError),
 }
 
@@ -114,10 +114,10 @@ impl fmt::Display for PlaceError {
     }
 }
 
-/// Makes a folder hold a module: all its files, and no others of an earlier emission. Other files stay as they are.
+/// Makes a folder contain the files of a module, and removes other files of an earlier emission. All other files stay.
 ///
 /// # Errors
-/// [`PlaceError`]; [`PlaceError::Foreign`] before anything is changed.
+/// [`PlaceError`]. [`PlaceError::Foreign`] is returned before any file is changed.
 pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceError> {
     let old = written_before(folder, emission.extension)?;
     for file in emission.files.keys() {
@@ -146,7 +146,7 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
     Ok(placed)
 }
 
-/// The files of a module that an earlier emission wrote, with their texts; none if there is no such folder.
+/// Files of a module that an earlier emission wrote, with their texts; empty if the folder does not exist.
 fn written_before(folder: &Path, extension: &str) -> Result<BTreeMap<String, String>, PlaceError> {
     let mut files = written_in(folder, extension)?;
     let code = written_in(&folder.join("code"), extension)?;
@@ -166,7 +166,7 @@ fn written_in(folder: &Path, wanted: &str) -> Result<BTreeMap<String, String>, P
     for entry in std::fs::read_dir(folder).map_err(failed(folder))? {
         let entry = entry.map_err(failed(folder))?;
         let path = entry.path();
-        // Neither folders nor links: what a link points to is another's.
+        // Folders and links are skipped, because the target of a link belongs to someone else.
         if path.extension().is_none_or(|extension| extension != wanted)
             || !entry.file_type().map_err(failed(&path))?.is_file()
         {

@@ -1,34 +1,34 @@
-//! Optional functions written beside the equations: Jacobians and Taylor recurrences.
+//! Optional functions of generated code: Jacobians and Taylor recurrences.
 //!
-//! They are longer than all else together, and runs can do without them: a Jacobian is then the code, differentiated as
-//! it runs, and Taylor's method runs interpreted.
+//! These functions are longer than all other code, and runs are possible without them. Then a Jacobian is computed by
+//! differentiating the code as it runs, and Taylor's method is interpreted.
 
 use std::path::Path;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source, nearest};
 use tripos_traits::Method;
 
-/// The file beside a model that names the functions which are compiled beside its equations.
+/// Name of the file beside a model that lists the optional functions of its code.
 const FILE: &str = "code.toml";
 
-/// Functions that are written where they are asked for.
+/// Optional functions that are written if they are requested.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Extras {
-    /// The entries of the Jacobian of the derivative, for implicit methods.
+    /// Entries of the Jacobian of the derivative, for implicit methods.
     pub jacobian: bool,
-    /// The recurrences of the Taylor coefficients of the motion.
+    /// Recurrences of the Taylor coefficients of the motion.
     pub taylor: bool,
 }
 
 impl Extras {
-    /// All of them.
+    /// All optional functions.
     pub const ALL: Self = Self { jacobian: true, taylor: true };
-    /// Their names, as files and the command line give them.
+    /// Names of the optional functions in files and on the command line.
     pub const NAMES: [&str; 2] = ["jacobian", "taylor"];
 
-    /// Those of these names.
+    /// Optional functions with these names.
     ///
     /// # Errors
-    /// The message and the help of a name that is none.
+    /// Message and help for the first unknown name.
     pub fn named<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<Self, (String, String)> {
         let mut all = Self::default();
         for name in names {
@@ -50,16 +50,16 @@ impl Extras {
         Self { jacobian: method.needs_jacobian(), taylor: method.needs_series() }
     }
 
-    /// These, and those.
+    /// Optional functions that either set contains.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self { jacobian: self.jacobian || other.jacobian, taylor: self.taylor || other.taylor }
     }
 
-    /// Those that the file beside a model asks for; none where there is no such file.
+    /// Optional functions that the file `code.toml` beside a model requests; none without the file.
     ///
     /// # Errors
-    /// [`Diagnostics`] of a file that cannot be read, or that asks for something else.
+    /// [`Diagnostics`] of a file that cannot be read, or that contains anything else.
     pub fn beside(model: &Path) -> Result<Self, Diagnostics> {
         let path = model.with_file_name(FILE);
         if !path.exists() {

@@ -1,14 +1,16 @@
-//! The one way in which anything of ours is written to a file.
+//! Writing of files: all files of Tripos are written here, whole or not at all.
 //!
 //! Invariants:
-//! - A file of the name that was asked for is whole. It is written beside, to that name with `.part` after it, and
-//!   renamed when all of it is there: a full disk, an error or a kill before that leaves what had the name as it was.
-//! - A part is locked while it is written, and who waits for the lock looks again whether the name is still that of the
-//!   file it locked. So two writers of one name cannot mix, and none empties what the other has just finished.
-//! - [`Existing::Kept`] holds to the last: the rename itself refuses to replace what has appeared meanwhile.
+//! - A file under the requested name is always whole. Text is first written to that name with `.part` appended, and the
+//!   part is renamed when it is complete. After a full disk, an error or a kill before the rename, the old file is
+//!   unchanged.
+//! - A part is locked while it is written. A writer that waited for the lock checks that the part's name still belongs
+//!   to the file that it locked. So two writers of one name cannot mix their text, and neither empties the other's
+//!   finished file.
+//! - [`Existing::Kept`] holds to the end: the rename itself refuses to replace a file that appeared during the writing.
 //!
-//! Devices and pipes cannot be renamed: they take at once what is written. Absent on purpose: flushing to the disk
-//! itself, since what is written here can be made again.
+//! Devices and pipes cannot be renamed, so bytes are written to them directly. The disk is deliberately not flushed,
+//! because all files written here can be made again.
 
 use same_file::Handle;
 use std::fs::{File, TryLockError};
@@ -19,42 +21,43 @@ use std::{fmt, io};
 use tempfile::TempPath;
 use tripos_derive::plain::path_in_line;
 
-/// Time for which [`write`] waits for another writer of the same name, who is done as soon as its disk lets it.
+/// Longest time for which [`write`] waits for another writer of the same name.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Between two looks at a lock.
+/// Time between two attempts to lock a part.
 const PAUSE: Duration = Duration::from_millis(10);
-/// Names of what is open already: opened again, they would be a file like any other where they are one.
+/// Paths of files that are already open, to which bytes are written directly. Opened again, they could be ordinary
+/// files.
 const OPEN: [&str; 4] = ["/dev/stdout", "/dev/stderr", "/dev/fd", "/proc/self/fd"];
 
-/// Fate of an existing file that already has the name of a new one.
+/// Fate of an existing file with the name of a new file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Existing {
-    /// It is replaced, once the new one is whole.
+    /// The existing file is replaced once the new one is complete.
     Replaced,
-    /// It stays, and the new one is refused.
+    /// The existing file stays, and the new one is refused.
     Kept,
 }
 
-/// Fate of the rows written so far when a draft is dropped before its end.
+/// Fate of a part when its draft is dropped before the end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfinished {
     /// The part is removed.
     Removed,
-    /// The part stays beside, under its own name.
+    /// The part stays beside the target, under its own name.
     Left,
 }
 
-/// Why a file could not be written.
+/// Reason why a file could not be written.
 #[derive(Debug)]
 pub enum WriteError {
-    /// A file of this name is there, and is to be kept.
+    /// A file of this name exists, and must be kept.
     There(PathBuf),
-    /// A file of another stands there as in [`Self::There`], but it has appeared while the new one was written: all of
-    /// that is in the second file.
+    /// Like [`Self::There`], but the file appeared while the new one was written. The second path is the part, which
+    /// contains the whole new text.
     Appeared(PathBuf, PathBuf),
-    /// Another writer of this name is at work.
+    /// Another writer is writing this file.
     Busy(PathBuf),
-    /// The system refuses.
+    /// The operating system refuses an operation on this path.
     Io(PathBuf, io::Error),
 }
 
@@ -78,25 +81,25 @@ impl fmt::Display for WriteError {
 
 impl std::error::Error for WriteError {}
 
-/// A file that is being written.
+/// File that is being written, under a temporary name until it is complete.
 #[derive(Debug)]
 pub struct Draft {
-    /// The path that the caller gave, links not followed.
+    /// Path that the caller gave, with links not followed.
     path: PathBuf,
-    /// The path with links followed: what is renamed to.
+    /// Path to which the part is renamed, with links followed.
     target: PathBuf,
     existing: Existing,
-    /// Temporary file that holds the text until it is whole; `None` for devices and pipes. Declared before `file`: its
-    /// name goes before its lock does.
+    /// Part that contains the text until it is complete; `None` for devices and pipes. Declared before `file`, so that
+    /// its name is removed before its lock.
     part: Option<TempPath>,
     file: BufWriter<File>,
 }
 
 impl Draft {
-    /// Starts a file.
+    /// Starts a new file, in place of an unfinished part.
     ///
     /// # Errors
-    /// [`WriteError`]; nothing is changed then.
+    /// [`WriteError`]; no file is changed then.
     pub fn create(path: &Path, existing: Existing, unfinished: Unfinished) -> Result<Self, WriteError> {
         Self::begin(path, existing, unfinished, Duration::ZERO)
     }
@@ -111,7 +114,7 @@ impl Draft {
         }
         match &there {
             Some(there) if there.is_dir() => return Err(failed(ErrorKind::IsADirectory.into())),
-            // A rename would not ask.
+            // A rename would replace a file that is read-only.
             Some(there) if there.permissions().readonly() => return Err(failed(ErrorKind::PermissionDenied.into())),
             _ => {}
         }
@@ -120,7 +123,7 @@ impl Draft {
         }
         let part = part_of(&target);
         let file = locked(path, &part, wait)?;
-        // The lock is ours: who else may write this name has finished or given up.
+        // With this lock, every other writer of the name has finished or given up.
         if existing == Existing::Kept && target.symlink_metadata().is_ok() {
             let _ = std::fs::remove_file(&part);
             return Err(WriteError::There(path.to_owned()));
@@ -129,18 +132,18 @@ impl Draft {
         part.disable_cleanup(unfinished == Unfinished::Left);
         file.set_len(0).map_err(failed)?;
         if let Some(there) = there {
-            // Whoever could read the old one can read the new one. Where that cannot be had, the system's own choice
-            // stands.
+            // Readers of the old file can read the new one. If its permissions cannot be set, the system's defaults
+            // remain.
             let _ = file.set_permissions(there.permissions());
         }
         Ok(Self { path: path.to_owned(), target, existing, part: Some(part), file: BufWriter::new(file) })
     }
 
     /// Takes over the unfinished part of an earlier writer of this name; `None` if there is no part. [`Self::left`]
-    /// reads it, and [`Self::keep`] cuts it to the bytes that stay; until then nothing is changed.
+    /// reads the part, and [`Self::keep`] cuts it to the bytes that stay. Until then nothing is changed.
     ///
     /// # Errors
-    /// [`WriteError`]; then what was left stays.
+    /// [`WriteError`]; the part is unchanged then.
     pub fn resume(path: &Path, existing: Existing) -> Result<Option<Self>, WriteError> {
         let target = followed(path);
         let part = part_of(&target);
@@ -162,10 +165,10 @@ impl Draft {
         self.file.get_ref()
     }
 
-    /// Cuts what an earlier writer has left to so many bytes; what is written from now on stands behind them.
+    /// Cuts the text of an earlier writer to its first `bytes` bytes. New text is written after them.
     ///
     /// # Errors
-    /// [`WriteError::Io`] if the system refuses.
+    /// [`WriteError::Io`] if the operating system refuses.
     pub fn keep(&mut self, bytes: u64) -> Result<(), WriteError> {
         let file = self.file.get_mut();
         let cut = file.set_len(bytes).and_then(|()| file.seek(SeekFrom::Start(bytes)));
@@ -178,10 +181,10 @@ impl Draft {
         self.part.as_deref().unwrap_or(&self.path)
     }
 
-    /// Gives the file its name.
+    /// Completes the file and gives it its name.
     ///
     /// # Errors
-    /// [`WriteError`] if the last of it cannot be written, or it cannot be renamed: then the part stays.
+    /// [`WriteError`] if the last bytes cannot be written, or the part cannot be renamed: then the part stays.
     pub fn finish(mut self) -> Result<(), WriteError> {
         let failed = |error| WriteError::Io(self.path.clone(), error);
         self.file.flush().map_err(failed)?;
@@ -190,7 +193,7 @@ impl Draft {
             Existing::Replaced => part.persist(&self.target),
             Existing::Kept => part.persist_noclobber(&self.target),
         };
-        // The lock goes with the file, at the end of this function: after the rename.
+        // The file's lock is released at the end of this function, after the rename.
         named.map_err(|mut lost| {
             lost.path.disable_cleanup(true);
             match lost.error.kind() {
@@ -211,33 +214,33 @@ impl Write for Draft {
     }
 }
 
-/// Writes a whole file, in the place of one that is there; waits a little if another writes it.
+/// Writes a whole file, and replaces an existing one. Waits up to 10 s for another writer of the file.
 ///
 /// # Errors
-/// [`WriteError`]; what had the name is as it was then.
+/// [`WriteError`]; an existing file is unchanged then.
 pub fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), WriteError> {
     let mut draft = Draft::begin(path, Existing::Replaced, Unfinished::Removed, PATIENCE)?;
     draft.write_all(bytes.as_ref()).map_err(|error| WriteError::Io(path.to_owned(), error))?;
     draft.finish()
 }
 
-/// Makes a folder if it is not there.
+/// Creates a folder and its parents, unless the folder exists.
 ///
 /// # Errors
-/// [`WriteError::Io`] if it cannot be made.
+/// [`WriteError::Io`] if the folder cannot be created.
 pub fn folder(path: &Path) -> Result<(), WriteError> {
     std::fs::create_dir_all(path).map_err(|error| WriteError::Io(path.to_owned(), error))
 }
 
-/// True if writing `path` would change the file `input`, whatever it is called here: by a link, by another way to it,
-/// or by the part that is written beside.
+/// True if writing to `path` would change the file `input`: by the path itself, by a link, by another path to the file,
+/// or by the part beside it.
 #[must_use]
 pub fn would_change(path: &Path, input: &Path) -> bool {
     let same = |path: &Path| same_file::is_same_file(path, input).unwrap_or(false);
     same(path) || (!is_direct(path) && same(&part_of(&followed(path))))
 }
 
-/// The name with `.part` after it.
+/// Path of the part: the path with `.part` appended.
 fn part_of(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".part");
@@ -249,13 +252,13 @@ fn followed(path: &Path) -> PathBuf {
     if path.is_symlink() { path.canonicalize().unwrap_or_else(|_| path.to_owned()) } else { path.to_owned() }
 }
 
-/// True if bytes go straight to their destination: a device, a pipe, or a file that is open already.
+/// True if bytes are written directly to their destination: a device, a pipe, or a file that is already open.
 fn is_direct(path: &Path) -> bool {
     let special = std::fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir());
     special || OPEN.iter().any(|open| path.starts_with(open))
 }
 
-/// The part, open and locked; its contents are still there.
+/// Opens and locks the part; its contents are unchanged. Waits up to `wait` for another writer.
 fn locked(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> {
     let failed = |error| WriteError::Io(path.to_owned(), error);
     let begun = Instant::now();
@@ -264,9 +267,9 @@ fn locked(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> 
             let what = format!("`{}` is no regular file", path_in_line(part));
             return Err(failed(Error::new(ErrorKind::AlreadyExists, what)));
         }
-        // Emptied only once it is ours.
+        // The part is emptied later, once the lock is held.
         let file = File::options().read(true).write(true).create(true).truncate(false).open(part).map_err(failed)?;
-        // Where locks are not to be had, as on some networks, nothing is known.
+        // If the file system has no locks, as some network drives, the file counts as locked by this writer.
         let is_ours = !matches!(file.try_lock(), Err(TryLockError::WouldBlock));
         if is_ours && has_name(&file, part).map_err(failed)? {
             return Ok(file);
@@ -278,7 +281,7 @@ fn locked(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> 
     }
 }
 
-/// True if `path` still leads to this open file: between opening and locking, its writer may have renamed it.
+/// True if `path` still leads to this open file. Between opening and locking, its writer may have renamed it.
 fn has_name(file: &File, path: &Path) -> io::Result<bool> {
     let mine = Handle::from_file(file.try_clone()?)?;
     Ok(Handle::from_path(path).is_ok_and(|named| named == mine))

@@ -1,8 +1,9 @@
-//! Equations to readable code, the same bytes for the same model text on every machine.
+//! Readable code from equations: equal bytes for equal model text on every machine.
 //!
-//! The flow: [`tripos_derive::Equations`] → a plan of functions ([`plan`], [`taylor`]), which knows no language → the
-//! text of a target (`rust`, `js`, each behind the feature of that name) → files (`workspace`, `emit`). The recurrences
-//! of [`taylor`] can be interpreted as well. Nothing here reads a clock, an environment variable or a hash map's order.
+//! The flow: [`tripos_derive::Equations`] → a plan of functions ([`plan`], [`taylor`]), which is independent of
+//! languages → the text of a target (`rust`, `js`, each behind the feature of its name) → files (`workspace`, `emit`).
+//! The recurrences of [`taylor`] can also be interpreted. No code here reads a clock, an environment variable or the
+//! order of a hash map.
 
 #[cfg(any(feature = "rust", feature = "js"))]
 pub mod emit;

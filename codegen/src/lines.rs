@@ -1,6 +1,6 @@
-//! Text in lines of a width, for the comments and the code of any target.
+//! Text broken into lines of a given width, for the comments and the code of any target.
 
-/// Breaks a long line at spaces.
+/// Breaks a text at spaces into lines of at most `width` bytes; a longer word has a line of its own.
 #[must_use]
 pub fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];

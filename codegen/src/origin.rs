@@ -1,28 +1,28 @@
-//! The origin of generated text, as its header states it.
+//! Origin of generated text, as stated in its header.
 
 use std::path::Path;
 
-/// The command that writes modules of one model file, as their headers name it.
+/// Name of the command that writes modules of one model file, as stated in their headers.
 pub(crate) const EMIT: &str = "emit";
 
-/// The start of every sentence that [`Origin`] gives.
+/// Beginning of the origin sentence in files generated from a model, publication or scene.
 const GENERATED: &str = "Generated from `";
-/// The start of the sentence in what is the same for every model.
+/// Beginning of the origin sentence in files that are the same for every model.
 const BESIDE: &str = "Goes with what is generated from `";
 
-/// The files that a module is generated from, and the command that does it.
+/// Files from which a module is generated, and the command that generates it.
 pub(crate) struct Origin {
-    /// The folder of the files as the header states it, with the `/` behind it.
+    /// Folder of the files as the header states it, with a `/` at its end; may be empty.
     pub folder: String,
-    /// The name of the model file.
+    /// Name of the model file.
     pub model: String,
-    /// The command of `tripos` that writes the text.
+    /// Command of `tripos` that writes the text.
     pub command: &'static str,
 }
 
 impl Origin {
-    /// Origin of the modules of one model file. `model.toml` alone would say little: the name of its folder goes with
-    /// it. Neither depends on where that folder is.
+    /// Origin of the modules of one model file. If the file is `model.toml`, the name of its folder is added, because
+    /// the file name alone would say little. The origin does not depend on where the folder is.
     pub fn emitted(path: &Path) -> Self {
         let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
         let model = name(path.file_name()).unwrap_or_default();
@@ -32,36 +32,36 @@ impl Origin {
         Self { folder: folder.unwrap_or_default(), model, command: EMIT }
     }
 
-    /// The sentence in files that are the same for every model.
+    /// Origin sentence in files that are the same for every model.
     #[cfg(feature = "js")]
     pub fn beside(&self) -> String {
         self.of_model().replacen(GENERATED, BESIDE, 1)
     }
 
-    /// The sentence in files derived from the model.
+    /// Origin sentence in files derived from the model.
     pub fn of_model(&self) -> String {
         self.of(&self.model)
     }
 
-    /// The sentence in files of what the publication beside the model prints.
+    /// Origin sentence in files with the printed equations of the publication beside the model.
     pub fn of_publication(&self) -> String {
         self.of("publication.toml")
     }
 
-    /// The sentence in files derived from a scene of the model, named as it is seen from there.
+    /// Origin sentence in files derived from a scene, whose path is relative to the folder of the model.
     #[cfg(feature = "rust")]
     pub fn of_scene(&self, name: &str) -> String {
         self.of(name)
     }
 
-    /// True if the equations of scenes are written too, as they are for a workspace.
+    /// True if the equations of scenes are also written, as for a workspace.
     #[cfg(feature = "rust")]
     pub fn has_scenes(&self) -> bool {
         self.command == "regenerate"
     }
 
     fn of(&self, file: &str) -> String {
-        // The quotes of the path are Markdown's: one of its own would end them.
+        // The path is in Markdown's quotes, which a backquote in the path would end.
         let path = format!("{}{file}", self.folder).replace('`', "'");
         format!("{GENERATED}{path}`. {}", advice(self.command))
     }
@@ -71,7 +71,7 @@ fn advice(command: &str) -> String {
     format!("Do not edit; run `tripos {command}`.")
 }
 
-/// True if the text has the header that this command writes: an origin in a comment before the first item.
+/// True if a command wrote the text: its header has the origin sentence in a comment before the first item.
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
     let advice = advice(command);
     let mut header = text.lines().map_while(|line| line.strip_prefix("//!").or_else(|| line.strip_prefix("//")));

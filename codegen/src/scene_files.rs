@@ -1,16 +1,16 @@
-//! Scene files of a model, found on disk.
+//! Search for the scene files of a model on disk.
 //!
-//! Invariant: whoever asks for the scenes of a model, the page as the generator of code, has them from here, in one
-//! order. A file in `scenes/` is meant to be a scene, whatever is wrong with it; beside the model stand other files as
-//! well (a publication, states, other models), so there a file is a scene if it names this model under `model`. What
-//! cannot be read there is listed too: whoever reads it says what is wrong.
+//! Invariant: the page and the code generator get the scenes of a model from here, in one order. A file in `scenes/`
+//! counts as a scene, even with errors. Beside the model there are other files (a publication, states, other models).
+//! So a file there is a scene if it names this model under `model`. Files that cannot be read are listed too, so that
+//! their readers report the errors.
 
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::publication::is_beside;
 use tripos_derive::scene::model_path;
 
-/// The scene files of a model file: those in `scenes/`, then those beside it, each in the order of their names.
+/// Scene files of a model file: those in `scenes/`, then those beside it, each group in alphabetical order.
 #[must_use]
 pub fn scene_files(model: &Path) -> Vec<PathBuf> {
     let beside = model.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -25,7 +25,7 @@ pub fn scene_files(model: &Path) -> Vec<PathBuf> {
     list
 }
 
-/// The name of a scene file as it is seen from its model: `scenes/swing.toml`, or `swing.toml`.
+/// Path of a scene file relative to its model: `scenes/swing.toml`, or `swing.toml`.
 #[must_use]
 pub fn name_beside(model: &Path, scene: &Path) -> String {
     let name = scene.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -33,13 +33,13 @@ pub fn name_beside(model: &Path, scene: &Path) -> String {
     if is_inside { format!("scenes/{name}") } else { name }
 }
 
-/// True if two paths lead to one file.
+/// True if two paths lead to one existing file.
 #[must_use]
 pub fn is_same(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
-/// The TOML files of a folder, in the order of their names; none if it cannot be listed.
+/// TOML files of a folder, in alphabetical order; empty if the folder cannot be listed.
 fn tables(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let names = entries.filter_map(|entry| Some(entry.ok()?.file_name()));

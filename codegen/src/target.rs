@@ -1,5 +1,5 @@
-//! Targets: the languages that equations are written in. One driver derives the equations of a model and hands each set
-//! to a target, which plans and writes it.
+//! Targets: the languages in which equations are written. One driver derives the equations of a model and passes each
+//! set to a target, which plans and writes it.
 
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
@@ -9,34 +9,34 @@ use tripos_derive::mechanics::{Derivation, DeriveError, derive_all};
 use tripos_derive::publication::load_beside;
 use tripos_derive::{Equations, Formulation, Model, derive};
 
-/// A language while it writes one model: it gets one set of equations after the other, and keeps the files.
+/// Language into which one model is written. A target gets one set of equations after the other, and keeps the files.
 pub trait Target {
-    /// Text of each file that is written so far, by its name.
+    /// Texts of the files written so far, by file name.
     fn files(&self) -> &BTreeMap<String, String>;
 
-    /// The name of the file of equations of this name.
+    /// Name of the file for equations with this name.
     fn file_of(&self, equations: &str) -> String;
 
     /// Writes derived equations.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the accelerations that were solved for are not proved.
+    /// [`Diagnostics`] if the accelerations were solved for but are not proved.
     fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics>;
 
-    /// Writes equations that a publication prints, as they stand; the model knows the symbols of the publication.
+    /// Writes equations that a publication prints, exactly as printed; `model` contains the symbols of the publication.
     fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations);
 }
 
 /// Formulations that a model does not support, each with the reason.
 pub type LeftOut = Vec<(Formulation, DeriveError)>;
 
-/// Has a target write a model: these formulations alone, or, if none are named, all that the model supports and the
-/// printed equations of the publication beside it. Each formulation is derived with a store of terms of its own, so that
-/// the text of one does not depend on the others.
+/// Writes a model by a target. It writes the given formulations, or, if none are given, all that the model supports and
+/// the printed equations of the publication beside it. Each formulation is derived with a store of terms of its own, so
+/// that its text does not depend on the others.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model or the publication; a named formulation that the model does not support is one, and so
-/// are two printed systems whose files would have one name.
+/// [`Diagnostics`] of the model or the publication, of a given formulation that the model does not support, or of two
+/// printed systems whose files would have one name.
 pub fn write(model: &Model, formulations: &[Formulation], target: &mut dyn Target) -> Result<LeftOut, Diagnostics> {
     let mut left_out = Vec::new();
     let is_asked = |f: &Formulation| formulations.is_empty() || formulations.contains(f);
@@ -53,8 +53,8 @@ pub fn write(model: &Model, formulations: &[Formulation], target: &mut dyn Targe
     Ok(left_out)
 }
 
-/// Has a target write the printed equations of the publication beside a model, if there is one. Symbols of the
-/// publication go to a store of their own, so that derived equations do not depend on it.
+/// Writes the printed equations of the publication beside a model by a target, if there is a publication. Its symbols
+/// are put into a store of their own, so that derived equations do not depend on them.
 fn printed(model: &Model, target: &mut dyn Target) -> Result<(), Diagnostics> {
     let mut with_publication = model.clone();
     let Some(publication) = load_beside(&model.source.path, &mut with_publication)? else { return Ok(()) };

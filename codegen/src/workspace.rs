@@ -1,4 +1,4 @@
-//! All models of a workspace, and what stands in `generated/`.
+//! Generated code of all models in a workspace, in the folder `generated/`.
 
 use crate::extras::Extras;
 use crate::files::{self, WriteError};
@@ -21,20 +21,20 @@ use tripos_derive::{Formulation, Model};
 /// Generated files of all models of a workspace.
 #[derive(Debug, Default)]
 pub struct Generated {
-    /// Text of each file by its path under `generated/src`, with `/` between folders.
+    /// Texts of the files, by path under `generated/src`, with `/` between folders.
     pub files: BTreeMap<String, String>,
-    /// Folders under `models/` that generated, in order.
+    /// Folders under `models/` whose models have generated files, in order.
     pub models: Vec<String>,
-    /// Models with errors; their committed files are left as they are.
+    /// Models with errors; their committed files are unchanged.
     pub broken: Vec<(String, Diagnostics)>,
-    /// Scene files with errors, as `disk/scenes/report.toml`: nothing is generated for them.
+    /// Scene files with errors, such as `disk/scenes/report.toml`; no code is generated for them.
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
-/// The folders of models under `models/`, in order.
+/// Folders under `models/` that contain a model, in alphabetical order.
 ///
 /// # Errors
-/// If the folder cannot be listed.
+/// Error of the operating system if the folder cannot be listed.
 pub fn model_folders(models: &Path) -> std::io::Result<Vec<String>> {
     let mut folders: Vec<String> = Vec::new();
     for entry in std::fs::read_dir(models)? {
@@ -47,7 +47,7 @@ pub fn model_folders(models: &Path) -> std::io::Result<Vec<String>> {
     Ok(folders)
 }
 
-/// Derives the models in these folders under `models/` and emits their code.
+/// Derives the models in these folders under `models/` and generates their code.
 ///
 /// A model with errors does not stop the others: it is listed in [`Generated::broken`].
 #[must_use]
@@ -68,7 +68,7 @@ pub fn generate(models: &Path, folders: &[String]) -> Generated {
     generated
 }
 
-/// [`model_files`], with a defect of this program reported as an error of the one model that shows it.
+/// Generates the module of one model. A panic of this program becomes an error of this model.
 fn guarded(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     std::panic::catch_unwind(|| workspace_module(path, folder)).unwrap_or_else(|_| {
         let source = Source { path: path.to_owned(), text: String::new() };
@@ -78,7 +78,7 @@ fn guarded(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     })
 }
 
-/// The files of one model of the workspace, by name.
+/// Texts of the generated files of one model of the workspace, by name.
 ///
 /// # Errors
 /// [`Diagnostics`] of the model file.
@@ -95,10 +95,10 @@ fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostic
     Ok(module)
 }
 
-/// The functions that are written beside the equations: those that the file beside a model names, and those that the
+/// Optional functions of a model's code: those that the file `code.toml` beside the model names, and those that the
 /// methods of its scenes use.
 pub(crate) fn asked_for(model: &Model, path: &Path) -> Result<Extras, Diagnostics> {
-    // A scene with errors is reported where its own equations are derived.
+    // Scenes with errors are skipped here, and reported where their own equations are derived.
     let scenes = scene_files(path).into_iter().filter_map(|scene| {
         let source = Source::read(&scene).ok()?;
         let belongs = scene_model(&source).is_ok_and(|of| is_same(&of, path));
@@ -108,22 +108,22 @@ pub(crate) fn asked_for(model: &Model, path: &Path) -> Result<Extras, Diagnostic
     Ok(methods.map(Extras::for_method).fold(Extras::beside(path)?, Extras::and))
 }
 
-/// Name of the file, beside a module's equations, that holds the model from which they were derived. A later edit is
-/// compared with equations derived again from it, not with their text.
+/// Name of the file, beside a module's equations, that contains the model text from which they were derived. A later
+/// edit of the model is compared with equations derived again from this text.
 pub const DERIVED_FROM: &str = "derived_from.toml";
 
 /// Generated files of one model.
 pub(crate) struct ModuleFiles {
-    /// Text of each file, by name.
+    /// Texts of the files, by name.
     pub files: BTreeMap<String, String>,
     /// Formulations that this model does not support, each with the reason.
     pub left_out: LeftOut,
-    /// Scene files with errors, by their names as seen from the model.
+    /// Scene files with errors, by path relative to the model.
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
-/// The files of a module of this name: of these formulations alone, or, if none are named, of all and of the
-/// publication beside the model.
+/// Generates the files of a module with this name. They contain the given formulations, or, if none are given, all that
+/// the model supports and the printed equations of the publication beside it.
 pub(crate) fn module_files(
     model: &Model,
     module: &str,
@@ -170,7 +170,8 @@ pub(crate) fn module_files(
     Ok(ModuleFiles { files, left_out, broken_scenes })
 }
 
-/// The file of one scene beside those that are there; nothing if it is of another model.
+/// Generates the files of one scene, beside those of earlier scenes. `None` if the scene belongs to another model, or
+/// if the model has no reduced equations.
 fn file_of_scene(
     model: &Model,
     path: &Path,
@@ -186,7 +187,7 @@ fn file_of_scene(
     if !is_reducible(model) {
         return Ok(None);
     }
-    // With a store of terms of its own, so that one scene's text does not hang on another's.
+    // The scene gets a store of terms of its own, so that its text does not depend on other scenes.
     let mut model = model.clone();
     let loaded = load_scene(&source, &mut model)?;
     let reduction = reduce(&model, &loaded).map_err(|error| model.diagnose(&error))?;
@@ -197,14 +198,14 @@ fn file_of_scene(
     file.map(Some).map_err(|why| unsolved(&source, "the scene's own equations", why))
 }
 
-/// Difference between one file of `generated/src` and the file that the models generate.
+/// Difference between a committed file of `generated/src` and the file that the models generate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Difference {
-    /// The models give it, but it is not there.
+    /// The models generate the file, but it is not committed.
     Missing(String),
-    /// Its text is another.
+    /// The committed file has another text.
     Changed(String),
-    /// No model gives it any more.
+    /// No model generates the committed file any more.
     Extra(String),
 }
 
@@ -219,7 +220,7 @@ impl std::fmt::Display for Difference {
 }
 
 impl Difference {
-    /// The file, relative to `generated/src`.
+    /// Path of the file, relative to `generated/src`.
     #[must_use]
     pub fn file(&self) -> &str {
         match self {
@@ -228,25 +229,25 @@ impl Difference {
     }
 }
 
-/// Files that the models generate now, compared with the committed ones.
+/// Comparison of the files that the models generate now with the committed files.
 #[derive(Debug)]
 pub struct Freshness {
-    /// Freshly generated files, `lib.rs` among them. Models that are broken, and those that nobody asked for, keep
-    /// their committed files.
+    /// Freshly generated files, including `lib.rs`. Models with errors and models that were not requested keep their
+    /// committed files.
     pub generated: Generated,
-    /// Files whose committed text differs.
+    /// Files that are missing, changed or no longer generated.
     pub differences: Vec<Difference>,
 }
 
-/// Derives every model, or those in the folders `only`, and compares with the committed text, byte by byte.
+/// Generates every model, or only those in the folders `only`, and compares with the committed text, byte by byte.
 ///
 /// # Errors
-/// If a folder or a file cannot be read.
+/// Error of the operating system if a folder or a file cannot be read.
 pub fn freshness(models: &Path, committed: &Path, only: Option<&[String]>) -> std::io::Result<Freshness> {
     let all = model_folders(models)?;
     let mut generated = generate(models, only.unwrap_or(&all));
     let on_disk = read_tree(committed)?;
-    // A model with errors keeps its last good equations.
+    // A model with errors keeps its last good files.
     for name in all.into_iter().filter(|name| !generated.models.contains(name)).collect::<Vec<_>>() {
         let kept: Vec<_> = on_disk.iter().filter(|(file, _)| Path::new(file).starts_with(&name)).collect();
         if !kept.is_empty() {
@@ -269,7 +270,7 @@ pub fn freshness(models: &Path, committed: &Path, only: Option<&[String]>) -> st
     Ok(Freshness { generated, differences })
 }
 
-/// Every file under a folder with its text; empty if there is no such folder.
+/// Texts of all files under a folder, by path relative to it; empty if the folder does not exist.
 fn read_tree(root: &Path) -> std::io::Result<BTreeMap<String, String>> {
     let mut files = BTreeMap::new();
     let mut folders = vec![String::new()];
@@ -291,10 +292,10 @@ fn read_tree(root: &Path) -> std::io::Result<BTreeMap<String, String>> {
     Ok(files)
 }
 
-/// Makes the committed text what the models give; extra files are removed.
+/// Writes the generated text over the committed text, and removes files that are no longer generated.
 ///
 /// # Errors
-/// If a file cannot be written.
+/// [`WriteError`] if a file cannot be written or removed.
 pub fn write(freshness: &Freshness, committed: &Path) -> Result<(), WriteError> {
     for difference in &freshness.differences {
         let path = committed.join(difference.file());
@@ -307,7 +308,7 @@ pub fn write(freshness: &Freshness, committed: &Path) -> Result<(), WriteError> 
             }
             None => {
                 std::fs::remove_file(&path).map_err(|error| WriteError::Io(path.clone(), error))?;
-                // The folder of a model that is gone goes too, once it is empty.
+                // The folder of a removed model is also removed, once it is empty.
                 if let Some(folder) = path.parent().filter(|folder| *folder != committed) {
                     let _ = std::fs::remove_dir(folder);
                 }

@@ -1,10 +1,10 @@
 //! Properties of a model before its equations are used: freedoms, kinds of constraints, unused names.
 //!
-//! All motion constraints together decide which of them are integrable. The motions that they permit span W and, where
-//! they drive, w of q̇ = W u + w; with all brackets of these fields, and brackets of those, the motions span everything
-//! that can be reached. A constraint that none of these fields breaks holds a function of the coordinates. G. Frobenius
-//! 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L. Bryant et al., *Exterior Differential
-//! Systems* (1991), chapter II §4 (derived flag).
+//! All motion constraints together decide which of them are integrable. The motions that they permit span W and, with
+//! drives, w of q̇ = W u + w. These fields, their brackets and the brackets of those span all directions in which the
+//! mechanism can move. A constraint that all these fields satisfy keeps a function of the coordinates constant. G.
+//! Frobenius 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L. Bryant et al., *Exterior
+//! Differential Systems* (1991), chapter II §4 (derived flag).
 
 mod creates;
 mod rank_loss;
@@ -24,7 +24,7 @@ use crate::geometry::{Vector, apply_tensor};
 use crate::mechanics::{Derivation, DeriveError, Formulation, Kinematics, derive, is_large, load_divisors};
 use crate::model::{Branch, DependentConstraint, Model, MotionConstraint, Tie};
 
-/// Kind of a constraint: on places or on velocities.
+/// Kind of a constraint: an equation between coordinates or between velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConstraintKind {
     /// An equation between coordinates.
@@ -33,49 +33,51 @@ pub enum ConstraintKind {
     Motion,
 }
 
-/// A constraint with its properties.
+/// A constraint with the results of its check.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Checked {
-    /// Its name.
+    /// Name of the constraint.
     pub name: String,
     /// Kind of the constraint.
     pub kind: ConstraintKind,
-    /// True if it holds a function of the coordinates, given the other constraints; `None` if undecided.
+    /// True if the constraint keeps a function of the coordinates constant, given the other constraints; `None` if
+    /// undecided.
     pub integrable: Option<bool>,
-    /// The function that it holds, as a formula; `None` if none was found.
+    /// Function of the coordinates that the constraint keeps constant, as a formula; `None` if none was found.
     pub integral: Option<String>,
-    /// True if it follows from the other constraints.
+    /// True if the constraint follows from the other constraints.
     pub redundant: bool,
 }
 
 /// Result of a check of a model.
 #[derive(Clone, Debug)]
 pub struct Check {
-    /// Generalized coordinates, without time.
+    /// Number of generalized coordinates, without time.
     pub coordinates: usize,
-    /// Generalized speeds.
+    /// Number of generalized speeds.
     pub speeds: usize,
-    /// All constraints.
+    /// All constraints of the model, with the results of their checks.
     pub constraints: Vec<Checked>,
-    /// Independent velocities.
+    /// Number of independent velocities.
     pub degrees_of_freedom: usize,
-    /// Number of coordinates less number of constraints, dependent ones included.
+    /// Number of coordinates less number of constraints, dependent constraints included.
     pub mobility_count: i64,
     /// Dimension of the set of poses that the motions can reach from one pose; `None` if undecided.
     pub configuration_freedom: Option<usize>,
-    /// The assembly branch that results about loops refer to, with the way in which their rank was decided there.
+    /// Assembly branch to which all results about loops refer, with the rank of the constraints there; `None` if the
+    /// model has none.
     pub branch: Option<Branch>,
-    /// Formulas that are zero where the chosen speeds do not determine the motion.
+    /// Formulas that are zero in the poses where the chosen speeds do not determine the motion.
     pub singular_where: Vec<String>,
-    /// Poses where the constraints themselves lose rank, whatever the speeds are; `None` without constraints.
+    /// Poses where the constraints themselves lose rank, for every choice of speeds; `None` without constraints.
     pub rank_loss: Option<RankLoss>,
-    /// Speeds whose rates the equations of motion leave open: the bodies that they move have no inertia.
+    /// Names of speeds whose rates the equations of motion do not determine: the bodies that they move have no inertia.
     pub indeterminate: Vec<String>,
     /// Effect of each applied load on the energy.
     pub loads: Vec<LoadEffect>,
-    /// Further facts about the model, a sentence each.
+    /// Further facts about the model, one sentence each.
     pub notes: Vec<String>,
-    /// Every name of a term that a note mentions, with its formula, each after those that it mentions.
+    /// Named terms that the notes mention, as (name, formula). Each stands after the names that its formula mentions.
     pub names: Vec<(String, String)>,
 }
 
@@ -174,7 +176,7 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     })
 }
 
-/// Coordinates that are left less all constraints between them.
+/// Number of coordinates less number of constraints, dependent constraints included. Time counts as neither.
 fn mobility_count(model: &Model) -> i64 {
     let clock = usize::from(model.time().is_some());
     let rolling = model.dependent.iter().filter(|d| model.closed.iter().all(|c| c.name != d.name)).count();
@@ -191,7 +193,7 @@ fn in_most_poses(name: &str) -> String {
     )
 }
 
-/// Note on a constraint that depends on others wherever the loops are closed.
+/// Note on a constraint that depends on other constraints wherever the loops are closed.
 fn dependent_note(d: &DependentConstraint) -> String {
     let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
     format!(
@@ -204,7 +206,7 @@ fn dependent_note(d: &DependentConstraint) -> String {
     )
 }
 
-/// Note on speeds that the file names and constraints determine; `None` if there are none.
+/// Note on the speeds that joints name but the constraints determine; `None` if there are none.
 fn speeds_note(model: &Model) -> Option<String> {
     let names =
         |list: &mut dyn Iterator<Item = &String>| list.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
@@ -238,7 +240,7 @@ fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveErro
     Ok(notes)
 }
 
-/// Note on the change of T + V; `None` if it is constant.
+/// Note on the change of the total energy T + V; `None` if it is constant.
 fn power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     if model.is_driven() {
         return Some("constraints drive the mechanism: T + V changes by what their forces work".to_owned());
@@ -246,13 +248,14 @@ fn power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     (power != Expr::ZERO).then(|| format!("T + V changes at the rate {}", text(arena, power)))
 }
 
-/// The function of the coordinates that a constraint holds, if its slopes are those of one.
+/// Function of the coordinates that a constraint keeps constant, as a formula. `None` if no function is found whose
+/// slopes are the coefficients of the constraint.
 fn integral_of(model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> Option<String> {
     let mut slopes = vec![Expr::ZERO; model.coordinates.len()];
     for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {
         slopes[at] = slope;
     }
-    // What a drive adds is along time.
+    // The drive is the coefficient of the rate of time.
     match model.time() {
         Some(time) => slopes[time] = arena.add(slopes[time], constraint.drive),
         None if constraint.drive != Expr::ZERO => return None,
@@ -262,19 +265,19 @@ fn integral_of(model: &Model, arena: &mut Arena, constraint: &MotionConstraint) 
     Some(text(arena, function))
 }
 
-/// Number of brackets that are tried before the question is given up.
+/// Number of brackets that are tried before integrability stays undecided.
 const MOST_BRACKETS: usize = 200;
 
-/// Fields of motions, each independent of those before it. A field has a component for each coordinate, the last for
-/// time where there is a drift and no coordinate is time.
+/// Independent fields of permitted motions: the columns of W, the drift w, and their brackets. A field has one
+/// component for each coordinate. With a drift and without a time coordinate, a last component stands for time.
 struct Reach {
     fields: Vec<Vec<Expr>>,
-    /// The coordinates along which fields are differentiated.
+    /// Coordinates with respect to which fields are differentiated.
     along: Vec<Expr>,
-    /// True if one field is w.
+    /// True if one field is the drift w of q̇ = W u + w.
     drifts: bool,
-    /// True if no constraint is on velocities: then the motions stay on the levels of functions, and brackets add
-    /// nothing.
+    /// True if no stated or rolling constraint is on velocities. The motions then stay on level sets of functions, and
+    /// brackets add nothing.
     is_holonomic: bool,
 }
 
@@ -306,7 +309,7 @@ impl Reach {
         Self { fields, along: model.q(), drifts, is_holonomic }
     }
 
-    /// Adds brackets until none is new; returns false if it gave up before.
+    /// Adds brackets of fields until no bracket is new. Returns false if too many were tried or a rank is undecided.
     fn close(&mut self, arena: &mut Arena) -> bool {
         let mut simplifier = Simplifier::default();
         let mut tried = 0;
@@ -316,7 +319,7 @@ impl Reach {
         }
         while later < self.fields.len() {
             for earlier in 0..later {
-                // Nothing is independent of as many as there are components.
+                // A field cannot be independent of as many fields as it has components.
                 if self.fields.len() == self.fields[0].len() {
                     return true;
                 }
@@ -339,7 +342,7 @@ impl Reach {
         true
     }
 
-    /// [X, Y] = (∂Y/∂q) X − (∂X/∂q) Y.
+    /// Lie bracket [X, Y] = (∂Y/∂q) X − (∂X/∂q) Y of the fields with the numbers `x` and `y`.
     fn bracket(&self, arena: &mut Arena, simplifier: &mut Simplifier, x: usize, y: usize) -> Vec<Expr> {
         let mut gradient = Gradient::new(&self.along);
         let (x, y) = (&self.fields[x], &self.fields[y]);
@@ -358,7 +361,7 @@ impl Reach {
             .collect()
     }
 
-    /// True if no field breaks a constraint; `None` if that cannot be decided.
+    /// True if all fields satisfy a motion constraint; `None` if undecided.
     fn permits(&self, model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> Option<bool> {
         let mut row = vec![Expr::ZERO; model.coordinates.len()];
         for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {

@@ -1,4 +1,4 @@
-//! Errors of a file, each with its place, a message and help.
+//! Errors of an input file, each with its place, a message and help.
 
 use crate::plain::{one_line, path_in_line, visible};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
@@ -13,14 +13,14 @@ use std::path::PathBuf;
 /// A text file as read, with the name it is reported under.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
-    /// The path as the user gave it.
+    /// Path of the file, as the user gave it.
     pub path: PathBuf,
-    /// The content.
+    /// Text of the file, without a byte order mark.
     pub text: String,
 }
 
 impl Source {
-    /// Files beyond this many bytes are refused: no model written by a person comes near.
+    /// Largest size of a file that is read, bytes. No model written by a person comes near.
     pub const MAX_BYTES: u64 = 4 << 20;
 
     /// Reads a regular file of UTF-8 text.
@@ -50,7 +50,7 @@ impl Source {
                 "give a text file of this format",
             );
         }
-        // What can be shown of a file that is not plain text.
+        // Error at a byte of a file that is not plain text: the source then holds only the text before that byte.
         let fail_at = |at: usize, length: usize, message: &str, help: &str| {
             let mut text = String::from_utf8_lossy(&bytes[..at]).into_owned();
             let start = text.len();
@@ -74,40 +74,40 @@ impl Source {
         }
     }
 
-    /// A text that did not come from a file.
+    /// Creates a source from text that was not read from a file. Errors name it by `path`.
     #[must_use]
     pub fn from_text(path: &str, text: &str) -> Self {
         Self { path: PathBuf::from(path), text: text.trim_start_matches('\u{feff}').to_owned() }
     }
 }
 
-/// One error: what is wrong, where, and what to do.
+/// An error of an input file: message, place and advice.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Message of the error, in one line.
     pub message: String,
-    /// The place, as a byte range.
+    /// Place of the error in the file, as a byte range; `None` for the file as a whole.
     pub span: Option<Range<usize>>,
-    /// A second place that belongs to it, with what stands there.
+    /// Second place in the file that belongs to the error, as a byte range, with its label.
     pub other: Option<(Range<usize>, String)>,
     /// Advice for correcting the error.
     pub help: Option<String>,
 }
 
 impl Diagnostic {
-    /// An error at a place.
+    /// Creates an error at a byte range of the file.
     #[must_use]
     pub fn new(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { message: message.into(), span: Some(span), other: None, help: Some(help.into()) }
     }
 
-    /// An error of the file as a whole.
+    /// Creates an error of the file as a whole, without a place.
     #[must_use]
     pub fn of_file(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { message: message.into(), span: None, other: None, help: Some(help.into()) }
     }
 
-    /// Adds a second place.
+    /// Adds a second place in the file, with its label.
     #[must_use]
     pub fn with_other(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
         self.other = Some((span, label.into()));
@@ -118,14 +118,14 @@ impl Diagnostic {
 /// All errors of one file, with its text. Displays as compilers do, each error with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
-    /// The file.
+    /// File in which the errors were found.
     pub source: Source,
-    /// Its errors in the order of their places.
+    /// Errors of the file, in the order of their places.
     pub list: Vec<Diagnostic>,
 }
 
 impl Diagnostics {
-    /// The errors of one file, sorted by place.
+    /// Collects the errors of one file, sorts them by place and drops repetitions.
     #[must_use]
     pub fn new(source: Source, mut list: Vec<Diagnostic>) -> Self {
         list.sort_by_key(|d| d.span.as_ref().map_or(0, |s| s.start));
@@ -133,7 +133,7 @@ impl Diagnostics {
         Self { source, list }
     }
 
-    /// The line and the column of an error, in characters from 1; none of the file as a whole.
+    /// Line and column of an error, in characters from 1; `None` for an error of the file as a whole.
     #[must_use]
     pub fn place(&self, diagnostic: &Diagnostic) -> Option<(usize, usize)> {
         let excerpt = Excerpt::new(&self.source.text, diagnostic.span.as_ref()?);
@@ -149,7 +149,7 @@ impl Diagnostics {
 
 impl std::error::Error for Diagnostics {}
 
-/// Errors of one file that are shown; nobody reads more before mending the first ones.
+/// Number of errors of one file that are shown. Nobody reads more before correcting the first ones.
 const MAX_SHOWN: usize = 50;
 /// Bytes of a line that are shown on either side of an error.
 const MARGIN: usize = 160;
@@ -209,16 +209,16 @@ fn render(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
     Renderer::plain().render(&[group])
 }
 
-/// Lines around a place, so that showing an error does not read the whole file.
+/// Part of a file around an error, so that showing the error does not read the whole file.
 struct Excerpt<'a> {
     text: std::borrow::Cow<'a, str>,
     /// Byte in the file at which the excerpt starts.
     start: usize,
-    /// The number of its first line.
+    /// Number of the excerpt's first line in the file, from 1.
     line: usize,
-    /// The column of the place, in characters, from 1.
+    /// Column of the error in the file, in characters, from 1.
     column: usize,
-    /// The place, in the excerpt.
+    /// Byte range of the error, counted from the start of the excerpt.
     span: Range<usize>,
     /// True if the excerpt consists of whole lines.
     whole: bool,
@@ -229,7 +229,7 @@ impl<'a> Excerpt<'a> {
         let from = floor(text, span.start);
         let to = floor(text, span.end).max(from);
         let first = text[..from].rfind('\n').map_or(0, |n| n + 1);
-        // Of a place over many lines, the first is enough.
+        // For an error over many lines, the first line is enough.
         let end = text[from..].find('\n').map_or(text.len(), |n| from + n);
         let end = if text[..end].ends_with('\r') { end - 1 } else { end }.max(from);
         let to = to.min(end).max(from);
@@ -246,7 +246,7 @@ impl<'a> Excerpt<'a> {
     }
 }
 
-/// The start of the character at or before a byte.
+/// Largest start of a character, in bytes, that is not beyond byte `at`.
 fn floor(text: &str, at: usize) -> usize {
     let mut at = at.min(text.len());
     while !text.is_char_boundary(at) {
@@ -255,12 +255,12 @@ fn floor(text: &str, at: usize) -> usize {
     at
 }
 
-/// Error for a name that stands for nothing of its kind.
+/// Error for a name that is not declared, or is not of the wanted kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownName {
-    /// Description of the mistake.
+    /// Message of the error, in one line.
     pub message: String,
-    /// The nearest known name, or all of them.
+    /// Advice: the nearest known name, or a list of the known names.
     pub help: String,
 }
 
@@ -279,7 +279,7 @@ impl fmt::Display for UnknownName {
 
 impl std::error::Error for UnknownName {}
 
-/// "did you mean …?" for the nearest of the known names, or what the names are.
+/// Advice for an unknown name: "did you mean …?" with the nearest known name, or a list of at most 40 known names.
 #[must_use]
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
@@ -299,7 +299,7 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Stri
     }
 }
 
-/// A text short enough to stand in a message, on one line.
+/// Shortens a text for a message: one line of at most 60 characters, with forbidden characters written out.
 #[must_use]
 pub fn shown(text: &str) -> String {
     const LONGEST: usize = 60;

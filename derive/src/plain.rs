@@ -1,16 +1,18 @@
-//! Text of files within our own text: characters that are refused, and the form in which others are shown.
+//! Text of input files inside messages and outputs: the characters that are refused, and the form in which others are
+//! shown.
 //!
-//! Files are gated: a control character, or one that turns the direction of writing, is refused where it stands, so
-//! that no output has to fear it. What does not pass that gate, such as the file's own text in a message or the name of
-//! a folder, is [`visible`]. Absent on purpose: quoting for Rust, HTML, LaTeX, CSV and JSON. Whoever writes one of
-//! these escapes for it, in one place each.
+//! The reader of files refuses control characters and characters that change the direction of writing. So no output has
+//! to handle them. Text that does not pass the reader, such as a syntax error's line or the name of a folder, is made
+//! [`visible`]. Absent on purpose: quoting for Rust, HTML, LaTeX, CSV and JSON. Each writer of such a format escapes
+//! for it, in one place.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::path::Path;
 
-/// True if a character is forbidden in a line of text. These are control characters, marks that turn the direction of
-/// writing, line and paragraph separators, and invisible characters, which let a text read as another than it is.
+/// True if a character is forbidden in a line of text. Forbidden are control characters, marks that change the
+/// direction of writing, line and paragraph separators, and invisible characters. An invisible character can make a
+/// text read as another text.
 #[must_use]
 pub fn is_forbidden(c: char) -> bool {
     c.is_control()
@@ -18,7 +20,7 @@ pub fn is_forbidden(c: char) -> bool {
             '\u{00ad}' | '\u{200b}' | '\u{2060}'..='\u{2064}' | '\u{e0000}'..='\u{e007f}' | '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
 }
 
-/// True if a character only separates words.
+/// True if a character only separates words: line break, carriage return, tab or space.
 #[must_use]
 pub fn is_blank(c: char) -> bool {
     matches!(c, '\n' | '\r' | '\t' | ' ')
@@ -30,13 +32,13 @@ pub fn called(c: char) -> String {
     format!("U+{:04X}", u32::from(c))
 }
 
-/// The text on one line: white space of any kind and length as one space, none at the ends.
+/// Puts a text on one line: each run of white space becomes one space, and none stays at the ends.
 #[must_use]
 pub fn one_line(text: &str) -> String {
     text.split(is_blank).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// The text with every forbidden character written out, as `\u{1b}`; line breaks stay.
+/// Writes out every forbidden character of a text, as `\u{1b}`; line breaks stay.
 #[must_use]
 pub fn visible(text: &str) -> Cow<'_, str> {
     if text.chars().all(|c| c == '\n' || !is_forbidden(c)) {
@@ -46,7 +48,7 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
-/// A path as a message names it, on one line whatever the names of its folders are.
+/// Path as one line of text for a message: line breaks and forbidden characters in its names are written out.
 #[must_use]
 pub fn path_in_line(path: &Path) -> String {
     visible(&path.display().to_string()).replace('\n', "\\u{a}")

@@ -10,52 +10,52 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The version of the formats of files, and of what programs are told: it grows when what is there changes its meaning.
+/// Version of the file formats and of the JSON that commands print. It grows when an existing key changes its meaning.
 pub const SCHEMA: u32 = 1;
 
-/// A piece of text with its place in the file.
+/// Text of a key or value, with its place in the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Located {
-    /// The text, as written between the quotes.
+    /// Content of a string without quotes and with escapes resolved, or the digits of a number.
     pub text: String,
-    /// Its byte range in the file, without quotes where the text has no escapes.
+    /// Byte range of the text in the file, without quotes if the text has no escapes.
     pub span: Range<usize>,
     /// True if byte k of the text is byte `span.start + k` of the file.
     pub exact: bool,
 }
 
 impl Located {
-    /// The place of a part of the text.
+    /// Byte range in the file of a part of the text; the place of the whole text if it is not `exact`.
     #[must_use]
     pub fn part(&self, range: Range<usize>) -> Range<usize> {
         if self.exact { self.span.start + range.start..self.span.start + range.end } else { self.span.clone() }
     }
 }
 
-/// A table entry: its key and its value.
+/// Entry of a TOML table: key and value.
 pub type Entry<'a> = (Located, &'a Spanned<DeValue<'a>>);
 
-/// Reads one file and gathers its errors.
+/// Reads one TOML file and collects its errors.
 pub struct Reader<'a> {
-    /// The file.
+    /// File that is read.
     pub source: &'a Source,
-    /// Errors found so far.
+    /// Errors found in the file so far.
     pub errors: Vec<Diagnostic>,
-    /// Messages of which the first place stands in `errors`: its position, and the number of places.
+    /// Messages recorded by `error_once`: position in `errors`, and number of places so far.
     repeated: FxHashMap<String, (usize, usize)>,
 }
 
 impl<'a> Reader<'a> {
-    /// A reader that has found nothing wrong yet.
+    /// Creates a reader of a file, without errors.
     #[must_use]
     pub fn new(source: &'a Source) -> Self {
         Self { source, errors: Vec::new(), repeated: FxHashMap::default() }
     }
 
-    /// Parses the file's TOML, reporting every syntax error.
+    /// Parses a TOML file. Reports every duplicate key, the first syntax error, and forbidden characters.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the file is not TOML.
+    /// [`Diagnostics`] if the file is not TOML or has a forbidden character.
     pub fn parse(source: &'a Source) -> Result<(Self, Spanned<DeTable<'a>>), Diagnostics> {
         let (table, errors) = DeTable::parse_recoverable(&source.text);
         if errors.is_empty() {
@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
             doubled_section = source.text[..span.start].ends_with('[').then_some(span.end);
             list.push(stated_twice(source, table.get_ref(), span));
         }
-        // After an error of syntax the rest is guesswork: only the first is shown.
+        // After a syntax error the rest is guesswork: only the first one is shown.
         let first = errors.iter().filter(|e| !duplicate(e)).min_by_key(|e| e.span().map_or(0, |s| s.start));
         if let Some(error) = first {
             let span = error.span().unwrap_or(0..0);
@@ -87,8 +87,8 @@ impl<'a> Reader<'a> {
         Err(Diagnostics::new(source.clone(), list))
     }
 
-    /// Refuses every key and text with a character that has no place in a line. Line breaks and tabs part the words of
-    /// formulas and of prose.
+    /// Reports every key and text with a forbidden character. Line breaks and tabs are allowed in texts: they separate
+    /// the words of formulas and prose.
     fn gate(&mut self, table: &DeTable<'_>) {
         let mut tables = vec![table];
         let mut values: Vec<&Spanned<DeValue<'_>>> = Vec::new();
@@ -117,13 +117,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A line of prose that may be absent; its line breaks and tabs count as spaces.
+    /// Reads the text of an optional key as one line of prose: line breaks and tabs become spaces.
     pub fn prose(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         let value = self.get(table, key)?;
         Some(one_line(&self.string(value, &format!("`{key}`"))?.text))
     }
 
-    /// A name for people, on one line; reports one that is not.
+    /// Reads a name for people, such as a title. Reports a line break or another forbidden character.
     pub fn name(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
         let text = self.string(value, what)?;
         if let Some(c) = text.text.chars().find(|c| is_forbidden(*c)) {
@@ -134,10 +134,10 @@ impl<'a> Reader<'a> {
         Some(Located { text: text.text.trim().to_owned(), ..text })
     }
 
-    /// Ends reading: the errors as diagnostics, or nothing if there were none.
+    /// Ends reading of the file: returns the collected errors, if there are any.
     ///
     /// # Errors
-    /// [`Diagnostics`] if any error was gathered.
+    /// [`Diagnostics`] if any error was recorded.
     pub fn finish(&mut self) -> Result<(), Diagnostics> {
         if self.errors.is_empty() {
             return Ok(());
@@ -145,7 +145,7 @@ impl<'a> Reader<'a> {
         Err(Diagnostics::new(self.source.clone(), std::mem::take(&mut self.errors)))
     }
 
-    /// Records an error.
+    /// Records an error at a byte range of the file.
     pub fn error(&mut self, span: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
         self.errors.push(Diagnostic::new(span, message, help));
     }
@@ -174,7 +174,7 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// Notes an error that one cause may raise at many places: shown once, with its first two places.
+    /// Records an error that one cause may raise at many places. It is shown once, with its first two places.
     pub fn error_once(&mut self, span: Range<usize>, message: String, help: impl Into<String>) {
         let Some((at, places)) = self.repeated.get_mut(&message) else {
             self.repeated.insert(message.clone(), (self.errors.len(), 1));
@@ -190,16 +190,16 @@ impl<'a> Reader<'a> {
         first.other = spans[1].take().map(|s| (s, others));
     }
 
-    /// The entries of a table in the order of the file.
+    /// Entries of a TOML table, in the order of the file.
     #[allow(clippy::unused_self, reason = "a question to the reader like its neighbours")]
     pub fn entries(&self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
         let mut entries: Vec<Entry<'a>> = table.iter().map(|(key, value)| (located_key(key), value)).collect();
-        // What is repeated stands at one place.
+        // Entries that a repetition made share one place: their names order them.
         entries.sort_by(|(a, _), (b, _)| a.span.start.cmp(&b.span.start).then_with(|| by_number(&a.text, &b.text)));
         entries
     }
 
-    /// Reports every key of `table` that is none of `allowed`.
+    /// Reports every key of `table` that is not among `allowed`; `what` names the table in messages.
     pub fn allow(&mut self, table: &'a DeTable<'a>, what: &str, allowed: &[&str]) {
         for (key, _) in self.entries(table) {
             if !allowed.contains(&key.text.as_str()) {
@@ -209,13 +209,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The value of a key that may be absent.
+    /// Value of an optional key of a table; `None` if it is absent.
     #[allow(clippy::unused_self, reason = "a question to the reader like its neighbours")]
     pub fn get(&self, table: &'a DeTable<'a>, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         table.iter().find(|(k, _)| k.get_ref() == key).map(|(_, value)| value)
     }
 
-    /// Checks the version of the format that a file states, if it does.
+    /// Checks the format version that a file states under `schema`, if the key is there.
     pub fn schema(&mut self, table: &'a DeTable<'a>) {
         let Some(value) = self.get(table, "schema") else { return };
         let version = match value.get_ref() {
@@ -237,7 +237,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The value of a key that must be there; reports its absence at `owner`.
+    /// Value of a required key of a table; reports its absence at `owner`.
     pub fn need(
         &mut self,
         table: &'a DeTable<'a>,
@@ -252,7 +252,7 @@ impl<'a> Reader<'a> {
         value
     }
 
-    /// The value as a table; `example` shows what was expected.
+    /// Reads a value as a table; reports another kind of value, with `example` as advice.
     pub fn table(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str, example: &str) -> Option<&'a DeTable<'a>> {
         match value.get_ref() {
             DeValue::Table(table) => Some(table),
@@ -263,7 +263,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The value as a string.
+    /// Reads a value as a string; reports another kind of value.
     pub fn string(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
         match value.get_ref() {
             DeValue::String(text) => Some(self.located(value.span(), text)),
@@ -274,7 +274,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The value as mathematics: a string, or a plain number.
+    /// Reads a value as mathematics: a string or a decimal number. Reports another kind of value.
     pub fn formula(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
         match value.get_ref() {
             DeValue::String(text) => Some(self.located(value.span(), text)),
@@ -294,7 +294,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The value as an array of exactly three formulas.
+    /// Reads a value as an array of exactly three formulas; reports another kind of value.
     pub fn triple(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Located; 3]> {
         let help = "write three components, such as [\"0\", \"R\", \"0\"]";
         let DeValue::Array(array) = value.get_ref() else {
@@ -310,7 +310,7 @@ impl<'a> Reader<'a> {
         parts?.try_into().ok()
     }
 
-    /// The value as a boolean.
+    /// Reads a value as a boolean; reports another kind of value.
     pub fn boolean(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<bool> {
         match value.get_ref() {
             DeValue::Boolean(b) => Some(*b),
@@ -325,7 +325,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A string without its quotes: one or three, then perhaps a line break that TOML drops.
+    /// Locates the content of a string in the file, without its quotes. TOML has one or three quotes, and drops a line
+    /// break after three.
     fn located(&self, span: Range<usize>, text: &str) -> Located {
         for (before, after) in [(1, 1), (3, 3), (4, 3), (5, 3)] {
             let inner = span.start + before..span.end.saturating_sub(after);
@@ -337,12 +338,12 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The error of a key that is there already, with its first place if it is found.
+/// Error for a key that is stated twice, with its first place if that is found.
 fn stated_twice(source: &Source, table: &DeTable<'_>, span: Range<usize>) -> Diagnostic {
     let key = source.text[span.clone()].trim_matches(['"', '\'']);
     let message = format!("`{}` is stated twice", shown(key));
     let diagnostic = Diagnostic::new(span.clone(), message, "remove or rename one of the two");
-    // The section that it stands in: the last header above, or the file.
+    // The section with the key: the last header above it, or the whole file.
     let above = &source.text[..span.start];
     let line = &above[above.rfind('\n').map_or(0, |n| n + 1)..];
     let header = if line.starts_with('[') { line } else { above.rfind("\n[").map_or("", |n| &above[n + 1..]) };

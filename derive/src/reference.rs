@@ -1,10 +1,10 @@
-//! An independent derivation of the same model file, as data, and its comparison with the derivation made here.
+//! Reference of a model: an independent derivation by SymPy, as data, and its comparison with the derivation of Tripos.
 //!
-//! `tests/sympy/reference.py` writes it, `models/*/reference.json` records it; `tests/sympy/README.md` describes the
-//! keys. Everything is compared by meaning and nothing by text: see [`compare`].
+//! `tests/sympy/reference.py` writes a reference, and `models/*/reference.json` stores it. `tests/sympy/README.md`
+//! describes the keys. Formulas are compared by meaning, never by text: see [`compare`].
 //!
-//! Invariant: a reference agrees only if it is whole. A missing entry is reported, never passed over. Absent on
-//! purpose: running Python. That is left to the callers.
+//! Invariant: a reference agrees only if it is complete. A missing entry is reported, never passed over. Absent on
+//! purpose: running Python, which is left to the callers.
 
 mod compare;
 
@@ -19,90 +19,91 @@ use serde_json::{Map, Value};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Equations and quantities that another program derived from a model file.
+/// Equations and quantities that SymPy derived from a model file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reference {
-    /// The file it was read from, or a name that stands for one.
+    /// File that the reference was read from, or a name in its place.
     pub file: PathBuf,
-    /// The short name of the model.
+    /// Short name of the model, as the reference states it.
     pub model: String,
-    /// The hash of the model text that it was derived from, without shapes at its end, as [`crate::model::text_hash`]
-    /// makes it.
+    /// Hash of the model text that the reference was derived from, without shapes at its end; see
+    /// [`crate::model::text_hash`].
     pub text_hash: String,
-    /// The version of SymPy.
+    /// Version of SymPy that derived the reference.
     pub sympy: String,
-    /// (name, formula), in the order of the file.
+    /// Quantities as (name, formula), in the order of the reference file.
     pub quantities: Vec<(String, String)>,
-    /// The equations of motion by each formulation that is there; always by Kane and by Lagrange.
+    /// Equations of motion by each formulation in the file. Kane's and Lagrange's are always there, unless the model is
+    /// not derived.
     pub systems: Vec<System>,
-    /// Reason if the other program does not derive this model; the reference is then empty.
+    /// Reason why SymPy does not derive this model, and the reference is empty; `None` if it does.
     pub not_derived: Option<String>,
 }
 
-/// matrix · unknowns = forcing, as formulas.
+/// Linear system of equations of motion, matrix · unknowns = forcing, as formulas.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct System {
-    /// The formulation.
+    /// Formulation that gives the system.
     pub formulation: Formulation,
-    /// The names of the unknowns.
+    /// Names of the unknowns of the system.
     pub unknowns: Vec<String>,
-    /// Square: one row and one column for each unknown.
+    /// Square matrix of formulas: one row and one column for each unknown.
     pub matrix: Vec<Vec<String>>,
-    /// One entry for each unknown.
+    /// Right-hand side of the system: one formula for each unknown.
     pub forcing: Vec<String>,
 }
 
-/// Why a reference cannot be used.
+/// Reason why a reference cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ReferenceError {
-    /// The text is not JSON.
+    /// The text of the reference is not JSON.
     NotJson {
-        /// The file.
+        /// The reference file.
         file: PathBuf,
         /// Error of the JSON reader, with line and column.
         why: String,
     },
-    /// A key is missing, or has another content than it should.
+    /// A key of the reference is missing, or has the wrong content.
     Form {
-        /// The file.
+        /// The reference file.
         file: PathBuf,
-        /// The key, as in `kane.matrix`.
+        /// Full name of the key, as in `kane.matrix`.
         key: String,
         /// Expected content of the key.
         expected: String,
     },
-    /// It was derived from another model text.
+    /// The reference was derived from another model text.
     OtherText {
-        /// The file.
+        /// The reference file.
         file: PathBuf,
-        /// The hash in the reference.
+        /// Hash of a model text that the reference states.
         recorded: String,
-        /// The hash of the model text.
+        /// Hash of the present model text.
         current: String,
     },
-    /// It states a quantity that the model does not have.
+    /// The reference states a quantity that the model does not have.
     Quantity {
-        /// The file.
+        /// The reference file.
         file: PathBuf,
-        /// The name.
+        /// Name of the quantity.
         name: String,
-        /// Error of the name.
+        /// Error of the quantity's name.
         error: QuantityError,
     },
-    /// The other program does not derive this model.
+    /// SymPy does not derive this model.
     NotDerived {
-        /// The file.
+        /// The reference file.
         file: PathBuf,
-        /// Reason that the reference gives.
+        /// Reason that the reference gives for not being derived.
         why: String,
     },
-    /// A formula cannot be read.
+    /// A formula of the reference cannot be read.
     Formula {
-        /// The file.
+        /// The reference file.
         file: PathBuf,
-        /// The entry that it is the value of.
+        /// Name of the entry that the formula is the value of.
         name: String,
-        /// Error of the formula.
+        /// Error found in the formula.
         error: ParseError,
     },
 }
@@ -130,7 +131,7 @@ impl fmt::Display for ReferenceError {
 }
 
 impl Reference {
-    /// Reads the text of a reference; `source.path` is what errors call it.
+    /// Reads a reference from JSON text; errors name it by `source.path`.
     ///
     /// # Errors
     /// [`ReferenceError::NotJson`] and [`ReferenceError::Form`].
@@ -183,10 +184,10 @@ pub fn environment_name(requirements: &str) -> String {
     format!("sympy-{}", text_hash(requirements))
 }
 
-/// Key of the reason for an empty reference.
+/// Key of the reason why a reference is empty.
 const NOT_DERIVED: &str = "not_derived";
 
-/// The formulations with their keys.
+/// Formulations, each with its key in a reference file.
 const SYSTEMS: [(Formulation, &str); 3] =
     [(Formulation::Kane, "kane"), (Formulation::Lagrange, "lagrange"), (Formulation::NewtonEuler, "newton_euler")];
 
@@ -194,10 +195,10 @@ fn form(file: &Path, key: &str, expected: &str) -> ReferenceError {
     ReferenceError::Form { file: file.to_owned(), key: shown(key), expected: expected.to_owned() }
 }
 
-/// A JSON object and where it stands.
+/// A JSON object of a reference file, with its file and key.
 struct Table<'a> {
     file: &'a Path,
-    /// The key that leads to it; empty for the file itself.
+    /// Key of the object; empty for the file itself.
     path: &'a str,
     entries: &'a Map<String, Value>,
 }

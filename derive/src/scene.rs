@@ -1,4 +1,5 @@
-//! Scenes: a run, its start, its accuracy and its outputs. States: one instant of a run.
+//! Readers of scene files and state files. A scene is a run with its start, accuracy and outputs; a state is one
+//! instant of a run.
 
 mod families;
 mod motions;
@@ -33,16 +34,16 @@ pub use starts::loops::Loops;
 pub use starts::start::{Closed, Exact, Stated};
 pub use starts::unknowns::{Asked, load_asked, load_output};
 
-/// Something to notice during a run.
+/// Event of a scene, detected during a run where a function is zero.
 #[derive(Clone, Debug)]
 pub struct SceneEvent {
-    /// Its name.
+    /// Name of the event.
     pub name: String,
-    /// Zero where it happens; in parameters, q, q̇, u and reactions.
+    /// Event function, zero at the event. A formula in parameters, q, q̇, u and reactions.
     pub function: Expr,
-    /// Direction of the crossings that count.
+    /// Direction of the zero crossings that count.
     pub direction: Direction,
-    /// True if the run ends there.
+    /// True if the run ends at the event.
     pub terminal: bool,
 }
 
@@ -51,9 +52,9 @@ pub struct SceneEvent {
 pub enum FigureKind {
     /// Total energy over time.
     Energy,
-    /// Every coordinate and speed over time, a panel each.
+    /// Every coordinate and speed over time, each in a panel of its own.
     States,
-    /// Speed against accuracy, by every formulation, solve and method.
+    /// Speed against accuracy, for every formulation, every [`Solve`] and every integration method.
     WorkPrecision,
     /// Errors after passages near a singular surface, as a heat map.
     Passages,
@@ -62,10 +63,10 @@ pub enum FigureKind {
 }
 
 impl FigureKind {
-    /// All, in the order in which they are always listed.
+    /// All kinds of figures, in the order of every list of them.
     pub const ALL: [Self; 5] = [Self::Energy, Self::States, Self::WorkPrecision, Self::Passages, Self::Conditioning];
 
-    /// The name in scene files.
+    /// Name of the kind in scene files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -78,7 +79,7 @@ impl FigureKind {
     }
 }
 
-/// The kinds by name.
+/// Names of all kinds of figures in scene files.
 pub(crate) const FIGURES: [&str; FigureKind::ALL.len()] = {
     let mut names = [""; FigureKind::ALL.len()];
     let mut at = 0;
@@ -89,60 +90,60 @@ pub(crate) const FIGURES: [&str; FigureKind::ALL.len()] = {
     names
 };
 
-/// A figure of the scene's page.
+/// Figure on the page of a scene.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// Kind of the figure.
     pub kind: FigureKind,
-    /// The caption.
+    /// Caption of the figure.
     pub caption: String,
 }
 
 /// Quantity that a scene shows.
 #[derive(Clone, Debug)]
 pub struct SceneOutput {
-    /// Its name: the formula as it is written, or the key beside it.
+    /// Name of the output: the name that the scene file gives, or the formula as written.
     pub name: String,
-    /// In parameters, q, q̇, u, u̇, reactions and energies.
+    /// Formula of the output in parameters, q, q̇, u, u̇, reactions and energies.
     pub value: Expr,
 }
 
-/// A run to be made.
+/// Scene: a run with its start, accuracy, events and outputs.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// The file.
+    /// Scene file that was read.
     pub source: Source,
-    /// The title.
+    /// Title of the scene; empty if the file states none.
     pub title: String,
-    /// Description in words.
+    /// Description of the scene in words; empty if the file states none.
     pub about: String,
     /// Values of the parameters, in the order of the model.
     pub parameters: Vec<f64>,
-    /// Coordinates at the start.
+    /// Values of the generalized coordinates at the start, in the order of the model.
     pub q: Vec<f64>,
-    /// Generalized speeds at the start.
+    /// Values of the generalized speeds at the start, in the order of the model.
     pub u: Vec<f64>,
-    /// Coordinates at the start that were solved for, so that the loops are closed.
+    /// Coordinates whose values at the start were solved for, so that the loops are closed.
     pub closed: Vec<Closed>,
-    /// First and last instant, s.
+    /// First and last instant of the run, s.
     pub span: (f64, f64),
     /// Parameters and start to 32 digits, for reference runs.
     pub exact: Exact,
     /// Settings of the integration.
     pub integration: Integration,
-    /// Other values of one number of the start, for stability tests.
+    /// Further values of one coordinate or speed at the start, for stability tests; `None` if the file states none.
     pub ladder: Option<Ladder>,
-    /// Outputs to show: every coordinate and speed, if the file states none.
+    /// Outputs to show. If the file states none: every coordinate and speed.
     pub outputs: Vec<SceneOutput>,
-    /// True if the file states outputs.
+    /// True if the scene file itself states outputs.
     pub states_outputs: bool,
-    /// Parameters that stay letters in the scene's own equations, by place, since runs vary them.
+    /// Indices of the parameters that stay symbols in the scene's own equations, because runs vary them.
     pub free: Vec<usize>,
     /// Events to detect during the run.
     pub events: Vec<SceneEvent>,
     /// Contacts at which bodies meet and part again.
     pub impacts: Vec<Impact>,
-    /// Figures to draw.
+    /// Figures to draw on the scene's page.
     pub figures: Vec<Figure>,
 }
 
@@ -236,7 +237,8 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
 }
 
 impl Scene {
-    /// The scenes of the ladder, each with its value of the varied number; the scene itself without a ladder.
+    /// Scenes of the ladder, each after the text "name = value" of the varied number. Without a ladder: the scene
+    /// itself.
     #[must_use]
     pub fn rungs(&self) -> Vec<(String, Self)> {
         let Some(ladder) = &self.ladder else { return vec![("as it is".to_owned(), self.clone())] };
@@ -274,18 +276,18 @@ struct Numbers {
     start: Start,
     span: Option<(f64, f64)>,
     integration: Integration,
-    /// Coefficients of restitution and friction, in the order of the contacts.
+    /// Coefficients of restitution and friction, in the order of the scene's contacts.
     coefficients: Vec<settings::impacts::Coefficients>,
 }
 
-/// One instant: parameters, coordinates and generalized speeds.
+/// State at one instant: parameters, coordinates and generalized speeds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Values of the parameters, in the order of the model.
     pub parameters: Vec<f64>,
-    /// Coordinates.
+    /// Values of the generalized coordinates, in the order of the model.
     pub q: Vec<f64>,
-    /// Generalized speeds.
+    /// Values of the generalized speeds, in the order of the model.
     pub u: Vec<f64>,
 }
 
@@ -299,8 +301,8 @@ impl State {
     }
 }
 
-/// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`. The formulas that it gives to
-/// inputs are put into the model.
+/// Reads a state file: `[parameters]` (where they differ from the model's) and `[state]`. Formulas that the file gives
+/// to inputs are put into the model.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the file.
@@ -378,7 +380,7 @@ impl<'a> Values<'a, '_> {
         Some((from, to))
     }
 
-    /// The entries of an array of tables.
+    /// Tables under a key that holds an array of tables, each with its value, which gives its place.
     fn entries(&mut self, table: &'a DeTable<'a>, key: &str) -> Vec<(&'a DeTable<'a>, &'a Spanned<DeValue<'a>>)> {
         let Some(value) = self.reader.get(table, key) else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {

@@ -1,4 +1,4 @@
-//! Code that runs a model: compiled in, or interpreted.
+//! Code that runs the equations of a model: compiled into the program, or interpreted.
 
 use crate::error::Error;
 use crate::interpreted::{Interpreted, NotInterpreted};
@@ -25,7 +25,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// Name in tables.
+    /// Name of the form in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -37,9 +37,9 @@ impl Form {
 
 /// Interpreted equations in each number type that runs use.
 pub struct InterpretedSystem {
-    /// Tape in doubles.
+    /// Equations as tapes in doubles.
     pub double: Interpreted,
-    /// Tape in twice that precision, made on first use.
+    /// Equations as tapes in twice the precision of a double, made on first use.
     extended: OnceLock<Interpreted<DoubleDouble>>,
 }
 
@@ -50,24 +50,24 @@ impl From<Interpreted> for InterpretedSystem {
 }
 
 impl InterpretedSystem {
-    /// Equations in twice the precision of a double.
+    /// Interpreted equations in twice the precision of a double.
     #[must_use]
     pub fn extended(&self) -> &Interpreted<DoubleDouble> {
         self.extended.get_or_init(|| self.double.to())
     }
 }
 
-/// Equations ready to run.
+/// Equations of motion that are ready to run.
 #[derive(Clone)]
 pub enum Code {
-    /// Generated Rust, compiled in.
+    /// Generated Rust code that is compiled into the program.
     Compiled(&'static CompiledSystem),
-    /// A tape that was made at run time.
+    /// Tapes that were made at run time.
     Interpreted(Arc<InterpretedSystem>),
 }
 
 impl Code {
-    /// The equations.
+    /// The equations of motion in double precision.
     #[must_use]
     pub fn system(&self) -> &dyn System<f64> {
         match self {
@@ -76,7 +76,7 @@ impl Code {
         }
     }
 
-    /// The equations in twice the precision of a double.
+    /// The equations of motion in twice the precision of a double.
     #[must_use]
     pub fn extended(&self) -> &dyn System<DoubleDouble> {
         match self {
@@ -85,6 +85,7 @@ impl Code {
         }
     }
 
+    /// Makes code from interpreted equations.
     fn interpreted(system: Interpreted) -> Self {
         Self::Interpreted(Arc::new(system.into()))
     }
@@ -95,13 +96,13 @@ impl Code {
         self.form() == Form::Compiled
     }
 
-    /// Name of the form in tables.
+    /// Name of the form in tables: `compiled` or `interpreted`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.form().name()
     }
 
-    /// Form of the code.
+    /// Form of the code: compiled or interpreted.
     #[must_use]
     pub fn form(&self) -> Form {
         match self {
@@ -111,7 +112,7 @@ impl Code {
     }
 }
 
-/// The formulation of this name.
+/// Finds the formulation with the given name, such as `kane`.
 ///
 /// # Errors
 /// [`Error::Request`] if there is no formulation of this name.
@@ -122,7 +123,7 @@ pub fn formulation(name: &str) -> Result<Formulation, Error> {
     })
 }
 
-/// Finds the equations of this name, such as `kane` or `printed:ID`.
+/// Finds the equations with the given name, such as `kane` or `printed:ID`.
 ///
 /// # Errors
 /// [`Error::Request`] if there are no such equations; [`Error::Input`] if the publication has errors.
@@ -140,25 +141,27 @@ pub fn by(model: &Mechanism, name: &str) -> Result<By, Error> {
     })
 }
 
-/// The equations of this name, or of the first formulation that the model supports if none is given.
+/// Finds the equations with the given name, or those of the first formulation that the model supports if no name is
+/// given.
 ///
 /// # Errors
-/// As [`by`].
+/// Errors of [`by`].
 pub fn by_or_first(model: &Mechanism, name: Option<&str>) -> Result<By, Error> {
     let first = || Formulation::ALL.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
     name.map_or_else(|| Ok(By::from(first())), |name| by(model, name))
 }
 
-/// The printed equations of the publication beside a model, in the order of the publication.
+/// Names of the printed equations in the publication file beside a model, in the order of that file.
 ///
 /// # Errors
-/// [`Error::Input`] if the publication or the model has errors.
+/// [`Error::Input`] if the publication file or the model has errors.
 pub fn printed(model: &Mechanism) -> Result<Vec<By>, Error> {
     let list = printed_derivation(model)?.map(|(_, equations)| equations).unwrap_or_default();
     Ok(list.into_iter().map(|equations| equations.by).collect())
 }
 
-/// Printed equations, with the model that holds their terms.
+/// Printed equations of the publication beside a model, with the arena that holds their terms. `None` without
+/// publication.
 fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>)>, Error> {
     let mut with_publication = model.clone();
     let Some(publication) = load_beside(&model.source.path, &mut with_publication)? else { return Ok(None) };
@@ -167,21 +170,21 @@ fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>
     Ok(Some((derivations.kinematics.arena, list)))
 }
 
-/// Extent to which equations are made ready. Compiled ones have everything except recurrences, which few have. Where
-/// recurrences are needed, equations without them are interpreted.
+/// Extent to which equations are made ready to run. Compiled equations have everything except recurrences, which few
+/// have. If recurrences are needed, compiled equations without them are not used: the equations are interpreted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ready {
     /// The equations as they were derived: a matrix, a right-hand side, energies.
     AsDerived,
-    /// Also the accelerations solved for, with their Jacobian, which takes much longer.
+    /// The derived equations, and the accelerations solved for, with their Jacobian. This takes much longer.
     Solved,
-    /// Also the recurrences of Taylor coefficients.
+    /// The solved equations, and the recurrences of Taylor coefficients.
     WithSeries,
 }
 
 impl Ready {
-    /// The extent that runs of a scene need. Taylor's method needs recurrences. A numeric solve needs elimination only
-    /// for the Jacobian.
+    /// Extent of preparation that runs of a scene need. Taylor's method needs recurrences. A numeric solve needs
+    /// elimination only for the Jacobian.
     #[must_use]
     pub fn for_runs(scene: &Scene) -> Self {
         let how = &scene.integration;
@@ -194,15 +197,16 @@ impl Ready {
         }
     }
 
+    /// True if compiled equations are ready to this extent.
     fn is_had(self, system: &CompiledSystem) -> bool {
         self != Self::WithSeries || system.double.has_taylor()
     }
 }
 
-/// The equations of a model. They are compiled in if they were derived from exactly this text and are ready to the
-/// given extent; else they are interpreted.
+/// Makes the equations of a model ready to run. They are compiled code if this was generated from exactly the model's
+/// text and is ready to the given extent; otherwise they are interpreted.
 ///
-/// They are written in a distance, if one is given.
+/// The equations are written in the distance from a singular surface, if one is given.
 ///
 /// # Errors
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived;
@@ -219,18 +223,18 @@ pub fn code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready
     code_of(model, by, &derivation, ready)
 }
 
-/// The equations of a model that were compiled in; `None` unless they are current and ready to the given extent.
+/// Finds the compiled equations of a model; `None` unless they are current and ready to the given extent.
 pub fn compiled_code(model: &Mechanism, by: &By, distance: Option<Distance>, ready: Ready) -> Option<Code> {
     let compiled = compiled(model)?;
     let name = by.name_in(distance, model);
     let found = compiled.systems.iter().find(|system| system.name == name);
-    // Printed equations must also come from exactly this text of the publication.
+    // Printed equations must also come from exactly this text of the publication file.
     let current = by.printed_id().is_none() || hash_beside(&model.source.path) == compiled.publication_hash;
     found.filter(|system| current && ready.is_had(system)).map(Code::Compiled)
 }
 
-/// The equations of a scene that were compiled in; `None` unless they belong to this reduction and are ready to the
-/// given extent.
+/// Finds the compiled equations of a scene; `None` unless they belong to this reduction and are ready to the given
+/// extent.
 #[must_use]
 pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready) -> Option<Code> {
     let key = reduction.key();
@@ -238,10 +242,10 @@ pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready
     found.filter(|scene| ready.is_had(&scene.system)).map(|scene| Code::Compiled(&scene.system))
 }
 
-/// Prepares equations for interpretation. Printed ones are run as they stand.
+/// Prepares equations for interpretation. Printed equations are run as they stand, without solving for accelerations.
 ///
 /// # Errors
-/// [`Error::Request`] if they depend on a symbol that has no value during a run, as only printed ones can.
+/// [`Error::Request`] if the equations depend on a symbol that has no value during a run. Only printed ones can do so.
 pub fn code_of(model: &Mechanism, by: &By, derivation: &Derivation, ready: Ready) -> Result<Code, Error> {
     let code = Interpreted::new(model, derivation).map_err(NotInterpreted::from);
     let code = match ready {
@@ -256,7 +260,8 @@ pub fn code_of(model: &Mechanism, by: &By, derivation: &Derivation, ready: Ready
 /// Prepares the equations of a scene for interpretation.
 ///
 /// # Errors
-/// [`Error::Request`] if they depend on a symbol that has no value during a run. Equations of a reduction never do.
+/// [`Error::Request`] if the equations depend on a symbol that has no value during a run. Equations of a reduction
+/// never do.
 pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Error> {
     let derivation = &reduction.derivation;
     let code = Interpreted::new(&reduction.model, derivation).map_err(NotInterpreted::from);
@@ -264,6 +269,7 @@ pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Error> {
     Ok(Code::interpreted(code.map_err(|why| not_interpreted(&By::Reduced.name(), &why))?))
 }
 
+/// Error for the named equations, which cannot be interpreted.
 fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
     match why {
         NotInterpreted::Unknown(unknown) => Error::request(
@@ -274,7 +280,7 @@ fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
     }
 }
 
-/// Tape that computes these values from inputs.
+/// Compiles a tape that computes `values` from inputs; `what` names them in an error.
 ///
 /// # Errors
 /// [`Error::Request`] if a value mentions a symbol other than the inputs.
@@ -282,10 +288,11 @@ pub fn tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str) -> Resu
     stepwise(arena, inputs, &[], values, what)
 }
 
-/// Tape that computes these values from inputs and from the symbols that the steps define.
+/// Compiles a tape that computes `values` from inputs and from the symbols that the steps define; `what` names the
+/// values in an error.
 ///
 /// # Errors
-/// As [`tape`].
+/// Errors of [`tape`].
 pub fn stepwise(
     arena: &Arena,
     inputs: &[Expr],
@@ -299,7 +306,7 @@ pub fn stepwise(
     })
 }
 
-/// The equations of a model as terms.
+/// Derives the equations of a model as terms, or reads its printed ones.
 ///
 /// # Errors
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived.
@@ -316,7 +323,7 @@ pub fn derivation(model: &Mechanism, by: &By) -> Result<Derivation, Error> {
     Ok(Derivation { arena, equations: equations.ok_or_else(missing)? })
 }
 
-/// The compiled equations of a model with exactly this text; `None` if the program has none.
+/// Finds the compiled equations of a model with exactly this text; `None` if the program has none.
 #[must_use]
 pub fn compiled(model: &Mechanism) -> Option<&'static CompiledModel> {
     let hash = model.text_hash();

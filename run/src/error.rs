@@ -1,4 +1,4 @@
-//! Errors of models, scenes and requests.
+//! Errors of model files, scene files and requests.
 
 use std::fmt;
 use tripos_derive::diagnostic::{Diagnostics, UnknownName};
@@ -6,17 +6,17 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
 use tripos_sim::SimError;
 
-/// Error of a model, a scene or a request for them.
+/// Error of a model, a scene or a request to them.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Error {
-    /// A file with errors, each with its place.
+    /// A file with errors, each with its line and column.
     Input(Diagnostics),
     /// Several files with errors.
     Inputs(Vec<Diagnostics>),
-    /// A formulation that this model does not have.
+    /// A formulation that the model does not have.
     Unsupported(Diagnostics),
-    /// A request that is not possible here.
+    /// A request that is not possible, with advice.
     Request {
         /// Description of the mistake.
         what: String,
@@ -25,7 +25,7 @@ pub enum Error {
     },
     /// A state or a run without a result, with the reason.
     Stopped(String),
-    /// The caller asked to end the work.
+    /// The caller asked to end the work early.
     Interrupted,
 }
 
@@ -35,7 +35,7 @@ impl Error {
         Self::Request { what: what.into(), help: help.into() }
     }
 
-    /// The message, the first if there are several, and the advice.
+    /// Message of the error, the first if there are several, and its advice; `None` without advice.
     #[must_use]
     pub fn what_and_help(&self) -> (String, Option<String>) {
         let of_first = |list: &[Diagnostics]| {
@@ -51,13 +51,13 @@ impl Error {
         }
     }
 
-    /// First line of the message.
+    /// First line of the error's message.
     #[must_use]
     pub fn first_line(&self) -> String {
         self.what_and_help().0.lines().next().unwrap_or_default().to_owned()
     }
 
-    /// Diagnostics of the files with errors.
+    /// Diagnostics of the files with errors; empty for an error of another kind.
     #[must_use]
     pub fn files(&self) -> &[Diagnostics] {
         match self {
@@ -91,7 +91,7 @@ impl From<Diagnostics> for Error {
     }
 }
 
-/// Error for a scene that the simulator refuses.
+/// Error for a scene that the simulator refuses to run.
 #[must_use]
 pub fn refused(scene: &Scene, error: &SimError) -> Error {
     Error::request(error.to_string(), format!("check {}", path_in_line(&scene.source.path)))

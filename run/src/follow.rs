@@ -8,35 +8,38 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use tripos_sim::{Options, Poll, Solution, Stop};
 
-/// Observer that may end long work between two steps; none by default.
+/// Observer that may end long work between two steps. The default observes nothing.
 #[derive(Clone, Default)]
 pub struct Follow(Option<Follower>);
 
+/// Functions that an observer calls during long work.
 #[derive(Clone)]
 struct Follower {
+    /// Function that gets the time of each accepted step and decides if the run goes on.
     poll: Poll,
+    /// Function that returns true if all work is to end.
     asked: Arc<dyn Fn() -> bool + Send + Sync>,
 }
 
 impl Follow {
-    /// Creates an observer. `poll` gets the time of each accepted step and decides if the run goes on. `asked` returns
-    /// true if all work is to end.
+    /// Creates an observer. `poll` gets the time of each accepted step, s, and decides if the run goes on. `asked`
+    /// returns true if all work is to end.
     pub fn new(poll: Poll, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Some(Follower { poll, asked: Arc::new(asked) }))
     }
 
-    /// True if the work is to end.
+    /// True if the observer asks to end the work.
     #[must_use]
     pub fn asked(&self) -> bool {
         self.0.as_ref().is_some_and(|follower| (follower.asked)())
     }
 
-    /// Breaks a loop if the work is to end.
+    /// Result that breaks a loop if the observer asks to end the work.
     pub fn go_on(&self) -> ControlFlow<()> {
         if self.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Options for a run that is observed.
+    /// Adds the observer to the options of a run.
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         Options { poll: self.0.as_ref().map(|follower| follower.poll.clone()), ..options.clone() }
@@ -49,23 +52,23 @@ impl fmt::Debug for Follow {
     }
 }
 
-/// Returns a run that was not interrupted.
+/// Returns the solution of a run that was not interrupted.
 ///
 /// # Errors
-/// [`Error::Interrupted`] if it was.
+/// [`Error::Interrupted`] if the run was interrupted.
 pub fn uninterrupted(solution: Solution) -> Result<Solution, Error> {
     if solution.stop == Stop::Interrupted { Err(Error::Interrupted) } else { Ok(solution) }
 }
 
 /// Display for the progress of work in many parts. By default every method does nothing.
 pub trait Progress {
-    /// Sets the number of parts.
+    /// Sets the number of parts of the work.
     fn set_length(&self, _parts: u64) {}
     /// Adds a number of finished parts.
     fn inc(&self, _parts: u64) {}
-    /// Names the present part.
+    /// Shows the name of the part that is being done.
     fn set_message(&self, _what: &str) {}
 }
 
-/// No display.
+/// A progress display that shows nothing.
 impl Progress for () {}

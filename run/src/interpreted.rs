@@ -1,6 +1,6 @@
-//! Derived equations as a [`System`] by interpretation: for models that are not compiled in.
+//! Derived equations as a [`System`] by interpretation, for models that are not compiled into the program.
 //!
-//! Invariant: the equations are compiled to tapes once. Another number type takes the same tapes, with their exact
+//! Invariant: the equations are compiled to tapes once. Another number type uses the same tapes, with their exact
 //! constants rounded anew.
 
 use crate::room::Room;
@@ -17,9 +17,9 @@ use tripos_traits::{Lengths, System};
 /// Reason why equations cannot be interpreted.
 #[derive(Clone, Debug)]
 pub enum NotInterpreted {
-    /// A symbol that has no value during a run.
+    /// An equation mentions a symbol that has no value during a run.
     Unknown(UnknownSymbol),
-    /// Equations that could not be solved for v̇.
+    /// The equations could not be solved for the accelerations v̇.
     Unsolved(Unsolved),
 }
 
@@ -42,56 +42,58 @@ enum Part {
     MassMatrix,
     Forcing,
     Accelerations,
-    /// The rates q̇ and v̇.
+    /// Rates q̇ of coordinates and v̇ of motion variables together.
     Derivative,
     Jacobian,
     /// Outputs of a scene, in parameters, time, coordinates and motion variables.
     Outputs,
-    /// T + V and its derivatives with respect to the state, for a scene that has an energy.
+    /// Energy T + V and its derivatives with respect to the state, for a scene that has an energy.
     EnergyGradient,
-    /// The slope of the potential energy: first the angles z, then the value for sin z/z.
+    /// Angles z of the quotients sin z/z in the slope of the potential energy.
     SlopeAngles,
+    /// Slope of the potential energy between two values of the coordinate, from these values and the quotients sin z/z.
     Slope,
     GeneralizedSpeeds,
     GeneralizedSpeedRates,
     MotionVariables,
     /// Divisors of the equations that may be zero somewhere.
     Divisors,
-    /// Functions that are zero where the constraints hold; below, their derivatives.
+    /// Functions that are zero where the constraints hold.
     Constraints,
+    /// Derivatives of the functions of the constraints by the state.
     ConstraintSlopes,
     KineticEnergy,
     PotentialEnergy,
     Power,
 }
 
-/// Interpreted equations of one formulation; threads may share them.
+/// Equations of one formulation as tapes for interpretation; threads may share them.
 pub struct Interpreted<S = f64> {
     lengths: Lengths,
     /// Parameters, coordinates and motion variables, which most tapes read.
     state: Vec<Expr>,
     symmetric: bool,
-    /// Tapes, indexed by [`Part`]. Printed equations are run as they stand, without accelerations. Outputs belong to a
-    /// scene.
+    /// Tapes of the parts, indexed by [`Part`]; `None` for a part that the equations do not have. Printed equations are
+    /// run as they stand, without accelerations. Outputs belong to a scene.
     tapes: [Option<Tape<S>>; Part::Power as usize + 1],
-    /// Recurrences of the Taylor coefficients.
+    /// Recurrences of the Taylor coefficients; `None` if the equations have none.
     series: Option<Series<S>>,
-    /// Period in the first coordinate of the functions that quadrature needs; `None` if they have none.
+    /// Period, in the first coordinate, of the functions that quadrature needs; `None` if they have no period.
     coordinate_period: Option<f64>,
     /// True if the tape of the Jacobian gives its product with a direction.
     is_product: bool,
-    /// Names of the divisors that are watched.
+    /// Names of the divisors that a run watches.
     divisors: Vec<String>,
     /// Names of the constraints onto which a run is kept.
     constraints: Vec<String>,
-    /// Buffers for the inputs of a tape and for its values.
+    /// Buffers for the joined inputs of a tape and for its intermediate values.
     work: Room<(Vec<S>, Vec<S>)>,
-    /// Buffer for q̇ and v̇.
+    /// Buffer for the rates q̇ and v̇ together.
     both: Room<Vec<S>>,
 }
 
 impl Interpreted {
-    /// Compiles the equations to tapes.
+    /// Compiles the derived equations of a model to tapes, without eliminated accelerations.
     ///
     /// # Errors
     /// [`UnknownSymbol`] if an equation has a symbol that is not among its inputs. Derived equations never do.
@@ -102,7 +104,7 @@ impl Interpreted {
         let speed_rates = e.unknowns[..e.variables.len()].to_vec();
         let mut tapes = [const { None }; _];
         let mut tape = |part: Part, inputs: &[Expr], outputs: &[Expr]| {
-            // Unused steps are no part of the tape, and their symbols need no value.
+            // Unused steps are left out, so that their symbols need no value.
             let steps = needed(arena, &e.definitions, outputs);
             tapes[part as usize] = Some(Tape::stepwise(arena, inputs, &steps, outputs)?);
             Ok(())
@@ -147,7 +149,7 @@ impl Interpreted {
         })
     }
 
-    /// Adds the eliminated accelerations.
+    /// Adds the eliminated accelerations, their Jacobian and, if possible, the recurrences of Taylor coefficients.
     ///
     /// # Errors
     /// [`NotInterpreted`] if v̇ is not determined in any configuration, is not proved, or has a step with an undefined
@@ -173,7 +175,8 @@ impl Interpreted {
         Ok(self)
     }
 
-    /// Adds the outputs of the scene to which these equations belong.
+    /// Adds the outputs of the scene to which these equations belong, and its energy and potential slope if it has
+    /// them.
     ///
     /// # Errors
     /// [`UnknownSymbol`] if an output has an undefined symbol. Outputs of a reduction never do.
@@ -226,11 +229,12 @@ impl Interpreted {
 }
 
 impl<S: Numeric> Interpreted<S> {
+    /// True if the equations have this part.
     fn has(&self, part: Part) -> bool {
         self.tapes[part as usize].is_some()
     }
 
-    /// Tapes of q̇ and v̇, and of the constraints onto which a run is kept. Both read parameters, coordinates and
+    /// Tape of q̇ and v̇, and tape of the constraints onto which a run is kept. Both read parameters, coordinates and
     /// motion variables.
     pub fn rates_and_constraints(&self) -> (Option<&Tape<S>>, Option<&Tape<S>>) {
         (self.tapes[Part::Derivative as usize].as_ref(), self.tapes[Part::Constraints as usize].as_ref())
@@ -254,13 +258,14 @@ impl<S: Numeric> Interpreted<S> {
         });
     }
 
-    /// Computes the value of a part that has only one.
+    /// Computes the value of a part that has only one value.
     fn value(&self, part: Part, inputs: &[&[S]]) -> S {
         let mut out = [S::int(0)];
         self.run(part, inputs, &mut out);
         out[0]
     }
 
+    /// Number of values that a part has; 0 if the equations do not have the part.
     fn count(&self, part: Part) -> usize {
         self.tapes[part as usize].as_ref().map_or(0, Tape::outputs)
     }

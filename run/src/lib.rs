@@ -1,4 +1,4 @@
-//! Mechanisms and their scenes, made ready and run: the functions of the `tripos` command, for programs.
+//! Mechanisms and their scenes, prepared and run: the functions of the `tripos` command, for programs.
 //!
 //! ```
 //! use tripos::{Overrides, Scene};
@@ -14,9 +14,9 @@
 //! # Ok::<(), tripos::Error>(())
 //! ```
 //!
-//! A program begins with [`Scene`] and [`Mechanism`]. The modules contain the parts of these, for more special needs.
-//! The library never prints, ends the process, or knows a command line. Equations run compiled if a program contains
-//! them ([`Scene::with`]), else interpreted, with the same results to rounding.
+//! A program begins with [`Scene`] and [`Mechanism`]. The modules contain the parts of both, for more special needs.
+//! The library never prints, ends the process, or knows a command line. A scene runs by compiled equations if the
+//! program contains them ([`Scene::with`]). Otherwise the equations are interpreted, with the same results to rounding.
 
 pub mod code;
 mod error;

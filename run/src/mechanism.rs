@@ -12,14 +12,15 @@ use tripos_derive::prove::{Proof, prove};
 use tripos_derive::{Formulation, Model, derive};
 use tripos_traits::CompiledModel;
 
-/// Model, the compiled equations that a program contains, and the observer of long work.
+/// Model with the compiled equations that the program contains, and the observer of long work.
 ///
-/// Equations run compiled if they were generated from exactly the model's text, else interpreted.
+/// Compiled equations run if they were generated from exactly the model's text. Otherwise the equations are
+/// interpreted.
 #[derive(Clone)]
 pub struct Mechanism {
-    /// The model.
+    /// The model that the mechanism is derived from.
     pub model: Model,
-    /// The compiled equations, of this model or of others.
+    /// Compiled equations of the program, of this model or of others.
     pub compiled: &'static [CompiledModel],
     /// Observer that may end long work early.
     pub follow: Follow,
@@ -32,16 +33,16 @@ impl Mechanism {
         Self { model, compiled: &[], follow: Follow::default() }
     }
 
-    /// Reads a model file.
+    /// Reads a model file as a mechanism without compiled equations.
     ///
     /// # Errors
-    /// [`Diagnostics`] with every error of the file.
+    /// [`Diagnostics`] with every error of the model file.
     #[cfg(feature = "files")]
     pub fn read(path: &Path) -> Result<Self, Diagnostics> {
         Ok(Self::new(tripos_derive::model::load(&Source::read(path)?)?))
     }
 
-    /// Adds the equations that were compiled into a program.
+    /// Adds the equations that were compiled into a program; they replace those added before.
     #[must_use]
     pub fn with(self, compiled: &'static [CompiledModel]) -> Self {
         Self { compiled, ..self }
@@ -84,9 +85,8 @@ impl Mechanism {
         Err(Error::request(format!("the constraints leave no speed: {what}"), help))
     }
 
-    /// Writes the equations as a Rust module of this name. Returns the text of each of its files. An empty list of
-    /// formulations means all that the model supports. Jacobian and recurrences are written if they are among the
-    /// extras.
+    /// Writes the equations as a Rust module with the given name. Returns the text of each file of the module. An empty
+    /// list of formulations means all that the model supports. `extras` asks for the Jacobian and the recurrences.
     ///
     /// # Errors
     /// [`Error::Input`] if the model cannot be derived, or lacks a named formulation.

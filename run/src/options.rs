@@ -1,19 +1,19 @@
-//! Integration options of a scene for the simulator.
+//! Integration options for the simulator, made from a scene.
 
 use tripos_derive::scene::{Integrator, Project, Scene};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::AbsoluteTolerance;
 
-/// Integration options of a scene, with the instants of its samples.
+/// Makes the integration options of a scene, with the instants of its samples.
 pub fn options(scene: &Scene) -> Options {
     Options { output: output(scene), ..options_of_ends(scene) }
 }
 
-/// Integration options of a scene for the same steps, with only the ends of its runs kept.
+/// Makes the integration options of a scene for the same steps, with only the ends of its runs kept.
 pub fn options_of_ends(scene: &Scene) -> Options {
     let how = &scene.integration;
     Options {
-        // Quadrature takes no steps: any method will do.
+        // Quadrature takes no steps, so the method does not matter.
         method: how.method.method().unwrap_or(Method::Dop853),
         step: how.step,
         max_step: how.max_step,
@@ -23,7 +23,7 @@ pub fn options_of_ends(scene: &Scene) -> Options {
     }
 }
 
-/// The method and its tolerances or step, such as "ode45 with rtol 1e-3, atol 1e-5".
+/// Describes the method of a scene with its tolerances or step, such as "ode45 with rtol 1e-3, atol 1e-5".
 pub fn method_words(scene: &Scene) -> String {
     let how = &scene.integration;
     if how.method == Integrator::Quadrature {
@@ -45,19 +45,21 @@ pub fn method_words(scene: &Scene) -> String {
     format!("{} with {steps}{longest}{projected}{distance}", how.method)
 }
 
+/// Instants at which a run of the scene keeps samples.
 fn output(scene: &Scene) -> Output {
     match scene.integration.samples {
         None => Output::Steps { refine: 4 },
         Some(n) => {
             let (from, to) = scene.span;
             let last = (n - 1).max(1) as f64;
-            // The last instant is exact, whatever the division rounds to.
+            // The last instant is exact, independent of the rounding of the division.
             Output::At((0..n).map(|i| if i + 1 == n { to } else { from + (to - from) * i as f64 / last }).collect())
         }
     }
 }
 
-/// `count` + 1 instants, evenly from the first to the last, which is exact whatever the division rounds to.
+/// Divides a span into `count` equal parts and returns the `count` + 1 instants, s. The last instant is exact,
+/// independent of the rounding of the division.
 #[must_use]
 pub fn instants((from, to): (f64, f64), count: u32) -> Vec<f64> {
     (0..=count).map(|i| if i == count { to } else { from + (to - from) * (f64::from(i) / f64::from(count)) }).collect()

@@ -1,4 +1,4 @@
-//! Settings for a run that replace those of the scene, without another file.
+//! Settings for a run that replace those of the scene, without another scene file.
 
 use crate::error::Error;
 use tripos_derive::scene::{Integrator, Project, Scene, Solve};
@@ -6,12 +6,12 @@ use tripos_derive::scene::{Integrator, Project, Scene, Solve};
 /// Settings that override the scene's integration settings. `None` keeps the scene's value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
-    /// Name of the equations: `kane`, `lagrange`, `newton-euler` or `printed:ID`. `None` or `reduced` means the scene's
-    /// own equations.
+    /// Name of the equations that run: `kane`, `lagrange`, `newton-euler` or `printed:ID`. `None` or `reduced` means
+    /// the scene's own equations.
     pub by: Option<String>,
-    /// The integrator.
+    /// Integrator of the run.
     pub method: Option<Integrator>,
-    /// Invariant onto which each step is projected.
+    /// Invariant onto which the state is projected after each step.
     pub project: Option<Project>,
     /// Method by which accelerations are found.
     pub solve: Option<Solve>,
@@ -19,19 +19,19 @@ pub struct Overrides {
     pub step: Option<f64>,
     /// Longest step that error control may choose, s.
     pub max_step: Option<f64>,
-    /// Relative tolerance.
+    /// Relative tolerance of each step.
     pub rtol: Option<f64>,
     /// Absolute tolerance of every component of the state.
     pub atol: Option<f64>,
-    /// Last instant, s; the run goes backwards if it is before the first one.
+    /// Last instant of the run, s; the run goes backwards if it is before the first instant.
     pub until: Option<f64>,
 }
 
 impl Overrides {
-    /// Replaces the scene's values by these.
+    /// Replaces values of the scene by those overrides that are not `None`.
     ///
     /// # Errors
-    /// [`Error::Request`] for numbers that allow no run, and for settings that exclude one another.
+    /// [`Error::Request`] for numbers with which no run is possible, and for settings that exclude one another.
     pub fn change(&self, scene: &mut Scene) -> Result<(), Error> {
         let how = &mut scene.integration;
         how.method = self.method.unwrap_or(how.method);

@@ -1,13 +1,13 @@
-//! Room that is kept between calls.
+//! Working memory that is kept between calls, to avoid allocations.
 
 use std::sync::Mutex;
 
-/// Working space that is kept between calls. A thread that comes while another has it allocates its own, so that
-/// equations can be shared and no call waits.
+/// Working memory that is kept between calls. A thread that calls while another thread uses the memory allocates its
+/// own, so that equations can be shared and no call waits.
 pub struct Room<T>(Mutex<T>);
 
 impl<T: Default> Room<T> {
-    /// Works in the room.
+    /// Calls `work` with the kept memory, or with new memory if another thread uses it.
     pub fn with<R>(&self, work: impl FnOnce(&mut T) -> R) -> R {
         match self.0.try_lock() {
             Ok(mut room) => work(&mut room),

@@ -20,14 +20,15 @@ use tripos_derive::scene::model_path;
 use tripos_derive::scene::{self as description, Family, Grid, load_bound};
 use tripos_traits::CompiledModel;
 
-/// Scene of a file, together with its model.
+/// Scene that was read from a file, together with its mechanism.
 #[derive(Clone)]
 pub struct Scene {
     mechanism: Mechanism,
-    /// Scene as its file gives it.
+    /// Description of the scene as its file gives it.
     file: description::Scene,
-    /// Scene with the values that were set.
+    /// Description of the scene with the values that were set by [`Scene::set`].
     current: description::Scene,
+    /// Names and values that were set by [`Scene::set`].
     set: Vec<(String, f64)>,
 }
 
@@ -35,7 +36,7 @@ impl Scene {
     /// Reads a scene file, and the model file that it names.
     ///
     /// # Errors
-    /// [`Error::Input`] with every error of the first file that has errors, each with its place.
+    /// [`Error::Input`] with every error of the first file that has errors, each with its line and column.
     #[cfg(feature = "files")]
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let source = Source::read(path.as_ref())?;
@@ -43,10 +44,10 @@ impl Scene {
         Self::load(mechanism, &source)
     }
 
-    /// Creates a scene of this mechanism from the text of a scene file. The model file that the text names is not read.
+    /// Creates a scene of a mechanism from the text of a scene file. The model file that the text names is not read.
     ///
     /// # Errors
-    /// [`Error::Input`] with every error of the text, each with its place.
+    /// [`Error::Input`] with every error of the text, each with its line and column.
     pub fn parse(mechanism: Mechanism, text: &str) -> Result<Self, Error> {
         Self::load(mechanism, &Source::from_text("scene", text))
     }
@@ -56,8 +57,8 @@ impl Scene {
         Ok(Self { mechanism, current: file.clone(), file, set: Vec::new() })
     }
 
-    /// Adds equations that were compiled into a program, such as `tripos_models::MODELS`. Without them every model is
-    /// interpreted.
+    /// Adds equations that were compiled into a program, such as `tripos_models::MODELS`. Without them the equations of
+    /// every model are interpreted.
     #[must_use]
     pub fn with(mut self, compiled: &'static [CompiledModel]) -> Self {
         self.mechanism.compiled = compiled;
@@ -71,7 +72,7 @@ impl Scene {
         self
     }
 
-    /// Model with its compiled equations.
+    /// Mechanism of the scene: the model with its compiled equations.
     #[must_use]
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism
@@ -84,11 +85,11 @@ impl Scene {
     }
 
     /// Sets a parameter, or a number of the start, to another value, in the unit of the model file. Numbers that the
-    /// scene computes from it change too.
+    /// scene computes from this number change too.
     ///
     /// # Errors
-    /// [`Error::Inputs`] if the scene has no such number; [`Error::Input`] if it cannot have this value, such as a
-    /// mass below zero.
+    /// [`Error::Inputs`] if the scene has no number of this name; [`Error::Input`] if the number cannot have this
+    /// value, such as a mass below zero.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let mut set = self.set.clone();
         set.retain(|(known, _)| known != name);
@@ -116,27 +117,27 @@ impl Scene {
         Reduced::new(&self.mechanism, &self.current)
     }
 
-    /// Computes the states at these instants, s, in the order of the run, to some twenty digits, with their
+    /// Computes the states at the given instants, s, in the order of the run, to some twenty digits, with their
     /// uncertainty.
     ///
     /// # Errors
-    /// [`Error`] if no formulation gets to the last instant.
+    /// [`Error`] if a run does not reach the last instant.
     pub fn reference(&self, times: &[f64]) -> Result<Reference, Error> {
         Reference::new(&self.mechanism, &self.current, times)
     }
 
-    /// Runs the scene by its own reduced equations, unless `how` names others or asks for a numeric solve.
+    /// Runs the scene by its own reduced equations, unless `how` names other equations or asks for a numeric solve.
     ///
     /// # Errors
-    /// [`Error`] if it cannot be run. A run that began and could not go on is a [`Run`] that says so.
+    /// [`Error`] if the scene cannot be run. A run that began and could not go on is a [`Run`] that says so.
     pub fn simulate(&self, how: &Overrides) -> Result<Run, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
         simulate(&self.mechanism, &scene, how.by.as_deref())
     }
 
-    /// Runs the scene by whole equations, with the derivatives of its shown quantities with respect to parameters and
-    /// numbers of its start, by name.
+    /// Runs the scene by whole equations. Returns the derivatives of its shown quantities with respect to the named
+    /// parameters and numbers of the start.
     ///
     /// ```
     /// # use tripos::{At, Overrides, Scene};
@@ -147,7 +148,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// As [`crate::sensitivities`].
+    /// Errors of [`crate::sensitivities`].
     pub fn sensitivities(&self, names: &[&str], at: At, how: &Overrides) -> Result<Sensitivities, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
@@ -155,8 +156,8 @@ impl Scene {
         sensitivities(&self.mechanism, &scene, &self.set, (&names, at), how.by.as_deref())
     }
 
-    /// Runs the scene by whole equations, with the derivatives of one number at its end with respect to all its
-    /// parameters and all numbers of its start. Their count adds no cost: one sweep backwards finds them all.
+    /// Runs the scene by whole equations. Returns the derivatives of one number at its end with respect to all its
+    /// parameters and all numbers of its start. Their count adds no cost: one backward sweep computes all.
     ///
     /// ```
     /// # use tripos::{Overrides, Scene};
@@ -169,7 +170,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// As [`crate::gradient`].
+    /// Errors of [`crate::gradient`].
     pub fn gradient(&self, of: &str, how: &Overrides) -> Result<Gradient, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
@@ -179,15 +180,15 @@ impl Scene {
     /// Runs the scene with recorded signals for a part of its inputs, each held from one instant to the next.
     ///
     /// # Errors
-    /// As [`Scene::simulate_sampled`]; [`Error::Request`] for a signal without as many values as instants.
+    /// Errors of [`Scene::simulate_sampled`]; [`Error::Request`] for a signal without as many values as instants.
     pub fn simulate_held(&self, signals: &[Held<'_>], how: &Overrides) -> Result<SampledRun, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
         sampled::simulate_held(&self.mechanism, &scene, signals, how.by.as_deref())
     }
 
-    /// Runs the scene with inputs that a controller sets at these instants, s, from the state there. They are held
-    /// until the next instant (zero-order hold). Before the first they have the values of the scene.
+    /// Runs the scene with inputs that a controller sets at the given instants, s, from the state at each. The inputs
+    /// are held until the next instant (zero-order hold). Before the first instant they have the values of the scene.
     ///
     /// Whole equations are run, and a step ends at each instant. A second run gives the errors. Each of the two runs
     /// has a new controller, which may keep data between instants:
@@ -232,9 +233,9 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Request`] for unknown inputs or inputs with formulas; instants that are not in order or outside the
-    /// span; a decision with a wrong number of values or a value that is not finite; a run backwards, by quadrature,
-    /// projected or with impacts. Otherwise as [`Scene::simulate`].
+    /// [`Error::Request`] for unknown inputs or inputs with formulas; for instants that are not in order or outside the
+    /// span; for a decision with a wrong number of values or a value that is not finite; for a run backwards, by
+    /// quadrature, projected or with impacts. Otherwise the errors of [`Scene::simulate`].
     pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
         &self,
         inputs: &[&str],

@@ -5,13 +5,13 @@
 
 use tripos_traits::Real;
 
-/// Width of a block: the doubles of a register that every x86-64 and ARM processor has.
+/// Width of a block: the number of doubles in a register that every x86-64 and ARM processor has.
 pub(crate) const LANES: usize = 2;
 
-/// Neighbouring components of a vector.
+/// Block of neighbouring components of a vector.
 pub(crate) type Block<S> = [S; LANES];
 
-/// A vector of n components.
+/// A vector of n components in blocks.
 #[derive(Clone, Debug)]
 pub(crate) struct Blocks<S> {
     pub(crate) blocks: Vec<Block<S>>,
@@ -32,7 +32,7 @@ impl<S: Real> Blocks<S> {
     }
 }
 
-/// Finds numbers that are not finite among many, with two operations each.
+/// Detector of numbers that are not finite, with two operations for each number.
 #[derive(Clone, Copy)]
 pub(crate) struct Finite(Block<f64>);
 
@@ -41,10 +41,10 @@ impl Finite {
         Self([0.0; LANES])
     }
 
-    /// Notes the numbers of a block.
+    /// Takes note of the numbers of a block.
     #[inline]
     pub(crate) fn note<S: Real>(&mut self, block: &Block<S>) {
-        // x − x is 0, but not a number if x is infinite or none.
+        // x − x is 0, or not a number if x is infinite or not a number.
         let rest = block.map(|x| x.to_f64() - x.to_f64());
         for (sum, rest) in self.0.iter_mut().zip(rest) {
             *sum += rest;

@@ -6,26 +6,26 @@
 
 use std::fmt;
 
-/// A question that cannot be run. Nothing was integrated.
+/// Reason why a run cannot start. Nothing was integrated.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SimError {
     /// A slice has the wrong length.
     Length {
         /// Content of the slice, in words.
         what: &'static str,
-        /// The length it must have.
+        /// Length that the slice must have.
         expected: usize,
-        /// The length it has.
+        /// Length that the slice has.
         found: usize,
     },
-    /// A number that must be finite is not.
+    /// A number is not finite, though it must be.
     NotFinite {
         /// Name of the number.
         what: String,
     },
-    /// The run would end where it starts.
+    /// The run would end at the time at which it starts.
     EmptySpan {
-        /// The common time, in s.
+        /// Time of the start and of the end, s.
         t: f64,
     },
     /// A tolerance is negative, not a number, or leaves a component without any tolerance.
@@ -33,45 +33,45 @@ pub enum SimError {
         /// Description of the mistake, for people.
         what: String,
     },
-    /// An option has a value outside its range.
+    /// An option of the run has a value outside its range.
     Option {
-        /// The option's name.
+        /// Name of the option.
         name: &'static str,
         /// Condition that the value must meet, in words.
         must: &'static str,
     },
-    /// A method without an error estimate is to choose its steps.
+    /// A method without an error estimate has no fixed step.
     NoStep {
-        /// The method's name.
+        /// Name of the method.
         method: &'static str,
     },
-    /// A method that needs ∂f/∂y is to run a right-hand side that has none.
+    /// A method that needs ∂f/∂y cannot run a right-hand side without it.
     NoJacobian {
-        /// The method's name.
+        /// Name of the method.
         method: &'static str,
     },
-    /// One of many trajectories cannot be run.
+    /// A trajectory of a batch cannot be run.
     Trajectory {
-        /// Its position in the list, from 0.
+        /// Position of the trajectory in the batch, from 0.
         index: usize,
         /// Error of this trajectory.
         error: Box<SimError>,
     },
-    /// A method that needs Taylor coefficients is to run a right-hand side that has none.
+    /// A method that needs Taylor coefficients cannot run a right-hand side without them.
     NoSeries {
-        /// The method's name.
+        /// Name of the method.
         method: &'static str,
     },
-    /// A batch asks for a method that does not run in lanes, or not with these equations.
+    /// The method of a batch does not run in lanes, or not with these equations.
     NoLanes {
-        /// The method's name.
+        /// Name of the method.
         method: &'static str,
     },
     /// An output time lies outside the span or before its predecessor.
     OutputTime {
-        /// Its position in the list, from 0.
+        /// Position of the output time in the list, from 0.
         index: usize,
-        /// The time, in s.
+        /// Output time, s.
         t: f64,
     },
 }
@@ -123,7 +123,7 @@ impl std::error::Error for SimError {}
 pub struct Failure {
     /// A short stable word for programs, such as `"singular"`.
     pub code: &'static str,
-    /// A sentence for people: the value that does not exist, and where.
+    /// A sentence for people: the value that does not exist, and the place where it was needed.
     pub message: String,
 }
 

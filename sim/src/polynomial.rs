@@ -1,36 +1,35 @@
-//! The solution inside a step as one polynomial for each component, and its ranges over parts of the step.
+//! Solution inside a step as one polynomial for each component, and its ranges over parts of the step.
 
 use tripos_traits::{Enclosure, Interval};
 
 use crate::stepper::DenseStep;
 
-/// The polynomials of one step, of the components that somebody asks for.
+/// Polynomials of one step, for the components of the state that event functions need.
 ///
-/// Invariant: `rows` holds, power by power, the coefficients of the powers of τ = 2θ − 1, which is at most 1 in size
-/// inside the step, for each of `components`; they differ from those of the dense output by rounding, which `margins`
-/// bound.
+/// Invariant: `rows` holds, power by power, the coefficients of the powers of τ = 2θ − 1 for each of `components`; |τ|
+/// ≤ 1 inside the step. The polynomials differ from those of the dense output by rounding, which `margins` bound.
 #[derive(Debug, Default)]
 pub(crate) struct Polynomial {
-    /// Indices of the components of the state, in order, and the length of the state.
+    /// Indices of the components of the state, in order; `length` is the length of the state.
     components: Vec<usize>,
     length: usize,
     rows: Vec<f64>,
     /// Bounds of the rounding error of the value, and of the slope by θ, of each component.
     margins: Vec<[f64; 2]>,
-    /// Start and end of the step, in s.
+    /// Start and end of the step, s.
     times: (f64, f64),
-    /// Room for the coefficients of all components, and for those about another middle.
+    /// Space for the coefficients of all components; `shifted` is space for coefficients about another middle.
     all: Vec<f64>,
     shifted: Vec<f64>,
 }
 
 impl Polynomial {
-    /// Creates one for a state of this length.
+    /// Creates the polynomials of these components, for a state of this length.
     pub(crate) fn new(components: Vec<usize>, length: usize) -> Self {
         Self { components, length, ..Self::default() }
     }
 
-    /// Takes the polynomials of a step; false if it has none.
+    /// Copies the polynomials of a step; false if its solution is no polynomial.
     pub(crate) fn take(&mut self, step: &dyn DenseStep) -> bool {
         let Some(degree) = step.degree() else { return false };
         self.times = step.times();
@@ -53,15 +52,15 @@ impl Polynomial {
         true
     }
 
-    /// The time over a part of the step, with the fraction of the step as the argument of its slope.
+    /// Range of the time over a part of the step, s, with the fraction of the step as the argument of its slope.
     pub(crate) fn time(&self, from: f64, to: f64) -> Enclosure {
         let (start, end) = (Interval::point(self.times.0), Interval::point(self.times.1));
         let slope = end - start;
         Enclosure { value: start + Interval::new(from, to) * slope, slope }
     }
 
-    /// The state over a part of the step, with the fraction of the step as the argument of its slope; undefined where
-    /// nobody asks for a component.
+    /// Writes the ranges of the state over a part of the step, with the fraction of the step as the argument of slopes.
+    /// Components that are not needed are undefined.
     pub(crate) fn state(&mut self, from: f64, to: f64, out: &mut Vec<Enclosure>) {
         let (middle, radius) = (from + to - 1.0, to - from);
         let count = self.components.len();
@@ -75,7 +74,7 @@ impl Polynomial {
     }
 }
 
-/// Bounds of the rounding error of polynomials with these coefficients, and of their slopes, where |θ| ≤ 1. Each
+/// Computes bounds of the rounding error of polynomials with these coefficients, and of their slopes, for |θ| ≤ 1. Each
 /// operation of the shifts, and of the method's own evaluation, counts ε of the numbers that it adds up.
 fn margins(rows: &[f64], count: usize, out: &mut Vec<[f64; 2]>) {
     let degree = (rows.len() / count.max(1)).saturating_sub(1) as f64;
@@ -90,7 +89,7 @@ fn margins(rows: &[f64], count: usize, out: &mut Vec<[f64; 2]>) {
     }
 }
 
-/// The coefficients of p(x + by) from those of p(x) for `count` polynomials, by Horner's scheme, in place.
+/// Replaces the coefficients of p(x) by those of p(x + by), for `count` polynomials, by Horner's scheme.
 fn shift(rows: &mut [f64], count: usize, by: f64) {
     if by == 0.0 || count == 0 {
         return;
@@ -106,7 +105,7 @@ fn shift(rows: &mut [f64], count: usize, by: f64) {
     }
 }
 
-/// The range of Σ c_k (radius x)^k over |x| ≤ 1, and of its slope by θ, of which x is 2/radius times.
+/// Range of Σ c_k (radius x)^k over |x| ≤ 1, and of its slope by θ; dx/dθ is 2/radius.
 fn range<'c>(row: impl Iterator<Item = &'c f64>, radius: f64, [margin, slope_margin]: [f64; 2]) -> Enclosure {
     // Even powers are between 0 and 1, odd ones between −1 and 1.
     let (mut value, mut slope) = (Spread::default(), Spread::default());
@@ -119,7 +118,7 @@ fn range<'c>(row: impl Iterator<Item = &'c f64>, radius: f64, [margin, slope_mar
     Enclosure { value: value.within(margin), slope: slope.within(slope_margin) }
 }
 
-/// A sum of terms between bounds.
+/// Sum of terms, each known between bounds.
 #[derive(Default)]
 struct Spread {
     lo: f64,
@@ -127,7 +126,7 @@ struct Spread {
 }
 
 impl Spread {
-    /// Adds c xᵏ with |x| ≤ 1.
+    /// Adds the term c xᵏ with |x| ≤ 1.
     fn add(&mut self, c: f64, k: usize) {
         match k {
             0 => (self.lo, self.hi) = (self.lo + c, self.hi + c),

@@ -1,4 +1,4 @@
-//! Projection of a run onto its invariants or its constraints, with an account of the corrections.
+//! Projection of a run onto its invariants or its constraints, with a report of the corrections.
 //!
 //! After each accepted step the state is moved onto I_k(y) = I_k(y₀), or onto the constraints φ_k(y) = 0 of the
 //! equations, by the smallest correction in the norm of the tolerances. The method goes on from there. The removed
@@ -6,12 +6,12 @@
 //! G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §IV.4.
 //!
 //! If the state is (q, q̇) and its mass matrix M is known, constraints are met in that metric: first by q, with M⁻¹ Gᵀ
-//! times multipliers, then by q̇ likewise. The correction of q̇ then does no work on the motions that the constraints
-//! allow. Constraints that depend on others, everywhere or in a singular pose, are left out.
+//! times multipliers, then by q̇ in the same way. The correction of q̇ then does no work on the motions that the
+//! constraints allow. Constraints that depend on others, everywhere or in a singular pose, are left out.
 //!
-//! Events, and output at and inside a step, belong to the step as the method took it, before the correction at its end.
-//! Samples of a run on constraints are moved onto them, each by itself. The last state, and all later steps, follow
-//! from the corrected one.
+//! Events, and output at and inside a step, belong to the step before the correction at its end. Samples of a run on
+//! constraints are moved onto them, each by itself. The last state, and all later steps, follow from the corrected
+//! state.
 
 use tripos_traits::Real;
 
@@ -21,24 +21,25 @@ use crate::methods::options::Options;
 use crate::rhs::RightHandSide;
 use crate::tolerance::ErrorTest;
 
-/// Newton iterations of one correction.
+/// Largest number of Newton iterations of a correction that does not settle.
 const ITERATIONS: u32 = 3;
-/// Iterations once corrections are down to the rounding of a component of many turns, whose share others have to take
-/// over.
+/// Largest number of iterations once corrections are as small as the rounding of the largest component. Other
+/// components then have to take over the share of an angle of many turns.
 const SETTLING: u32 = 8;
-/// Corrections of fewer units in the last place of the largest component than this are rounding.
+/// Size below which a correction is rounding, in units in the last place of the largest component.
 const ROUNDING: f64 = 16.0;
-/// The part of the drift that may be left by the last iteration; Newton's method squares it each time.
+/// Fraction of the drift that may be left after the last iteration; Newton's method squares it each time.
 const LEFT: f64 = 1e-3;
 
-/// `(t, y, values, gradients)`: writes the invariants, and ∂I_k/∂y row by row.
+/// Function `(t, y, values, gradients)` that writes the invariants I_k, and ∂I_k/∂y row by row.
 pub type InvariantFunction<'a, S> = Box<dyn FnMut(f64, &[S], &mut [S], &mut [S]) + 'a>;
 
-/// Invariants to be kept.
+/// Invariants that a projected run keeps at their first values.
 pub struct Invariants<'a, S = f64> {
     /// Number of invariants.
     pub count: usize,
-    /// Their values and gradients: `count` values and `count` times the length of the state, each in its own unit.
+    /// Function for values and gradients of the invariants: `count` values and `count` times the length of the state,
+    /// each in its own unit.
     pub function: InvariantFunction<'a, S>,
 }
 
@@ -48,26 +49,26 @@ impl<S> std::fmt::Debug for Invariants<'_, S> {
     }
 }
 
-/// Account of the projection in a run: its corrections, and the drift that they removed.
+/// Report on the projection in a run: its corrections, and the drift that they removed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProjectionReport {
-    /// Steps after which the state was moved.
+    /// Number of steps after which the state was moved.
     pub corrections: u64,
-    /// Steps after which it was not, since gradients of invariants are dependent, or are zero or not finite.
+    /// Number of steps without a correction because gradients of invariants are dependent, zero or not finite.
     pub singular: u64,
-    /// Steps after which it was not, since three iterations of Newton's method do not reach the invariants: the
-    /// gradients are wrong, or the step was far too long.
+    /// Number of steps without a correction because Newton's method did not reach the invariants: the gradients are
+    /// wrong, or the step was far too long.
     pub not_converged: u64,
-    /// Σ |correction| of each component of the state, in its unit.
+    /// Sum Σ |correction| of each component of the state, in its unit.
     pub moved: Vec<f64>,
-    /// For each invariant or constraint, the drift that was removed: Σ (value before − value after), with its sign.
+    /// Drift that was removed, for each invariant or constraint: Σ (value before − value after), with its sign.
     pub removed: Vec<f64>,
-    /// For each of them, the largest of these in size, with its sign.
+    /// Largest drift that a single correction removed, for each invariant or constraint, with its sign.
     pub largest: Vec<f64>,
 }
 
 impl ProjectionReport {
-    /// Adds the account of a run that goes on from this one.
+    /// Adds the report of a run that continues this one.
     pub fn add(&mut self, next: &Self) {
         self.corrections += next.corrections;
         self.singular += next.singular;
@@ -81,15 +82,15 @@ impl ProjectionReport {
     }
 }
 
-/// Target onto which a run is moved.
+/// Target onto which the state of a run is moved.
 pub(crate) enum Onto<'p, 'a, S> {
-    /// These invariants, at their values at the start.
+    /// Invariants, kept at their values at the start.
     Invariants(&'p mut Invariants<'a, S>),
-    /// The constraints of the equations, this many, at zero.
+    /// Constraints of the equations, kept at zero; the number of constraints.
     Constraints(usize),
 }
 
-/// Projection of a run under way.
+/// Projection of a run in progress.
 pub(crate) struct Projector<'p, 'a, S> {
     onto: Onto<'p, 'a, S>,
     weights: Option<ErrorTest>,
@@ -99,18 +100,18 @@ pub(crate) struct Projector<'p, 'a, S> {
     drift: Vec<f64>,
     before: Vec<f64>,
     y: Vec<S>,
-    /// True if the state is on its target up to the rounding of its own components.
+    /// True if the state is on its target up to the rounding of its components.
     is_near: bool,
-    /// The mass matrix, row by row, where there is one.
+    /// Mass matrix, row by row, if the equations have one.
     inertia: Vec<f64>,
-    /// Work space of a correction: the gradients in doubles, the values to be met, the correction, and its solvers in
-    /// the metric of the mass matrix and in that of weights.
+    /// Gradients in doubles. `open` has the values to remove, `correction` the correction; `in_rates` and `in_weights`
+    /// solve for it in the metric of the mass matrix and in that of the tolerances.
     slopes: Vec<f64>,
     open: Vec<f64>,
     correction: Vec<f64>,
     in_rates: Correction,
     in_weights: Least,
-    /// The component that is the time, which no correction moves.
+    /// Index of the component that is the time, which no correction moves.
     clock: Option<usize>,
     pub(crate) report: ProjectionReport,
 }
@@ -118,14 +119,14 @@ pub(crate) struct Projector<'p, 'a, S> {
 /// Size of a correction of the state, in three classes.
 #[derive(PartialEq, PartialOrd)]
 enum Moved {
-    /// No more than the rounding of the constraints, as they are computed.
+    /// The correction is no more than the rounding of the constraints, as they are computed.
     Constraint,
-    /// No more than the rounding of the largest component.
+    /// The correction is no more than the rounding of the largest component.
     State,
     Further,
 }
 
-/// Reason why the state is left as it is.
+/// Reason why the state is not corrected.
 enum Hindrance {
     Singular,
     NotConverged,
@@ -145,7 +146,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         };
         let (m, n) = (count, y0.len());
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
-        // A run with fixed steps has no tolerances: all components then count alike if those given make no sense.
+        // A run with fixed steps may have senseless tolerances: all components then count alike.
         let weights = ErrorTest::new::<S>(crate::methods::method::norm(options.method), options.rtol, &options.atol, n)
             .ok()
             .map(|(test, _)| test);
@@ -180,7 +181,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         projector
     }
 
-    /// Moves the state onto the invariants or constraints; `None` if it is there to rounding, or cannot be moved.
+    /// Moves the state onto the invariants or constraints; `None` if it is there up to rounding, or cannot be moved.
     pub(crate) fn project<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Option<&[S]> {
         match self.place(rhs, t, y) {
             Ok(true) => {
@@ -194,14 +195,14 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         None
     }
 
-    /// Prepares a sample for output. It is moved onto the constraints if possible; in a run that keeps invariants it
-    /// stays, and shows their drift.
+    /// Prepares a sample for output. It is moved onto the constraints if possible. In a run that keeps invariants it
+    /// stays, and shows the drift of the invariants.
     pub(crate) fn sample<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: Vec<S>) -> Vec<S> {
         let is_placed = matches!(self.onto, Onto::Constraints(_)) && matches!(self.place(rhs, t, &y), Ok(true));
         if is_placed { self.y.clone() } else { y }
     }
 
-    /// Moves the state onto the invariants or constraints; false if it was there to rounding.
+    /// Moves the state onto the invariants or constraints; false if it was there up to rounding.
     fn place<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<bool, Hindrance> {
         self.y.copy_from_slice(y);
         if self.values.is_empty() || self.measure(rhs, t) {
@@ -213,7 +214,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(true)
     }
 
-    /// Moves the slopes of a state on the constraints so that the slopes of the constraints are zero, by the smallest
+    /// Moves the slopes of a state on the constraints until the slopes of the constraints are zero, by the smallest
     /// correction again. They are then the slopes of motions that all stay on the constraints.
     fn straighten<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
         for along in 0..S::SLOPES {
@@ -227,9 +228,9 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(())
     }
 
-    /// Derivative of a weighted sum of the state that was moved last, by the drift of each constraint: `weights` times
-    /// the correction of a constraint that is open by 1. This is the transpose of [`Self::straighten`]. Not a number
-    /// where there is no correction.
+    /// Derivative of a weighted sum of the last moved state by the drift of each constraint. It is `weights` times the
+    /// correction of a constraint whose value is 1: the transpose of [`Self::straighten`]. Not a number if there is no
+    /// correction.
     pub(crate) fn shares<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, weights: &[f64]) -> Vec<f64> {
         let count = self.values.len();
         let mut share = |k: usize| {
@@ -243,10 +244,10 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         (0..count).map(&mut share).collect()
     }
 
-    /// Computes values and gradients at the state, and the drift; true if the drift is rounding.
+    /// Computes values and gradients at the state, and the drift; true if the drift is only rounding.
     ///
     /// Constraints are rounded as they are computed, not as their arguments are. The sine of an angle of a thousand
-    /// turns is as exact as that of a small one, and the other coordinates can meet it.
+    /// turns is as exact as that of a small one, and the other coordinates can satisfy the constraint.
     fn measure<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> bool {
         match &mut self.onto {
             Onto::Invariants(invariants) => (invariants.function)(t, &self.y, &mut self.values, &mut self.gradients),
@@ -268,7 +269,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         rounding
     }
 
-    /// Size above which a component counts as this size: infinite for invariants.
+    /// Size from which on a component counts as this size in rounding: 1 for constraints, infinite for invariants.
     fn reach(&self) -> f64 {
         if matches!(self.onto, Onto::Constraints(_)) { 1.0 } else { f64::INFINITY }
     }
@@ -289,7 +290,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         if near || is_settled || self.is_near { Ok(()) } else { Err(Hindrance::NotConverged) }
     }
 
-    /// Finds the smallest correction that meets the constraints, to first order, where these are open by `open`.
+    /// Finds the smallest correction that removes the values `open` from the constraints, to first order.
     fn correct<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
         let n = self.y.len();
         self.slopes.clear();
@@ -324,7 +325,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         })
     }
 
-    /// W² Gᵀ (G W² Gᵀ)⁻¹ open, with the weights W of the tolerances.
+    /// Computes the correction W² Gᵀ (G W² Gᵀ)⁻¹ `open`, with the weights W of the tolerances.
     fn correct_in_weights(&mut self) -> Result<(), Hindrance> {
         let (reach, y, weights) = (self.reach(), &self.y, &self.weights);
         let size = |y: &S| y.to_f64().abs().min(reach);

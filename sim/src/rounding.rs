@@ -1,11 +1,11 @@
 //! Spacing of floating-point numbers on the time axis, which bounds step sizes from below.
 
-/// The distance from |t| to the next larger number: MATLAB's `eps(t)`.
+/// Distance from |t| to the next larger number: MATLAB's `eps(t)`.
 pub(crate) fn ulp(t: f64) -> f64 {
     t.abs().next_up() - t.abs()
 }
 
-/// The smallest step that is tried at `t`: 16 ulp.
+/// Smallest step that is tried at the time `t`, s: 16 ulp of t.
 pub(crate) fn smallest_step(t: f64) -> f64 {
     16.0 * ulp(t)
 }

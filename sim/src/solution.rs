@@ -13,22 +13,22 @@ use crate::events::EventRecord;
 use crate::projection::ProjectionReport;
 use crate::warning::Warning;
 
-/// Reason of the end of a run.
+/// Reason why a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
-    /// It reached the end of its span.
+    /// The run reached the end of its span.
     End,
-    /// A terminal event happened.
+    /// A terminal event ended the run.
     Event {
-        /// The event's name.
+        /// Name of the event.
         name: String,
     },
-    /// It left the domain in which its equations hold.
+    /// The run left the domain in which its equations hold.
     LeftDomain {
         /// Name of the domain event.
         name: String,
     },
-    /// It started outside the domain in which its equations hold: no step was made.
+    /// The run started outside the domain in which its equations hold: no step was made.
     StartsOutside {
         /// Name of the domain event.
         name: String,
@@ -38,36 +38,37 @@ pub enum Stop {
         /// Size of the step that failed, in s.
         step: f64,
     },
-    /// The limit on accepted and rejected steps is used up.
+    /// The limit on the number of accepted and rejected steps is reached.
     StepLimit {
-        /// The limit.
+        /// Largest number of steps that was allowed.
         limit: u64,
     },
-    /// A state or derivative is infinite or not a number, however small the step.
+    /// A state or derivative is infinite or not a number, even in the smallest step.
     NotFinite {
         /// Component of the state, from 0.
         component: usize,
     },
-    /// The equations of an implicit step are not solved, however small the step.
+    /// The equations of an implicit step are not solved, even in the smallest step.
     NotConverged {
-        /// Iterations of Newton's method that were made.
+        /// Number of iterations of Newton's method that were made.
         iterations: u32,
     },
-    /// A divisor of the equations is zero there: they have no value, and no motion goes on by them.
+    /// A divisor of the equations is zero at the end of the run: they have no value there, and no motion goes on by
+    /// them.
     Singular {
         /// Name of the divisor.
         divisor: String,
     },
-    /// The right-hand side (or an event function) has no value, however small the step.
+    /// The right-hand side (or an event function) has no value, even in the smallest step.
     Failed(Failure),
-    /// The follower of the run ended it.
+    /// The follower of the run interrupted it.
     Interrupted,
-    /// Other equations of the same motion are to go on from there, as [`crate::RightHandSide::hands_over`] said.
+    /// Other equations of the same motion must go on, as [`crate::RightHandSide::hands_over`] decided.
     HandedOver,
 }
 
 impl Stop {
-    /// A stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`, `step-limit`, `not-finite`,
+    /// Stable text for programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`, `step-limit`, `not-finite`,
     /// `not-converged`, `singular`, `interrupted`, `handed-over`, or the code of the [`Failure`], such as `singular`.
     #[must_use]
     pub fn code(&self) -> String {
@@ -86,8 +87,7 @@ impl Stop {
         }
     }
 
-    /// True if the run could not go on; false if it arrived, or met an event that was to end it (leaving the domain
-    /// included).
+    /// True if the run could not go on. False if it reached its end, met an event that ends runs, or left its domain.
     #[must_use]
     pub fn is_failure(&self) -> bool {
         !matches!(self, Self::End | Self::Event { .. } | Self::LeftDomain { .. } | Self::StartsOutside { .. })
@@ -135,44 +135,44 @@ impl fmt::Display for Stop {
     }
 }
 
-/// The result of a run.
+/// Result of a run: samples, counts, events, and the reason of its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<S = f64> {
-    /// Times of the samples, in s, in the direction of the run.
+    /// Times of the samples, s, in the direction of the run.
     pub t: Vec<f64>,
-    /// States at those times.
+    /// States of the samples, at the times `t`.
     pub y: Vec<Vec<S>>,
     /// Work done from the start to each sample, J, that of impacts included. Empty if the equations state no power and
-    /// nothing bounces.
+    /// there are no impacts.
     pub work: Vec<f64>,
-    /// Last time of the solution, in s.
+    /// Last time of the solution, s.
     pub t_end: f64,
     /// State at `t_end`.
     pub y_end: Vec<S>,
-    /// Work done up to `t_end`, J; 0 where the equations state no power.
+    /// Work done up to `t_end`, J; 0 if the equations state no power.
     pub work_end: f64,
-    /// Accepted steps.
+    /// Number of accepted steps.
     pub steps: u64,
-    /// Rejected steps: too inaccurate, or without a finite result.
+    /// Number of rejected steps: too inaccurate, or without a finite result.
     pub rejected: u64,
-    /// Calls of the right-hand side; those made by event functions are not counted.
+    /// Number of calls of the right-hand side; calls by event functions are not counted.
     pub evaluations: u64,
-    /// Evaluations of the Jacobian; only implicit methods need it.
+    /// Number of evaluations of the Jacobian; only implicit methods need it.
     pub jacobians: u64,
     /// Reason of the end of the run.
     pub stop: Stop,
-    /// Records of events, in order of time.
+    /// Records of the events, in order of time.
     pub events: Vec<EventRecord>,
-    /// Records of velocity jumps, in order of time; only a caller that joins a run from parts fills them.
+    /// Records of impacts, in order of time; only a caller that joins a run from parts fills them.
     pub impacts: Vec<ImpactRecord>,
-    /// Warnings for the caller.
+    /// Warnings about the run for the caller.
     pub warnings: Vec<Warning>,
-    /// Account of the projection, in a run that was projected.
+    /// Report on the projection; `None` if the run was not projected.
     pub projection: Option<ProjectionReport>,
 }
 
 impl<S: Clone> Solution<S> {
-    /// A run that ended at (t, y) before its first step.
+    /// Solution of a run that ended at (t, y) before its first step.
     #[must_use]
     pub fn unbegun(t: f64, y: &[S], stop: Stop) -> Self {
         Self {
@@ -196,8 +196,8 @@ impl<S: Clone> Solution<S> {
 }
 
 impl<S> Solution<S> {
-    /// Largest change of energy that the work does not account for, J: of E − W from its value at the first sample,
-    /// over all samples and the end. `at_samples` and `at_end` are the energies E. Not a number if one of them is not a
+    /// Largest change of energy that the work does not account for, J: the change of E − W from its first sample, over
+    /// all samples and the end. `at_samples` and `at_end` are the energies E. Not a number if one of them is not a
     /// number.
     pub fn energy_drift(&self, at_samples: impl IntoIterator<Item = f64>, at_end: f64) -> f64 {
         let work = self.work.iter().copied().chain(std::iter::repeat(0.0));
@@ -219,7 +219,7 @@ impl<S> Solution<S> {
 }
 
 impl<S: Real> Solution<S> {
-    /// This solution in doubles, with states rounded to them.
+    /// Copy of the solution in doubles, with states rounded to them.
     #[must_use]
     pub fn rounded(&self) -> Solution {
         let doubles = |y: &Vec<S>| y.iter().map(|y| y.to_f64()).collect::<Vec<f64>>();

@@ -1,6 +1,6 @@
 //! Limits of runs: growth of small errors, the horizon after which no digit is left, and the trend of a drift.
 //!
-//! Absent on purpose: models and references. Any right-hand side will do; one with a Jacobian gives more exact answers.
+//! Absent on purpose: models and references. Any right-hand side serves; with a Jacobian the results are more exact.
 
 use crate::driver::integrate::integrate;
 use crate::error::{Failure, SimError};
@@ -9,22 +9,22 @@ use crate::rhs::{Lent, RightHandSide};
 use crate::solution::Stop;
 use tripos_traits::largest;
 
-/// Growth of a small error at the start, along a run.
+/// Growth of a small error of the start, along a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Growth {
-    /// Instants, s.
+    /// Instants of the samples, s.
     pub times: Vec<f64>,
-    /// ln |w(t)| / |w(t0)| at each, for a solution w of the linearized equations; |w| is the largest component by
-    /// 1 + |y|.
+    /// Logarithm ln |w(t)| / |w(t0)| at each instant, for a solution w of the linearized equations; |w| is the largest
+    /// component over 1 + |y|.
     pub logarithms: Vec<f64>,
-    /// Reason of the end of the run.
+    /// Reason why the run ended.
     pub stop: Stop,
 }
 
 impl Growth {
-    /// The instant from which on errors have grown to 1 or more, so that no digit is left; none if digits are left at
-    /// the end. `size` is the error up to an instant before it grows: of a run all its steps' errors together. A growth
-    /// that goes back again, as in passing a singular surface, is none.
+    /// Instant from which on errors have grown to 1 or more, s, so that no digit is left; `None` if digits are left at
+    /// the end. `size` is the error up to an instant before it grows; for a run, the errors of all its steps together.
+    /// A growth that goes back again, as in passing a singular surface, does not count.
     #[must_use]
     pub fn horizon(&self, size: impl Fn(f64) -> f64) -> Option<f64> {
         let lost = |(t, l): &(&f64, &f64)| size(**t).ln() + **l >= 0.0;
@@ -33,7 +33,7 @@ impl Growth {
         self.times.get(first).copied()
     }
 
-    /// ln |w| / t by the least squares over the second half: the growth rate, 1/s, of an exponential growth.
+    /// Rate of an exponential growth, 1/s: the slope of ln |w| by least squares over the second half of the instants.
     #[must_use]
     pub fn rate(&self) -> f64 {
         let half = self.times.len() / 2;
@@ -41,7 +41,7 @@ impl Growth {
     }
 }
 
-/// The slope of the line of least squares.
+/// Slope of the line through the points (x, y) by least squares.
 #[must_use]
 pub fn slope(x: &[f64], y: &[f64]) -> f64 {
     let n = x.len().min(y.len()) as f64;
@@ -57,11 +57,11 @@ pub fn slope(x: &[f64], y: &[f64]) -> f64 {
 
 /// Integrates the equations together with their linearization w' = J(y) w from w(t0) = `direction`.
 ///
-/// w is kept at the size of 1 by carrying its logarithm apart, so that no growth overflows. Without a Jacobian J w is a
-/// central difference of the right-hand side.
+/// The size of w is kept at 1 by integrating its logarithm apart, so that no growth overflows. Without a Jacobian J w
+/// is a central difference of the right-hand side.
 ///
 /// # Errors
-/// [`SimError`] as [`integrate`].
+/// [`SimError`], as for [`integrate`].
 pub fn growth(
     rhs: &mut dyn RightHandSide<f64>,
     span: (f64, f64),
@@ -70,15 +70,15 @@ pub fn growth(
     options: &Options,
 ) -> Result<Growth, SimError> {
     let n = y0.len();
-    // Without states there is nothing that an error could be in.
+    // Without states there is no error that could grow.
     if n == 0 {
         return Ok(Growth { times: Vec::new(), logarithms: Vec::new(), stop: Stop::End });
     }
     let mut slope = Slope::new(n);
     let length = size(direction, y0);
     let start: Vec<f64> = y0.iter().copied().chain(direction.iter().map(|w| w / length)).chain([0.0]).collect();
-    // y' = f,  w' = J w − r w,  l' = r  with r = (w · J w) / (w · w): the length of w stays, and l is the logarithm
-    // lost.
+    // y' = f, w' = J w − r w, l' = r with r = (w · J w) / (w · w): w keeps its length, and l is the logarithm of the
+    // removed factor.
     let mut joined = |t: f64, z: &[f64], dz: &mut [f64]| -> Result<(), Failure> {
         let (y, w) = (&z[..n], &z[n..2 * n]);
         rhs.rhs(t, y, &mut dz[..n])?;
@@ -97,7 +97,7 @@ pub fn growth(
     Ok(Growth { times: solution.t, logarithms, stop: solution.stop })
 }
 
-/// Work space for J w.
+/// Working space for the product J w.
 struct Slope {
     jacobian: Vec<f64>,
     ahead: Vec<f64>,
@@ -110,7 +110,7 @@ impl Slope {
         Self { jacobian: vec![0.0; n * n], ahead: vec![0.0; n], behind: vec![0.0; n], place: vec![0.0; n] }
     }
 
-    /// Computes J(t, y) w.
+    /// Writes the product J(t, y) w of the Jacobian and a vector to `out`.
     fn along(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -127,7 +127,7 @@ impl Slope {
             }
             return Ok(());
         }
-        // The third root of the rounding balances it against the curvature that a central difference leaves.
+        // The third root of ε balances rounding against the curvature that a central difference leaves.
         let h = f64::EPSILON.cbrt() / size(w, y).max(f64::MIN_POSITIVE);
         for (step, into) in [(h, &mut self.ahead), (-h, &mut self.behind)] {
             for ((place, y), w) in self.place.iter_mut().zip(y).zip(w) {
@@ -142,12 +142,12 @@ impl Slope {
     }
 }
 
-/// The largest |wᵢ| / (1 + |yᵢ|): an error as errors are measured everywhere.
+/// Largest |wᵢ| / (1 + |yᵢ|), the measure of errors everywhere in this crate.
 fn size(w: &[f64], y: &[f64]) -> f64 {
     largest(w.iter().zip(y).map(|(w, y)| w / (1.0 + y.abs())))
 }
 
-/// Trend of the drift of a first integral.
+/// Trend of the drift of a first integral along a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trend {
     /// The drift stays within the size that it reached early on.

@@ -1,4 +1,4 @@
-//! Error that a step may have: relative and absolute tolerances, and the norm they define.
+//! Error test of a step: relative and absolute tolerances, and the norm that they define.
 
 use tripos_traits::{AbsoluteTolerance, Lanes, Real, Scalar, larger_or_second};
 
@@ -6,39 +6,38 @@ use crate::blocks::LANES;
 use crate::error::SimError;
 use crate::warning::Warning;
 
-/// The smallest relative tolerance that is taken at its word in `f64`, 100 ε, as in `ode45`. Other scalars have their
-/// own ε.
+/// Smallest relative tolerance that is not raised in `f64`: 100 ε, as in `ode45`. Other scalars have their own ε.
 pub const SMALLEST_RTOL: f64 = 100.0 * f64::EPSILON;
 
 /// Norm that joins the errors of the components into one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Norm {
-    /// The largest. As in `ode45`, error eᵢ is divided by max(|yᵢ|, |yᵢ new|, atolᵢ / rtol) and compared with
-    /// rtol; without a relative tolerance it is divided by atolᵢ and compared with 1.
+    /// The largest error of a component. As in `ode45`, error eᵢ is divided by max(|yᵢ|, |yᵢ new|, atolᵢ / rtol) and
+    /// compared with rtol; without a relative tolerance it is divided by atolᵢ and compared with 1.
     Largest,
-    /// The root of the mean square. As in Hairer's codes, error eᵢ is divided by atolᵢ + rtol max(|yᵢ|, |yᵢ new|)
-    /// and compared with 1.
+    /// The root of the mean square of all errors. As in Hairer's codes, error eᵢ is divided by atolᵢ + rtol max(|yᵢ|,
+    /// |yᵢ new|) and compared with 1.
     MeanSquare,
 }
 
-/// The test a step must pass: norm ≤ `tolerance`.
+/// Error test that a step must pass: the norm of its error is at most `tolerance`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ErrorTest {
     norm: Norm,
-    /// Largest acceptable norm.
+    /// Largest norm of an error that passes the test.
     pub(crate) tolerance: f64,
-    /// Part of |y| in the weight of a component.
+    /// Factor of |y| in the weight of a component.
     relative: f64,
-    /// The part that does not depend on |y|, padded to whole blocks.
+    /// Part of each component's weight that does not depend on |y|, padded to whole blocks.
     absolute: Vec<f64>,
 }
 
 impl ErrorTest {
-    /// Creates the test for `n` components, with a warning if the relative tolerance was raised.
+    /// Creates the error test for `n` components, with a warning if the relative tolerance was raised.
     ///
     /// # Errors
-    /// [`SimError::Tolerance`] for a tolerance that is negative or not finite, or a component with
-    /// none; [`SimError::Length`] for a wrong number of absolute tolerances.
+    /// [`SimError::Tolerance`] for a tolerance that is negative or not finite, or a component without a tolerance;
+    /// [`SimError::Length`] for a wrong number of absolute tolerances.
     pub(crate) fn new<S: Real>(
         norm: Norm,
         rtol: f64,
@@ -74,7 +73,7 @@ impl ErrorTest {
         Ok((test, warning))
     }
 
-    /// The norm of an error. An error of exactly 0 counts as 0 even where the weight is 0.
+    /// Norm of the error of a step. An error of exactly 0 counts as 0 even if its weight is 0.
     pub(crate) fn norm<S: Real>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
         match self.norm {
             Norm::Largest => self.largest(error, y, y_new),
@@ -104,8 +103,8 @@ impl ErrorTest {
         norm
     }
 
-    /// The largest quotients |xᵢ| / wᵢ of two vectors of finite numbers, leaving out components without a weight: the
-    /// step has to show what they become.
+    /// Largest quotients |xᵢ| / wᵢ of two vectors of finite numbers. Components without a weight are left out: the
+    /// error of the step itself shows if they are too large.
     pub(crate) fn largest_of_two<S: Real>(&self, a: &[S], b: &[S], y: &[S]) -> [f64; 2] {
         let mut norms = [0.0; 2];
         for (((a, b), y), absolute) in a.iter().zip(b).zip(y).zip(&self.absolute) {
@@ -119,14 +118,14 @@ impl ErrorTest {
         norms
     }
 
-    /// maxᵢ |y′ᵢ| / wᵢ, leaving out components without a weight: there is nothing to
-    /// compare them with, and the error test will see to them after the first step.
+    /// Norm maxᵢ |y′ᵢ| / wᵢ of a derivative. Components without a weight are left out: there is nothing to compare them
+    /// with, and the error test examines them after the first step.
     pub(crate) fn slope_norm<S: Real>(&self, slope: &[S], y: &[S]) -> f64 {
         self.weighed(slope, y).fold(0.0, f64::max)
     }
 
-    /// √Σᵢ (xᵢ / wᵢ)², leaving out components without a weight: the norm by which Hairer's codes choose the first
-    /// step, a sum rather than a mean.
+    /// Norm √Σᵢ (xᵢ / wᵢ)² by which Hairer's codes choose the first step: a sum, not a mean. Components without a
+    /// weight are left out.
     pub(crate) fn root_sum<S: Real>(&self, x: &[S], y: &[S]) -> f64 {
         self.weighed(x, y).map(|q| q * q).sum::<f64>().sqrt()
     }
@@ -139,7 +138,7 @@ impl ErrorTest {
             .map(|(x, weight)| x / weight)
     }
 
-    /// Divisor of an error of component `i`, given the size of the component.
+    /// Weight of component `i`, by which its error is divided, from the size `magnitude` of the component.
     pub(crate) fn weight(&self, i: usize, magnitude: f64) -> f64 {
         match self.norm {
             Norm::Largest => (self.relative * magnitude).max(self.absolute[i]),
@@ -147,37 +146,38 @@ impl ErrorTest {
         }
     }
 
-    /// [`ErrorTest::weight`] of the norm by the largest error, in lanes. `absolute` is the part of the weight that does
-    /// not depend on the size of the component.
+    /// Weight of a component, as [`ErrorTest::weight`], in lanes and for [`Norm::Largest`]. `absolute` is the part of
+    /// the weight that does not depend on the size of the component.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "two operations, also inside code for wider registers")]
     pub(crate) fn weight_in_lanes<const N: usize>(&self, absolute: f64, magnitude: Lanes<N>) -> Lanes<N> {
         (Lanes::from_f64(self.relative) * magnitude).larger_or_second(Lanes::from_f64(absolute))
     }
 
-    /// True if there is no relative tolerance.
+    /// True if the error test has no relative tolerance.
     pub(crate) fn is_absolute(&self) -> bool {
         self.relative == 0.0
     }
 
-    /// The error that is allowed in a component by the absolute tolerance.
+    /// Error that the absolute tolerance allows in a component.
     pub(crate) fn allowed(&self, i: usize) -> f64 {
         self.tolerance * self.absolute[i]
     }
 
-    /// The component with the largest error by its weight; none if there is no error.
+    /// Component with the largest error over its weight; `None` if no component has an error.
     pub(crate) fn worst<S: Real>(&self, error: impl Iterator<Item = S>, y: &[S], y_new: &[S]) -> Option<usize> {
         let magnitude = |i: usize| y[i].to_f64().abs().max(y_new[i].to_f64().abs());
         let quotients = error.enumerate().map(|(i, e)| (i, e.to_f64().abs() / self.weight(i, magnitude(i))));
         quotients.filter(|(_, q)| *q > 0.0).max_by(|(_, p), (_, q)| p.total_cmp(q)).map(|(i, _)| i)
     }
 
-    /// The part of the weights that does not depend on |y|, in the blocks of the state.
+    /// Parts of the weights that do not depend on |y|, in the blocks of the state.
     pub(crate) fn absolute_blocks(&self) -> &[[f64; LANES]] {
         self.absolute.as_chunks().0
     }
 
-    /// 1 / weight in the mean square of several numbers, given the absolute parts of their weights.
+    /// Reciprocals of the weights of several components for [`Norm::MeanSquare`], from the absolute parts of the
+    /// weights.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "a few operations on arrays, also inside code for wider registers")]
     pub(crate) fn inverse_weights<const L: usize>(
@@ -193,13 +193,13 @@ impl ErrorTest {
         weights
     }
 
-    /// The part of the weight of each component that does not depend on |y|.
+    /// Parts of the weights that do not depend on |y|, one for each component.
     pub(crate) fn absolute(&self) -> &[f64] {
         &self.absolute
     }
 }
 
-/// One tolerance for each of n components.
+/// Absolute tolerances as a list of n; an error if a list has another length.
 fn per_component(atol: &AbsoluteTolerance, n: usize) -> Result<Vec<f64>, SimError> {
     match atol {
         AbsoluteTolerance::Uniform(atol) => Ok(vec![*atol; n]),

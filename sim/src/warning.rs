@@ -1,62 +1,62 @@
-//! Warnings about a run, which did not prevent it.
+//! Warnings about a run. They do not stop the run.
 
 use std::fmt;
 
-/// Warning about a run, which did not prevent it.
+/// Warning about a run. It does not stop the run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
-    /// The relative tolerance was below 100 ε and was raised to that.
+    /// The relative tolerance was below 100 ε and was raised to 100 ε.
     RtolRaised {
-        /// Tolerance that was asked for.
+        /// Relative tolerance of the options.
         from: f64,
-        /// Tolerance that was used.
+        /// Relative tolerance that was used instead.
         to: f64,
     },
-    /// There is no relative tolerance, and the absolute one of a component is finer than the component's rounding: the
-    /// steps follow rounding errors, are many, and do not make the result better.
+    /// There is no relative tolerance, and the absolute one of a component is finer than the component's rounding. The
+    /// steps follow rounding errors: they are many, and do not make the result better.
     ToleranceBelowRounding {
-        /// The component, from 0.
+        /// Index of the component, from 0.
         component: usize,
-        /// Time at which that was worst, in s.
+        /// Time at which the tolerance was farthest below rounding, s.
         t: f64,
-        /// Its size there.
+        /// Size of the component at that time.
         size: f64,
-        /// Spacing of numbers of that size.
+        /// Spacing of floating-point numbers of that size.
         spacing: f64,
-        /// The error that was allowed.
+        /// Error of the component that was allowed.
         allowed: f64,
-        /// Attempted steps that it decided.
+        /// Number of attempted steps that this component decided.
         attempts: u64,
     },
     /// Shorter steps often did not make the error smaller: f jumps, has kinks, or is noise at the size of the
     /// tolerance.
     NotSmooth {
-        /// Time at which that was first seen, in s.
+        /// Time at which a shorter step first did not help, s.
         t: f64,
         /// Number of shorter steps that did not help.
         retries: u64,
-        /// Attempted steps in all.
+        /// Number of all attempted steps.
         attempts: u64,
     },
     /// The equations have no value at a point that only the solution inside a step needs: events and output in that
     /// step are those of a cubic through its ends.
     CoarseInside {
-        /// The start of the first such step, in s.
+        /// Start of the first such step, s.
         t: f64,
     },
     /// It is not known if an event happened that would have ended the run.
     EventUndecided {
-        /// The event's name.
+        /// Name of the event.
         name: String,
-        /// Time of the first such place, in s.
+        /// Time of the first undecided place, s.
         t: f64,
-        /// Number of such places after it.
+        /// Number of undecided places after the first.
         more: usize,
     },
 }
 
 impl Warning {
-    /// The warning, with these names for the components of the state.
+    /// Text of the warning, with these names for the components of the state.
     #[must_use]
     pub fn described(&self, names: &[String]) -> String {
         let who = |at: usize| names.get(at).map_or_else(|| format!("component {at}"), |name| format!("`{name}`"));

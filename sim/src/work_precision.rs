@@ -1,7 +1,7 @@
 //! Speed against accuracy: measurements of runs, and their evaluation.
 //!
-//! An error is everywhere the largest over all components of |e| / (1 + |reference|). Absent on purpose: models, and
-//! how a reference was found.
+//! Each error is the largest |e| / (1 + |reference|) over all components. Absent on purpose: models, and the search for
+//! a reference.
 
 #[cfg(feature = "clock")]
 use std::ops::ControlFlow;
@@ -12,21 +12,21 @@ use tripos_traits::{DoubleDouble, Method, Real, Scalar, larger};
 
 use crate::methods::options::{Options, Output};
 
-/// Times of repeated runs, in s.
+/// Statistics of the times of repeated runs, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// The shortest.
+    /// Shortest time, s.
     pub least: f64,
-    /// The middle one; of an even number, the lower of the middle two.
+    /// Median of the times, s; of an even number, the lower of the middle two.
     pub median: f64,
-    /// The longest.
+    /// Longest time, s.
     pub most: f64,
-    /// Number of runs.
+    /// Number of runs that were timed.
     pub runs: usize,
 }
 
 impl Spread {
-    /// The spread of measured times, s; none if there is no time.
+    /// Statistics of measured times, s; `None` without times.
     #[must_use]
     pub fn of(times: &[f64]) -> Option<Self> {
         let mut sorted = times.to_vec();
@@ -36,8 +36,8 @@ impl Spread {
     }
 }
 
-/// The largest |found − reference| / (1 + |reference|), the difference taken in twice the precision of a double; not a
-/// number where a component has no value or a length differs.
+/// Error of a result: the largest |found − reference| / (1 + |reference|), with the difference in twice the precision
+/// of a double. Not a number if a component has no value or a length differs.
 #[must_use]
 pub fn error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
     if found.len() != reference.len() {
@@ -58,8 +58,8 @@ pub fn options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> 
     Options { method, step, step_limit, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
-/// Times every job `repeats` times, in turn, so that whatever else the machine does falls on all of them alike.
-/// `after` is told after every single run, and may end it all: that run does not count then.
+/// Times every job `repeats` times, s, in turn, so that other load of the machine affects all jobs alike. `after` is
+/// called after every single run, and may end the measurement: that run does not count then.
 #[cfg(feature = "clock")]
 pub fn interleaved(
     jobs: &mut [Box<dyn FnMut() + '_>],
@@ -81,8 +81,8 @@ pub fn interleaved(
     all
 }
 
-/// The points that no other beats in both time and error, by time. Points are (seconds, error); those that are not
-/// numbers are never among them.
+/// Indices of the points that no other point beats in both time and error, ordered by time. Points are (seconds,
+/// error); points that are not finite are never among them.
 #[must_use]
 pub fn pareto(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> =
@@ -97,7 +97,7 @@ pub fn pareto(points: &[(f64, f64)]) -> Vec<usize> {
     order
 }
 
-/// The fastest point whose error is no larger than `target`.
+/// Index of the fastest point (seconds, error) whose error is no larger than `target`; `None` if there is none.
 #[must_use]
 pub fn cheapest(points: &[(f64, f64)], target: f64) -> Option<usize> {
     let good = (0..points.len()).filter(|i| points[*i].1 <= target && points[*i].0.is_finite());

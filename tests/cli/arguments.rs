@@ -86,7 +86,7 @@ fn axes_name_the_units_of_formulas() {
         ("q_pivot/deg", "°"),
         ("sin(q_pivot)", "1"),
         ("q_pivot'", "rad/s"),
-        ("u_track'", "m/s^2"),
+        ("u_track'", "m/s²"),
         ("M*g", "N"),
     ] {
         let arguments = ["plot", "crane/scenes/first.toml", "--what", what, "--out", "figure.svg"];

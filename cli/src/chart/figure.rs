@@ -1,4 +1,4 @@
-//! The chart: one panel for each question.
+//! Figure of a speed chart: a panel for each question.
 
 use super::words::{is_derived, is_whole};
 use crate::failure::Failure;
@@ -11,18 +11,18 @@ use tripos_derive::scene::Solve;
 use tripos_sim::Method;
 use tripos_sim::work_precision::pareto;
 
-/// Draws the chart as one `<svg>` element, with a panel each for methods, formulations and solves.
+/// Draws the speed chart as one `<svg>` element, with a panel each for methods, formulations and solves.
 ///
 /// # Errors
-/// [`Failure::Output`] if it cannot be drawn.
+/// [`Failure::Output`] if the figure cannot be drawn.
 pub fn chart(list: &[Measurement], uncertainty: f64) -> Result<String, Failure> {
     draw(&panels(list, uncertainty), 3).map_err(|error| failed(&error))
 }
 
-/// A figure as one `<svg>` element.
+/// Draws a figure as one `<svg>` element.
 ///
 /// # Errors
-/// [`Failure::Output`] if it cannot be drawn.
+/// [`Failure::Output`] if the figure cannot be drawn.
 pub fn drawn(figure: &Figure) -> Result<String, Failure> {
     let svg = match figure {
         Figure::Panels(panels, columns) => draw(panels, *columns),
@@ -31,14 +31,14 @@ pub fn drawn(figure: &Figure) -> Result<String, Failure> {
     svg.map_err(|error| failed(&error))
 }
 
-/// A figure that could not be drawn.
+/// Makes the failure of a figure that could not be drawn.
 pub fn failed(error: &PlotError) -> Failure {
     Failure::Output("the figure".to_owned(), std::io::Error::other(error.to_string()))
 }
 
-/// The panels of the chart.
+/// Panels of the speed chart: methods, formulations, solves. `uncertainty` is the relative error of the reference.
 pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
-    // The formulation that is listed first, and the best method there is, stand for the others.
+    // The formulation that is listed first, and the best method, represent the others.
     let Some(Measurement { by: first, solve: natural, .. }) = list.first() else { return Vec::new() };
     let best = Method::Dop853;
     let is_best = |m: &Measurement| m.way.method() == Some(best);
@@ -50,7 +50,7 @@ pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
         Way::Quadrature => Some((format!("{}, {}", m.by.name(), m.way.name()), BY_QUADRATURE)),
         _ => (is_best(m) && m.solve == *natural).then(|| (m.by.name(), own_style(list, &m.by))),
     };
-    // Those that are not solved numerically are in the panel before, by the same names.
+    // Runs that are not solved numerically are in the panel of formulations, by the same names.
     let solve = |m: &Measurement| {
         let shown = is_best(m) && is_whole(m) && is_derived(m);
         let (name, style) = match m.solve {
@@ -67,7 +67,7 @@ pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
     ]
 }
 
-/// The style of equations; printed ones after one another.
+/// Style of the curve of a set of equations; each printed set has a style of its own.
 fn own_style(list: &[Measurement], by: &By) -> usize {
     let mut printed: Vec<&By> = Vec::new();
     for m in list.iter().filter(|m| m.by.printed_id().is_some()) {
@@ -78,12 +78,12 @@ fn own_style(list: &[Measurement], by: &By) -> usize {
     printed.iter().position(|other| *other == by).map_or_else(|| style(by), |at| PRINTED + at % MOST_PRINTED)
 }
 
-/// Maps a measurement to its curve: the name in the legend and the style; `None` if it is not shown.
+/// Function from a measurement to its curve: the name in the legend and the style; `None` if it is not shown.
 type Group<'a> = &'a dyn Fn(&Measurement) -> Option<(String, usize)>;
 
 fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) -> Panel {
     let shown: Vec<((String, usize), &Measurement)> = list.iter().filter_map(|m| Some((group(m)?, m))).collect();
-    // Curves of one name and look may be of several equations.
+    // Curves of one name and style may be of several sets of equations.
     let mut curves: Vec<(&(String, usize), &By)> = Vec::new();
     for (name, m) in &shown {
         if !curves.contains(&(name, &m.by)) {
@@ -92,7 +92,7 @@ fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) 
     }
     let points: Vec<(f64, f64)> = shown.iter().map(|(_, m)| place(m)).collect();
     let front: Vec<(f64, f64)> = pareto(&points).into_iter().map(|at| points[at]).collect();
-    // Its points are measurements too: marked where they are, not along the line.
+    // The points of the front are measurements too: they are marked where they are, not along the line.
     let spread = front.iter().map(|(x, _)| (*x, *x)).collect();
     let mut series =
         vec![Series { label: "Pareto front".to_owned(), style: FRONT, points: front, spread, band: Vec::new() }];
@@ -118,7 +118,7 @@ fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) 
     }
 }
 
-/// (time, error); a run that did not arrive has no place.
+/// Place of a measurement in the chart, (time, s; error); the error of a run that ended early is not a number.
 fn place(m: &Measurement) -> (f64, f64) {
     (m.seconds.median, m.error.unwrap_or(f64::NAN))
 }

@@ -1,4 +1,4 @@
-//! Files of a chart: tables for programs, and a table for people.
+//! Files of a speed chart: tables for programs, and a table for people.
 
 use super::words::{TARGETS, fastest, seconds};
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use std::path::Path;
 use tripos::Conserved;
 use tripos::studies::chart::Measurement;
 
-/// `work_precision.csv`, `times.csv` (the bars of the chart) and `drifts.csv`.
+/// Writes the tables of a chart: `work_precision.csv`, `times.csv` (the bars of the chart) and `drifts.csv`.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
@@ -37,12 +37,12 @@ pub fn write(out: &Path, list: &[Measurement], integrals: &[Conserved]) -> Resul
     table(&out.join("drifts.csv"), &header, rows)
 }
 
-/// A tolerance in a table; `-` where there is none.
+/// Tolerance as text in a table; `-` without a tolerance.
 pub fn tolerance(tolerance: Option<f64>) -> String {
     tolerance.map_or_else(|| "-".to_owned(), |tolerance| format!("{tolerance:e}"))
 }
 
-/// "to reach 1e-6 use …" for three accuracies.
+/// Table of advice: the fastest run for each of three accuracies, "to reach 1e-6 use …".
 pub fn advice(list: &[Measurement]) -> String {
     let mut out = "to reach  use                                          tolerance  time       error\n".to_owned();
     for target in TARGETS {

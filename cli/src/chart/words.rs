@@ -1,4 +1,4 @@
-//! Sentences about a chart. Every number in a sentence is one of its measurements.
+//! Sentences about a speed chart. Every number in a sentence is one of its measurements.
 
 use tripos::studies::chart::Measurement;
 use tripos_derive::mechanics::By;
@@ -6,23 +6,24 @@ use tripos_derive::scene::Solve;
 use tripos_sim::Method;
 use tripos_sim::work_precision::cheapest;
 
-/// The accuracies that advice is given for.
+/// Accuracies for which advice is given: largest relative errors at the end of a run.
 pub const TARGETS: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
-/// The fastest run of some whose error is no larger than `target`; printed equations answer another question.
+/// Fastest run, among those that `of` accepts, with an error of at most `target`; `None` if there is none. Runs of
+/// printed equations never count: they answer another question.
 pub fn fastest(list: &[Measurement], target: f64, of: impl Fn(&Measurement) -> bool) -> Option<&Measurement> {
     let some: Vec<&Measurement> = list.iter().filter(|m| of(m) && is_derived(m)).collect();
     let points: Vec<(f64, f64)> = some.iter().map(|m| (m.seconds.median, m.error.unwrap_or(f64::NAN))).collect();
     cheapest(&points, target).map(|at| some[at])
 }
 
-/// The accuracy that kinds are compared at: the middle one, or the first where that is not reached.
+/// Accuracy at which kinds of runs are compared: the middle target, or the first if no run reaches the middle one.
 fn compared_at(list: &[Measurement]) -> Option<f64> {
     [TARGETS[1], TARGETS[0]].into_iter().find(|target| fastest(list, *target, |_| true).is_some())
 }
 
-/// The time at which a curve crosses an accuracy, s: read between its points on logarithmic axes, since tolerances
-/// are far apart.
+/// Time at which a curve crosses an accuracy, s; `None` if it does not. It is read between the curve's points on
+/// logarithmic axes, since tolerances are far apart.
 fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
     let points: Vec<(f64, f64)> =
         curve.iter().filter_map(|m| Some((m.error?.max(f64::MIN_POSITIVE).ln(), m.seconds.median.ln()))).collect();
@@ -33,7 +34,8 @@ fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
     at_once.into_iter().chain(between).reduce(f64::min).map(f64::exp)
 }
 
-/// The time that each kind needs, with the best of everything else; none where it does not get there.
+/// Time that each kind of run needs to an accuracy, s, with the best choice of everything else; `None` if no run of the
+/// kind reaches it.
 fn each<'a, Kind: PartialEq>(
     list: &'a [Measurement],
     target: f64,
@@ -55,7 +57,7 @@ fn each<'a, Kind: PartialEq>(
     kinds.into_iter().map(|kind| (time(&kind), kind)).map(|(time, kind)| (kind, time)).collect()
 }
 
-/// `kane in 1.00 ms, lagrange not at all`.
+/// Lists kinds with their times, as `kane in 1.00 ms, lagrange not at all`.
 fn listed<Kind>(times: &[(Kind, Option<f64>)], name: impl Fn(&Kind) -> String) -> String {
     let one = |(kind, time): &(Kind, Option<f64>)| match time {
         Some(time) => format!("{} in {}", name(kind), seconds(*time)),
@@ -64,14 +66,14 @@ fn listed<Kind>(times: &[(Kind, Option<f64>)], name: impl Fn(&Kind) -> String) -
     times.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// Ratio of the longest to the shortest time, among the kinds that arrive.
+/// Ratio of the longest to the shortest time, among the kinds that have one; `None` for fewer than two.
 fn factor<Kind>(times: &[(Kind, Option<f64>)]) -> Option<f64> {
     let arrived: Vec<f64> = times.iter().filter_map(|(_, time)| *time).collect();
     let (least, most) = (arrived.iter().copied().reduce(f64::min)?, arrived.iter().copied().reduce(f64::max)?);
     (arrived.len() > 1).then_some(most / least)
 }
 
-/// The equations that were charted, each once.
+/// Derived equations that were measured, each once.
 fn equations(list: &[Measurement]) -> Vec<&By> {
     let mut found: Vec<&By> = Vec::new();
     for m in list.iter().filter(|m| is_derived(m)) {
@@ -82,33 +84,33 @@ fn equations(list: &[Measurement]) -> Vec<&By> {
     found
 }
 
-/// True if the run uses derived equations: printed ones answer another question.
+/// True if the run uses derived equations: printed equations answer another question.
 pub fn is_derived(m: &Measurement) -> bool {
     m.by.printed_id().is_none()
 }
 
-/// True if the run uses whole equations. Methods and solves are compared by these alone: a scene's own equations have
-/// one solve only, and their gain is not that of the solve.
+/// True if the run uses the equations of the whole model. Only these runs compare methods and solves: a scene's reduced
+/// equations have a single solve, and their gain is not that of the solve.
 pub fn is_whole(m: &Measurement) -> bool {
     !m.by.is_reduced()
 }
 
-/// The time that each formulation needs, with the best of everything else.
+/// Time that each set of equations needs, s, with the best choice of everything else.
 fn by_equations(list: &[Measurement], target: f64) -> Vec<(&By, Option<f64>)> {
     each(list, target, equations(list), |m| Some(&m.by))
 }
 
-/// The time that each method needs by whole equations.
+/// Time that each method needs by the equations of the whole model, s.
 fn by_method(list: &[Measurement], target: f64) -> Vec<(Method, Option<f64>)> {
     each(list, target, Method::ALL, |m| m.way.method().filter(|_| is_whole(m)))
 }
 
-/// The time that whole equations need with each solve.
+/// Time that the equations of the whole model need with each solve, s.
 fn by_solve(list: &[Measurement], target: f64) -> Vec<(Solve, Option<f64>)> {
     each(list, target, Solve::ALL, |m| is_whole(m).then_some(m.solve))
 }
 
-/// A sentence with the gain of a scene's own equations over the fastest whole ones.
+/// Sentence with the gain of a scene's reduced equations over the fastest whole ones; `None` without both.
 fn gain(list: &[Measurement], target: f64) -> Option<String> {
     let times = each(list, target, [false, true], |m| Some(is_whole(m)));
     let [(_, Some(own)), (_, Some(whole))] = times.as_slice() else { return None };
@@ -120,7 +122,7 @@ fn gain(list: &[Measurement], target: f64) -> Option<String> {
     ))
 }
 
-/// Caption of the chart.
+/// Caption of the speed chart.
 pub fn caption(list: &[Measurement], until: f64) -> String {
     let seen = format!(
         "Each point is a run at one tolerance: its time, the middle one of several, and its error at t = {until} s; lower \
@@ -142,7 +144,7 @@ pub fn caption(list: &[Measurement], until: f64) -> String {
     )
 }
 
-/// Recommendation of equations, method and solve, in one paragraph.
+/// Recommendation of equations, method and solve for the scene, in one paragraph.
 pub fn lead(list: &[Measurement]) -> String {
     let best: Vec<&Measurement> = TARGETS.iter().filter_map(|t| fastest(list, *t, |_| true)).collect();
     let Some(target) = compared_at(list) else {
@@ -191,7 +193,7 @@ pub fn lead(list: &[Measurement]) -> String {
     [Some(use_), gain(list, target), compared].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
-/// A time as a person writes it.
+/// Time as text with a readable unit, such as `1.25 ms`; `s` is in seconds.
 pub fn seconds(s: f64) -> String {
     match s {
         s if s < 1e-3 => format!("{:.0} µs", s * 1e6),

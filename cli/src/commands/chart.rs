@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use tripos::studies::chart::{Plan, session};
 
-/// Measures, and writes the tables and the chart to `out`.
+/// Measures the speed of a scene by all ways, and writes the tables and the chart to `out`. Returns the exit status.
 pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, Failure> {
     let (model, scene) = read_scene(path)?;
     let names = ["work_precision.csv", "times.csv", "drifts.csv", "work_precision.svg"].map(|name| out.join(name));
@@ -49,7 +49,7 @@ pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, 
     Ok(0)
 }
 
-/// A bar with a count and what is being done.
+/// Makes a progress bar with a count and a message.
 pub fn progress() -> ProgressBar {
     let bar = ProgressBar::new(1);
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");

@@ -1,4 +1,4 @@
-//! `tripos check`: what there is to know of a model before its equations are used.
+//! `tripos check`: facts about a model before its equations are used.
 
 use crate::failure::{Failure, print, print_json};
 use crate::words::{NAMED, shortened};
@@ -10,7 +10,7 @@ use tripos::Mechanism;
 use tripos_derive::check::{Check, Checked, ConstraintKind, Effect, LoadEffect, RankLoss, check as check_model};
 use tripos_derive::model::Branch;
 
-/// Checks a model.
+/// Runs `tripos check`: prints the freedoms, constraints and singularities of a model. Returns the exit status.
 pub fn check(model: &Path, as_json: bool) -> Result<u8, Failure> {
     let model = read_model(model)?;
     let found = check_model(&model).map_err(|error| model.diagnose(&error))?;
@@ -53,7 +53,7 @@ fn json_of(model: &Mechanism, found: &Check) -> Value {
     })
 }
 
-/// The branch, known by a pose; how many constraints are independent on it, and how far that is from undecided.
+/// Assembly branch as JSON: a pose on it, the number of its independent constraints, and the bounds of that decision.
 fn branch_of(model: &Mechanism, branch: &Branch) -> Value {
     let names = model.coordinates.iter().map(|c| c.name.clone());
     let pose: Map<String, Value> = names.zip(branch.pose.iter().map(|x| json!(x))).collect();
@@ -79,7 +79,7 @@ fn through(model: &Mechanism, pose: &[f64]) -> String {
     format!("through {}", at.join(", "))
 }
 
-/// Four digits, without a zero's sign.
+/// Rounds a number to four decimals, without the sign of a zero.
 fn tidy(x: f64) -> f64 {
     (x * 1e4).round() / 1e4 + 0.0
 }
@@ -109,7 +109,7 @@ fn load_of(load: &LoadEffect) -> Value {
     json!({ "name": load.load, "energy": energy, "why": load.why })
 }
 
-/// A line or two that say where the mechanism itself is singular, with a proof or a pose.
+/// Lines about the poses in which the mechanism itself is singular, with a proof or a pose.
 fn singular_text(loss: &RankLoss) -> String {
     let taken: Vec<String> = loss.taken.iter().map(|e| shortened(e)).collect();
     let taken = match taken.as_slice() {
@@ -152,7 +152,7 @@ fn singular_text(loss: &RankLoss) -> String {
     out
 }
 
-/// Lines about the loads that can create energy, or for which that is undecided.
+/// Lines about the loads that can create energy, or for which this is undecided.
 fn loads_text(loads: &[LoadEffect]) -> String {
     let mut out = String::new();
     for load in loads {

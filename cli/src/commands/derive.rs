@@ -1,4 +1,4 @@
-//! `tripos derive`: the equations, for people and for programs.
+//! `tripos derive`: equations of motion, for people and for programs.
 
 mod document;
 mod formulas;
@@ -30,13 +30,13 @@ use tripos_derive::mechanics::{
 };
 use tripos_derive::prove::{first_integrals, write_integral_names};
 
-/// A formulation with its accelerations, if they are determined.
+/// A formulation with its accelerations; these are `None` if they are not determined.
 struct Derived {
     derivation: DerivationInSteps,
     solved: Option<Elimination>,
 }
 
-/// Derives and prints.
+/// Runs `tripos derive`: derives the equations and prints them in a format. Returns the exit status.
 pub fn derive(model: &Path, by: Option<&str>, format: Format, is_fragment: bool) -> Result<u8, Failure> {
     if is_fragment && format != Format::Latex {
         return Err(Failure::request("only LaTeX has fragments", "add --format latex, or leave out --fragment"));
@@ -64,7 +64,7 @@ pub fn derive(model: &Path, by: Option<&str>, format: Format, is_fragment: bool)
     Ok(0)
 }
 
-/// The formulation asked for, or all that the model supports; those it does not are named on
+/// Derives the named formulation, or all that the model supports. Formulations that it does not support are named on
 /// standard error.
 fn derivations(model: &Mechanism, by: Option<&str>) -> Result<Vec<Derived>, Failure> {
     if let Some(name) = by {
@@ -83,7 +83,7 @@ fn derivations(model: &Mechanism, by: Option<&str>) -> Result<Vec<Derived>, Fail
 }
 
 impl Derived {
-    /// Solves for the accelerations, whose steps leave out the terms that were named before.
+    /// Solves for the accelerations, and leaves out of their steps the terms that have names already.
     fn new(mut derivation: DerivationInSteps) -> Self {
         let DerivationInSteps { arena, equations, .. } = &mut derivation;
         let mut solved = accelerations(arena, &mut Simplifier::default(), equations).ok();
@@ -139,7 +139,7 @@ fn as_text(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> St
     out
 }
 
-/// M1·x1 + M2·x2 + … without the zeros.
+/// Row of the linear system as text, M1·x1 + M2·x2 + …, without the zeros.
 fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
     let mut terms = Vec::new();
     for (entry, unknown) in row.iter().zip(unknowns) {
@@ -155,10 +155,10 @@ fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
     terms.join(" + ").replace("+ -", "- ")
 }
 
-/// Coordinates up to which what is conserved is looked for: `prove` does for any model.
+/// Largest number of coordinates for which `derive` searches conserved quantities; `prove` does for any model.
 const MOST_PROVED: usize = 8;
 
-/// All that was derived, as a document.
+/// Makes a document of everything that was derived.
 fn document(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> Result<Document, Failure> {
     let mut document = Document::new(model, moving);
     for Derived { derivation, solved } in derived {

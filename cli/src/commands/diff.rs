@@ -1,4 +1,4 @@
-//! `tripos diff`: a published derivation, or an older model, against what is derived.
+//! `tripos diff`: comparison of a model with a published derivation, or with an edited model.
 
 mod models;
 mod roots;
@@ -44,14 +44,14 @@ pub fn diff(model: &Path, other: &Path, as_json: bool) -> Result<u8, Failure> {
     Ok(if difference.is_clean() { 0 } else { status::NO })
 }
 
-/// Everything that was judged, as JSON.
+/// Verdicts on all entries of a publication, their consequences and root mistakes, as JSON.
 pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Value {
     let shown = |e: Option<Expr>| e.map(|e| whole_text(arena, e));
     let equations: Vec<Value> = difference
         .findings
         .iter()
         .map(|f| {
-            // Printed numbers have no terms: what is known of them are values.
+            // Printed numbers have no terms: only their values are known.
             let number = |x: fn(&Witness) -> f64| f.witness.as_ref().map(|w| x(w).to_string());
             let mut value = json!({
                 "id": f.id,
@@ -109,8 +109,8 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
     })
 }
 
-/// Domain in which an entry is right: everywhere, or only on the constraints or in the domain; `None` if it is not
-/// right.
+/// Domain in which a right entry holds: everywhere, or only on the constraints or in the domain of the model; `None`
+/// for a wrong entry.
 fn holds(finding: &Finding) -> Option<&'static str> {
     let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
     is_right.then(|| finding.holds.words().unwrap_or("everywhere"))
@@ -188,7 +188,7 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
     out
 }
 
-/// Every formula that the text shows.
+/// Lists every formula that the text shows, so that their names can be defined.
 fn printed(difference: &Difference) -> Vec<Expr> {
     let findings = difference.findings.iter().flat_map(|f| match f.judgement {
         Judgement::Scaled => f.factor.into_iter().collect(),
@@ -198,12 +198,12 @@ fn printed(difference: &Difference) -> Vec<Expr> {
     findings.chain(difference.consequences.iter().flat_map(Consequences::shown)).collect()
 }
 
-/// Words for the domain of an equality; empty if it holds everywhere.
+/// Words for the domain in which an entry holds; empty if it holds everywhere.
 fn place(finding: &Finding) -> String {
     finding.holds.words().map_or_else(String::new, |words| format!("  {words}"))
 }
 
-/// One finding in a line, those that are not right with their reasons.
+/// Writes a verdict in a line; a wrong entry also gets its printed and derived form and its remarks.
 fn describe(out: &mut String, arena: &Arena, f: &Finding) {
     match &f.judgement {
         Judgement::Equal | Judgement::Stated => {

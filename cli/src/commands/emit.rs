@@ -12,10 +12,10 @@ use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::{Formulation, Model};
 
-/// The languages that equations are written in.
+/// Languages in which equations can be written.
 const LANGUAGES: [&str; 2] = ["rust", "js"];
 
-/// Writes the files in a language, and says what became of each.
+/// Writes the equations of a model in a language to files of `out`, and prints the outcome for each file.
 pub fn emit(model: &Path, out: &Path, language: &str, formulations: &[String], with: &[String]) -> Result<u8, Failure> {
     let formulations = formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
     let extras = Extras::named(with.iter().map(String::as_str)).map_err(|(what, help)| Failure::request(what, help))?;
@@ -47,7 +47,7 @@ pub fn emit(model: &Path, out: &Path, language: &str, formulations: &[String], w
     Ok(0)
 }
 
-/// The module of Rust, and what to do with it.
+/// Emits the Rust module of a model, with a sentence on its use.
 fn rust(model: &Path, out: &Path, formulations: &[Formulation], extras: Extras) -> Result<(Emission, String), Failure> {
     let module = module(out)?;
     let emission = emission(&model_file(model), &module, formulations, extras)?;
@@ -57,7 +57,7 @@ fn rust(model: &Path, out: &Path, formulations: &[Formulation], extras: Extras) 
     Ok((emission, then))
 }
 
-/// The modules of JavaScript, and what to do with them.
+/// Emits the JavaScript modules of a model, with a sentence on their use.
 fn javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
     let emission = emit_model(&Model::read(&model_file(model))?, formulations)?;
     let runners = RUNNERS.map(|(name, _)| format!("{name}.{EXTENSION}"));
@@ -67,7 +67,7 @@ fn javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, S
     Ok((emission, then))
 }
 
-/// The name of the module: that of its folder.
+/// Name of the Rust module: that of its folder.
 fn module(out: &Path) -> Result<String, Failure> {
     // `.` and `..` have no name of their own.
     let named =

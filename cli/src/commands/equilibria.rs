@@ -1,4 +1,4 @@
-//! `tripos equilibria`: where a mechanism rests or moves steadily, and whether it stays there.
+//! `tripos equilibria`: states in which a mechanism rests or moves steadily, and their stability.
 
 mod closed;
 mod figure;
@@ -19,9 +19,9 @@ use tripos_derive::scene::load_asked;
 
 /// Starting points of the search for steady motions.
 pub struct From<'a> {
-    /// A state file or a scene; none where only formulas are asked for.
+    /// State file or scene to start from; `None` if only formulas are wanted.
     pub file: Option<&'a Path>,
-    /// Number of other starting points.
+    /// Number of further starting points.
     pub starts: u64,
 }
 
@@ -78,7 +78,7 @@ pub fn equilibria(
     Ok(0)
 }
 
-/// On which branches a motion lies, in words.
+/// Words for the branches of the closed form on which a motion lies; empty if it lies on none.
 fn branches_text(closed: &ClosedForm, on: Option<(usize, Vec<usize>)>) -> String {
     let Some((at, branches)) = on.filter(|(_, branches)| !branches.is_empty()) else { return String::new() };
     let of = if closed.list[at].rest { "rest" } else { "steady motion" };
@@ -86,7 +86,7 @@ fn branches_text(closed: &ClosedForm, on: Option<(usize, Vec<usize>)>) -> String
     format!("by its numbers on solution {} of {of} below\n", list.join(", "))
 }
 
-/// A motion with the branches that it lies on, by their places.
+/// Adds the branches on which a motion lies, by their places, to the JSON of the motion.
 fn with_branches(mut value: Value, on: Option<(usize, Vec<usize>)>) -> Value {
     if let Some((conditions, branches)) = on {
         value["on"] = json!({ "conditions": conditions, "branches": branches });

@@ -1,4 +1,4 @@
-//! `tripos evaluate`: everything at one state, by interpretation.
+//! `tripos evaluate`: matrix, forcing, accelerations, reactions and energies at one state, by interpretation.
 
 use crate::failure::{Failure, print, print_json, warn};
 use crate::workspace::{read_model, short_name};
@@ -14,7 +14,7 @@ use tripos_derive::model::Reaction;
 use tripos_derive::scene::{State, load_state};
 use tripos_sim::Dynamics;
 
-/// The equations in numbers.
+/// Equations of motion of a formulation in numbers, at one state.
 struct Values {
     unknowns: Vec<String>,
     mass_matrix: Vec<Vec<f64>>,
@@ -24,13 +24,13 @@ struct Values {
     multipliers: Vec<(String, f64)>,
     kinetic_energy: f64,
     potential_energy: f64,
-    /// Gravity's part of it.
+    /// Part of the potential energy that is due to gravity, J.
     gravity_potential: f64,
-    /// d(T + V)/dt, W.
+    /// Rate d(T + V)/dt of the energy, W.
     power: f64,
 }
 
-/// Evaluates a formulation at the state of a file.
+/// Evaluates a formulation at the state of a file, and prints the values. Returns the exit status.
 pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let by = equations(&model, by)?;
@@ -75,7 +75,7 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
     system.forcing(p, q, &v, &mut forcing);
     let stopped = |why: String| Failure::from(Error::Stopped(format!("no accelerations at this state: {why}")));
     let mut dynamics = Dynamics::new(system, p).map_err(|error| stopped(error.to_string()))?;
-    // Where constraints leave no speed there is no equation of motion.
+    // If constraints leave no speed, there is no equation of motion.
     let (x, rcond) = if n == 0 {
         (Vec::new(), 1.0)
     } else {
@@ -125,7 +125,7 @@ fn values(model: &Mechanism, by: &By, derivation: &Derivation, state: &State) ->
     })
 }
 
-/// The potential energy of gravity alone, J.
+/// Potential energy of gravity alone at a state, J.
 fn gravity_potential(model: &Mechanism, state: &State) -> Result<f64, Failure> {
     let mut kinematics = Kinematics::new(model).map_err(|error| model.diagnose(&error))?;
     let gravity = kinematics.gravity_potential(model).map_err(|error| model.diagnose(&error))?;
@@ -133,10 +133,10 @@ fn gravity_potential(model: &Mechanism, state: &State) -> Result<f64, Failure> {
     Ok(tape.evaluate(&[state.parameters.as_slice(), &state.q].concat())[0])
 }
 
-/// Below this reciprocal condition number more than half of the digits are lost, and it is said.
+/// Reciprocal condition number below which a warning says that more than half of the digits are lost.
 const LOSSY: f64 = 1e-8;
 
-/// Says which conditions of the domain do not hold; those of reactions only where reactions are known.
+/// Warns of conditions of the domain that do not hold; conditions on reactions are checked only if these are known.
 fn warn_outside_domain(model: &Mechanism, state: &State, reactions: &[f64]) -> Result<(), Failure> {
     let known: Vec<Expr> = model.reactions.iter().take(reactions.len()).map(|r| r.symbol).collect();
     let inputs = [model.p(), model.q(), model.u(), known].concat();

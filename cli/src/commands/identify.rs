@@ -1,4 +1,4 @@
-//! `tripos identify`: what of a mechanism's inertia can be told from its motion, and the regressor in numbers.
+//! `tripos identify`: parameters of a mechanism's inertia that motion determines, and the regressor in numbers.
 
 use super::inverse::{Shape, read_motion, table};
 use crate::failure::{Failure, print, print_json};
@@ -16,7 +16,7 @@ use tripos_derive::mechanics::{Of, Varied};
 use tripos_derive::scene::Moving;
 use tripos_traits::DoubleDouble;
 
-/// Finds the base parameters of a model, and prints the regressor at the states of a file.
+/// Finds the base parameters of a model, and prints the regressor at the states of a file. Returns the exit status.
 pub fn identify(model: &Path, varied: Varied, at: Option<&Path>, shape: Shape) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let motion = at.map(|at| read_motion(at, &mut model)).transpose()?;
@@ -45,7 +45,7 @@ pub fn identify(model: &Path, varied: Varied, at: Option<&Path>, shape: Shape) -
     Ok(u8::from(found.complete == Complete::No))
 }
 
-/// The values of the model file, if all parameters have one; inputs are 0.
+/// Parameter values of the model file, inputs 0; `None` if a parameter has no value.
 fn defaults(model: &Mechanism) -> Option<Vec<DoubleDouble>> {
     let value = |p: &tripos_derive::model::Parameter| match &p.value {
         Some(value) => Some(DoubleDouble::of(value)),
@@ -58,7 +58,7 @@ fn name(found: &Identification, column: usize) -> &str {
     &found.regressor.columns[column].name
 }
 
-/// A factor, in parentheses where it is a sum.
+/// Writes a factor of a combination, in parentheses if it is a sum.
 fn factor_text(found: &Identification, factor: &Factor) -> String {
     match factor {
         Factor::Exact(e) => {
@@ -70,7 +70,7 @@ fn factor_text(found: &Identification, factor: &Factor) -> String {
     }
 }
 
-/// A combination, as a person writes it.
+/// Writes a base parameter as a sum of parameters with factors.
 fn combination(found: &Identification, base: &Base) -> String {
     let mut out = name(found, base.column).to_owned();
     for (column, factor) in &base.with {
@@ -151,8 +151,8 @@ fn json_of_row(model: &Mechanism, states: &[Moving], row: &Row) -> Value {
     })
 }
 
-/// The regressor as a table: t if it is known, the state, the speed, a column for each base parameter, and the known
-/// rest.
+/// Table of the regressor as CSV: t if it is known, the state, the speed, a column for each base parameter, and the
+/// known rest.
 fn csv_of(model: &Mechanism, found: &Identification, (states, rows): (&[Moving], &[Row])) -> String {
     let names: Vec<&str> = found.base.iter().map(|base| name(found, base.column)).collect();
     let heads: Vec<&str> = ["t", "state", "speed"].into_iter().chain(names).chain(["rest"]).collect();
@@ -195,7 +195,7 @@ fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<Do
     out
 }
 
-/// Sentences about the certainty of the result: that no parameter is redundant, and that none is missing.
+/// Sentences about the certainty of the result: that no base parameter is redundant, and that none is missing.
 fn words(found: &Identification) -> String {
     let minimal = format!(
         "no fewer do: the regressor has rank {} at {} random states modulo a prime",

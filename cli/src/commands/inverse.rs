@@ -12,19 +12,19 @@ use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::scene::{Given, Motion, Moving, load_motion, load_samples};
 use tripos_traits::DoubleDouble;
 
-/// Format of a printed answer.
+/// Format of printed results.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
-    /// For people.
+    /// Text for people.
     Text,
-    /// A CSV table.
+    /// A table in CSV.
     Csv,
-    /// JSON, for programs.
+    /// JSON for programs.
     Json,
 }
 
 impl Shape {
-    /// The format that two flags select; at most one is given.
+    /// Selects the format by two flags, of which at most one is true.
     pub fn of(json: bool, csv: bool) -> Self {
         match (json, csv) {
             (true, _) => Self::Json,
@@ -34,7 +34,7 @@ impl Shape {
     }
 }
 
-/// More than this of a loop, in its unit, is said to be open.
+/// Gap of a loop, in its unit, above which a warning says that the loop is open.
 const OPEN: f64 = 1e-6;
 
 /// Reads a motion from a file: TOML as [`load_motion`] reads it, or, if the name ends in `.csv`, a table of samples at
@@ -60,7 +60,7 @@ pub fn read_motion(path: &Path, model: &mut Mechanism) -> Result<Motion, Failure
     Ok(Motion { parameters, given: Given::Samples(load_samples(&source, model)?) })
 }
 
-/// A table as text.
+/// Writes a table as CSV.
 pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut out = heads.join(",") + "\n";
     for row in rows {
@@ -70,7 +70,7 @@ pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String 
     out
 }
 
-/// Computes what a motion needs; status 1 if inputs were asked for and do not give it.
+/// Computes and prints the forces that a motion needs. Exit status 1 if the chosen inputs cannot give them.
 pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let motion = read_motion(motion, &mut model)?;
@@ -132,8 +132,8 @@ fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> V
     })
 }
 
-/// The answer as CSV, a row for each instant: t if it is known, the state, `force(u)` along each speed, then the
-/// inputs; empty where no inputs give the forces.
+/// Table of the result as CSV, a row for each instant: t if it is known, the state, `force(u)` along each speed, then
+/// the inputs. Inputs are empty if none give the forces.
 fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> String {
     let has_instants = list.iter().all(|(moving, _)| moving.t.is_some()) && model.time().is_none();
     let names = list.first().map_or(Vec::new(), |(moving, _)| state_of(model, moving));
@@ -204,13 +204,13 @@ fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(Moving, Forces)]) -> S
     out
 }
 
-/// Remark that the inputs are more than needed; empty if they are not.
+/// Remark that there are more inputs than needed; empty if there are not.
 fn least(inverse: &Inverse, forces: &Forces) -> String {
     let more = inverse.inputs.len() - forces.reached;
     if more == 0 { String::new() } else { format!(", the least of those that give the same ({more} may be chosen)") }
 }
 
-/// Why inputs do not give the motion, where they do not.
+/// Sentence on why the inputs do not give the motion; empty if they do.
 fn refusal(inverse: &Inverse, list: &[(Moving, Forces)]) -> String {
     if inverse.inputs.is_empty() {
         return "\nthe model has no inputs; --input NAME asks for parameters that loads are linear in\n".to_owned();

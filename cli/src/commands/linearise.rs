@@ -15,7 +15,7 @@ use tripos::{Error, Mechanism};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{load_asked, load_output};
 
-/// Linearises a model about the state of a file.
+/// Linearises a model about the state of a file, and prints the linear system. Returns the exit status.
 pub fn linearise(
     model: &Path,
     about: &Path,
@@ -54,12 +54,12 @@ pub fn linearise(
     Ok(0)
 }
 
-/// States by name.
+/// Values of all states by their names, as JSON.
 pub fn state_of(found: &About) -> Map<String, Value> {
     found.states().map(|(name, x)| (name.to_owned(), json!(x))).collect()
 }
 
-/// Modes, with the states that take part.
+/// Modes as JSON, each with its eigenvalue and the states that take part in it.
 pub fn modes_of(found: &About) -> Vec<Value> {
     let shares = |mode: &Mode| -> Map<String, Value> {
         taking_part(found, mode).into_iter().map(|(n, s)| (n, json!(s))).collect()
@@ -73,13 +73,14 @@ pub fn modes_of(found: &About) -> Vec<Value> {
     found.modes.iter().map(mode).collect()
 }
 
-/// −cos of the angle of an eigenvalue: 1 where it only dies away, 0 where it only oscillates.
+/// Damping ratio of a mode: 1 if it only decays, 0 if it only oscillates, negative if it grows; `None` for the
+/// eigenvalue 0.
 fn damping(mode: &Mode) -> Option<f64> {
     let size = mode.value[0].hypot(mode.value[1]);
     (size > 0.0).then(|| -mode.value[0] / size)
 }
 
-/// The states that have more than a hundredth of a mode, the largest share first.
+/// States with a share of more than a hundredth in a mode, the largest share first.
 fn taking_part(found: &About, mode: &Mode) -> Vec<(String, f64)> {
     let names = found.system.kept.iter().map(|at| found.all[*at].clone());
     let mut list: Vec<(String, f64)> =
@@ -136,7 +137,7 @@ fn json_of_letters(letters: &Letters) -> Value {
     json!({ "letters": letters.names, "A": a, "B": b, "C": c, "D": d })
 }
 
-/// The entries that are not 0, a line each.
+/// Text of the entries of A, B, C and D that are not 0, a line each.
 fn text_of_letters(found: &About, letters: &Letters) -> String {
     let letter = letters.names.first().map_or("", String::as_str);
     let mut out = format!("\nfor every {}, by exact algebra; all other entries are 0\n", letters.names.join(", "));
@@ -156,12 +157,12 @@ fn text_of_letters(found: &About, letters: &Letters) -> String {
     out
 }
 
-/// Coordinates along which a steady motion goes, with their rates.
+/// Coordinates along which a steady motion goes, with their rates, as JSON.
 pub fn moves_of(found: &About) -> Vec<Value> {
     found.moves.iter().map(|(along, rate)| json!({ "along": along, "rate": rate })).collect()
 }
 
-/// Kind of the state, in words: at rest, or a steady motion.
+/// Kind of the state in words: at rest, or a steady motion along coordinates.
 pub fn kind_of(found: &About) -> String {
     if found.moves.is_empty() {
         return if found.time.is_some() { "at rest beside what is driven" } else { "at rest" }.to_owned();
@@ -170,14 +171,14 @@ pub fn kind_of(found: &About) -> String {
     format!("a steady motion along {}", moves.join("; "))
 }
 
-/// An eigenvalue, or a pair of them, with so many decimals.
+/// Text of an eigenvalue, or of a complex pair, with `decimals` decimals.
 pub fn value_text(mode: &Mode, decimals: usize) -> String {
     let [re, im] = mode.value.map(|x| decimal(x, decimals));
     if mode.value[1] > 0.0 { format!("{re} ± {im}i") } else { re }
 }
 
-/// Formats a number with so many decimals. Below 0.001 it has as many digits and a power of ten, since decimals would
-/// not show it.
+/// Text of a number with `decimals` decimals. A number below 0.001 gets as many digits and a power of ten, since
+/// decimals would not show it.
 pub fn decimal(x: f64, decimals: usize) -> String {
     // A negative zero is 0.
     let x = x + 0.0;
@@ -185,7 +186,7 @@ pub fn decimal(x: f64, decimals: usize) -> String {
     if is_small { format!("{x:.decimals$e}") } else { format!("{x:.decimals$}") }
 }
 
-/// Eigenvalues and what they say, a line each.
+/// Text of the eigenvalues, a line each with the states that take part, and of the stability.
 pub fn modes_text(found: &About) -> String {
     let mut out = String::new();
     for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {

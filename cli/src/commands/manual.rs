@@ -1,4 +1,4 @@
-//! `tripos completions` and `tripos man`: the command line, for shells and for `man`.
+//! `tripos completions` and `tripos man`: descriptions of the command line for shells and for `man`.
 
 use crate::arguments::Arguments;
 use crate::failure::{Failure, print};
@@ -9,10 +9,10 @@ use clap_mangen::Man;
 use std::path::Path;
 use tripos_derive::plain::path_in_line;
 
-/// Prints the completions of a shell.
+/// Prints the completions of a shell to standard output.
 ///
 /// # Errors
-/// [`Failure`] if they cannot be printed.
+/// [`Failure`] if the completions cannot be printed.
 pub fn completions(shell: Shell) -> Result<u8, Failure> {
     let mut written = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "tripos", &mut written);
@@ -20,13 +20,13 @@ pub fn completions(shell: Shell) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// Prints the manual page, or writes it and that of each command into a folder.
+/// Prints the manual page of the command, or writes it and those of all subcommands into a folder.
 ///
 /// # Errors
-/// [`Failure`] if something cannot be printed or written.
+/// [`Failure`] if a page cannot be printed or written.
 pub fn man(out: Option<&Path>) -> Result<u8, Failure> {
     let mut command = Arguments::command();
-    // Commands then know how they are called.
+    // After this, subcommands know their full names.
     command.build();
     let Some(out) = out else {
         print(&page(&Man::new(command))?)?;

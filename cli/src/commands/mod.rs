@@ -1,4 +1,4 @@
-//! One file a command.
+//! Commands of the program, a file for each.
 
 pub mod chart;
 pub mod check;

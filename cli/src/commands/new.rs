@@ -1,4 +1,4 @@
-//! `tripos new`: a commented working folder to begin from.
+//! `tripos new`: a new folder with a commented model and a scene, to begin from.
 
 use crate::failure::{Failure, print};
 use crate::workspace::{model_file, workspace_around};
@@ -11,19 +11,18 @@ use tripos_derive::plain::{one_line, path_in_line};
 const MODEL: &str = include_str!("new/model.toml");
 const SCENE: &str = include_str!("new/scene.toml");
 
-/// Files of a new folder.
+/// Contents of a new folder.
 struct Folder {
-    /// The text of `model.toml`.
+    /// Text of the file `model.toml`.
     model: String,
-    /// The scenes, by the names of their files.
+    /// Scenes, each with the name of its file and its text.
     scenes: Vec<(PathBuf, String)>,
 }
 
 /// Writes a model and its scenes into a new folder, and prints the next steps.
 ///
 /// # Errors
-/// [`Failure`] if the folder holds something already, the model to begin from cannot be read, or nothing can be
-/// written.
+/// [`Failure`] if the folder is not empty, the model to begin from cannot be read, or a file cannot be written.
 pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     let is_free = match std::fs::read_dir(folder) {
         Ok(mut entries) => entries.next().is_none(),
@@ -58,7 +57,8 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// The model that an argument means, and its scenes: a file, a folder, or a name of the library of the workspace.
+/// Reads the model that an argument means, and its scenes. The argument is a file, a folder, or the name of a model in
+/// the library of the workspace.
 fn copied(like: &Path) -> Result<Folder, Failure> {
     let named = || {
         let root = workspace_around(&std::env::current_dir().ok()?)?;

@@ -1,4 +1,4 @@
-//! `tripos page`: the main job. Derive, run every scene by every formulation, write one page.
+//! `tripos page`: derives a model, runs every scene by every formulation, and writes one page.
 
 mod drawn;
 mod measured;
@@ -38,10 +38,11 @@ use tripos_derive::scene::{FigureKind, Integrator, Scene, Solve, load, model_pat
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
-/// Steps after which a run of printed equations is given up: such equations may creep to a place that they never reach.
+/// Number of steps after which a run of printed equations is given up: such equations may creep to a place that they
+/// never reach.
 const MOST_PRINTED_STEPS: u64 = 10_000;
 
-/// Writes the page of a model.
+/// Runs `tripos page`: derives, runs and writes the page of a model. Returns the exit status.
 pub fn page(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     let argument = argument.map_or_else(usual_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
@@ -96,7 +97,7 @@ pub fn page(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     Ok(if done.stopped { status::STOPPED } else { 0 })
 }
 
-/// The model of a workspace whose page is the main job.
+/// Model for the page if none is given: `models/disk` of the workspace around the current folder.
 fn usual_model() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     let root = workspace_around(&here).ok_or_else(|| {
@@ -108,7 +109,7 @@ fn usual_model() -> Result<PathBuf, Failure> {
     Ok(model.strip_prefix(&here).map_or_else(|_| model.clone(), Path::to_owned))
 }
 
-/// The scenes of a model file; those with errors apart.
+/// Reads the scenes of a model file; scenes with errors are returned apart.
 fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagnostics>), Failure> {
     let (mut scenes, mut broken) = (Vec::new(), Vec::new());
     for file in scene_files(model_file) {
@@ -147,7 +148,7 @@ fn derivations(model: &Mechanism, bar: &ProgressBar) -> Result<Derivations, Fail
     Ok(list)
 }
 
-/// Equations that are ready to run, and what to look at.
+/// Equations of a model that are ready to run, and the quantities that are watched along runs.
 struct Work<'a> {
     model: &'a Mechanism,
     study: &'a Study,
@@ -156,15 +157,15 @@ struct Work<'a> {
     printed: Vec<Printed>,
 }
 
-/// The runs of a scene.
+/// Runs of one scene by all equations.
 struct Runs {
     derived: Vec<(Run, Course)>,
-    /// Run by the scene's own equations, or why there are none.
+    /// Run by the scene's reduced equations, or the reason why there is none.
     own: Result<Own, String>,
     printed: Vec<(Run, Course)>,
-    /// Standing of each run, in this order.
+    /// Standing of each run: of derived, then reduced, then printed equations.
     standings: Vec<Standing>,
-    /// Printed systems that could not be run, and why.
+    /// Printed systems that could not be run, each with the reason.
     not_run: Vec<(String, String)>,
 }
 
@@ -172,14 +173,14 @@ struct Runs {
 #[derive(Default)]
 struct Done {
     sections: Vec<SceneSection>,
-    /// Doubts about their runs, a line each.
+    /// Doubts about the runs of these scenes, a line each.
     doubts: Vec<String>,
-    /// True if a run could not go on.
+    /// True if a run of derived or reduced equations could not go on.
     stopped: bool,
 }
 
 impl<'a> Work<'a> {
-    /// Derived equations, ready to run, and the printed ones.
+    /// Prepares the derived equations for runs, and collects the printed ones.
     fn new(model: &'a Mechanism, study: &'a Study, derivations: &Derivations) -> Result<Self, Failure> {
         let mut derived = Vec::new();
         for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
@@ -191,13 +192,13 @@ impl<'a> Work<'a> {
         Ok(Self { model, study, watch, derived, printed: study.printed(model) })
     }
 
-    /// Runs every scene and draws its figures, until somebody interrupts: a scene that is not finished is left out.
+    /// Runs every scene and draws its figures, until an interruption: a scene that is not finished is left out.
     fn scenes(&self, scenes: &[Scene], out: &Path, bar: &ProgressBar) -> Result<Done, Failure> {
         let mut done = Done::default();
         for scene in scenes {
             let runs = self.runs(scene, bar);
             if follow::asked() {
-                // Runs that were cut short are not shown, nor written to tables.
+                // Runs that were interrupted are not shown, nor written to tables.
                 break;
             }
             let runs = runs?;
@@ -222,13 +223,13 @@ impl<'a> Work<'a> {
         Ok(done)
     }
 
-    /// Runs everything. Printed equations may fail as they like: that is shown, and nothing else comes of it.
+    /// Runs a scene by all equations. Printed equations may fail: the page shows that, and the command goes on.
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
         let message = |by: &By| format!("running {} by {}", path_in_line(&scene.source.path), by.name());
         let own = Own::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
         let mut runs =
             Runs { derived: Vec::new(), own, printed: Vec::new(), standings: Vec::new(), not_run: Vec::new() };
-        // Quadrature and projection are of a scene's own equations alone.
+        // Quadrature and projection exist only for a scene's reduced equations.
         let mut stepped = scene.clone();
         stepped.integration.project = None;
         if stepped.integration.method == Integrator::Quadrature {
@@ -271,7 +272,7 @@ impl<'a> Work<'a> {
         Ok(runs)
     }
 
-    /// The printed runs that are drawn: of those that are proved to move alike the first.
+    /// Curves to draw, with a note about the printed ones: of systems that provably move alike only the first is drawn.
     fn drawn<'r>(&self, runs: &'r Runs) -> (Vec<Curve<'r>>, Option<String>) {
         let mut curves = curves(runs, |own| own.course.is_some());
         let Some(published) = &self.study.published else { return (curves, None) };
@@ -304,7 +305,7 @@ impl<'a> Work<'a> {
         (curves, (!notes.is_empty()).then(|| notes.join(" ")))
     }
 
-    /// The panels of a figure of states: every state, or what the scene wants to see.
+    /// Panels of a figure of states: every state, or the outputs that the scene asks for.
     fn states(&self, scene: &Scene, runs: &Runs) -> Result<Vec<Panel>, Failure> {
         let curves = figures::merged(curves(runs, |_| true));
         if !scene.states_outputs {
@@ -346,7 +347,7 @@ impl<'a> Work<'a> {
         let (curves, note) = self.drawn(&runs);
         let note = note.map(|note| format!(" {note}")).unwrap_or_default();
         let mut integrals = None;
-        // Impacts change what motions conserve.
+        // Impacts change the quantities that motions conserve.
         if !curves.is_empty() && !self.watch.integrals.is_empty() && scene.impacts.is_empty() {
             let curves = figures::merged(curves.clone());
             let panels = figures::integrals(&self.watch, &curves);
@@ -386,7 +387,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// The runs of derived equations, that of the scene's own among them if it shows what is drawn.
+/// Curves of the runs by derived equations; the scene's reduced equations are among them if `shows` accepts them.
 fn curves(runs: &Runs, shows: impl Fn(&Own) -> bool) -> Vec<Curve<'_>> {
     let own = runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&UNWATCHED)));
     let derived = runs.derived.iter().map(|(run, course)| (run, course));

@@ -15,35 +15,35 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{ENERGIES, Scene, load_output};
 use tripos_sim::Stop;
 
-/// The word for all first integrals.
+/// Word of the option `--what` for all first integrals.
 const INTEGRALS: &str = "integrals";
-/// More panels than this are set two beside one another.
+/// Largest number of panels in one column; more panels are set in two columns.
 const ONE_COLUMN: usize = 3;
 
-/// Quantities to draw, and the one on the horizontal axis.
+/// Quantities to draw in a figure, and the quantity on the horizontal axis.
 struct Wanted {
-    /// The quantities of each panel.
+    /// Names of the quantities of each panel.
     panels: Vec<Vec<String>>,
-    /// True if the first integrals are shown, a panel each.
+    /// True if the first integrals are shown, each in a panel of its own.
     integrals: bool,
-    /// Quantity on the horizontal axis: the time, or another one.
+    /// Name of the quantity on the horizontal axis: the time, or another one.
     against: String,
 }
 
-/// A run, and what its curves are called.
+/// A run whose quantities are drawn, with the label of its curves.
 struct Curve {
     label: String,
     run: Run,
     model: Mechanism,
     scene: Scene,
-    /// Changes of the first integrals: name, unit and values, sample by sample.
+    /// Changes of the first integrals along the run: name, unit and values, sample by sample.
     integrals: Vec<(String, String, Vec<f64>)>,
 }
 
-/// Runs the scenes, draws what is wanted of them, and writes the figure and its data.
+/// Runs the scenes, draws the wanted quantities, and writes the figure and its data. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if a scene cannot be read or run, a quantity is none, or a file cannot be written.
+/// [`Failure`] if a scene cannot be read or run, a quantity is unknown, or a file cannot be written.
 pub fn plot(request: &Plot) -> Result<u8, Failure> {
     let wanted = Wanted::new(request);
     let (out, kind) = place(request)?;
@@ -84,7 +84,7 @@ impl Wanted {
         Self { panels: others, integrals: !all.is_empty(), against }
     }
 
-    /// The quantities that runs must show.
+    /// Names of all quantities that runs must output, each once.
     fn quantities(&self) -> Vec<String> {
         let mut list: Vec<String> = Vec::new();
         let against = Some(&self.against).filter(|against| *against != TIME);
@@ -97,7 +97,7 @@ impl Wanted {
     }
 }
 
-/// A list by its commas, but for those inside parentheses.
+/// Splits a list at its commas, except at those inside parentheses or brackets.
 fn parts(text: &str) -> Vec<&str> {
     let (mut list, mut depth, mut from) = (Vec::new(), 0_i32, 0);
     for (at, c) in text.char_indices() {
@@ -128,7 +128,7 @@ fn data_place(out: &Path) -> PathBuf {
     out.with_extension("csv")
 }
 
-/// The ways to run each scene: as it is asked for, and as `--also` says, with the words that tell them apart.
+/// Ways to run each scene, with words that name them: first as the options say, then as each `--also` says.
 fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
     let base = request.how.overrides()?;
     let mut list = vec![(String::new(), base.clone())];
@@ -173,7 +173,7 @@ impl Curve {
             scene.states_outputs = true;
         }
         way.change(&mut scene)?;
-        // What is conserved is a matter of all coordinates and speeds.
+        // First integrals need the values of all coordinates and speeds.
         let by = match &way.by {
             None if wanted.integrals => Some(by_or_first(&model, None)?.name()),
             by => by.clone(),
@@ -197,12 +197,12 @@ impl Curve {
         Ok(Self { label, run, model, scene, integrals })
     }
 
-    /// The values of a quantity, sample by sample.
+    /// Values of a quantity along the run, sample by sample.
     fn values(&self, name: &str) -> Result<Vec<f64>, Error> {
         if name == TIME { Ok(self.run.solution.t.clone()) } else { self.run.column(name) }
     }
 
-    /// A quantity with its unit, as a label.
+    /// Label of a quantity with its unit.
     fn label_of(&self, name: &str) -> String {
         let output = self.scene.outputs.iter().find(|output| output.name == name);
         let unit = output.and_then(|output| self.model.unit_label(&self.model.arena, output.value));
@@ -216,10 +216,10 @@ impl Curve {
     }
 }
 
-/// The changes of the first integrals along a run.
+/// Changes of the first integrals along a run: name, unit and values, sample by sample.
 fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<(String, String, Vec<f64>)>, Failure> {
     let watch = Watch::of_model(model)?;
-    // Outputs stand behind coordinates and speeds.
+    // States of the run hold coordinates and speeds first, then outputs.
     let count = model.coordinates.len() + model.speeds.len();
     let states: Vec<Vec<f64>> = run.states.iter().map(|state| state[..count].to_vec()).collect();
     let (values, _) = watch.along(&scene.parameters, &states);
@@ -231,8 +231,7 @@ fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<(String,
     Ok(changes.collect())
 }
 
-/// The panels of a figure: a curve of each run in each panel; if a panel has several quantities, a curve for each of
-/// them.
+/// Panels of a figure. Each panel has a curve for each run and each of its quantities.
 fn panels(wanted: &Wanted, curves: &[Curve]) -> Result<Vec<Panel>, Failure> {
     let Some(first) = curves.first() else { return Ok(Vec::new()) };
     let shown: Vec<Vec<String>> = match (wanted.panels.is_empty(), wanted.integrals) {
@@ -291,7 +290,7 @@ fn panel(title: &str, x_label: &str, y_label: String, scale: Scale, series: Vec<
     }
 }
 
-/// Every point of the figure: its panel, its curve, and both coordinates.
+/// Writes every point of the figure to a CSV file: its panel, its curve, and both coordinates.
 fn write_data(path: &Path, panels: &[Panel]) -> Result<(), Failure> {
     let rows = panels.iter().flat_map(|panel| {
         panel.series.iter().flat_map(move |series| {

@@ -1,4 +1,4 @@
-//! `tripos prove`: the formulations are equivalent, and what the motion conserves.
+//! `tripos prove`: equivalence of the formulations, and conserved quantities of the motion.
 
 use crate::failure::{Failure, print, print_json, status};
 use crate::glossary::{names_json, names_text};
@@ -14,10 +14,10 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{LoadDivisor, derive_all};
 use tripos_derive::prove::{Proof, prove as prove_model};
 
-/// The longest formula of a reaction that is shown, in characters.
+/// Length of the longest formula of a reaction that is shown, in characters.
 const LONGEST: usize = 600;
 
-/// Proves what can be proved of a model; exit status 1 if a pair of formulations is not proved equivalent.
+/// Proves equivalence and first integrals of a model; exit status 1 if a pair of formulations is not proved equivalent.
 pub fn prove(model: &Path, as_json: bool) -> Result<u8, Failure> {
     let model = read_model(model)?;
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
@@ -32,7 +32,7 @@ pub fn prove(model: &Path, as_json: bool) -> Result<u8, Failure> {
     Ok(if proof.is_equivalent() { 0 } else { status::NO })
 }
 
-/// The word for a verdict in tables and JSON.
+/// Word for a verdict in tables and in JSON.
 pub fn word(verdict: &Verdict) -> &'static str {
     match verdict {
         Verdict::Equal(_) => "equal",
@@ -41,7 +41,7 @@ pub fn word(verdict: &Verdict) -> &'static str {
     }
 }
 
-/// The engine that decided equality, for JSON; null for another verdict.
+/// Engine that decided equality, as JSON; null for another verdict.
 pub fn engine(verdict: &Verdict) -> Value {
     match verdict {
         Verdict::Equal(Engine::NormalForm) => json!("normal-form"),
@@ -50,13 +50,13 @@ pub fn engine(verdict: &Verdict) -> Value {
     }
 }
 
-/// A witness as JSON.
+/// Witness of a difference as JSON: a point and the values of both sides there.
 pub fn witness(witness: &Witness) -> Value {
     let at: serde_json::Map<String, Value> = witness.at.iter().map(|(name, x)| (name.clone(), json!(x))).collect();
     json!({ "at": at, "left": witness.left, "right": witness.right, "difference": witness.difference })
 }
 
-/// Everything that was proved, as JSON.
+/// Results of all proofs about a model, as JSON.
 pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
     let pairs: Vec<Value> = proof
         .pairs
@@ -175,7 +175,7 @@ fn is_read(arena: &Arena, e: Expr) -> bool {
     text(arena, e).len() <= LONGEST
 }
 
-/// Every formula that is shown of a proof, but those of reactions.
+/// Formulas that are shown of a proof, except those of reactions.
 fn shown<'a>(arena: &'a Arena, proof: &'a Proof) -> impl Iterator<Item = Expr> + 'a {
     let integrals = proof.integrals.iter().flat_map(|integral| integral.shown(arena));
     integrals.chain(proof.search.power).chain(proof.singular_where.iter().copied())

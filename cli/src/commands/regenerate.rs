@@ -17,7 +17,7 @@ use tripos_derive::Formulation;
 use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
 
-/// Says what differs; exit status 1 if anything does.
+/// Runs `tripos regenerate --check`: prints the files that differ; exit status 1 if there are any.
 pub fn check(models: &[PathBuf]) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
@@ -30,8 +30,8 @@ pub fn check(models: &[PathBuf]) -> Result<u8, Failure> {
     Ok(if found.differences.is_empty() && references.is_empty() { 0 } else { status::NO })
 }
 
-/// Writes what differs, and says what changed in the equations; then renews the references, exit status 1 if one
-/// disagrees.
+/// Runs `tripos regenerate`: writes files that differ, prints the changes of the equations, and renews the references.
+/// Exit status 1 if a reference disagrees.
 pub fn regenerate(models: &[PathBuf]) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
@@ -43,13 +43,13 @@ pub fn regenerate(models: &[PathBuf]) -> Result<u8, Failure> {
     Ok(answer)
 }
 
-/// The models without errors of these.
+/// Names of those models, among `asked`, that have no errors.
 fn sound(found: &Freshness, mut asked: Vec<String>) -> Vec<String> {
     asked.retain(|name| !found.generated.broken.iter().any(|(broken, _)| broken == name));
     asked
 }
 
-/// Freshness of the models that are asked for, the folder of the committed files, and the models' folders.
+/// Freshness of the wanted models, the folder of the committed files, and the names of the models' folders.
 fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<String>), Failure> {
     let (folder, committed) = (root.join("models"), root.join("generated/src"));
     let unreadable = |error| {
@@ -59,7 +59,7 @@ fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<Stri
     let all = model_folders(&folder).map_err(unreadable)?;
     let mut asked = Vec::new();
     for model in models {
-        // `disk`, or the folder as a shell completes it.
+        // The argument is a name such as `disk`, or a folder as a shell completes it.
         let name = model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         if !all.contains(&name) {
             let what = format!("there is no model `{}` in {}", path_in_line(model), path_in_line(&folder));
@@ -72,7 +72,7 @@ fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<Stri
     Ok((found, committed, if models.is_empty() { all } else { asked }))
 }
 
-/// Broken models are an error of the whole command, after the others are done.
+/// Reports models with errors, after the other models are done, as an error of the whole command.
 fn complain(found: &Freshness) -> Result<(), Failure> {
     if found.generated.broken.is_empty() {
         return Ok(());
@@ -91,7 +91,7 @@ fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> St
     let models: BTreeSet<&str> = found.differences.iter().filter_map(changed_model).collect();
     let known: BTreeMap<&str, Equations> =
         models.into_iter().map(|model| (model, equations_of(&root.join("models"), committed, model))).collect();
-    // A model that was edited is no news to who edited it.
+    // Changed copies of edited models are not listed: whoever edited a model knows it.
     let is_model = |file: &str| file.ends_with(&format!("/{DERIVED_FROM}"));
     for difference in read.into_iter().filter(|d| !matches!(d, Difference::Changed(file) if is_model(file))) {
         match derived(difference).map(|model| &known[model]) {
@@ -118,14 +118,15 @@ fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> St
     out
 }
 
-/// The model whose equations or code changed, or that was edited itself. Equations of many terms stand in code alone.
+/// Name of the model whose equations, code or model file changed in this difference; `None` for other files. Equations
+/// of many terms exist only as code.
 fn changed_model(difference: &Difference) -> Option<&str> {
     let Difference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
     (file == DERIVED_FROM || file.starts_with("code/") || derived(difference).is_some()).then_some(model)
 }
 
-/// The model whose derived equations stand in a file that changed; none of files of scenes, reports and lists.
+/// Name of the model whose derived equations are in a changed file; `None` for files of scenes, reports and lists.
 fn derived(difference: &Difference) -> Option<&str> {
     let Difference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
@@ -133,7 +134,7 @@ fn derived(difference: &Difference) -> Option<&str> {
     Formulation::ALL.iter().any(is_formulation).then_some(model)
 }
 
-/// True if a file is code for machines: the equations that it computes stand in another file.
+/// True if a file is code for machines, whose equations are in another file for people.
 fn is_code(file: &str) -> bool {
     Path::new(file).parent().is_some_and(|folder| folder.ends_with("code"))
 }

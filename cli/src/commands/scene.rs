@@ -1,4 +1,4 @@
-//! `tripos scene`: what a scene keeps of its model and what it leaves out.
+//! `tripos scene`: states and equations that a scene needs of its model, and the parts that it leaves out.
 
 use crate::failure::{Failure, print, print_json};
 use crate::scene_file::read_scene;
@@ -12,7 +12,7 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::reduce::Quantity;
 use tripos_derive::scene::Scene;
 
-/// Prints the ledger of a scene.
+/// Prints the reduced equations of a scene, with the omitted parts and their proofs. Returns the exit status.
 pub fn scene(path: &Path, json: bool) -> Result<u8, Failure> {
     let (model, scene) = read_scene(path)?;
     let reduced = Reduced::new(&model, &scene)?;
@@ -63,7 +63,7 @@ fn as_json(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
     })
 }
 
-/// Definitions and rates, a line each.
+/// Definitions and equations of motion of the reduced system, a line each.
 fn equations(reduced: &Reduced) -> Vec<String> {
     let arena = reduced.reduction.terms();
     let e = &reduced.reduction.derivation.equations;

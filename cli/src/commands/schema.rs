@@ -1,12 +1,12 @@
-//! `tripos schema`: the form of the files, for editors.
+//! `tripos schema`: JSON Schemas of file formats, for editors.
 
 use crate::failure::{Failure, print};
 use tripos_derive::schema::Format;
 
-/// Prints the JSON Schema of a format.
+/// Prints the JSON Schema of a file format. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if it cannot be printed.
+/// [`Failure`] if the schema cannot be printed.
 pub fn schema(format: &str) -> Result<u8, Failure> {
     for known in Format::ALL.into_iter().filter(|known| known.name() == format) {
         print(&format!("{:#}\n", known.schema()))?;

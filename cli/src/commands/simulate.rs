@@ -1,4 +1,4 @@
-//! `tripos simulate`: one run of a scene.
+//! `tripos simulate`: a single run of a scene.
 
 mod by_all;
 mod derivatives;
@@ -22,7 +22,7 @@ use tripos_derive::scene::Scene;
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{EventRecord, ImpactRecord, Stop};
 
-/// Runs the scene and prints how it ended.
+/// Runs a scene and prints its end, errors and events. Returns the exit status.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let (model, mut scene, set) = read_scene_with(&request.scene, &request.set.set)?;
     request.how.overrides()?.change(&mut scene)?;
@@ -56,14 +56,14 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     } else {
         print(&(as_text(&model, &scene, run) + &slopes.map_or_else(String::new, derivatives::in_words)))?;
     }
-    // Last, so that a file that cannot be written does not cost the answer.
+    // The file is written last, so that the answer is printed even if writing fails.
     if let Some(path) = &request.csv {
         write_csv(path, run, slopes)?;
     }
     Ok(status)
 }
 
-/// Prints notes, warnings and the reason why a run did not give all that was asked for. Returns the exit status.
+/// Prints notes, warnings and the reason why a run did not give all that was wanted. Returns the exit status.
 fn shown_failure(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
     run.notes.iter().for_each(|note| say(&format!("note: {note}")));
     run.warnings.iter().for_each(|warning| warn(warning));
@@ -125,7 +125,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
     })
 }
 
-/// The impacts of a run: instants in s, impulses, losses in J.
+/// Impacts of a run as JSON: instants in s, impulses, losses in J.
 fn impacts(scene: &Scene, run: &Run) -> Vec<Value> {
     let named = |at: &usize| scene.impacts[*at].name.clone();
     let one = |impact: &ImpactRecord| {
@@ -144,10 +144,10 @@ fn impacts(scene: &Scene, run: &Run) -> Vec<Value> {
     run.solution.impacts.iter().map(one).collect()
 }
 
-/// Number of impacts and the energy lost in them, in a line; empty if there were none.
+/// Line with the number of impacts and the energy lost in them; empty if there were none.
 fn impacts_in_words(run: &Run) -> String {
     let list = &run.solution.impacts;
-    // Zero has no sign.
+    // The sum with 0 removes the sign of a negative zero.
     let lost = list.iter().map(|impact| impact.loss).sum::<f64>() + 0.0;
     match list.len() {
         0 => String::new(),
@@ -156,12 +156,12 @@ fn impacts_in_words(run: &Run) -> String {
     }
 }
 
-/// The places of the values of a run that are shown: time, where it is one of them, stands for itself already.
+/// Indices of the values of a run that are shown: all except the time, which is shown apart.
 fn shown(run: &Run) -> impl Iterator<Item = usize> {
     (0..run.names.len()).filter(|at| run.names[*at] != TIME)
 }
 
-/// The fewest correct digits of a run, with the quantity and the instant; null if not assessed.
+/// Smallest number of correct digits along a run as JSON, with the quantity and the instant; null if not assessed.
 fn fewest(run: &Run) -> Value {
     let found = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)));
     found.map_or(
@@ -170,7 +170,7 @@ fn fewest(run: &Run) -> Value {
     )
 }
 
-/// Number of correct digits of the shown values, in a line; empty if that was not assessed.
+/// Line with the numbers of correct digits at the end and along the run; empty if they were not assessed.
 fn digits_in_words(run: &Run) -> String {
     let Some((digits, (instant, which, least))) =
         run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)))
@@ -182,12 +182,12 @@ fn digits_in_words(run: &Run) -> String {
     format!("{at_end}{least:.1} at least on the way (`{name}` at t = {t:.4} s), by comparison with {}\n", digits.by)
 }
 
-/// The drifts of all that is conserved but the energy, which is stated apart.
+/// Drifts of all first integrals except the energy, which is shown apart.
 fn momenta(run: &Run) -> impl Iterator<Item = &Drift> {
     run.drifts.iter().filter(|drift| !drift.integral.kind.is_energy())
 }
 
-/// Report of the projection as JSON, so that it hides no drift; null without projection.
+/// Report on the projection of a run as JSON, so that it hides no drift; null without projection.
 fn projection(run: &Run) -> Value {
     match &run.solution.projection {
         None => Value::Null,
@@ -206,7 +206,7 @@ fn projection(run: &Run) -> Value {
     }
 }
 
-/// Report of the projection in words, with the largest residual of the constraints.
+/// Report on the projection of a run in words, with the largest residual of the constraints.
 fn projection_in_words(run: &Run, report: &ProjectionReport) -> String {
     let left = report.singular + report.not_converged;
     let Some(worst) = run.residuals.iter().max_by(|a, b| a.largest.abs().total_cmp(&b.largest.abs())) else {
@@ -273,7 +273,7 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
 }
 
 fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(), Failure> {
-    // A scene that shows outputs of its own shows no energies beside them.
+    // A scene with outputs of its own has no columns for energies.
     let energies = ["kinetic_energy", "potential_energy"].into_iter().filter(|_| !run.energies.is_empty());
     let energies = energies.chain(["work"].into_iter().filter(|_| !run.solution.work.is_empty()));
     let header: Vec<String> = ["t"]
@@ -292,8 +292,8 @@ fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(
     table(path, &header, rows)
 }
 
-/// Refuses to write samples over what is read, over what looks like no table of samples, and where there is no folder:
-/// after a long run that would be too late.
+/// Refuses to write samples over an input file, over a file that looks like no table of samples, and into a folder that
+/// does not exist: after a long run that would be too late.
 fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     keep_inputs(model, Some(scene), [path])?;
     csv_name(path)?;

@@ -15,7 +15,11 @@ use tripos_derive::model::is_model;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load_bound, load_state};
 
+<<<<<<< HEAD
 /// Kinds of sketches, by the ends of their names.
+=======
+/// Kind of picture file, by the ending of its name.
+>>>>>>> comments
 #[derive(Clone, Copy)]
 enum Kind {
     /// A figure, drawn as SVG.
@@ -24,10 +28,10 @@ enum Kind {
     Latex,
 }
 
-/// Sketches a model, or a scene of one, and writes the picture.
+/// Sketches a model, or the start of a scene, and writes the picture. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if a file cannot be read, the picture has no kind, nothing has a place, or it cannot be written.
+/// [`Failure`] if a file cannot be read or written, `out` names no kind of picture, or no body has a place.
 pub fn sketch(what: &Path, at: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     let kind = kind(out)?;
     let (mut mechanism, scene) = read(what)?;
@@ -61,7 +65,7 @@ fn kind(out: &Path) -> Result<Kind, Failure> {
     picture::kind(out, ", or in .tex for LaTeX").map(Kind::Figure)
 }
 
-/// The model, and the scene whose start is drawn: the one that is given, else the first of the model, if it has one.
+/// Reads the model, and the scene whose start is drawn: the given one, or else the first of the model, if it has one.
 fn read(what: &Path) -> Result<(Mechanism, Option<Scene>), Failure> {
     let is_scene = !what.is_dir() && what.exists() && !is_model(&Source::read(what)?);
     if is_scene {

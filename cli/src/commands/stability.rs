@@ -1,4 +1,4 @@
-//! `tripos stability`: where runs of a scene give way.
+//! `tripos stability`: limits of runs of a scene, such as passages near singular places and growth of errors.
 
 use crate::commands::chart::progress;
 use crate::failure::{Failure, print};
@@ -10,7 +10,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::studies::stability::{Study, all};
 
-/// Runs every study that applies to the scene, and writes its numbers and figures to `out`.
+/// Runs every study that applies to the scene, and writes its numbers and figures to `out`. Returns the exit status.
 pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
     let (model, scene) = read_scene(path)?;
     let files = ["stability.csv", "passages.csv"].map(|name| out.join(name));

@@ -19,10 +19,10 @@ use tripos::studies::sweep::{Row, Shard, Sweep, in_order};
 use tripos_codegen::files::Existing;
 use tripos_derive::scene::Grid;
 
-/// More threads than this are a slip of the pen.
+/// Largest number of threads that is accepted: a larger one is a typing error.
 const MOST_THREADS: usize = 4096;
 
-/// Runs the points of a shard, writes a row for each, and says how they ended.
+/// Runs the points of a shard, writes a row for each, and prints their outcomes. Returns the exit status.
 pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let (mut model, mut scene) = read_scene(&request.scene)?;
     keep_inputs(&model, Some(&scene), [request.out.as_path()])?;
@@ -106,7 +106,7 @@ fn extent((shard, points, kept): (Shard, &Range<u64>, u64), grid: &Grid, threads
     )
 }
 
-/// The table with its header, and with the rows that stay, if the sweep goes on with an unfinished one.
+/// Opens the table with its header. If an unfinished sweep is resumed, the table keeps its rows.
 fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(Rows, Kept), Failure> {
     let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
     let (columns, record) = (Columns::new(sweep), Record::new(sweep, &request.over, &request.shard));
@@ -125,7 +125,7 @@ fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(R
         if request.resume {
             say("nothing is left of this sweep: all its points are run");
         }
-        // Devices and pipes keep no rows.
+        // A device or a pipe keeps no rows, and needs no record.
         if table.place() != request.out {
             record.write(table.place())?;
         }
@@ -137,7 +137,7 @@ fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(R
     Ok((table, kept))
 }
 
-/// Runs the points that have no row yet and adds their rows to the table.
+/// Runs the points that have no row yet and adds their rows to the table. Returns the counts of outcomes.
 fn run(
     sweep: &Sweep<'_>,
     points: Range<u64>,
@@ -192,7 +192,7 @@ fn threads(asked: Option<usize>) -> Result<usize, Failure> {
     }
 }
 
-/// A bar with a count and the time left.
+/// Makes a progress bar with a count of points and the time left.
 fn progress(points: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} points, {eta} left");
     ProgressBar::new(points).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))

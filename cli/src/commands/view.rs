@@ -1,4 +1,4 @@
-//! `tripos view`: a scene's motion as a picture that moves, in one file.
+//! `tripos view`: a scene's motion as a moving picture, in one file.
 
 use crate::arguments::View as Request;
 use crate::failure::{Failure, print, status, warn};
@@ -11,7 +11,7 @@ use tripos::pictures::view::{Motion, View};
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
 
-/// Runs the scene, and what it is compared with, and writes the view.
+/// Runs the scene and the motions for comparison, and writes the view. Returns the exit status.
 pub fn view(request: &Request) -> Result<u8, Failure> {
     let (mechanism, mut scene, _) = read_scene_with(&request.scene, &request.set.set)?;
     request.how.overrides()?.change(&mut scene)?;

@@ -6,79 +6,79 @@ use tripos_codegen::plan::Costs;
 use tripos_derive::mechanics::DerivationInSteps;
 use tripos_derive::{Formulation, Model};
 
-/// Content of a page about a model.
+/// Content of the page about a model.
 pub struct Page<'a> {
-    /// The mechanism.
+    /// Mechanism that the page describes.
     pub model: &'a Model,
-    /// Its equations of motion by each formulation, or why there are none.
+    /// Equations of motion by each formulation, or the reason why there are none.
     pub derivations: Vec<(Formulation, Result<DerivationInSteps, String>)>,
     /// Proofs about the equations, and the verdict on the publication beside the model.
     pub study: &'a Study,
-    /// The simulations.
+    /// Sections about the simulated scenes.
     pub scenes: Vec<SceneSection>,
-    /// The mechanism as textbooks draw it, or why there is no sketch.
+    /// Sketch of the mechanism as textbooks draw it, or the reason why there is none.
     pub sketch: Result<Drawing, String>,
-    /// The motion of one of them, to be looked at.
+    /// Motion of one of the scenes, shown as a moving figure; `None` if there is none.
     pub moving: Option<Moving>,
-    /// Why there are not all of them, if there are not.
+    /// Reason why the page is partial; `None` if it is complete.
     pub unfinished: Option<String>,
-    /// The model, as a command takes it.
+    /// Path of the model, as a command accepts it.
     pub file: String,
 }
 
-/// A sketch of the mechanism.
+/// A sketch of the mechanism, with its caption.
 pub struct Drawing {
-    /// An element `<svg>`.
+    /// Picture as an `<svg>` element.
     pub svg: String,
-    /// At which values it is drawn.
+    /// Caption: the values at which the mechanism is drawn.
     pub caption: String,
 }
 
-/// The motion of a scene, to be looked at.
+/// Motion of a scene for the page's moving figure.
 pub struct Moving {
-    /// Index of the scene that it shows.
+    /// Index of the scene whose motion it is.
     pub scene: usize,
-    /// The figure that shows it, or why there is none.
+    /// Moving figure, or the reason why there is none.
     pub viewer: Result<Viewer, String>,
 }
 
-/// A figure that moves.
+/// A moving figure of the page, in its three parts.
 pub struct Viewer {
-    /// The figure, as HTML.
+    /// HTML of the figure.
     pub figure: String,
-    /// Its style, as CSS that speaks of nothing else.
+    /// CSS of the figure, which styles no other element.
     pub style: &'static str,
-    /// The element `<script>` that moves it.
+    /// Element `<script>` that moves the figure.
     pub script: String,
     /// Doubt about the shown motion; `None` if it can be trusted.
     pub doubt: Option<String>,
 }
 
-/// One simulated scene.
+/// Section of the page about a simulated scene.
 pub struct SceneSection {
-    /// Its file, as a command takes it.
+    /// Path of the scene's file, as a command accepts it.
     pub file: String,
-    /// Its title.
+    /// Title of the scene.
     pub title: String,
     /// Description of the scene, from its file.
     pub about: String,
-    /// Given data: parameters, start, tolerances.
+    /// Given data of the scene: parameters, start, tolerances; each with its heading.
     pub facts: Vec<(&'static str, Fact)>,
-    /// Its own equations, or why there are none.
+    /// Reduced equations of the scene, or the reason why there are none.
     pub needs: Result<Needs, String>,
-    /// One run for each formulation, one by the scene's own equations, then one for each printed system.
+    /// Runs: one for each formulation, one by the scene's reduced equations, then one for each printed system.
     pub runs: Vec<RunRow>,
-    /// Printed systems that could not be run: (title, why).
+    /// Printed systems that could not be run: (title, reason).
     pub not_run: Vec<(String, String)>,
-    /// Its figures.
+    /// Figures of the scene.
     pub figures: Vec<Figure>,
-    /// Figures that it cannot have, and why.
+    /// Figures that the scene cannot have, each with the reason.
     pub not_drawn: Vec<String>,
     /// Recommended equations, solve and method; `None` if they were not measured.
     pub advice: Option<Advice>,
-    /// First integrals over time, if there are any.
+    /// Figure of the first integrals over time; `None` if there are no first integrals or no curves.
     pub integrals: Option<Figure>,
-    /// Determinants, condition numbers and kinematic divisors over time.
+    /// Figure of determinants, condition numbers and kinematic divisors over time; `None` without curves.
     pub nearness: Option<Figure>,
 }
 
@@ -92,46 +92,46 @@ pub enum Fact {
 
 /// Reduced equations of a scene, and their cost.
 pub struct Needs {
-    /// Its own equations.
+    /// Reduced equations of the scene.
     pub reduced: Reduced,
-    /// Cost of a call of them, beside that of one of the whole model.
+    /// Cost of a call of the reduced equations, beside that of the whole model's.
     pub costs: Costs,
 }
 
-/// Results of one run, as a row of the table.
+/// Results of a run, as a row of the page's table of runs.
 pub struct RunRow {
     /// Title of the equations that ran, for a heading.
     pub title: String,
-    /// The id of the printed system; none for derived equations.
+    /// Id of the printed system; `None` for derived equations.
     pub printed: Option<String>,
-    /// The integration method.
+    /// Name of the integration method.
     pub method: &'static str,
-    /// `compiled` or `interpreted`.
+    /// Form of the code that ran: `compiled` or `interpreted`.
     pub code: String,
-    /// Accepted steps.
+    /// Number of accepted steps.
     pub steps: u64,
-    /// Rejected steps.
+    /// Number of rejected steps.
     pub rejected: u64,
-    /// Calls of the right-hand side.
+    /// Number of calls of the right-hand side.
     pub evaluations: u64,
     /// Instant at which the run ended, s.
     pub t_end: f64,
     /// True if the run reached the last instant of its span.
     pub arrived: bool,
-    /// Why it ended, as a sentence.
+    /// Reason why the run ended, as a sentence.
     pub stop: String,
     /// Standing of the run: the verdict on its equations and on its numbers.
     pub standing: Standing,
-    /// Largest change of total energy that no work accounts for, J; none of equations that do not know it.
+    /// Largest change of total energy that no work accounts for, J; `None` if the equations do not know the energy.
     pub energy_drift: Option<f64>,
-    /// Correct digits of every value at the end of the run, estimated by its second run; `None` if not assessed, or if
-    /// the equations are not those of the motion.
+    /// Number of correct digits of every value at the end of the run, estimated by its second run. `None` if not
+    /// assessed, or if the equations are not those of the motion.
     pub digits: Option<f64>,
-    /// From when on there are fewer than three digits, s; nothing if they are kept, or that was not assessed.
+    /// Time from which on the run has fewer than three correct digits, s; `None` if it keeps them, or if not assessed.
     pub few_from: Option<f64>,
-    /// Further warnings for the reader.
+    /// Further warnings about the run, for the reader.
     pub warnings: Vec<String>,
-    /// Largest change of each first integral; nothing of a run that does not show every state.
+    /// Largest change of each first integral; empty for a run that does not show every state.
     pub changes: Vec<f64>,
     /// Least distances of the run from singular configurations.
     pub nearest: Nearest,
@@ -140,68 +140,68 @@ pub struct RunRow {
 /// Verdict on the equations of a run, and on its numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
-    /// Derived equations, or printed ones that are proved to move alike, integrated as well as was asked for.
+    /// Derived equations, or printed ones that provably move alike, integrated to the wanted tolerance.
     Right,
     /// Right equations at tolerances that leave few digits.
     Loose {
-        /// The method and its tolerances.
+        /// Method of integration and its tolerances, in words.
         how: String,
-        /// The largest |e| / (1 + |value|) at the end of the run, or why it is not known.
+        /// Largest |e| / (1 + |value|) at the end of the run, or the reason why it is unknown.
         error: Result<f64, String>,
     },
     /// Right equations whose run could not go on.
     Stopped,
-    /// Printed equations that do not give the derived accelerations, however their run ends.
+    /// Printed equations that do not give the derived accelerations, for any end of their run.
     Wrong,
-    /// Printed equations of which that is not known, and why.
+    /// Printed equations whose accelerations could not be compared with the derived ones, with the reason.
     Undecided(String),
 }
 
-/// Extremes along a run: (value, time), nothing where no sample has a value.
+/// Extremes along a run: most are pairs (value, time in s), and `None` if no sample has a value.
 #[derive(Default)]
 pub struct Nearest {
-    /// The least and the greatest determinant.
+    /// Smallest and greatest determinant of A along the run, without times.
     pub determinant: Option<(f64, f64)>,
-    /// The least |det A / det A(t₀)|.
+    /// Smallest |det A / det A(t₀)|, with its time.
     pub relative: Option<(f64, f64)>,
-    /// The least reciprocal condition number.
+    /// Smallest reciprocal condition number of A, with its time.
     pub condition: Option<(f64, f64)>,
-    /// The least absolute value of each divisor of the kinematic equations.
+    /// Smallest absolute value of each divisor of the kinematic equations, with its time.
     pub divisors: Vec<Option<(f64, f64)>>,
 }
 
-/// A figure and its caption.
+/// A figure of the page, with its caption.
 pub struct Figure {
-    /// The caption.
+    /// Caption of the figure.
     pub caption: String,
-    /// An `<svg>` element.
+    /// Picture as an `<svg>` element.
     pub svg: String,
-    /// Lesson from the figure, below the caption.
+    /// Lesson from the figure, printed below the caption; `None` if there is none.
     pub remark: Option<String>,
-    /// Tables with every plotted point, relative to the page.
+    /// Links to the tables with every plotted point, relative to the page.
     pub data: Vec<String>,
 }
 
 /// Recommended equations, solve and method, as measured.
 pub struct Advice {
-    /// In words.
+    /// Recommendation in words.
     pub lead: String,
-    /// (accuracy, the fastest run that reaches it).
+    /// Rows of the table of advice: an accuracy, and the fastest run that reaches it, or `None`.
     pub rows: Vec<(f64, Option<Choice>)>,
 }
 
-/// One run that was measured.
+/// A measured run that is recommended.
 pub struct Choice {
-    /// The name of the equations.
+    /// Name of the equations that ran.
     pub equations: String,
     /// Solution for the accelerations: eliminated or numeric.
     pub solve: &'static str,
-    /// The method.
+    /// Name of the integration method.
     pub method: &'static str,
-    /// Its tolerance; none where no steps are taken.
+    /// Tolerance of the run; `None` if it takes no steps.
     pub tolerance: Option<f64>,
     /// Computing time of the run, s.
     pub seconds: f64,
-    /// Its error.
+    /// Error of the run at its end, the largest |e| / (1 + |reference|).
     pub error: f64,
 }

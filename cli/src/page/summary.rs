@@ -1,7 +1,7 @@
-//! The abstract: the mechanism, the proofs, the mistakes in print, the outcome of the runs, and the recommended way to
-//! run it.
+//! Abstract of the page: the mechanism, the proofs, the mistakes in print, the outcome of the runs, and the recommended
+//! way to run it.
 //!
-//! Invariant: every sentence is made of values and leads to its evidence on the page. Absent on purpose: sentences that
+//! Invariant: every sentence is made of values and links to its evidence on the page. Absent on purpose: sentences that
 //! only one model could need.
 
 use crate::chart::words::{TARGETS, seconds};
@@ -16,15 +16,15 @@ use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Singularity, There};
 
-/// Scenes with troubles that are told.
+/// Largest number of scenes with troubles that the abstract names.
 const MOST_SCENES: usize = 3;
-/// Characters of a formula that a sentence can hold.
+/// Largest number of characters of a formula in a sentence.
 const SHORT: usize = 40;
 
-/// A sentence as HTML, and the place of its evidence.
+/// Pair of the id of a sentence's evidence on the page, and the sentence as HTML.
 type Sentence = (String, String);
 
-/// The section.
+/// HTML of the abstract.
 pub fn section(page: &Page) -> String {
     let verdict = page.study.published.iter().flat_map(|published| {
         let title = escape(published.publication.heading());
@@ -53,7 +53,7 @@ pub fn section(page: &Page) -> String {
     format!("<section id=\"abstract\" aria-label=\"Abstract\">\n{}<dl>\n{rows}</dl>\n</section>\n", drawing(page))
 }
 
-/// The sketch of the mechanism, or why there is none.
+/// HTML of the sketch of the mechanism, or of the reason why there is none.
 fn drawing(page: &Page) -> String {
     match &page.sketch {
         Ok(drawing) => {
@@ -100,7 +100,7 @@ fn titles(list: impl IntoIterator<Item = Formulation>) -> String {
     listed(&list.into_iter().map(|formulation| escape(formulation.title())).collect::<Vec<_>>())
 }
 
-/// Sentence on the equivalence of the formulations; `None` if there are no two.
+/// Sentence on the equivalence of the formulations; `None` if no formulation could be derived.
 fn equality(page: &Page) -> Option<Sentence> {
     let proof = &page.study.proof;
     let all = proof.pairs.len();
@@ -143,7 +143,7 @@ fn integrals(page: &Page) -> Sentence {
     ("integrals".to_owned(), said)
 }
 
-/// Words for the places where one of some terms is zero, as HTML; long terms are counted.
+/// HTML of words for the places where one of several terms is zero; long terms are only counted.
 fn where_zero(arena: &Arena, terms: &[Expr]) -> String {
     let is_short = |e: &Expr| length(arena, *e).is_some_and(|characters| characters <= SHORT);
     let mut places: Vec<String> = terms.iter().filter(|e| is_short(e)).map(|e| vanishing(arena, *e)).collect();
@@ -166,7 +166,7 @@ fn validity(page: &Page) -> Sentence {
     ("equality".to_owned(), said)
 }
 
-/// Sentence on where the matrix of each formulation is singular; `None` if that is known of none.
+/// Sentence on where the matrix of each formulation is singular; `None` if that is known for no formulation.
 fn determinants(page: &Page) -> Option<Sentence> {
     let arena = &page.study.derivations.kinematics.arena;
     let mut groups: Vec<(String, Vec<Formulation>)> = Vec::new();
@@ -183,7 +183,8 @@ fn determinants(page: &Page) -> Option<Sentence> {
         .then(|| ("singular".to_owned(), format!("The matrix of the accelerations is singular {}.", said.join(", "))))
 }
 
-/// Words for the proved zeros of a determinant: everywhere, nowhere, or where terms vanish; `None` if none is known.
+/// HTML of words for the proved zeros of a determinant: everywhere, nowhere, or where terms vanish; `None` if no zero
+/// is known.
 fn zeros(arena: &Arena, singularity: &Singularity) -> Option<String> {
     if singularity.determinant == Expr::ZERO {
         return Some("everywhere".to_owned());
@@ -196,7 +197,7 @@ fn zeros(arena: &Arena, singularity: &Singularity) -> Option<String> {
     (!terms.is_empty()).then(|| format!("where {}", where_zero(arena, &terms)))
 }
 
-/// Sentences on the scenes that did not arrive, or that all did, and on the printed equations in the shown scene.
+/// Sentences on the scenes with troubles, on the number of the others, and on the printed equations in the shown scene.
 fn simulated(page: &Page) -> Vec<Sentence> {
     let is_troubled = |scene: &SceneSection| outcome::worst(scene) != Some(Grade::Arrived);
     let mut troubled: Vec<(usize, &SceneSection)> =
@@ -225,8 +226,8 @@ fn simulated(page: &Page) -> Vec<Sentence> {
     list
 }
 
-/// The equations, the method and the tolerance that were measured to be the fastest. Without a measurement: the saving
-/// by a scene's own equations.
+/// Sentence on the equations, the method and the tolerance that were measured to be the fastest. Without a measurement:
+/// the saving by a scene's reduced equations.
 fn recommended(page: &Page) -> Vec<Sentence> {
     let measured = page.scenes.iter().enumerate().find_map(|(at, scene)| Some((at, scene, scene.advice.as_ref()?)));
     if let Some((at, scene, advice)) = measured {
@@ -254,7 +255,7 @@ fn fastest(scene: &SceneSection, target: f64, choice: &Choice) -> String {
     )
 }
 
-/// The command that runs a scene, and what its own equations keep.
+/// HTML of the command that runs a scene, with the number of states that its reduced equations keep.
 fn own(page: &Page, scene: &SceneSection) -> String {
     let command = format!("<code>tripos simulate {}</code>", escape(&scene.file));
     let Ok(needs) = &scene.needs else { return format!("{command}.") };

@@ -1,4 +1,4 @@
-//! Figures as PNG and PDF, made of the SVG that is drawn.
+//! Figures as PNG and PDF, made from the SVG that is drawn.
 
 use super::{CSS, MOST_PIXELS};
 use crate::failure::Failure;
@@ -6,28 +6,28 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use tripos::Error;
 
-/// Regular and bold, cut down to what labels need.
+/// Fonts DejaVu Sans, regular and bold, reduced to the letters that labels need.
 const FONTS: [&[u8]; 2] =
     [include_bytes!("../../fonts/DejaVuSans.ttf"), include_bytes!("../../fonts/DejaVuSans-Bold.ttf")];
 const FAMILY: &str = "DejaVu Sans";
 
-/// The bytes of a PNG of so many dots of an inch.
+/// Makes the bytes of a PNG of a figure, with `dpi` dots per inch.
 ///
 /// # Errors
-/// [`Failure`] if it has too many pixels.
+/// [`Failure`] if the figure has too many pixels.
 pub fn png(svg: &str, dpi: u32) -> Result<Vec<u8>, Failure> {
     png_of(&tree(svg)?, dpi)
 }
 
-/// The bytes of a PDF: one page, with its fonts.
+/// Makes the bytes of a PDF of a figure: one page, with its fonts.
 ///
 /// # Errors
-/// [`Failure`] if the drawing cannot be read again, which none of ours causes.
+/// [`Failure`] if the SVG cannot be read again, which no figure of this program causes.
 pub fn pdf(svg: &str) -> Result<Vec<u8>, Failure> {
     pdf_of(&tree(svg)?)
 }
 
-/// The parsed SVG, with its letters laid out in the fonts of this crate.
+/// Parses the SVG of a figure, with its letters laid out in the fonts of this crate.
 fn tree(svg: &str) -> Result<Tree, Failure> {
     let mut options = Options { font_family: FAMILY.to_owned(), ..Options::default() };
     let fonts = options.fontdb_mut();
@@ -54,13 +54,13 @@ fn png_of(tree: &Tree, dpi: u32) -> Result<Vec<u8>, Failure> {
     let mut pixels = pixels.ok_or_else(|| failed(&"no picture of this size"))?;
     pixels.fill(Color::WHITE);
     resvg::render(tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
-    // Nothing shines through what is painted on white.
+    // The picture is painted on white, and is opaque: its transparency is dropped.
     let rgb: Vec<u8> = pixels.data().chunks_exact(4).flat_map(|rgba| [rgba[0], rgba[1], rgba[2]]).collect();
     let mut out = Vec::new();
     let mut encoder = png::Encoder::new(&mut out, pixels.width(), pixels.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    // Dots of a metre.
+    // PNG states its resolution in dots per metre.
     let dots = (f64::from(dpi) / 0.0254).round();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1200 dots of an inch")]
     let dots = dots as u32;
@@ -78,7 +78,7 @@ fn pdf_of(tree: &Tree) -> Result<Vec<u8>, Failure> {
     svg2pdf::to_pdf(tree, svg2pdf::ConversionOptions::default(), page).map_err(|error| failed(&error))
 }
 
-/// A figure of ours that cannot be made into another kind of file, which no input causes.
+/// Failure of making a kind of file from a figure of this program, which no input causes.
 fn failed(error: &dyn std::fmt::Display) -> Failure {
     Error::Stopped(format!("the figure cannot be written as this kind of file: {error}")).into()
 }

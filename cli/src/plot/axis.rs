@@ -1,30 +1,30 @@
-//! Axes with ticks that can be read, and labels as a person writes them.
+//! Axes with readable ticks, and labels with units and powers of ten.
 //!
-//! Invariant: no tick shows a rounding error: a tick is a whole number times a power of ten, printed with
-//! the digits of that power.
+//! Invariant: no tick shows a rounding error: a tick is a whole number times a power of ten, printed with the digits of
+//! that power.
 
 use super::{Scale, pretty};
 
-/// An axis: values less `offset`, or their decimal logarithms, from `low` to `high`.
+/// Axis of a panel: values less `offset`, or their decimal logarithms, from `low` to `high`.
 pub struct Axis {
     scale: Scale,
     offset: f64,
     low: f64,
     high: f64,
-    /// Position from 0 to 1, and text.
+    /// Ticks of the axis: position from 0 to 1, and text.
     pub ticks: Vec<(f64, String)>,
-    /// The label, with what was subtracted and the power of ten.
+    /// Label of the axis, with the subtracted offset and the power of ten.
     pub label: String,
 }
 
 impl Axis {
-    /// An axis that holds `values` with a `margin` (part of their range) and about `count` ticks.
+    /// Makes a linear axis for `values` with a `margin`, a fraction of their range, and about `count` ticks.
     pub fn new(values: impl Iterator<Item = f64>, label: &str, margin: f64, count: f64) -> Self {
         let (min, max) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         let (min, max) = if min <= max { (min, max) } else { (0.0, 1.0) };
         let size = min.abs().max(max.abs());
         let range = max - min;
-        // Differences of a few roundings are no shape.
+        // Differences of a few rounding errors are drawn as a flat curve.
         let flat = range <= 8.0 * f64::EPSILON * size || range < 1e-290;
         let offset = if !flat && range < 1e-4 * size { round_near(f64::midpoint(min, max), range) } else { 0.0 };
         let around = if size < 1e-290 { 1.0 } else { 0.1 * size };
@@ -37,11 +37,11 @@ impl Axis {
         axis
     }
 
-    /// A logarithmic axis over whole powers of ten that hold `values`, which are positive, with about `count` ticks.
+    /// Makes a logarithmic axis over whole powers of ten around `values`, which are positive, with about `count` ticks.
     pub fn logarithmic(values: impl Iterator<Item = f64>, label: &str, count: f64) -> Self {
         let (min, max) = values.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
         let (min, max) = if min <= max { (min, max) } else { (1.0, 1.0) };
-        // A value that is a power of ten but for rounding stands on it.
+        // A value that is a power of ten up to rounding lies on that power.
         let (first, last) = (whole((min.log10() + 1e-9).floor()), whole((max.log10() - 1e-9).ceil()));
         let first = first.min(last - 1);
         let every = whole((f64::from(last - first) / count).ceil()).max(1);
@@ -55,12 +55,12 @@ impl Axis {
             };
             ((f64::from(power) - low) / (high - low), text)
         };
-        // From the top, so that the largest power has its tick.
+        // Ticks are counted from the top, so that the largest power has one.
         let ticks = (0..=(last - first) / every).map(|i| tick(last - i * every)).collect();
         Self { scale: Scale::Logarithmic, offset: 0.0, low, high, ticks, label: scaled_label(label, 0.0, 0) }
     }
 
-    /// Sets ticks at multiples of 1, 2 or 5 times a power of ten; gives the power of ten taken out of them.
+    /// Sets ticks at multiples of 1, 2 or 5 times a power of ten; returns the power of ten that was taken out of them.
     fn tick(&mut self, count: f64) -> i32 {
         let rough = (self.high - self.low) / count;
         let decade = whole(rough.log10().floor());
@@ -84,7 +84,7 @@ impl Axis {
         power
     }
 
-    /// Position of a value, from 0 to 1.
+    /// Position of a value on the axis, from 0 at its low end to 1 at its high end.
     pub fn place(&self, value: f64) -> f64 {
         let value = match self.scale {
             Scale::Linear => value - self.offset,
@@ -94,13 +94,13 @@ impl Axis {
     }
 }
 
-/// The number of fewest digits within two ranges of the middle: short to read, close enough to subtract.
+/// Number with the fewest digits within two ranges of the middle: short to read, and near enough to be subtracted.
 fn round_near(middle: f64, range: f64) -> f64 {
     let rounded = (0..17).filter_map(|digits| format!("{middle:.digits$e}").parse::<f64>().ok());
     rounded.into_iter().find(|x| (x - middle).abs() <= 2.0 * range).unwrap_or(middle)
 }
 
-/// `T + V [J]` as `T + V − 24.525 J  [10⁻⁹ J]`.
+/// Writes a label such as `T + V [J]` with offset and power of ten, as `T + V − 24.525 J  [10⁻⁹ J]`.
 fn scaled_label(label: &str, offset: f64, power: i32) -> String {
     let (stem, unit) = match label.trim_end().strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
         Some((stem, unit)) => (pretty(stem), pretty(unit)),
@@ -130,7 +130,7 @@ fn raised(number: &str) -> String {
     number.chars().map(raise).collect()
 }
 
-/// The whole part.
+/// Whole part of a number, rounded towards zero.
 #[expect(clippy::cast_possible_truncation, reason = "saturates, and every place in a figure is small")]
 pub fn whole(x: f64) -> i32 {
     x as i32

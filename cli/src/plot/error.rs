@@ -1,9 +1,9 @@
-//! Why a figure could not be drawn.
+//! Error of drawing a figure.
 
 use plotters::drawing::DrawingAreaErrorKind;
 use std::fmt;
 
-/// Plotters could not draw.
+/// Error of the library plotters: it could not draw a figure.
 #[derive(Debug)]
 pub struct PlotError(String);
 

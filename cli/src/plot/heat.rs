@@ -1,4 +1,4 @@
-//! A table drawn as a heat map: rows and columns of cells, each with its figure in it.
+//! Heat map of a table: rows and columns of coloured cells, each with its value in it.
 
 use super::look::{Canvas, EDGE, extent, line, rectangle, write};
 use super::{Cell, HeatMap, LINE, PlotError, WIDTH, finish, text_width, wrap};
@@ -6,12 +6,12 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 const HEIGHT: f64 = 22.0;
-/// From light to dark; equal steps in lightness, so that it can be read without colour.
+/// Colours from light to dark, in equal steps of lightness, so that the map can be read without colour.
 const COLOURS: [(f64, f64, f64); 4] =
     [(247.0, 252.0, 245.0), (186.0, 228.0, 179.0), (253.0, 174.0, 97.0), (178.0, 60.0, 60.0)];
 const GREY: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
 
-/// The map as one `<svg>` element.
+/// Draws a heat map as one `<svg>` element.
 ///
 /// # Errors
 /// [`PlotError`] if plotters fails, which it does not when it writes to memory.

@@ -1,4 +1,4 @@
-//! Looks of curves, and the strokes that figures are made of.
+//! Looks of curves, and the strokes of which figures consist.
 
 use super::axis::whole;
 use super::error::PlotError;
@@ -8,23 +8,24 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 pub type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// Units of the canvas in a pixel.
+/// Number of units of the canvas per pixel.
 const FINE: f64 = 4.0;
 const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub const GRID: RGBColor = RGBColor(0xe3, 0xe3, 0xe3);
 pub const EDGE: RGBColor = RGBColor(0x88, 0x88, 0x88);
 /// Opacity of a curve's band, from 0 to 1.
 const SHADE: f64 = 0.25;
-/// Width of a marker's outline, unlike that of any curve.
+/// Width of a marker's outline, px; no curve has this width.
 const OUTLINE: f64 = 1.5;
 
-/// Line colour, width and dashes, marker colour and outline in units of its radius; no outline: a circle.
+/// Look of a curve: line colour, width and dashes; marker colour, and outline in units of its radius. Without an
+/// outline the marker is a circle.
 pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
 
-/// The three formulations and a scene's own equations; five printed systems; five wrong ones, which alone are red; the
-/// front of a chart, seven methods, the numeric solve and quadrature. Each has a marker of its own: one marker, one
-/// meaning. A thick light line lies under thin dashed ones, so equal curves all show; colour and width together are
-/// those of one look.
+/// Looks of curves by style: the three formulations and a scene's reduced equations; five printed systems; five wrong
+/// ones, the only red ones; the front of a chart, seven methods, the numeric solve and quadrature. Each has a marker of
+/// its own. A thick light line lies under thin dashed ones, so that equal curves all show. No two looks have equal
+/// colour and width.
 pub const LOOKS: [Look; 24] = [
     Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
@@ -183,18 +184,19 @@ pub const LOOKS: [Look; 24] = [
 
 #[cfg(test)]
 impl Look {
-    /// True if the two looks could be mistaken for each other.
+    /// True if two looks could be mistaken for each other.
     pub fn is_like(&self, other: &Self) -> bool {
         self.4 == other.4 || (self.0 == other.0 && extent(self.1) == extent(other.1))
     }
 }
 
-/// The look of a style; beyond the last one they begin again.
+/// Look of a style; looks repeat after the last one.
 pub fn look(style: usize) -> &'static Look {
     &LOOKS[style % LOOKS.len()]
 }
 
-/// Plotters cuts a dashed line into elements; one attribute does the same. Only curves have such a stroke.
+/// Adds dashes to the curves of a figure. Plotters would cut a dashed line into elements; an attribute does the same.
+/// Only curves have the strokes that are changed.
 pub fn dashed(svg: String) -> String {
     let mut out = svg;
     for Look(RGBColor(r, g, b), width, dashes, ..) in LOOKS.iter().filter(|look| !look.2.is_empty()) {
@@ -208,7 +210,7 @@ pub fn curve(canvas: &Canvas, points: &[(f64, f64)], look: &Look) -> Result<(), 
     line(canvas, points, look.1, look.0)
 }
 
-/// The area between two edges, in a pale shade of the curve that runs through it.
+/// Draws the area between two edges, in a pale shade of the curve's colour.
 pub fn band(canvas: &Canvas, low: &[(f64, f64)], high: &[(f64, f64)], look: &Look) -> Result<(), PlotError> {
     let corners = low.iter().chain(high.iter().rev()).map(|(x, y)| (fine(*x), fine(*y))).collect::<Vec<_>>();
     Ok(canvas.draw(&Polygon::new(corners, look.0.mix(SHADE)))?)
@@ -240,18 +242,18 @@ pub fn rectangle(canvas: &Canvas, a: (f64, f64), b: (f64, f64), color: RGBColor)
 }
 
 pub fn write(canvas: &Canvas, text: &str, at: (f64, f64), side: HPos, style: FontStyle) -> Result<(), PlotError> {
-    // Plotters divides a size by 1.24.
+    // Plotters divides a font size by 1.24.
     let font = FontDesc::new(FontFamily::SansSerif, 12.5 * 1.24 * FINE, style);
     let style = TextStyle::from(font).color(&TEXT).pos(Pos::new(side, VPos::Center));
     Ok(canvas.draw(&Text::new(text, (fine(at.0), fine(at.1)), style))?)
 }
 
-/// Pixels in units of the canvas.
+/// Converts pixels to units of the canvas, rounded.
 fn fine(pixels: f64) -> i32 {
     whole((pixels * FINE).round())
 }
 
-/// A size in units of the canvas.
+/// Converts a size in pixels to units of the canvas, rounded.
 pub fn extent(pixels: f64) -> u32 {
     fine(pixels).unsigned_abs()
 }

@@ -1,37 +1,37 @@
-//! A figure in fewer bytes, for a page that holds many: the same strokes as paths of relative steps, a path for all
-//! strokes of one look that follow one another.
+//! Figure in fewer bytes, for a page that holds many. The strokes become paths of relative steps, one path for all
+//! successive strokes of one look.
 //!
 //! Invariant: a removed point lies within [`SEEN`] of the drawn line, or between the extremes of a column of
-//! [`COLUMN`]; no point is moved. The module reads the output of plotters, an element a line; unknown elements stay
+//! [`COLUMN`]; no point is moved. The module reads the output of plotters, one element per line; unknown elements stay
 //! unchanged.
 
 use std::fmt::Write;
 
-/// A place in units of the canvas, four to a pixel.
+/// Place (x, y) in units of the canvas, four to a pixel.
 type Place = (i64, i64);
 
-/// Units that nobody sees.
+/// Largest distance of a removed point from the drawn line, in units of the canvas: it is not seen.
 const SEEN: f64 = 1.2;
-/// Units that a column of a long curve is wide.
+/// Width of a column of a long curve, in units of the canvas.
 const COLUMN: i64 = 6;
-/// Points of a curve that keeps all of its columns' points.
+/// Largest number of points of a curve that keeps all points of its columns.
 const SHORT: usize = 60;
 
-/// Shape that one element of the SVG draws.
+/// Shape that an element of the SVG draws.
 enum Shape {
     Line(Vec<Place>),
     Area(Vec<Place>),
     Ring(Place, i64),
 }
 
-/// Strokes of one look.
+/// Path of successive strokes with one look.
 struct Path<'a> {
     look: &'a str,
     data: String,
     at: Place,
 }
 
-/// The figure, an `<svg>` element of [`super::draw`], in fewer bytes.
+/// Makes a figure, an `<svg>` element of [`super::draw`], smaller in bytes.
 pub fn slim(svg: &str) -> String {
     let mut out = String::with_capacity(svg.len() / 2);
     let mut path: Option<Path> = None;
@@ -52,7 +52,7 @@ pub fn slim(svg: &str) -> String {
         }
     }
     out += &path.map_or_else(String::new, Path::element);
-    // What is so by itself, and what all words share.
+    // Default values are dropped, and the common font is stated once.
     out.replace(" opacity=\"1\"", "").replace(" font-family=\"sans-serif\"", "").replacen(
         "<svg ",
         "<svg font-family=\"sans-serif\" ",
@@ -60,7 +60,7 @@ pub fn slim(svg: &str) -> String {
     )
 }
 
-/// The look and the shape of a line, if it is a stroke.
+/// Reads the look and the shape of a line of SVG; `None` if it is no stroke.
 fn shape(line: &str) -> Option<(&str, Shape)> {
     if let Some(rest) = line.strip_prefix("<circle cx=\"") {
         let (x, rest) = rest.split_once("\" cy=\"")?;
@@ -82,7 +82,7 @@ fn place(text: &str) -> Option<Place> {
     Some((number(x)?, number(y)?))
 }
 
-/// A whole number; of what is none the element stays as it is.
+/// Reads a whole number; `None` for other text, whose element is not changed.
 fn number(text: &str) -> Option<i64> {
     text.parse().ok()
 }
@@ -107,7 +107,7 @@ impl Path<'_> {
         }
     }
 
-    /// A move to the first place, then a step to each of the others.
+    /// Adds a move to the first place, then a step to each of the others.
     fn line(&mut self, places: &[Place]) {
         self.data.push('m');
         for (count, place) in places.iter().enumerate() {
@@ -120,8 +120,8 @@ impl Path<'_> {
     }
 }
 
-/// The lowest and the highest place of each column, in their order, and the ends. A short curve, or one that turns
-/// back, keeps all places.
+/// Keeps the lowest and the highest place of each column, in their order, and the ends. A short curve, or one that
+/// turns back, keeps all places.
 fn columns(places: Vec<Place>) -> Vec<Place> {
     if places.len() <= SHORT || !places.is_sorted_by(|a, b| a.0 <= b.0) {
         return places;
@@ -138,7 +138,7 @@ fn columns(places: Vec<Place>) -> Vec<Place> {
     kept
 }
 
-/// The places that show (Ramer 1972; Douglas & Peucker 1973).
+/// Keeps the places that are seen in the line (Ramer 1972; Douglas & Peucker 1973).
 fn simple(places: Vec<Place>) -> Vec<Place> {
     if places.len() < 3 {
         return places;
@@ -158,7 +158,7 @@ fn simple(places: Vec<Place>) -> Vec<Place> {
     places.into_iter().zip(is_kept).filter_map(|(place, kept)| kept.then_some(place)).collect()
 }
 
-/// From a place to the stretch between two others.
+/// Distance of a place from the line segment between two others.
 fn distance(place: Place, from: Place, to: Place) -> f64 {
     let minus = |a: Place, b: Place| ((a.0 - b.0) as f64, (a.1 - b.1) as f64);
     let (along, off) = (minus(to, from), minus(place, from));

@@ -2,11 +2,11 @@
 
 use super::axis::whole;
 
-/// Points that a curve keeps whatever its shape.
+/// Largest number of points of a curve that keeps all of them.
 const PLENTY: usize = 2000;
 
-/// Points of a curve that show: all of a short one; of a long one the ends and extremes of each
-/// pixel column, or, where x turns back, the points that are half a pixel apart.
+/// Selects the points of a curve that are seen: all of a short curve. A long one keeps the ends and extremes of each
+/// pixel column, or, if x turns back, points that are half a pixel apart.
 pub fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     if points.len() <= PLENTY {
         return points.to_vec();
@@ -34,7 +34,7 @@ pub fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     kept
 }
 
-/// About 25 points to carry markers; `share` shifts them, so that equal curves show different places.
+/// Selects about 25 points for markers; `share` shifts them, so that equal curves have markers at different places.
 pub fn marked(points: &[(f64, f64)], width: f64, share: f64) -> Vec<(f64, f64)> {
     let spacing = (width / 25.0).max(34.0);
     let mut chosen = Vec::new();
@@ -45,7 +45,7 @@ pub fn marked(points: &[(f64, f64)], width: f64, share: f64) -> Vec<(f64, f64)> 
     };
     if points.is_sorted_by(|a, b| a.0 <= b.0) {
         for pair in points.windows(2) {
-            // Between samples, on the line that is drawn.
+            // Markers between samples lie on the drawn line.
             while next <= pair[1].0 && pair[1].0 > pair[0].0 {
                 let part = ((next - pair[0].0) / (pair[1].0 - pair[0].0)).max(0.0);
                 chosen.push((next, pair[0].1 + part * (pair[1].1 - pair[0].1)));

@@ -1,4 +1,4 @@
-//! A sketch as a picture of `TikZ`, to be put into another document by `\input`.
+//! Sketch of a mechanism as a picture of `TikZ`, for another document to `\input`.
 
 use super::look::of;
 use super::rounded;
@@ -7,10 +7,10 @@ use std::fmt::Write;
 use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, Sketch, Spot, Word};
 use tripos_derive::algebra::text::print::latex_name;
 
-/// Points of a px: letters of 10 points then have the size that their places were found for.
+/// TeX points per px: letters of 10 points then have the size for which their places were found.
 const SCALE: f64 = 0.7;
 
-/// The picture, with what it shows in a comment. It needs the package `tikz` alone.
+/// Writes the picture of a sketch in `TikZ`, with its description in a comment. It needs only the package `tikz`.
 pub fn picture(sketch: &Sketch) -> String {
     let mut out = String::from("% Needs \\usepackage{tikz} in the preamble.\n");
     for line in [&sketch.title, &sketch.about, &sketch.drawn] {
@@ -42,7 +42,7 @@ pub fn picture(sketch: &Sketch) -> String {
     out + "\\end{tikzpicture}\n"
 }
 
-/// A colour as a mixture of red, green and blue, which `xcolor` knows without a name for it.
+/// Colour as a mixture of red, green and blue, which `xcolor` accepts without a name.
 fn colour([r, g, b]: [u8; 3]) -> String {
     format!("{{rgb,255:red,{r};green,{g};blue,{b}}}")
 }
@@ -60,7 +60,7 @@ fn spot(at: Spot) -> String {
     format!("({},{})", rounded(at[0]), rounded(at[1]))
 }
 
-/// A path as `TikZ` writes it.
+/// Path of a mark in the syntax of `TikZ`.
 fn data(path: &Path) -> String {
     let mut out = spot(path.from);
     for part in &path.parts {

@@ -2,19 +2,19 @@
 
 use tripos::pictures::sketch::Role;
 
-/// The look of what a mark or label means.
+/// Look of the marks and labels with one meaning.
 pub struct Look {
-    /// Its name, of a class in SVG and of a style in `TikZ`.
+    /// Name of the look: a class in SVG, and a style in `TikZ`.
     pub name: &'static str,
-    /// The width of its line, px.
+    /// Width of lines, px.
     pub wide: f64,
-    /// The lengths of its dashes and gaps, px; none of a line without.
+    /// Lengths of dashes and gaps, px; `None` for a solid line.
     pub dashes: Option<(f64, f64)>,
-    /// The colour of lines and words, red, green and blue, on white.
+    /// Colour of lines and words, red, green and blue, on a white ground.
     pub ink: [u8; 3],
-    /// The colour inside outlines, red, green and blue, on white.
+    /// Colour inside outlines, red, green and blue, on a white ground.
     pub shade: [u8; 3],
-    /// The two in the dark.
+    /// Colours on a dark ground: of lines and words, then inside outlines.
     pub dark: [[u8; 3]; 2],
 }
 
@@ -29,7 +29,7 @@ const fn look(name: &'static str, wide: f64, ink: [u8; 3], shade: [u8; 3], dark:
     Look { name, wide, dashes: None, ink, shade, dark }
 }
 
-/// The look of a role.
+/// Look of the marks and labels with this meaning.
 pub fn of(role: Role) -> Look {
     match role {
         Role::Ground => look("ground", 0.8, GREY, [0xf4, 0xf3, 0xee], [PALE_GREY, [0x20, 0x22, 0x26]]),

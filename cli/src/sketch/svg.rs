@@ -1,4 +1,4 @@
-//! A sketch as SVG.
+//! Sketch of a mechanism as SVG.
 
 use super::look::{Look, of};
 use super::rounded;
@@ -7,7 +7,7 @@ use std::fmt::Write;
 use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, Sketch, Spot, Word};
 use tripos_derive::algebra::text::print::name_parts;
 
-/// A file of its own, in light and in dark colours as the system has them.
+/// Writes a sketch as an SVG file of its own, in light and in dark colours, as the system prefers.
 pub fn document(sketch: &Sketch) -> String {
     let colour = |[r, g, b]: [u8; 3]| format!("#{r:02x}{g:02x}{b:02x}");
     let mut style = String::from("text{font:15px \"STIX Two Text\",\"Times New Roman\",Times,serif;stroke:none}\n");
@@ -21,7 +21,7 @@ pub fn document(sketch: &Sketch) -> String {
     format!("{}\n", element(sketch, &format!("<style>{style}}}</style>\n")))
 }
 
-/// An element for a page that styles its classes.
+/// Writes a sketch as an `<svg>` element for a page that styles its classes.
 pub fn figure(sketch: &Sketch) -> String {
     element(sketch, "")
 }
@@ -40,7 +40,7 @@ fn element(sketch: &Sketch, style: &str) -> String {
          viewBox=\"0 0 {width} {height}\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>{title}</title>\n<desc>{}</desc>\n{style}",
         escape(&format!("{} {}", sketch.about, sketch.drawn)),
     );
-    // Lines of one look that follow one another are one element.
+    // Successive lines of one look become one element.
     let mut marks = sketch.marks.as_slice();
     while let Some(first) = marks.first() {
         let alike = |mark: &&Mark| mark.role == first.role && mark.paint == first.paint && first.paint == Paint::Line;
@@ -68,7 +68,7 @@ fn path(marks: &[Mark]) -> String {
     format!("<path class=\"{}{paint}\" stroke-width=\"{wide}\"{dashes} d=\"{}\"/>\n", look.name, data.concat())
 }
 
-/// A path as SVG writes it.
+/// Path of a mark in the syntax of SVG.
 fn data(path: &Path) -> String {
     let spot = |at: Spot| format!("{} {}", rounded(at[0]), rounded(at[1]));
     let mut out = format!("M{}", spot(path.from));
@@ -84,7 +84,7 @@ fn data(path: &Path) -> String {
     out
 }
 
-/// A label, its words centred; the base line is a third of a letter below the middle.
+/// Element of a label with centred words; the base line is a third of a letter below the middle.
 fn words(label: &Label) -> String {
     let inside: String = label.words.iter().map(word).collect();
     let (x, y) = (rounded(label.at[0]), rounded(label.at[1] + 4.5));
@@ -95,7 +95,7 @@ fn word(word: &Word) -> String {
     match word {
         Word::Name(name) => {
             let (letters, subscript, _) = name_parts(name);
-            // Words stand upright, letters slanted.
+            // A name of several letters is upright, a single letter slanted.
             let style = if letters.chars().count() > 1 { "" } else { " font-style=\"italic\"" };
             format!("<tspan{style}>{}</tspan>{}", escape(&letters), lowered(&subscript))
         }
@@ -108,7 +108,7 @@ fn word(word: &Word) -> String {
     }
 }
 
-/// A subscript, and back to the line of the words.
+/// Elements of a subscript, and of the return to the line of the words.
 fn lowered(subscript: &str) -> String {
     if subscript.is_empty() {
         return String::new();

@@ -1,4 +1,4 @@
-//! Sentences on the studies of a singular surface. Every number in a sentence is one of their findings.
+//! Sentences on the studies of a singular surface. Every number in a sentence is a finding of these studies.
 
 use crate::plot::pretty;
 use tripos::studies::stability::{Findings, Looked, Passed, Variable};
@@ -9,9 +9,9 @@ use tripos_derive::scene::Solve;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
-/// Errors this many times larger are another order of loss, not another rounding.
+/// Ratio of two errors above which the larger one is another loss of digits, not only another rounding.
 const CLEARLY: f64 = 3.0;
-/// Passages nearer than this show what a singular surface does to rounding.
+/// Largest least divisor of a passage that shows the effect of a singular surface on rounding.
 const NEAR: f64 = 0.05;
 
 fn divisor(model: &Model) -> String {
@@ -19,7 +19,7 @@ fn divisor(model: &Model) -> String {
     first.map(|d| pretty(&text(&model.arena, *d))).unwrap_or_default()
 }
 
-/// `a, b and c`.
+/// Lists names as a sentence does: `a, b and c`.
 fn joined(list: &[String]) -> String {
     match list {
         [] => String::new(),
@@ -32,7 +32,7 @@ fn size(error: Option<f64>) -> String {
     error.map_or_else(|| "no end".to_owned(), |e| format!("{e:.0e}"))
 }
 
-/// Caption of the heat map.
+/// Caption of the heat map of passages.
 pub fn passages(model: &Model, findings: &Findings) -> String {
     let seen = format!(
         "Each column is a start that brings |{}| down to the size above it, each row a way to run it; a cell has the largest \
@@ -43,14 +43,15 @@ pub fn passages(model: &Model, findings: &Findings) -> String {
     [Some(seen), solves(&findings.passages)].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
-/// Errors by rung, widest first, of the runs of one kind.
+/// Passages of the runs of one kind by DOP853, from the farthest to the nearest.
 fn errors(list: &[Passed], of: impl Fn(&Passed) -> bool) -> Vec<&Passed> {
     let mut runs: Vec<&Passed> = list.iter().filter(|p| p.method == Method::Dop853.name() && of(p)).collect();
     runs.sort_by(|a, b| b.least.total_cmp(&a.least));
     runs
 }
 
-/// Sentence on the least divisor that each solve passes in the distance, with its error.
+/// Sentence on the least divisor that each solve passes when it integrates the distance, with its error; `None` if
+/// there is none.
 fn solves(list: &[Passed]) -> Option<String> {
     let mut parts = Vec::new();
     for solve in Solve::ALL {
@@ -71,7 +72,8 @@ fn solves(list: &[Passed]) -> Option<String> {
         .then(|| format!("The narrowest that dop853 passes in the distance, and its error then: {}.", joined(&parts)))
 }
 
-/// Errors with which a scene's own equations pass the singularity, by each method that was run.
+/// Sentence on the errors with which a scene's reduced equations pass the singularity, for each method; `None` if they
+/// were not run.
 pub fn own(list: &[Passed]) -> Option<String> {
     let own: Vec<&Passed> = list.iter().filter(|p| p.by.is_reduced()).collect();
     let mut methods: Vec<&str> = own.iter().map(|p| p.method).collect();
@@ -91,8 +93,8 @@ pub fn own(list: &[Passed]) -> Option<String> {
         .then(|| format!("The scene's own reduced equations pass at {} {}.", joined(&places), parts.join("; ")))
 }
 
-/// Sentence for the case that Lagrange's equations keep digits in the coordinate itself that formulations in other
-/// speeds lose, with their errors in the distance; `None` if the findings do not show it.
+/// Sentence for the case that Lagrange's equations, integrated in the coordinate itself, keep digits that formulations
+/// in other speeds lose. It states the errors of both, also in the distance; `None` if the findings do not show it.
 pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
     let of = |formulation: Formulation, variable: Variable| {
         let by = By::from(formulation);
@@ -127,7 +129,7 @@ pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
     ))
 }
 
-/// The first rate of a coordinate that divides by what vanishes, as an equation.
+/// Equation of the first rate of a coordinate that divides by the vanishing divisor; `None` if there is none.
 fn rate(model: &Model) -> Option<String> {
     let equations = &model.kinematic_equations;
     let divisor = *equations.divisors.first()?;
@@ -136,7 +138,7 @@ fn rate(model: &Model) -> Option<String> {
     Some(pretty(&format!("{}' = {}", coordinate.name, text(&model.arena, *rate))))
 }
 
-/// Caption of the figure of errors and condition numbers.
+/// Caption of the figure of errors and condition numbers along a passage.
 pub fn conditioning(model: &Model, findings: &Findings) -> String {
     let divisor = divisor(model);
     let mut list = vec![format!(
@@ -150,14 +152,14 @@ pub fn conditioning(model: &Model, findings: &Findings) -> String {
             places.push(looked.divisor);
         }
     }
-    // Half way in, and as near as it comes.
+    // The places are half way in, and the nearest one.
     let middle = places.get(places.len() / 2).copied();
     let last = places.last().copied().filter(|_| places.len() / 2 + 1 < places.len());
     list.extend([middle, last].into_iter().flatten().filter_map(|place| at(&findings.looked, place, &divisor)));
     list.join(" ")
 }
 
-/// Findings at one place of a passage: errors and condition numbers.
+/// Sentence on the errors and condition numbers at one place of a passage; `None` without findings there.
 fn at(list: &[Looked], place: f64, divisor: &str) -> Option<String> {
     let here = |solve: Solve| list.iter().filter(move |l| l.divisor.total_cmp(&place).is_eq() && l.solve == solve);
     let eliminated = here(Solve::Eliminated).map(|l| l.error).reduce(f64::max)?;

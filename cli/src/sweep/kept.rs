@@ -1,37 +1,37 @@
-//! The rows of an unfinished table that stay when its sweep goes on.
+//! Rows of an unfinished table that are kept when its sweep is resumed.
 //!
 //! Invariant: the kept bytes are those that the sweep would write again: its header, then whole rows of its first
-//! points, in order. A last row that was cut off is dropped; any other content is not of this sweep, and refused.
+//! points, in order. A last row that was cut off is dropped; any other content is refused.
 
 use super::summary::Tally;
 use super::table::Columns;
 use std::io::{self, BufRead, BufReader, Read};
 use std::ops::Range;
 
-/// The kept part of an unfinished table.
+/// Kept part of an unfinished table.
 #[derive(Default)]
 pub struct Kept {
-    /// Number of whole rows.
+    /// Number of whole rows that are kept.
     pub rows: u64,
-    /// Bytes, the header among them; 0 if not even that was whole.
+    /// Number of bytes that are kept, the header among them; 0 if not even the header was whole.
     pub bytes: u64,
-    /// Counts of the ways in which the rows ended.
+    /// Counts of the outcomes of the kept rows.
     pub tally: Tally,
 }
 
-/// Why an unfinished table is not one of this sweep.
+/// Reason why an unfinished table does not belong to this sweep.
 pub enum Alien {
-    /// Content that this sweep would not write, in words.
+    /// The table has content that this sweep would not write; the reason in words.
     Other(String),
-    /// It cannot be read.
+    /// The table cannot be read.
     Unread(io::Error),
 }
 
 impl Kept {
-    /// Reads what is left of the table of these points.
+    /// Reads the part of an unfinished table that can be kept, for these points of the sweep.
     ///
     /// # Errors
-    /// [`Alien`] if it is not of this sweep, or cannot be read.
+    /// [`Alien`] if the table is not of this sweep, or cannot be read.
     pub fn read(left: impl Read, columns: &Columns, points: &Range<u64>) -> Result<Self, Alien> {
         let mut kept = Self::default();
         let mut lines = BufReader::new(left);
@@ -63,14 +63,14 @@ impl Kept {
     }
 }
 
-/// Reads the next line, which may have line ends between quotes; false if there is none that is whole.
+/// Reads the next line of CSV, which may have line ends between quotes; false if no whole line is left.
 fn whole_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
     line.clear();
     loop {
         if lines.read_until(b'\n', line)? == 0 || !line.ends_with(b"\n") {
             return Ok(false);
         }
-        // What stands outside of quotes, and between them.
+        // Quotes divide a line into pieces outside and inside of them: a whole line has an odd number.
         let pieces = line.split(|byte| *byte == b'"').count();
         if pieces % 2 == 1 {
             return Ok(true);
@@ -78,7 +78,7 @@ fn whole_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> 
     }
 }
 
-/// The fields of a line, if it is one.
+/// Fields of a line of CSV; `None` if it is not a valid record.
 fn fields(line: &[u8]) -> Option<csv::StringRecord> {
     let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
     let mut record = csv::StringRecord::new();

@@ -1,8 +1,8 @@
-//! Record of the request that an unfinished table was begun with, beside it as `FILE.part.json` until the table is
-//! whole.
+//! Record of the request with which an unfinished table was begun. It lies beside the table as `FILE.part.json` until
+//! the table is whole.
 //!
-//! Invariant: a sweep goes on only with the request that it was begun with. All that a row depends on is in the record:
-//! the texts of the files, the values, the points, the equations, and how they are integrated.
+//! Invariant: a sweep is resumed only with the request with which it was begun. Everything that a row depends on is in
+//! the record: the texts of the files, the values, the points, the equations, and the integration.
 
 use crate::failure::Failure;
 use crate::output::text;
@@ -15,11 +15,11 @@ use tripos_derive::model::text_hash;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::publication::hash_beside;
 
-/// All settings that determine the rows of a sweep, by name.
+/// Record of all settings that determine the rows of a sweep, by name.
 pub struct Record(Vec<(&'static str, String)>);
 
 impl Record {
-    /// The record of a sweep, with the values that vary as they were written, and the part of the points.
+    /// Makes the record of a sweep; `over` has the varied values as they were written, `shard` the part of the points.
     pub fn new(sweep: &Sweep<'_>, over: &[String], shard: &str) -> Self {
         let Sweep { model, scene, by, solve, code, tells_digits, .. } = sweep;
         Self(vec![
@@ -38,20 +38,20 @@ impl Record {
         ])
     }
 
-    /// Writes it beside an unfinished table.
+    /// Writes the record to its file beside an unfinished table.
     ///
     /// # Errors
-    /// [`Failure`] if it cannot be written.
+    /// [`Failure`] if the record cannot be written.
     pub fn write(&self, part: &Path) -> Result<(), Failure> {
         let entries: Map<String, Value> =
             self.0.iter().map(|(name, value)| ((*name).to_owned(), value.clone().into())).collect();
         text(&place(part), &format!("{:#}\n", Value::Object(entries)))
     }
 
-    /// Refuses an unfinished table that was begun with anything else.
+    /// Refuses an unfinished table that was begun with other settings.
     ///
     /// # Errors
-    /// [`Failure::Refused`] with all that differs.
+    /// [`Failure::Refused`] with all settings that differ.
     pub fn check(&self, part: &Path) -> Result<(), Failure> {
         let beside = place(part);
         let read = std::fs::read_to_string(&beside).ok().and_then(|text| serde_json::from_str::<Value>(&text).ok());
@@ -77,11 +77,11 @@ impl Record {
 
 /// Removes the record of a table that is whole.
 pub fn remove(part: &Path) {
-    // Without its part nobody reads it.
+    // Without its unfinished table the record is never read: a failure does not matter.
     let _ = std::fs::remove_file(place(part));
 }
 
-/// An unfinished table that is not of this sweep.
+/// Failure for an unfinished table that does not belong to this sweep, with the reason.
 pub fn refused(part: &Path, why: &str) -> Failure {
     Failure::request(format!("`{}` was begun by another sweep: {why}", path_in_line(part)), HELP)
 }

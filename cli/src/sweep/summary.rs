@@ -4,28 +4,29 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use tripos::studies::sweep::Row;
 
-/// Counts of rows by how they ended.
+/// Counts of a sweep's rows by their outcomes.
 #[derive(Default)]
 pub struct Tally {
-    /// Counts by the code of the stop.
+    /// Counts of rows, by the code of the stop.
     stops: BTreeMap<String, Count>,
 }
 
-/// Number of rows that ended in one way.
+/// Number of rows with one code of the stop.
 #[derive(Default)]
 struct Count {
     rows: u64,
-    /// The first point without an answer, and why it has none.
+    /// First point without an answer, and the reason why it has none; `None` if all have answers.
     failure: Option<(u64, String)>,
 }
 
 impl Tally {
-    /// Counts a row.
+    /// Counts a row of the sweep.
     pub fn add(&mut self, row: &Row) {
         self.count(row.point, row.stop(), row.failure());
     }
 
-    /// Counts a row by its point, the code of its stop, and why it has no answer, if it has none.
+    /// Counts a row by its point and the code of its stop; `failure` is the reason why it has no answer, if it has
+    /// none.
     pub fn count(&mut self, point: u64, stop: &str, failure: Option<&str>) {
         let count = self.stops.entry(stop.to_owned()).or_default();
         count.rows += 1;
@@ -34,12 +35,12 @@ impl Tally {
         }
     }
 
-    /// Rows without an answer.
+    /// Number of rows without an answer.
     pub fn failed(&self) -> u64 {
         self.stops.values().filter(|count| count.failure.is_some()).map(|count| count.rows).sum()
     }
 
-    /// A line for each way in which rows ended.
+    /// Text of the counts, a line for each code of the stop.
     pub fn text(&self) -> String {
         let mut out = String::new();
         for (stop, Count { rows, failure }) in &self.stops {
@@ -51,7 +52,7 @@ impl Tally {
         out
     }
 
-    /// `{CODE: {rows, first, reason}}`, the last two only of those without an answer.
+    /// JSON `{CODE: {rows, first, reason}}`; rows without an answer have `first` and `reason`.
     pub fn json(&self) -> serde_json::Value {
         let entry = |Count { rows, failure }: &Count| match failure {
             None => serde_json::json!({ "rows": rows }),

@@ -1,10 +1,10 @@
-//! The table of a sweep.
+//! Table of a sweep in CSV.
 //!
 //! Invariant: a number is written as the shortest text that reads back to the same double.
 
 use tripos::studies::sweep::{NO_START, Row, Sweep};
 
-/// The columns of the table.
+/// Columns of the table of a sweep.
 pub struct Columns {
     names: Vec<String>,
     stop: usize,
@@ -14,14 +14,14 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// For a sweep: `index`, `over:NAME` for each name, `t_end`, `stop`, the state at the end, `steps`, `rejected`,
-    /// `evaluations`, the change of each first integral, `digits` if they are told, `reason`.
+    /// Makes the columns for a sweep: `index`, `over:NAME` for each varied name, `t_end`, `stop`, the state at the end,
+    /// `steps`, `rejected`, `evaluations`, the change of each first integral, `digits` if wanted, `reason`.
     pub fn new(sweep: &Sweep<'_>) -> Self {
         let states = sweep.names.clone();
         let changes: Vec<String> = sweep.conserved().iter().map(|name| format!("change of {name}")).collect();
         let fixed = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
         let swept: Vec<String> = sweep.grid.names().into_iter().map(|name| format!("over:{name}")).collect();
-        // Behind the index, what varies and t_end.
+        // The columns before it are the index, the varied values and t_end.
         let stop = swept.len() + 2;
         let counts = [states.len(), changes.len()];
         let names = [
@@ -37,7 +37,7 @@ impl Columns {
         Self { names: names.concat(), stop, states: counts[0], changes: counts[1], tells_digits: sweep.tells_digits }
     }
 
-    /// A name that two columns have: that of an output, which a scene may choose, and one of the table's own.
+    /// Name that two columns have, since a scene may choose any name for an output; `None` if all names differ.
     pub fn twice(&self) -> Option<&str> {
         let is_twice = |(at, name): &(usize, &String)| self.names[..*at].contains(name);
         self.names.iter().enumerate().find(is_twice).map(|(_, name)| name.as_str())
@@ -53,12 +53,12 @@ impl Columns {
         self.stop
     }
 
-    /// The first line.
+    /// First line of the table, with the names of the columns.
     pub fn header(&self) -> Vec<u8> {
         lines([self.names.clone()].into_iter())
     }
 
-    /// The lines of some rows.
+    /// Lines of the table for these rows, as CSV.
     pub fn lines(&self, rows: &[Row]) -> Vec<u8> {
         lines(rows.iter().map(|row| self.fields(row)))
     }
@@ -88,7 +88,7 @@ impl Columns {
     }
 }
 
-/// Records as lines of CSV.
+/// Writes records as lines of CSV.
 fn lines(records: impl Iterator<Item = Vec<String>>) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for record in records {
@@ -97,9 +97,9 @@ fn lines(records: impl Iterator<Item = Vec<String>>) -> Vec<u8> {
     writer.into_inner().expect("memory takes everything")
 }
 
-/// The shortest decimal text that reads back to this double: `0.01`, `1e-3`, `NaN`.
+/// Shortest decimal text that reads back to this double: `0.01`, `1e-3`, `NaN`.
 pub fn shortest(x: f64) -> String {
-    // No text with an exponent is shorter.
+    // For such numbers no text with an exponent is shorter.
     if x.is_finite() && x.abs() >= 0.01 && x.fract().abs() > 0.0 {
         return x.to_string();
     }

@@ -1,29 +1,29 @@
-//! Data of the viewer, as JSON.
+//! Data of the viewer as JSON.
 //!
-//! Invariant: places and attitudes are whole multiples of a step too small to be seen, written as differences from one
-//! instant to the next, so that the sums are exact and the file is short.
+//! Invariant: places and attitudes are whole multiples of a step that is too small to be seen. They are written as
+//! differences from one instant to the next, so that the sums are exact and the file is short.
 
 use super::{Home, Live, Seen};
 use serde_json::{Map, Value, json};
 use tripos::pictures::view::{ArrowKind, Forces, Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
 
-/// Steps of places, of the size of the mechanism, and of Euler parameters.
+/// Steps of the data: of places, over the size of the mechanism, and of Euler parameters.
 const STEPS: (f64, f64) = (5e-5, 1e-4);
-/// Steps of forces, of the usual one.
+/// Step of the data of forces, over the usual force.
 const FORCE: f64 = 1e-4;
-/// Steps of time, of the span.
+/// Step of the data of times, over the span.
 const TIME: f64 = 1e-6;
-/// Points of which all are named, traced and told.
+/// Largest number of points of a mechanism with which all points are kept in the data, named and traced.
 const MOST_POINTS: usize = 60;
-/// Bytes that one number takes, about.
+/// Estimated number of bytes of a number in the data.
 const NUMBER: usize = 4;
 
-/// JSON as the content of an element `script`: it cannot end there.
+/// Writes JSON as the content of an element `script`, which it cannot end.
 pub fn as_script(value: &Value) -> String {
     value.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
 
-/// Frames and points that are shown, and their places in what is written.
+/// Points and frames of the mechanism that are shown; their indices in these lists are those in the data.
 struct Kept {
     points: Vec<usize>,
     frames: Vec<usize>,
@@ -66,20 +66,20 @@ fn place(form: &Form) -> Option<&Place> {
     }
 }
 
-/// Number of pictures of each motion that fit into so many bytes.
+/// Largest number of frames of each motion that fit into this number of bytes.
 fn most(seen: &Seen<'_>, kept: &Kept, bytes: usize) -> usize {
     let forces = seen.motions.first().map_or(0, |motion| motion.forces.list.len());
     let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * forces;
     (bytes / (each * NUMBER)).max(2)
 }
 
-/// True if the pictures that fit are close enough in time to show how every body turns.
+/// True if the frames that fit into the bytes are close enough in time to show how every body turns.
 pub fn turns_truly(seen: &Seen<'_>, bytes: usize) -> bool {
     let most = most(seen, &Kept::of(seen), bytes);
     seen.motions.iter().all(|m| m.turns_truly(&m.thinned(seen.view.size, most).0))
 }
 
-/// All that the viewer knows of a view, in about so many bytes.
+/// Writes all data of a view for the viewer, in about this number of bytes.
 pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Value {
     let kept = Kept::of(seen);
     let live = match live {
@@ -113,7 +113,7 @@ pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Va
     })
 }
 
-/// The forces of the first motion: what they are, and their components in steps of so many N.
+/// Forces of the first motion as JSON: kind, name and point of each, and its components in whole steps.
 fn arrows(forces: &Forces, kept: &Kept) -> Value {
     let step = FORCE * forces.usual;
     let list = forces.list.iter().enumerate().map(|(at, arrow)| {
@@ -170,7 +170,7 @@ fn solid(solid: &Solid, kept: &Kept) -> Value {
     Value::Object(out)
 }
 
-/// Six significant digits.
+/// Rounds a number to six significant digits.
 fn short(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
@@ -186,7 +186,8 @@ fn motion(motion: &Motion, kept: &Kept, size: f64) -> Value {
     let frames = kept.frames.iter().map(|frame| {
         let mut turns: Vec<Quaternion> = motion.poses.iter().map(|pose| quaternion(&pose.rotations[*frame])).collect();
         for at in 1..turns.len() {
-            // Of the two that turn alike the nearer, so that differences are small.
+            // Two Euler parameters of opposite signs turn alike: the nearer one is taken, so that differences are
+            // small.
             let same: f64 = turns[at].iter().zip(&turns[at - 1]).map(|(a, b)| a * b).sum();
             if same < 0.0 {
                 turns[at] = turns[at].map(|x| -x);
@@ -207,7 +208,7 @@ fn motion(motion: &Motion, kept: &Kept, size: f64) -> Value {
     })
 }
 
-/// Differences in whole steps; of what never changes its first value alone.
+/// Differences in whole steps; a value that never changes is written only once.
 fn differences<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
     let mut list = stepped(values, step);
     if list.iter().skip(N).all(|change| *change == 0) {

@@ -1,7 +1,7 @@
-//! The equations of a view in the page itself: the values that sliders change, and the reason if there are none.
+//! Equations of a view in the page itself: the values that sliders change, and the reason if there are none.
 //!
-//! Invariant: all mechanics in the page is planned from the model here; texts reach it as data. Absent on purpose:
-//! impacts, and drives that bend or jump, where steps have to end.
+//! Invariant: all mechanics in the page is planned from the model here; texts reach the page as data. Absent on
+//! purpose: impacts, and drives that bend or jump in time, at which steps would have to end.
 
 use super::{Home, Seen};
 use crate::failure::Failure;
@@ -15,21 +15,21 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::By;
 use tripos_traits::{AbsoluteTolerance, Direction};
 
-/// The step errors, relative and absolute, that a run in the page is allowed at most.
+/// Largest error of a step, relative and absolute, that a run in the page is allowed.
 const TOLERANCE: f64 = 1e-10;
-/// Choice whether a view runs its equations.
+/// Decision whether a view runs equations.
 pub enum Live {
-    /// It runs them.
+    /// The view runs these equations.
     Runs(Running),
-    /// It does not, for this reason, in words.
+    /// The view runs no equations, for this reason, in words.
     Rests(String),
 }
 
 /// Equations and data with which a view runs.
 pub struct Running {
-    /// The equations: an expression of JavaScript.
+    /// Equations as an expression of JavaScript.
     pub equations: String,
-    /// The start of the run, its settings, and its sliders.
+    /// Start of the run, its settings, and its sliders, as JSON.
     pub data: Value,
     /// Title of the equations, for a heading.
     pub title: String,
@@ -39,7 +39,7 @@ impl Running {
     /// Data for a viewer that shows these points and frames of the mechanism.
     pub fn shown(&self, points: &[usize], frames: &[usize]) -> Value {
         let mut data = self.data.clone();
-        // The first equations of the page.
+        // Index of the equations in the list of the page: the first.
         data["equations"] = json!(0);
         data["points"] = json!(points);
         data["frames"] = json!(frames);
@@ -47,7 +47,7 @@ impl Running {
     }
 }
 
-/// A feature of the scene that the page cannot compute, in words; `None` if it can run the scene.
+/// Reason, in words, why the page cannot run the scene; `None` if it can.
 fn missing(seen: &Seen<'_>) -> Option<&'static str> {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     if mechanism.speeds.is_empty() {
@@ -62,7 +62,7 @@ fn missing(seen: &Seen<'_>) -> Option<&'static str> {
 }
 
 impl Live {
-    /// Plans the equations that the first motion of a view was run by, as far as there is room for them.
+    /// Plans the equations by which the first motion of a view was run, if their code is short enough.
     ///
     /// # Errors
     /// [`Failure`] if there are no such equations.
@@ -93,7 +93,7 @@ impl Live {
         }
         let title = by.title();
         let mut data = data(seen, &plan, &stops, &title);
-        // Where the independent speeds fail, all rates may go on.
+        // If the independent speeds fail on the way, the equations in all rates may go on.
         if !mechanism.loops.is_empty() && written.solved.is_some() {
             let lagrange = By::from(Formulation::Lagrange);
             let general = Written::unsolved(derivation(mechanism, &lagrange)?);
@@ -109,10 +109,10 @@ impl Live {
     }
 }
 
-/// Conditions that end a run: the domain, and terminal events.
+/// Conditions that end a run in the page: the domain, and terminal events.
 struct Stops {
     watched: Vec<Watched>,
-    /// In which direction each ends it, as `run` of the page takes it.
+    /// Direction in which each condition ends a run, as `run` of the page expects it: −1 falling, 1 rising, 0 either.
     directions: Vec<i8>,
     /// True for a condition that must hold at the start.
     holds: Vec<bool>,
@@ -142,13 +142,13 @@ impl Stops {
     }
 }
 
-/// `places`: what poses follow from.
+/// Function `places` of the page: turns and places of links, from which poses follow.
 fn places(planner: &Planner<'_>) -> Function {
     let values = named("place", Links::of(planner.model).values);
     planner.function("places", "The turns and places of links.", Arguments::Configuration, Returns::Vector, &values)
 }
 
-/// `sizes`: what shapes of the file measure, one solid after the other.
+/// Function `sizes` of the page: dimensions of the shapes in the model file, one solid after the other.
 fn sizes(planner: &Planner<'_>, seen: &Seen<'_>) -> Function {
     let values = named("size", lengths(seen.mechanism).into_iter().flatten().map(|(_, e)| e).collect());
     planner.function("sizes", "The sizes of shapes.", Arguments::Configuration, Returns::Vector, &values)
@@ -158,7 +158,7 @@ fn named(stem: &str, values: Vec<Expr>) -> Vec<(String, String, Expr)> {
     values.into_iter().enumerate().map(|(at, e)| (format!("{stem}_{at}"), format!("{stem} {at}"), e)).collect()
 }
 
-/// Data of the run, and of the values that can be changed.
+/// Data of the run in the page, and of the values that can be changed, as JSON.
 fn data(seen: &Seen<'_>, plan: &MotionPlan, stops: &Stops, title: &str) -> Value {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     let links = Links::of(mechanism);
@@ -172,7 +172,7 @@ fn data(seen: &Seen<'_>, plan: &MotionPlan, stops: &Stops, title: &str) -> Value
         "title": title,
         "p": scene.parameters, "q": scene.q, "u": scene.u,
         "span": [scene.span.0, scene.span.1],
-        // Finer than the scene's own where that is fine: an error that is 0 is none that steps could have.
+        // Tolerances are at most those of the scene, but above zero: steps cannot have an error of 0.
         "rtol": TOLERANCE.min(scene.integration.rtol).max(1e-13),
         "atol": TOLERANCE.min(least).max(1e-30),
         "directions": at(&stops.directions),
@@ -182,16 +182,16 @@ fn data(seen: &Seen<'_>, plan: &MotionPlan, stops: &Stops, title: &str) -> Value
         "conserves": !plan.has_power && !mechanism.is_driven(),
         "links": { "frames": links.frames, "points": links.points },
         "sizes": if seen.view.is_stated { keys.collect::<Vec<_>>() } else { Vec::new() },
-        // Where solids touch, and their middles: their radii follow from the distance.
+        // Point of contact and middle point of each solid that touches: its radius follows from their distance.
         "touches": seen.view.solids.iter().map(|solid| Some([solid.touches?, *solid.form.points().first()?])).collect::<Vec<_>>(),
         "parameters": parameters(seen),
         "start": start(seen),
-        // Coordinates that close the loops, if the scene leaves some open.
+        // Coordinates that close the loops, if the scene leaves some to be solved for.
         "closing": closing(seen),
     })
 }
 
-/// A slider from one value to another.
+/// JSON of a slider from one value to another; `at` is the index of the value that it changes.
 fn slider(name: &str, about: &str, unit: &str, at: usize, value: f64, (from, to): (f64, f64)) -> Value {
     json!({ "name": name, "about": about, "unit": unit, "at": at, "value": value, "from": from, "to": to })
 }
@@ -212,7 +212,7 @@ fn parameters(seen: &Seen<'_>) -> Vec<Value> {
     values.map(of).collect()
 }
 
-/// The places of the coordinates that a scene's loops determine.
+/// Indices of the coordinates that a scene's loops determine.
 fn closing(seen: &Seen<'_>) -> Vec<usize> {
     let is_closed = |name: &str| seen.scene.closed.iter().any(|closed| closed.name == name);
     let coordinates = seen.mechanism.coordinates.iter().enumerate();
@@ -243,7 +243,7 @@ fn start(seen: &Seen<'_>) -> Vec<Value> {
     coordinates.chain(speeds).collect()
 }
 
-/// A unit as it stands behind a number; angles are in rad, and numbers have none.
+/// Unit as text behind a number; empty for angles, which are in rad, and for plain numbers.
 fn unit(unit: &tripos_derive::model::Unit) -> String {
     if unit.is_plain() { String::new() } else { unit.to_string() }
 }

@@ -1,4 +1,4 @@
-//! The modules of any one model file, beside what runs them.
+//! JavaScript modules of any model file, with the modules that run them.
 
 use super::{Module, RUNNERS, Written};
 use crate::emit::Emission;
@@ -11,25 +11,25 @@ use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::mechanics::Derivation;
 use tripos_derive::{Equations, Formulation, Model};
 
-/// Extension of JavaScript files: modules, for Node as for browsers.
+/// Extension of JavaScript modules, for Node and for browsers.
 pub const EXTENSION: &str = "mjs";
 
-/// Emits the JavaScript modules of a model: of these formulations alone, or, if none are named, of all that the model
-/// supports and of the printed equations of the publication beside it.
+/// Emits the JavaScript modules of a model. They contain the given formulations, or, if none are given, all that the
+/// model supports and the printed equations of the publication beside it.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model file or the publication; a formulation that is named and cannot be had is one.
+/// [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not support.
 pub fn emit_model(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     let mut modules = Modules::new(model)?;
     let left_out = target::write(model, formulations, &mut modules)?;
     Ok(Emission { files: modules.files, left_out, extension: EXTENSION })
 }
 
-/// Modules of JavaScript while they are written.
+/// JavaScript modules of a model while they are written.
 struct Modules {
     origin: Origin,
     files: BTreeMap<String, String>,
-    /// The equations that give reactions, where the domain asks for some and they can be had.
+    /// Equations that give reactions; `None` if the domain contains no reaction or the reactions cannot be derived.
     balance: Option<Written>,
 }
 

@@ -1,13 +1,13 @@
-//! Formulas as expressions of JavaScript, in doubles.
+//! Formulas as JavaScript expressions, in double precision.
 //!
-//! Operations stand in the order in which the other targets have them, so that results differ by rounding alone; a
-//! product and a sum are never one operation.
+//! Operations are in the order of the other targets, so that results differ only by rounding. A product and a sum are
+//! never fused into one operation.
 
 use crate::plan::{constant_and_factors, led};
 use tripos_derive::algebra::Rational;
 use tripos_derive::algebra::text::view::View;
 
-/// A formula.
+/// JavaScript expression for a formula.
 #[must_use]
 pub fn expression(view: &View) -> String {
     match view {
@@ -20,12 +20,12 @@ pub fn expression(view: &View) -> String {
         View::Power(base, n) => power(base, *n),
         View::Call(name, argument) => format!("Math.{name}({})", expression(argument)),
         View::Root(argument) => format!("Math.sqrt({})", expression(argument)),
-        // Beyond a budget that no formula comes near.
+        // A formula is cut only beyond a budget that no formula comes near.
         View::Cut => "NaN".to_owned(),
     }
 }
 
-/// The double nearest to a number.
+/// JavaScript literal of the double nearest to a number.
 #[must_use]
 pub fn constant(value: &Rational) -> String {
     let magnitude = if value.is_negative() { value.neg() } else { value.clone() }.to_big();
@@ -33,7 +33,7 @@ pub fn constant(value: &Rational) -> String {
     if value.is_negative() { format!("-{magnitude}") } else { magnitude }
 }
 
-/// A quotient of whole numbers, as one literal.
+/// Quotient of two whole numbers, as one JavaScript literal.
 fn number(numerator: &str, denominator: &str) -> String {
     if denominator == "1" {
         return numerator.to_owned();
@@ -45,14 +45,14 @@ fn number(numerator: &str, denominator: &str) -> String {
     if nearest.is_normal() {
         return format!("{nearest:?}");
     }
-    // Whole digits less, of both: the size in powers of ten, to one. What is beyond doubles the language rounds.
+    // Numbers outside the normal doubles get a power of ten, so that the language rounds them.
     let digits = |text: &str| i32::try_from(text.len()).unwrap_or(i32::MAX);
     let size = digits(numerator) - digits(denominator);
     let power = Rational::integer(10).pow(size).and_then(|power| power.recip());
     power.map_or_else(|| "NaN".to_owned(), |power| format!("{}e{size}", value.mul(&power).to_f64()))
 }
 
-/// Terms from left to right.
+/// Sum with its terms from left to right.
 fn sum(terms: &[(bool, View)]) -> String {
     let mut out = String::new();
     for (at, (negative, term)) in led(terms).into_iter().enumerate() {
@@ -75,7 +75,7 @@ fn in_parentheses(view: &View) -> String {
     format!("({})", expression(view))
 }
 
-/// above / below, with the whole numbers of both merged into one constant.
+/// Quotient above / below, with the whole numbers of both terms merged into one constant.
 fn fraction(above: &View, below: &View) -> String {
     let (n, above) = constant_and_factors(above);
     let (d, below) = constant_and_factors(below);
@@ -93,7 +93,7 @@ fn fraction(above: &View, below: &View) -> String {
     }
 }
 
-/// Squares and cubes of a variable as products, other powers by a function: `-x ** 2` is no expression.
+/// Power of a variable: squares and cubes as products, other powers by `Math.pow`, because `-x ** 2` is no expression.
 fn power(base: &View, n: i32) -> String {
     let text = expression(base);
     match (base, n) {

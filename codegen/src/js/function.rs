@@ -1,28 +1,28 @@
-//! A planned function as a function of JavaScript.
+//! JavaScript function for a planned function.
 
 use super::expression::expression;
 use super::text::{comment, statement};
 use crate::plan::{Argument, Entry, Function, Line, Parts, Program, Returns, Statement};
 
-/// Choice whether the formulas are written as comments above their lines.
+/// Choice whether the code contains comments.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Comments {
-    /// For people.
+    /// Comments are written, for people.
     Written,
-    /// For browsers alone.
+    /// Comments are left out, for browsers.
     LeftOut,
 }
 
-/// Writes functions.
+/// Writer of JavaScript functions.
 pub struct Writer {
-    /// The text written so far.
+    /// Text written so far.
     pub out: String,
     comments: Comments,
     indent: &'static str,
 }
 
 impl Writer {
-    /// With nothing written.
+    /// Writer with no text written.
     #[must_use]
     pub fn new(comments: Comments) -> Self {
         Self { out: String::new(), comments, indent: "" }
@@ -34,32 +34,32 @@ impl Writer {
         self.comments
     }
 
-    /// A comment on what follows.
+    /// Writes a comment on the following code, if comments are written.
     pub fn comment(&mut self, text: &str) {
         if self.comments == Comments::Written {
             comment(&mut self.out, self.indent, text);
         }
     }
 
-    /// An empty line, where people read.
+    /// Writes an empty line, if comments are written.
     pub fn gap(&mut self) {
         if self.comments == Comments::Written {
             self.out.push('\n');
         }
     }
 
-    /// A statement as it stands, texts and all.
+    /// Writes a statement that may contain string literals, without line breaks.
     pub fn raw(&mut self, text: &str) {
         self.out += text;
         self.out.push('\n');
     }
 
-    /// A statement without texts, on as many lines as it takes.
+    /// Writes a statement without string literals, on as many lines as it needs.
     pub fn line(&mut self, text: &str) {
         statement(&mut self.out, self.indent, text);
     }
 
-    /// A planned function, and the functions that its parts are.
+    /// Writes a planned function, after the functions of its parts.
     pub fn function(&mut self, planned: &Function) {
         if let Some(parts) = &planned.parts {
             self.parts(planned, parts);
@@ -90,7 +90,7 @@ impl Writer {
         self.line("}");
     }
 
-    /// A long program, a function a part: each hands on what later ones need in an array.
+    /// Writes a long program as one function for each part. A part passes values to later parts in an array.
     fn parts(&mut self, planned: &Function, parts: &Parts) {
         for (at, part) in parts.list.iter().enumerate() {
             self.gap();
@@ -107,7 +107,7 @@ impl Writer {
         }
     }
 
-    /// Variables for what is read of arguments.
+    /// Declares variables for the entries that the body reads of its arguments.
     fn unpack(&mut self, arguments: &[Argument]) {
         for argument in arguments {
             match argument {
@@ -116,13 +116,13 @@ impl Writer {
                     let read = entries.iter().enumerate().filter_map(|(at, entry)| Some((at, entry.clone()?)));
                     self.taken(name, &read.collect::<Vec<_>>());
                 }
-                // A number has the name of its variable.
+                // An argument that is a number already has the name of its variable.
                 Argument::Number(_) => {}
             }
         }
     }
 
-    /// Variables from their places in an array.
+    /// Declares variables for entries of an array, given as (index, variable).
     fn taken(&mut self, array: &str, list: &[(usize, String)]) {
         let each: Vec<String> = list.iter().map(|(at, name)| format!("{name} = {array}[{at}]")).collect();
         if !each.is_empty() {
@@ -130,7 +130,8 @@ impl Writer {
         }
     }
 
-    /// The lines of a program and its outputs, under one heading a kind; `more` variables are read behind it.
+    /// Writes the lines and outputs of a program, with one heading for each kind of line. The code after the program
+    /// reads the variables in `more`.
     fn program(&mut self, planned: &Function, program: &Program, more: &[(usize, String)]) {
         let mut read = program.names_read(0..usize::MAX);
         read.extend(more.iter().map(|(_, name)| name.as_str()));
@@ -180,12 +181,12 @@ fn heading(planned: &Function, line: &Line, lines: &[Line]) -> &'static str {
     }
 }
 
-/// The function of a part. No name of a model has a `$`.
+/// Name of the function of a part. No name of a model contains a `$`.
 fn part_name(planned: &Function, at: usize) -> String {
     format!("{}$part{at}", planned.name)
 }
 
-/// The arguments that parts are given, before the array.
+/// Arguments that parts get before the array `values`, each followed by a comma.
 fn given(planned: &Function) -> String {
     planned.arguments.iter().flat_map(|argument| [argument.name(), ", "]).collect()
 }

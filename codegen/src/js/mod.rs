@@ -1,7 +1,7 @@
-//! Plans as JavaScript: modules for Node and browsers, in doubles, and the code that runs them.
+//! JavaScript code from plans: modules for Node and browsers, in double precision, and the code that runs them.
 //!
-//! This module decides only how a line is written; the plan decides what is computed. Absent on purpose: Jacobians and
-//! recurrences, which the method that goes with the modules does not use.
+//! This module decides only how a line is written; the plan decides what is computed. Jacobians and Taylor recurrences
+//! are deliberately absent, because the integrator of the modules does not use them.
 
 pub mod emit;
 mod expression;
@@ -16,7 +16,7 @@ pub use names::{LANGUAGE, is_name};
 pub use text::{in_page, string};
 pub use written::Written;
 
-/// Sources of the runners, by name: the method, the projection onto constraints, and runs of mechanisms by both.
+/// Sources of the runners, each with its name: the integrator, the projection onto constraints, and runs that use both.
 pub const RUNNERS: [(&str, &str); 3] = [
     ("dop853", include_str!("dop853.js")),
     ("constraints", include_str!("constraints.js")),

@@ -1,4 +1,4 @@
-//! The module of one set of equations: its names, its functions, and what runs need of it.
+//! JavaScript module of one set of equations: its names, its functions, and the data that runs need.
 
 use super::expression::constant;
 use super::function::{Comments, Writer};
@@ -6,10 +6,10 @@ use super::text::{in_page, string, strings};
 use crate::plan::{Function, MotionPlan, Planner};
 use tripos_derive::Model;
 
-/// A linear system solved, for equations whose accelerations are not eliminated, and for reactions.
+/// Source of a solver for linear systems, for equations whose accelerations are not eliminated, and for reactions.
 const SOLVE: &str = include_str!("solve.js");
 
-/// Names that every module has, beside those of planned functions.
+/// Names that every module exports, besides those of planned functions.
 const NAMES: [&str; 10] = [
     "TITLE",
     "PARAMETERS",
@@ -23,7 +23,7 @@ const NAMES: [&str; 10] = [
     "LOOPS",
 ];
 
-/// Functions that every module has; those that are not planned are made of others.
+/// Names of functions that every module exports. Those that are not planned are written as calls of others.
 const FUNCTIONS: [&str; 6] =
     ["accelerations", "coordinate_rates", "derivative", "generalized_speeds", "motion_variables", "reactions"];
 
@@ -32,20 +32,20 @@ const NOT_RUN: [&str; 1] = ["power"];
 
 /// Contents of a JavaScript module: a plan, the watched quantities and further functions.
 pub struct Module<'a> {
-    /// Planner of its functions.
+    /// Planner of the module's functions.
     pub planner: &'a Planner<'a>,
-    /// Its functions.
+    /// Planned functions of the module.
     pub plan: &'a MotionPlan,
-    /// Names of the watched quantities, in the order in which they were given.
+    /// Names of the watched quantities, in the order in which they were given to the plan.
     pub watched: &'a [String],
-    /// Functions beside those of the plan.
+    /// Further functions, besides those of the plan.
     pub beside: &'a [Function],
-    /// The sentence of the header that says where it comes from.
+    /// Sentence of the header that names the origin of the module.
     pub origin: &'a str,
 }
 
 impl Module<'_> {
-    /// The text of the module, for people and programs.
+    /// Text of the module, for people and programs.
     #[must_use]
     pub fn text(&self) -> String {
         let mut writer = Writer::new(Comments::Written);
@@ -55,8 +55,7 @@ impl Module<'_> {
         writer.out
     }
 
-    /// An expression of JavaScript whose value is an object with all exports of the module, for a page: without
-    /// comments.
+    /// JavaScript expression whose value is an object with all exports of the module, without comments, for a page.
     #[must_use]
     pub fn object(&self) -> String {
         let mut writer = Writer::new(Comments::LeftOut);

@@ -1,16 +1,16 @@
-//! Words that no variable of JavaScript can have.
+//! Names that no JavaScript variable of generated code can have.
 
 use crate::plan::Language;
 
-/// JavaScript modules, with the names that generated functions use for other things.
+/// Language of JavaScript modules, with the names that generated functions use for other purposes.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE };
 
-/// Names in scope of the bodies of generated functions. What they call beside them has a `$` in its name, which no
-/// model has.
+/// Names in the scope of generated function bodies. Other functions that they call have a `$` in their names, which no
+/// model's name contains.
 const IN_SCOPE: [&str; 14] =
     ["p", "q", "u", "q_dot", "v_dot", "r", "t", "out", "values", "Math", "NaN", "Infinity", "undefined", "globalThis"];
 
-/// Words of the language, in modules, whose code is strict.
+/// Reserved words of the language in modules, whose code is strict.
 const WORDS: [&str; 49] = [
     "arguments",
     "async",
@@ -63,7 +63,7 @@ const WORDS: [&str; 49] = [
     "yield",
 ];
 
-/// True if a word of letters, digits and underscores may be the name of a variable.
+/// True if a word may be the name of a JavaScript variable of generated code: letters, digits and underscores.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     let opens = |c: char| c.is_ascii_alphabetic() || c == '_';

@@ -1,22 +1,22 @@
-//! Text of files in JavaScript: in comments, and as strings.
+//! Text in JavaScript files: in comments, and as string literals.
 //!
-//! Invariant: whatever the text is, it ends no comment, no string and no element `script` that the module is put into.
+//! Invariant: no text can end a comment, a string or the `script` element that contains the module.
 
 use crate::lines::wrap;
 use std::fmt::Write;
 use tripos_derive::plain::{one_line, visible};
 
-/// The width of comments and code.
+/// Most bytes of a line of comments and code.
 const WIDTH: usize = 110;
 
-/// A text as a string of JavaScript.
+/// JavaScript string literal for a text.
 #[must_use]
 pub fn string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {
             '"' | '\\' => out.extend(['\\', c]),
-            // What could begin markup, and what ends lines.
+            // Characters that could begin markup or end a line are escaped.
             '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => {
                 let _ = write!(out, "\\u{:04x}", u32::from(c));
             }
@@ -30,7 +30,7 @@ pub fn string(text: &str) -> String {
     out
 }
 
-/// A list of texts as an array, on as many lines as it takes.
+/// JavaScript array of string literals, on as many lines as it needs.
 #[must_use]
 pub fn strings<'t>(list: impl IntoIterator<Item = &'t str>) -> String {
     let mut lines = vec![String::new()];
@@ -49,7 +49,7 @@ pub fn strings<'t>(list: impl IntoIterator<Item = &'t str>) -> String {
     }
 }
 
-/// A text as lines of a comment, indented.
+/// Writes a text as comment lines with an indent.
 pub fn comment(out: &mut String, indent: &str, text: &str) {
     let line = visible(&one_line(text)).replace('<', "< ").replace("<  ", "< ").replace("-->", "-- >");
     for (at, part) in wrap(line.trim(), WIDTH - indent.len() - 3).iter().enumerate() {
@@ -58,8 +58,8 @@ pub fn comment(out: &mut String, indent: &str, text: &str) {
     }
 }
 
-/// Writes a statement without string literals on as many lines as it takes. It is broken at the spaces about operators,
-/// so that no line but the last is a complete statement.
+/// Writes a statement without string literals on as many lines as it needs. It is broken at the spaces around
+/// operators, so that no line except the last is a complete statement.
 pub fn statement(out: &mut String, indent: &str, text: &str) {
     for (at, part) in wrap(text, WIDTH - indent.len() - 4).iter().enumerate() {
         let hang = if at == 0 { "" } else { "    " };
@@ -67,7 +67,7 @@ pub fn statement(out: &mut String, indent: &str, text: &str) {
     }
 }
 
-/// A module's text as it stands in a script of a page, which neither imports nor exports.
+/// Text of a module for a script of a page, without its imports and the word `export`.
 #[must_use]
 pub fn in_page(text: &str) -> String {
     let lines = text.lines().filter(|line| !line.starts_with("import "));

@@ -1,4 +1,4 @@
-//! Equations as they are planned: written down, in their store of terms, with what was solved of them.
+//! Equations in the form in which they are planned: written down, with their store of terms and their solution.
 
 use super::LANGUAGE;
 use crate::plan::Planner;
@@ -9,21 +9,21 @@ use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::mechanics::{Derivation, DeriveError, Unsolved, accelerations};
 use tripos_derive::{Equations, Formulation, Model, derive};
 
-/// Equations with all that their functions are planned from.
+/// Equations with all data from which their functions are planned.
 pub struct Written {
-    /// The store of their terms.
+    /// Store of the terms of the equations and the elimination.
     pub arena: Arena,
-    /// The equations.
+    /// Equations in written form.
     pub equations: Equations,
-    /// Elimination that gives the accelerations; `None` if the linear system is to be solved in numbers.
+    /// Elimination that gives the accelerations; `None` if the linear system is solved in numbers.
     pub solved: Option<Elimination>,
 }
 
 impl Written {
-    /// Derived equations, solved for their accelerations where these are determined.
+    /// Derived equations, solved for their accelerations if these are determined.
     ///
     /// # Errors
-    /// [`DeriveError::Unsolved`] if the accelerations that were found are not proved.
+    /// [`DeriveError::Unsolved`] if the accelerations were found but are not proved.
     pub fn solved(derivation: Derivation) -> Result<Self, DeriveError> {
         let mut written = Self::unsolved(derivation);
         let solved = accelerations(&mut written.arena, &mut Simplifier::default(), &written.equations);
@@ -35,14 +35,15 @@ impl Written {
         Ok(written)
     }
 
-    /// Equations that run as they stand.
+    /// Equations whose linear system is solved in numbers.
     #[must_use]
     pub fn unsolved(Derivation { mut arena, equations }: Derivation) -> Self {
         let equations = equations.written(&mut arena);
         Self { arena, equations, solved: None }
     }
 
-    /// The equations that give the reactions of a model, if one of these terms mentions a reaction and they can be had.
+    /// Equations that give the reactions of a model. `None` if no term contains a reaction, or if the model does not
+    /// support Newton–Euler.
     ///
     /// # Errors
     /// [`Diagnostics`] if the model cannot be derived.
@@ -58,8 +59,8 @@ impl Written {
         }
     }
 
-    /// Planner of its functions in JavaScript. Equations that were solved for share operations; equations that run as
-    /// printed keep their own cancellations.
+    /// Planner of the functions in JavaScript. Solved equations share operations; printed equations keep their own
+    /// cancellations.
     #[must_use]
     pub fn planner<'a>(&'a self, model: &'a Model) -> Planner<'a> {
         Planner::new(model, &self.arena, &self.equations, &LANGUAGE, self.equations.by.printed_id().is_none())

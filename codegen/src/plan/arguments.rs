@@ -1,26 +1,26 @@
-//! Arguments and return values of a function, entry by entry.
+//! Arguments and return values of a planned function, entry by entry.
 
-/// An argument of a function, with the variables that its body has for what it reads.
+/// Argument of a planned function, with variables for the entries that the body reads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Argument {
-    /// The parameters: their places in the model, and variables.
+    /// Array of all parameters.
     Parameters {
-        /// Those that are read.
+        /// Parameters that the body reads, each with its index in the model and its variable.
         read: Vec<(usize, String)>,
     },
-    /// An array, with a variable for each entry that is read.
+    /// Array with a variable for each entry that the body reads.
     Array {
         /// Name of the array.
         name: &'static str,
-        /// Its entries.
+        /// Variable of each entry; `None` for an entry that is not read.
         entries: Vec<Option<String>>,
     },
-    /// A number, by its variable; none if it is not read.
+    /// Number with its variable; `None` if it is not read.
     Number(Option<String>),
 }
 
 impl Argument {
-    /// Name of the argument in the signature.
+    /// Name of the argument in the function's signature.
     #[must_use]
     pub fn name(&self) -> &str {
         match self {
@@ -30,7 +30,7 @@ impl Argument {
         }
     }
 
-    /// True if the body reads any entry of it.
+    /// True if the body reads an entry of the argument.
     #[must_use]
     pub fn is_read(&self) -> bool {
         match self {
@@ -41,11 +41,11 @@ impl Argument {
     }
 }
 
-/// An entry of what a function returns.
+/// Entry of the values that a function returns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Entry {
-    /// It is 0 whatever the arguments are.
+    /// The entry is 0 for all arguments.
     Zero,
-    /// The value of a variable.
+    /// The entry is the value of this variable.
     Variable(String),
 }

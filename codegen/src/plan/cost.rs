@@ -1,25 +1,26 @@
-//! Cost of a piece of generated code, counted over its plan.
+//! Cost of generated code, counted over its plan.
 
 use super::form::{constant_and_factors, led};
 use super::program::{Line, Program};
 use std::fmt;
 use tripos_derive::algebra::text::view::View;
 
-/// Number of operations of a call. A fused product and sum counts as both.
+/// Number of operations in one call of a function. A fused product and sum counts as two.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Additions, subtractions, multiplications, divisions and sign changes.
     pub operations: usize,
-    /// The divisions among them.
+    /// Divisions, which `operations` includes.
     pub divisions: usize,
-    /// Pairs of sine and cosine.
+    /// Pairs of the sine and the cosine of an angle.
     pub sincos: usize,
-    /// Other function values.
+    /// Values of other functions.
     pub functions: usize,
 }
 
 impl Cost {
-    /// Cost of one division in additions, roughly: on current processors it holds its unit that much longer.
+    /// Cost of one division, in additions, roughly: on current processors a division occupies its unit about four times
+    /// as long.
     const DIVISION: usize = 4;
     /// Cost of a sine with its cosine, or of another function, in additions, roughly.
     const FUNCTION: usize = 30;
@@ -36,7 +37,7 @@ impl Cost {
         cost
     }
 
-    /// The price of a call by which programs for the same values are compared.
+    /// Weight of one call, in additions, by which programs for the same values are compared.
     #[must_use]
     pub fn weight(&self) -> usize {
         self.operations + (Self::DIVISION - 1) * self.divisions + Self::FUNCTION * (self.sincos + self.functions)
@@ -70,7 +71,7 @@ impl Cost {
         }
     }
 
-    /// The whole numbers of both are one constant.
+    /// Counts a fraction, whose whole numbers above and below are one constant.
     fn count_fraction(&mut self, above: &View, below: &View) {
         let (n, above) = constant_and_factors(above);
         let (d, below) = constant_and_factors(below);
@@ -81,7 +82,7 @@ impl Cost {
     }
 }
 
-/// Multiplications in a power: one by one where its base is a name and n is 2 or 3, else by repeated squares.
+/// Number of multiplications in a power: n − 1 if its base is a name and n is 2 or 3, else those of repeated squares.
 fn multiplications(base: &View, n: i32) -> usize {
     let n = n.unsigned_abs();
     match base {

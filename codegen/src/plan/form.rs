@@ -1,9 +1,9 @@
-//! Form of a formula as a computation: the term to write first, and the products and sums that can be fused.
+//! Form of a formula as a computation: the term that is written first, and the products and sums that can be fused.
 
 use tripos_derive::algebra::text::view::View;
 
-/// The terms of a sum in the order in which they are computed. A product that stands alone at the front goes second,
-/// where it can be fused with what stands before it.
+/// Terms of a sum in the order of computation. A plain product at the front is moved to the second place, where it can
+/// be fused with the term before it.
 #[must_use]
 pub fn led(terms: &[(bool, View)]) -> Vec<&(bool, View)> {
     let mut order: Vec<&(bool, View)> = terms.iter().collect();
@@ -16,7 +16,7 @@ pub fn led(terms: &[(bool, View)]) -> Vec<&(bool, View)> {
     order
 }
 
-/// True if a formula is a product of names and numbers alone, or a square of one.
+/// True if a formula is a product of only names and numbers, or a square of one of these.
 #[must_use]
 pub fn is_plain_product(view: &View) -> bool {
     match view {
@@ -42,7 +42,7 @@ pub fn is_flat(view: &View) -> bool {
     }
 }
 
-/// The leading whole number of a product, `1` where there is none, and the other factors.
+/// Leading whole number of a product, `1` if there is none, and the other factors.
 #[must_use]
 pub fn constant_and_factors(view: &View) -> (String, Vec<View>) {
     match view {

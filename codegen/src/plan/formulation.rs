@@ -1,4 +1,4 @@
-//! The functions of one formulation, and what is said of them.
+//! Plan of the functions of one formulation, and of the statements about them.
 
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::names::spelled;
@@ -11,40 +11,41 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{By, Constrained, Divisors, Solved, bare};
 
-/// Steps of accelerations up to which q̇ and v̇ are also computed together, sharing what they can.
+/// Most steps of accelerations for which q̇ and v̇ are also computed together, with shared terms.
 const MOST_REPEATED: usize = 100;
 
-/// Operations of a mass matrix and its forcing for which a function that computes both is worth its length. Shorter
-/// ones cost little apart; longer ones would take compilers long twice.
+/// Operations of a mass matrix and its forcing for which a function that computes both is written. Shorter systems cost
+/// little when computed separately; longer ones would double long compile times.
 const WORTH_SHARING: RangeInclusive<usize> = 200..=4000;
 
-/// Divisors up to which they are listed by their formulas.
+/// Most divisors that the header lists by their formulas.
 const MOST_LISTED: usize = 12;
 
-/// One formulation of one model.
+/// Plan of the code of one formulation of one model.
 pub struct FormulationPlan<'a> {
-    /// The names and the store of its terms.
+    /// Planner, with the names and the store of the terms.
     pub planner: &'a Planner<'a>,
-    /// The equations, in the order in which they are read.
+    /// Functions of the equations, in the order in which they are read.
     pub equations: Vec<Function>,
-    /// Functions for runs, beside the equations: `derivative` and `jacobian`, where accelerations were solved for and
-    /// are not too long, and `inverse_dynamics`.
+    /// Further functions for runs: `derivative` and `jacobian`, if the accelerations are solved for and not too long,
+    /// and `inverse_dynamics`.
     pub machine: Vec<Function>,
-    /// Names, for people, of the divisors that `divisors` returns; empty if no divisor can be zero.
+    /// Names, for people, of the divisors that the function `divisors` returns; empty if no divisor can be zero.
     pub divisors: Vec<String>,
-    /// Names of the constraints whose residuals `constraints` returns; empty if no run can violate any.
+    /// Names of the constraints whose residuals the function `constraints` returns; empty if no run can violate a
+    /// constraint.
     pub constraints: Vec<String>,
-    /// The recurrences of its Taylor coefficients.
+    /// Recurrences of the Taylor coefficients; `None` if they are not requested.
     pub taylor: Option<TaylorPlan<'a>>,
-    /// Operations of the accelerations, if they were solved for.
+    /// Number of operations of the accelerations; `None` if these are not solved for.
     pub solved_cost: Option<usize>,
-    /// Statements about it for the header, line by line.
+    /// Statements about the formulation for the header, line by line.
     pub facts: Vec<String>,
 }
 
 impl<'a> FormulationPlan<'a> {
-    /// Plans the equations and the accelerations solved from them; also the entries of the Jacobian and the recurrences
-    /// if these are asked for.
+    /// Plans the equations and the accelerations solved from them. Plans also the entries of the Jacobian and the
+    /// recurrences if they are requested.
     #[must_use]
     pub fn new(
         planner: &'a Planner<'a>,
@@ -62,7 +63,7 @@ impl<'a> FormulationPlan<'a> {
         }
         let mut machine = solved.map_or_else(Vec::new, |solved| {
             let steps = &solved.accelerations.steps;
-            // What is long is not written twice: q̇ and v̇ are then computed one after the other.
+            // Long steps are not written twice: then q̇ and v̇ are computed one after the other.
             let together = (steps.len() <= MOST_REPEATED).then(|| derivative(planner, steps));
             let jacobian = if has_jacobian { jacobian(planner, solved) } else { None };
             together.into_iter().chain(jacobian).collect()
@@ -72,7 +73,7 @@ impl<'a> FormulationPlan<'a> {
         machine.extend(divisors);
         machine.extend(constraints(planner));
         let kept = planner.equations.constraints.iter().map(|c| c.name.clone()).collect();
-        // What matrix and forcing say already is no equation of its own.
+        // Inverse dynamics repeats what matrix and forcing state, so it is among the functions for runs.
         machine.extend(inverse_dynamics(planner));
         let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
         Self {
@@ -88,7 +89,8 @@ impl<'a> FormulationPlan<'a> {
     }
 }
 
-/// `mass_matrix` and `forcing`; and `linear_system`, both at once, where that takes a tenth of the operations off.
+/// Functions `mass_matrix` and `forcing`; and `linear_system`, which computes both, if it saves a tenth of the
+/// operations.
 pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Function>) {
     let e = planner.equations;
     let n = e.unknowns.len();
@@ -127,7 +129,7 @@ pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Fun
     (apart, together)
 }
 
-/// `accelerations`: v̇.
+/// Function `accelerations`, which returns v̇.
 pub(super) fn accelerations(planner: &Planner<'_>, steps: &[Definition]) -> Function {
     let unknowns = rates(planner);
     let about =
@@ -136,7 +138,8 @@ pub(super) fn accelerations(planner: &Planner<'_>, steps: &[Definition]) -> Func
     planner.stepwise("accelerations", &about, Arguments::State, Returns::Vector, steps, &values)
 }
 
-/// `jacobian`: ∂(q̇, v̇)/∂(q, v); none of large systems, whose code is differentiated as it runs.
+/// Function `jacobian`, which returns ∂(q̇, v̇)/∂(q, v). `None` for large systems, whose code is differentiated as it
+/// runs.
 pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Option<Function> {
     let e = planner.equations;
     if !solved.jacobian.direction.is_empty() {
@@ -159,7 +162,8 @@ pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Option<Functio
     Some(planner.stepwise("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes))
 }
 
-/// `divisors`: what is divided by on the way to q̇ and v̇ and might be zero somewhere; nothing if that is nothing.
+/// Function `divisors`, which returns the divisors of q̇ and v̇ that may be zero, and their names. `None` if there are
+/// none.
 pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Elimination>) -> (Option<Function>, Vec<String>) {
     let divisors = Divisors::of(planner.arena, planner.equations, solved);
     let names = divisors.names(planner.arena);
@@ -172,7 +176,8 @@ pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Elimination>) -> (
     (planned, names)
 }
 
-/// `constraints` and `constraint_slopes`: what runs are kept on.
+/// Functions `constraints` and `constraint_slopes`, for the constraints on which runs are kept. Empty without
+/// constraints.
 pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     let e = planner.equations;
     if e.constraints.is_empty() {
@@ -197,8 +202,8 @@ pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     vec![planned("constraints", about, &values), planned("constraint_slopes", &about_slopes, &slopes)]
 }
 
-/// Function `redundant_constraints`: residuals of redundant constraints. They are zero where the loops are closed, as
-/// long as the mechanism has the freedoms that it was derived with.
+/// Function `redundant_constraints`, which returns the residuals of redundant constraints. They are zero where the
+/// loops are closed, as long as the mechanism has the freedoms with which it was derived.
 pub(super) fn redundant_constraints(planner: &Planner<'_>) -> Option<Function> {
     let closed = planner.model.closed.iter().enumerate();
     let values: Vec<Value> =
@@ -208,7 +213,7 @@ pub(super) fn redundant_constraints(planner: &Planner<'_>) -> Option<Function> {
         .then(|| planner.function("redundant_constraints", about, Arguments::Configuration, Returns::Vector, &values))
 }
 
-/// The symbols of v̇.
+/// Symbols of the accelerations v̇.
 fn rates<'a>(planner: &'a Planner<'_>) -> &'a [Expr] {
     &planner.equations.unknowns[..planner.equations.variables.len()]
 }
@@ -217,7 +222,7 @@ fn names(arena: &Arena, symbols: &[Expr]) -> Vec<String> {
     symbols.iter().map(|s| arena.symbol_name(*s).unwrap_or_default().to_owned()).collect()
 }
 
-/// `derivative`: q̇ and v̇ together.
+/// Function `derivative`, which returns q̇ and v̇ together.
 #[must_use]
 pub fn derivative(planner: &Planner<'_>, steps: &[Definition]) -> Function {
     let e = planner.equations;
@@ -234,7 +239,8 @@ pub fn derivative(planner: &Planner<'_>, steps: &[Definition]) -> Function {
     )
 }
 
-/// `coordinate_rates`, `kinetic_energy`, `potential_energy`, and `power` where something works that V leaves out.
+/// Functions `coordinate_rates`, `kinetic_energy` and `potential_energy`; and `power`, if forces without a potential
+/// work.
 pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
     let e = planner.equations;
     let rates = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
@@ -261,7 +267,7 @@ pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
     energies.into_iter().chain(power).collect()
 }
 
-/// `inverse_dynamics`: the generalized forces that accelerations ask for.
+/// Function `inverse_dynamics`, which returns the generalized forces that given accelerations require.
 fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
     let e = planner.equations;
     let n = e.required.len();
@@ -276,7 +282,7 @@ fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
     (n > 0).then(|| planner.stepwise("inverse_dynamics", &about, arguments, Returns::Vector, &e.definitions, &values))
 }
 
-/// Between q' and the generalized speeds, where q' is what is integrated.
+/// Functions that convert between q' and the generalized speeds, for formulations that integrate q'.
 pub(super) fn conversions(planner: &Planner<'_>) -> Vec<Function> {
     let (e, model) = (planner.equations, planner.model);
     let speeds = named(model.speeds.iter().map(|s| s.name.clone()), &e.generalized_speeds);
@@ -297,12 +303,12 @@ pub(super) fn conversions(planner: &Planner<'_>) -> Vec<Function> {
     ]
 }
 
-/// Outputs named after symbols: `q1'` is computed in `q1_dot_value`, distinct from an input `q1_dot`.
+/// Outputs named after symbols: `q1'` is computed in `q1_dot_value`, which differs from an input `q1_dot`.
 fn named(symbols: impl Iterator<Item = String>, values: &[Expr]) -> Vec<Value> {
     symbols.zip(values).map(|(symbol, value)| (format!("{}_value", spelled(&symbol)), symbol, *value)).collect()
 }
 
-/// 1-based, set apart where one digit does not do.
+/// Text of an index from 1, with a `_` before it if indices have two digits or more.
 fn index(i: usize, n: usize) -> String {
     if n < 10 { format!("{}", i + 1) } else { format!("_{}", i + 1) }
 }
@@ -312,7 +318,7 @@ fn vector_text(arena: &Arena, symbols: &[Expr]) -> String {
     format!("({})", names.join(", "))
 }
 
-/// Header lines: the unknowns, and where the equations are singular.
+/// Header lines with the unknowns and the places where the equations are singular.
 pub(super) fn facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<String> {
     let e = planner.equations;
     let mut lines = vec![
@@ -329,7 +335,7 @@ fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
         return "The accelerations divide by nothing.".to_owned();
     }
     let distinct = distinct(planner.arena, divisors);
-    // Long formulations divide by named terms, whose names say nothing here.
+    // Long formulations divide by named terms, and their names would tell nothing here.
     if distinct.len() > MOST_LISTED || !planner.explains() {
         let count = distinct.len();
         return format!("The accelerations divide by {count} pivots, which are positive where the mass matrix is.");
@@ -338,7 +344,7 @@ fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
     format!("The accelerations divide by {}.", list.join(", by "))
 }
 
-/// Header line with the configurations in which one of these divisors is zero: there the equations are singular.
+/// Header line with the configurations in which a divisor is zero, so that the equations are singular.
 pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> String {
     let places: Vec<String> = distinct(arena, divisors).iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
     match places.as_slice() {
@@ -347,7 +353,7 @@ pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> Str
     }
 }
 
-/// Divisors that vanish at different places: without factors that are numbers, each once.
+/// Divisors that vanish at different places: distinct, without factors that are numbers.
 fn distinct(arena: &Arena, divisors: &[Expr]) -> Vec<Expr> {
     let mut list: Vec<Expr> = Vec::new();
     for &divisor in divisors {

@@ -1,4 +1,4 @@
-//! One function: what it is given, what it computes and in which order, what it returns, and what that costs.
+//! Plan of one function: its arguments, its steps in order, its return value, and its cost.
 
 use super::arguments::{Argument, Entry};
 use super::cost::Cost;
@@ -12,51 +12,52 @@ use tripos_derive::algebra::term::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Model};
 
-/// Named terms above which a program is read in one way only.
+/// Most named terms of equations whose programs are rewritten by all readings of their terms. With more, a single
+/// reading is tried.
 const MOST_READ: usize = 100;
 
-/// Lines of a program that have their formulas above them in any case.
+/// Most lines of a program whose formulas are always written as comments.
 const MOST_LINES: usize = 20;
 
-/// A planned function.
+/// Function planned independently of a language.
 #[derive(Clone, Debug)]
 pub struct Function {
-    /// Its name.
+    /// Name of the function.
     pub name: &'static str,
-    /// Its result, as a sentence.
+    /// Description of the result, as a sentence.
     pub about: String,
-    /// Its arguments, in the order of the signature.
+    /// Arguments in the order of the signature.
     pub arguments: Vec<Argument>,
-    /// Shape of its return value.
+    /// Shape of the return value.
     pub returns: Returns,
-    /// The steps of the computation.
+    /// Steps of the computation.
     pub program: Program,
     /// Entries of the return value, in order.
     pub entries: Vec<Entry>,
-    /// The program in parts, if it is long.
+    /// Parts of the program if it is long; `None` if it stays whole.
     pub parts: Option<Parts>,
-    /// Operations of one call.
+    /// Operations of one call of the function.
     pub cost: Cost,
-    /// True if each line is to have its formula above it. Where most lines are named terms, their names say it.
+    /// True if each line has its formula above it as a comment. If most lines are named terms, their names are enough.
     pub explained: bool,
 }
 
-/// The kinds of arguments that functions have.
+/// Kinds of argument lists that planned functions have.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Arguments {
-    /// (p, q, v)
+    /// Arguments (p, q, v): parameters, coordinates and motion variables.
     State,
-    /// (p, q, u)
+    /// Arguments (p, q, u): parameters, coordinates and generalized speeds.
     Speeds,
-    /// (p, q, v, v̇)
+    /// Arguments (p, q, v, v̇): the state with the rates of the motion variables.
     StateAndRates,
-    /// (p, q) alone: no motion variables
+    /// Arguments (p, q): parameters and coordinates, without motion variables.
     Configuration,
-    /// (p, q, v, r): reactions beside the state, in the order of the model
+    /// Arguments (p, q, v, r): the state with the reactions in the order of the model.
     Balanced,
-    /// (p, t, q, v)
+    /// Arguments (p, t, q, v): the state with the time, for outputs.
     Shown {
-        /// The symbol of the time.
+        /// Symbol of the time.
         time: Expr,
     },
 }
@@ -64,13 +65,13 @@ pub enum Arguments {
 /// Shape of the return value of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Returns {
-    /// One number.
+    /// Single number.
     Number,
-    /// An array of all entries.
+    /// Array of all entries.
     Vector,
-    /// Two arrays: the first this long, the second of what is left.
+    /// Two arrays: the first has this length, the second contains the other entries.
     Pair(usize),
-    /// A square array, row by row; symmetric ones are computed from their upper triangle.
+    /// Square array, row by row. A symmetric one is computed from its upper triangle.
     Matrix {
         /// True if the matrix equals its transpose.
         symmetric: bool,
@@ -78,7 +79,7 @@ pub enum Returns {
 }
 
 impl Returns {
-    /// Heading above the lines of the entries.
+    /// Heading above the lines that compute the entries.
     #[must_use]
     pub fn heading(self) -> &'static str {
         match self {
@@ -88,7 +89,8 @@ impl Returns {
         }
     }
 
-    /// The entry whose value stands at this place: of a symmetric matrix, always one of the upper triangle.
+    /// Index of the entry that gives the value of entry `at` of `count`: in a symmetric matrix, always one of the upper
+    /// triangle.
     fn source(self, at: usize, count: usize) -> usize {
         let side = count.isqrt();
         match self {
@@ -98,25 +100,26 @@ impl Returns {
     }
 }
 
-/// A value to be computed: its variable, its name in comments, its expression.
+/// Value to be computed: its variable, its name in comments, its expression.
 pub type Value = (String, String, Expr);
 
-/// Plans the functions of one formulation.
+/// Planner of the functions of one set of equations.
 pub struct Planner<'a> {
-    /// The model.
+    /// Model of the equations.
     pub model: &'a Model,
-    /// The store of its terms.
+    /// Store of the terms of the equations.
     pub arena: &'a Arena,
-    /// The equations.
+    /// Equations whose functions are planned.
     pub equations: &'a Equations,
-    /// The variable of each symbol.
+    /// Variables of the symbols, in the target's language.
     pub variables: Variables,
-    /// True if common operations are shared. Printed equations share none: they run with their own cancellations.
+    /// True if common operations are shared. Printed equations share none, because they run with their own
+    /// cancellations.
     pub shares: bool,
 }
 
 impl<'a> Planner<'a> {
-    /// With a variable for each symbol, as a language permits.
+    /// Planner with a variable for each symbol, as a language permits.
     #[must_use]
     pub fn new(
         model: &'a Model,
@@ -132,13 +135,13 @@ impl<'a> Planner<'a> {
         Self { model, arena, equations, variables, shares }
     }
 
-    /// True if lines have their formulas above them; false if the equations are made of named terms.
+    /// True if lines have their formulas above them as comments; false if the equations consist of named terms.
     #[must_use]
     pub fn explains(&self) -> bool {
         self.equations.definitions.len() <= MOST_READ
     }
 
-    /// A function without steps of its own before its values.
+    /// Plans a function that computes its values without further steps.
     #[must_use]
     pub fn function(
         &self,
@@ -151,8 +154,8 @@ impl<'a> Planner<'a> {
         self.stepwise(name, about, arguments, returns, &[], values)
     }
 
-    /// A function that computes steps of an elimination, and from them its values. What is 0 is not computed, nor is
-    /// the lower triangle of a symmetric matrix.
+    /// Plans a function that computes steps of an elimination, and from them its values. Entries that are 0 are not
+    /// computed, nor is the lower triangle of a symmetric matrix.
     #[must_use]
     pub fn stepwise(
         &self,
@@ -163,7 +166,7 @@ impl<'a> Planner<'a> {
         steps: &[Definition],
         values: &[Value],
     ) -> Function {
-        // A step whose value is 0 stands in the values as such.
+        // A step whose value is 0 becomes 0 in the values.
         let is_zero = |e: Expr| steps.iter().any(|step| step.symbol == e && step.value == Expr::ZERO);
         let results: Vec<Expr> = values.iter().map(|(.., e)| if is_zero(*e) { Expr::ZERO } else { *e }).collect();
         let steps = needed(self.arena, steps, &results);
@@ -191,8 +194,8 @@ impl<'a> Planner<'a> {
         Function { name, about: about.to_owned(), arguments, returns, program, entries, parts, cost, explained }
     }
 
-    /// The program for these outputs that costs least: as it stands, or with common sub-sums and sub-products
-    /// taken out of one reading of it or another.
+    /// Program with the least cost for these outputs: as given, or with common sub-sums and sub-products shared, by one
+    /// of the readings of its terms.
     fn cheapest(&self, steps: &[Definition], outputs: &[Output]) -> Program {
         let mut best = program(self.arena, &self.variables, steps, steps, outputs);
         let mut least = Cost::of(&best).weight();
@@ -200,7 +203,7 @@ impl<'a> Planner<'a> {
             return best;
         }
         let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
-        // Named terms are short, and read alike in every way.
+        // Named terms are short, and every reading of them is equal.
         let readings = if self.explains() { &Reading::ALL[..] } else { &Reading::SAMPLE[..1] };
         for &reading in readings {
             let mut arena = self.arena.clone();
@@ -209,7 +212,7 @@ impl<'a> Planner<'a> {
             let rewritten = outputs.iter().zip(&shared.values).map(|(o, value)| Output { value: *value, ..o.clone() });
             let candidate = program(&arena, &self.variables, &shared.steps, steps, &rewritten.collect::<Vec<_>>());
             let weight = Cost::of(&candidate).weight();
-            // What is used is proved to be what was planned.
+            // A cheaper program is used only if it is proved equal to the planned one.
             if weight < least && is_same(&mut arena, steps, &values, &shared) {
                 (best, least) = (candidate, weight);
             }
@@ -217,7 +220,7 @@ impl<'a> Planner<'a> {
         best
     }
 
-    /// The arguments, with what is read of them.
+    /// Arguments of a kind, with the variables of the entries that the inputs contain.
     fn arguments(&self, arguments: Arguments, inputs: &FxHashSet<Expr>) -> Vec<Argument> {
         let e = self.equations;
         let array = |name: &'static str, symbols: &[Expr]| {
@@ -246,7 +249,7 @@ impl<'a> Planner<'a> {
         list
     }
 
-    /// The parameters as an argument.
+    /// Argument for all parameters, with the variables of those that the inputs contain.
     pub(crate) fn parameters(&self, inputs: &FxHashSet<Expr>) -> Argument {
         let all = &self.model.parameters;
         let read = all.iter().enumerate().filter(|(_, p)| inputs.contains(&p.symbol));
@@ -255,7 +258,7 @@ impl<'a> Planner<'a> {
 }
 
 impl Function {
-    /// The share of [`Function::cost`] that depends on parameters alone: it could be computed once for all states.
+    /// Part of [`Function::cost`] that depends only on parameters, and so could be computed once for all states.
     #[must_use]
     pub fn cost_of_parameters(&self) -> Cost {
         let mut fixed: FxHashSet<&str> = FxHashSet::default();
@@ -275,7 +278,7 @@ impl Function {
     }
 }
 
-/// The next of the computed names, if it is this entry's.
+/// Next of the computed names if the entry is an output; else `None`.
 fn computed_name<'n>(is_output: bool, names: &mut impl Iterator<Item = &'n String>) -> Option<&'n String> {
     if is_output { names.next() } else { None }
 }

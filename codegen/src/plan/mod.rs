@@ -1,9 +1,9 @@
-//! Plan of generated code: its functions and their steps, before they are written in any language.
+//! Plan of generated code: its functions and their steps, before they are written in a language.
 //!
-//! The flow: equations → a [`Planner`] → [`Function`]: a name, arguments, what is returned, and a [`Program`] of
-//! ordered, shared and named steps, each with the formula that a reader knows it by; what a call costs is a fold over
-//! that program. A target, such as `rust`, renders it and decides nothing. The one thing that it states beforehand is a
-//! [`Language`]: which names it cannot use. Absent on purpose: syntax.
+//! The flow: equations → a [`Planner`] → [`Function`]. A function has a name, arguments, a return value, and a
+//! [`Program`] of ordered, shared and named steps, each with the formula by which a reader knows it. The cost of a call
+//! is counted over the program. A target, such as `rust`, writes the function and decides nothing. It states beforehand
+//! only a [`Language`]: the names that it cannot use. The plan contains no syntax.
 
 mod arguments;
 mod cost;

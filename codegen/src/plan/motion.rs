@@ -1,4 +1,4 @@
-//! Functions with which a target runs a motion by itself: the accelerations and the watched quantities.
+//! Functions with which a target runs a motion by itself: accelerations, divisors, constraints and watched quantities.
 
 use super::formulation::{
     accelerations, constraints, conversions, derivative, divisors, facts, kinematics_and_energies, linear_system,
@@ -9,49 +9,51 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::Definition;
 
-/// Steps of accelerations up to which q̇ and v̇ are also computed together, as one function.
+/// Most steps of accelerations for which q̇ and v̇ are also computed together, in one function.
 const MOST_TOGETHER: usize = 400;
 
-/// A condition that holds as long as its value is positive, or what is zero at an event.
+/// Quantity that a run watches: a condition that holds as long as it is positive, or an event where it is zero.
 #[derive(Clone, Debug)]
 pub struct Watched {
-    /// Its name, as people read it.
+    /// Name of the quantity, for people.
     pub name: String,
-    /// In parameters, q, q̇, u and reactions.
+    /// Value of the quantity, in parameters, q, q̇, u and reactions.
     pub value: Expr,
 }
 
-/// The functions that run one formulation of one model.
+/// Functions that run one formulation of one model.
 #[derive(Debug)]
 pub struct MotionPlan {
-    /// The functions, in the order in which they are read: either `accelerations`, or `mass_matrix` and `forcing` of a
-    /// linear system whose first unknowns are the accelerations; `coordinate_rates`, energies, and the others.
+    /// Planned functions, in the order in which they are read. They begin with `accelerations`, or with `mass_matrix`
+    /// and `forcing` of a linear system whose first unknowns are the accelerations. Then come `coordinate_rates`, the
+    /// energies and further functions.
     pub functions: Vec<Function>,
-    /// True if the accelerations were solved for when this was planned.
+    /// True if the accelerations were solved for in closed form.
     pub is_solved: bool,
-    /// True if a load that V leaves out does work, so that T + V is not constant.
+    /// True if a load without a potential in V does work, so that T + V is not constant.
     pub has_power: bool,
     /// Number of motion variables.
     pub variables: usize,
-    /// Functions `balance_matrix` and `balance_forcing`: the linear system that gives accelerations and then reactions
-    /// from parameters, q and u. Empty if no watched quantity mentions a reaction.
+    /// Functions `balance_matrix` and `balance_forcing` of the linear system that gives the accelerations and then the
+    /// reactions, from parameters, q and u. Empty if no watched quantity contains a reaction, or the reactions cannot
+    /// be derived.
     pub balance: Vec<Function>,
-    /// Names, for people, of the divisors that `divisors` returns.
+    /// Names, for people, of the divisors that the function `divisors` returns.
     pub divisors: Vec<String>,
-    /// Names of the constraints whose residuals `constraints` returns, the loops of the model first. A residual is zero
-    /// in every motion, and drifts in a run without projection.
+    /// Names of the constraints whose residuals the function `constraints` returns, the loops of the model first. A
+    /// residual is zero in every motion, and drifts in a run without projection.
     pub constraints: Vec<String>,
-    /// Indices, among the given watched quantities, of the values that `conditions` returns.
+    /// Indices, among the given watched quantities, of the values that the function `conditions` returns.
     pub conditions: Vec<usize>,
-    /// Places of those that need a reaction which no balance gives.
+    /// Indices of the watched quantities that contain a reaction which no balance gives.
     pub unwatched: Vec<usize>,
-    /// Statements about it for a header, line by line.
+    /// Statements about the formulation for a header, line by line.
     pub facts: Vec<String>,
 }
 
 impl MotionPlan {
-    /// Plans the equations with the accelerations solved from them. The reactions are those of `balance`: equations of
-    /// the same model whose unknowns they are.
+    /// Plans the equations with the accelerations solved from them. Reactions come from `balance`, which are equations
+    /// of the model with the reactions among their unknowns.
     #[must_use]
     pub fn new(
         planner: &Planner<'_>,
@@ -99,32 +101,31 @@ impl MotionPlan {
     }
 }
 
-/// True if a watched quantity mentions a reaction.
+/// True if a watched quantity contains a reaction.
 fn needs_reaction(planner: &Planner<'_>, e: Expr) -> bool {
     planner.model.reactions.iter().any(|reaction| planner.arena.mentions(e, reaction.symbol))
 }
 
-/// True if equations are in u, and their unknowns are the accelerations and then the reactions in the order of the
-/// model.
+/// True if equations are in u, and their unknowns are the accelerations, then the reactions in the order of the model.
 fn gives_reactions(planner: &Planner<'_>) -> bool {
     let (e, reactions) = (planner.equations, &planner.model.reactions);
     let unknowns = e.unknowns.iter().skip(e.variables.len()).copied();
     !e.formulation.is_in_rates() && unknowns.eq(reactions.iter().map(|reaction| reaction.symbol))
 }
 
-/// The linear system of a force balance, under names of its own.
+/// Functions of the linear system of a force balance, with the names `balance_matrix` and `balance_forcing`.
 fn balanced(planner: &Planner<'_>) -> Vec<Function> {
     let names = ["balance_matrix", "balance_forcing"];
     linear_system(planner).0.into_iter().zip(names).map(|(function, name)| Function { name, ..function }).collect()
 }
 
-/// `conditions`: the values of what is watched, in this order; nothing if nothing is.
+/// Function `conditions`, which returns the watched quantities `which`, in this order; `None` if there are none.
 fn conditions_of(planner: &Planner<'_>, watched: &[Watched], which: &[usize]) -> Option<Function> {
     let (e, model) = (planner.equations, planner.model);
     let pairs = |symbols: Vec<Expr>, values: &[Expr]| {
         symbols.into_iter().zip(values.to_vec()).map(|(symbol, value)| Definition { symbol, value }).collect::<Vec<_>>()
     };
-    // What the equations do not integrate follows from what they do.
+    // Of u and q̇, those that the equations do not integrate are computed from the others.
     let other = if e.formulation.is_in_rates() {
         pairs(model.u(), &e.generalized_speeds)
     } else {

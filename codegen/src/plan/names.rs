@@ -1,31 +1,31 @@
-//! Names in generated code: of variables, modules and types.
+//! Names in generated code for variables, modules and types.
 //!
-//! Invariant: different symbols get different variables, and no variable is a word of the target's language, an
-//! argument of the generated functions or a name that is in scope there. Which these are, the target states.
+//! Invariant: different symbols get different variables. No variable is a word of the target's language, an argument of
+//! the generated functions or a name in their scope. The target states these names.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 
-/// The longest name that spells a formula.
+/// Longest name that is made of a term's own formula, in bytes.
 const LONGEST: usize = 24;
-/// The longest list of variables in a name.
+/// Longest list of variables in the name of a term, in bytes.
 const LONGEST_LIST: usize = 12;
 
-/// Rules of a target language for names.
+/// Rules of a target language for variable names.
 pub struct Language {
-    /// True if a word of letters, digits and underscores may be a variable's name.
+    /// True if a word of letters, digits and underscores may be the name of a variable.
     pub is_name: fn(&str) -> bool,
-    /// Names that generated functions use for other things.
+    /// Names that generated functions use for other purposes.
     pub in_scope: &'static [&'static str],
 }
 
 impl Language {
-    /// No language: every word is a name. For plans that are counted and not written.
+    /// Rules without forbidden names, for plans that are counted and not written.
     pub const NONE: Self = Self { is_name: |_| true, in_scope: &[] };
 }
 
-/// Gives each name out once.
+/// Allocator of names, which gives out each name once.
 #[derive(Clone)]
 pub struct Allocator {
     is_name: fn(&str) -> bool,
@@ -33,26 +33,27 @@ pub struct Allocator {
 }
 
 impl Allocator {
-    /// With the names in scope already taken.
+    /// Allocator in which the names in scope are already taken.
     #[must_use]
     pub fn new(language: &Language) -> Self {
         Self { is_name: language.is_name, taken: language.in_scope.iter().copied().map(str::to_owned).collect() }
     }
 
-    /// True if a name was not given out yet.
+    /// True if a name has not been given out yet.
     #[must_use]
     pub fn is_free(&self, name: &str) -> bool {
         !self.taken.contains(name)
     }
 
-    /// Takes names back, to be given out once more.
+    /// Releases names, so that they can be given out again.
     pub fn release<'n>(&mut self, names: impl Iterator<Item = &'n String>) {
         for name in names {
             self.taken.remove(name);
         }
     }
 
-    /// `wanted`, with an underscore behind it if it is a word of the language, or with a number if it is taken.
+    /// Gives out the name `wanted`, with an underscore after it if it is a word of the language, and with a number if
+    /// it is taken.
     pub fn unique(&mut self, wanted: &str) -> String {
         let candidates = std::iter::once(if (self.is_name)(wanted) { wanted.to_owned() } else { format!("{wanted}_") });
         let candidates = candidates.chain((2..).map(|n| format!("{wanted}_{n}")));
@@ -62,23 +63,24 @@ impl Allocator {
     }
 }
 
-/// The variable of each symbol: `q1'` is held in `q1_dot`.
+/// Variables of the symbols: `q1'` has the variable `q1_dot`.
 #[derive(Clone)]
 pub struct Variables {
-    /// The name of each variable, by its symbol.
+    /// Names of the variables, by symbol.
     pub of: FxHashMap<Expr, String>,
-    /// Allocator that has given these names out.
+    /// Allocator that gave out these names.
     pub allocator: Allocator,
-    /// Symbols that change fastest: motion variables and rates. Terms are named after those that they contain.
+    /// Symbols that change fastest: motion variables and rates. Terms are named after the moving symbols that they
+    /// contain.
     pub moving: FxHashSet<Expr>,
-    /// The term that each symbol introduced by sharing stands for.
+    /// Terms of the symbols that sharing introduced, by symbol.
     pub behind: FxHashMap<Expr, Expr>,
-    /// The variables of symbols that sharing introduced, by their names in formulas.
+    /// Names of the variables of symbols that sharing introduced, by the symbols' names in formulas.
     shared: FxHashMap<String, String>,
 }
 
 impl Variables {
-    /// Variables for all symbols of an arena, in order of declaration, beside a type of this name.
+    /// Variables for all symbols of a store, in order of declaration. The name of the type is taken.
     #[must_use]
     pub fn new(arena: &Arena, language: &Language, type_name: &str) -> Self {
         let mut allocator = Allocator::new(language);
@@ -91,13 +93,14 @@ impl Variables {
         Self { of, allocator, moving: FxHashSet::default(), behind: FxHashMap::default(), shared: FxHashMap::default() }
     }
 
-    /// Enters the variable of a symbol that sharing introduced.
+    /// Adds the variable of a symbol that sharing introduced.
     pub fn insert(&mut self, arena: &Arena, symbol: Expr, name: &str) {
         self.of.insert(symbol, name.to_owned());
         self.shared.insert(arena.symbol_name(symbol).unwrap_or_default().to_owned(), name.to_owned());
     }
 
-    /// The variables that a term depends on, as a word: those that move, or the coordinates, if these are few.
+    /// Word for the variables on which a term depends: its moving variables, or else its coordinates; `motion` or
+    /// `place` if there are many.
     fn dependence(&self, arena: &Arena, e: Expr) -> String {
         let (mut symbols, mut stack, mut seen) = (Vec::new(), vec![e], FxHashSet::default());
         while let Some(e) = stack.pop() {
@@ -118,8 +121,8 @@ impl Variables {
         if word.len() > LONGEST_LIST { many.to_owned() } else { word }
     }
 
-    /// A formula with the variables of symbols that sharing introduced: they are spelled `#1`, `#2`, …, or `#` before
-    /// what they hold.
+    /// Writes a formula with the variables of symbols that sharing introduced. These are spelled `#1`, `#2`, …, or `#`
+    /// and a word for their term.
     #[must_use]
     pub fn spell(&self, formula: &str) -> String {
         let mut parts = formula.split('#');
@@ -134,7 +137,7 @@ impl Variables {
     }
 }
 
-/// A symbol's name in letters: dots for primes.
+/// Name of a symbol without primes: `q1_dot` for `q1'`.
 #[must_use]
 pub fn spelled(symbol: &str) -> String {
     let stem = symbol.trim_end_matches('\'');
@@ -142,7 +145,7 @@ pub fn spelled(symbol: &str) -> String {
     format!("{stem}{dots}")
 }
 
-/// The unit struct of equations of this name: `NewtonEuler` for `newton-euler`, `PrintedKaneFinal` for
+/// Name of the unit struct for equations: `NewtonEuler` for `newton-euler`, `PrintedKaneFinal` for
 /// `printed:kane-final`.
 #[must_use]
 pub fn type_name(name: &str) -> String {
@@ -150,14 +153,15 @@ pub fn type_name(name: &str) -> String {
     words.map(|word| word[..1].to_ascii_uppercase() + &word[1..]).collect()
 }
 
-/// The module of equations of this name: `newton_euler` for `newton-euler`.
+/// Name of the module for equations: `newton_euler` for `newton-euler`.
 #[must_use]
 pub fn module_name(name: &str) -> String {
     let words: Vec<&str> = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
     words.join("_").to_ascii_lowercase()
 }
 
-/// Letters and digits of a formula as one word, if that is short enough.
+/// Word made of the letters and digits of a formula; `None` if it is longer than `longest` or does not begin with a
+/// letter.
 #[must_use]
 pub fn identifier(formula: &str, longest: usize) -> Option<String> {
     let spelled = formula.replace('-', "_minus_").replace('+', "_plus_").replace('/', "_by_");
@@ -167,22 +171,22 @@ pub fn identifier(formula: &str, longest: usize) -> Option<String> {
     (word.len() <= longest && word.starts_with(|c: char| c.is_ascii_alphabetic())).then_some(word)
 }
 
-/// Names given so far.
+/// Names that a program gives to its terms.
 pub struct Names {
-    /// All that are taken.
+    /// Allocator with all names that are taken.
     pub allocator: Allocator,
-    /// The variables of the sine and the cosine of each angle.
+    /// Variables of the sine and the cosine of each angle.
     circular: FxHashMap<Expr, (String, String)>,
 }
 
 impl Names {
-    /// Beside those that are taken.
+    /// Names for a new program, beside those that the allocator has given out.
     #[must_use]
     pub fn new(allocator: Allocator) -> Self {
         Self { allocator, circular: FxHashMap::default() }
     }
 
-    /// The variables of an angle's sine and cosine: `s1`, `c1` for q1, `sin_theta`, `cos_theta` for others.
+    /// Variables of an angle's sine and cosine: `s1`, `c1` for q1, `sin_theta`, `cos_theta` for others.
     pub fn circular(&mut self, arena: &Arena, angle: Expr) -> (String, String) {
         if let Some(known) = self.circular.get(&angle) {
             return known.clone();
@@ -202,20 +206,21 @@ impl Names {
         pair
     }
 
-    /// A name that is free, after what a term holds.
+    /// Free name that describes a term; it is given out.
     pub fn descriptive(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
         let wanted = self.describe(arena, variables, e, stem);
         self.allocator.unique(&wanted)
     }
 
-    /// A name for a term: its own word if that is short; otherwise `stem` and the variables that it depends on.
+    /// Name that describes a term: a word for its formula if it is short, else `stem` and the variables on which it
+    /// depends.
     pub fn describe(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
         let word = self.word(arena, variables, e).map(|word| word.to_lowercase());
         let word = word.filter(|word| word.len() <= LONGEST && word.starts_with(|c: char| c.is_ascii_alphabetic()));
         word.unwrap_or_else(|| format!("{stem}_of_{}", variables.dependence(arena, e)))
     }
 
-    /// A formula spelled as a word: `u2_by_c2`, `r_s1_plus_x`. None where it nests too deep to be read so.
+    /// Word for a formula: `u2_by_c2`, `r_s1_plus_x`. `None` if the formula nests too deep to be read so.
     fn word(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
         match arena.node(e) {
             Node::Sum(constant, terms) => {
@@ -258,7 +263,8 @@ impl Names {
         Some(words.join("_"))
     }
 
-    /// A sum that is divided by; other sums inside products would read as if the product ended with their first term.
+    /// Word for a sum in a denominator; `None` for other sums, because the product would seem to end with their first
+    /// term.
     fn sum_below(&mut self, arena: &Arena, variables: &Variables, e: Expr, n: i32) -> Option<String> {
         let flat = |e: &Expr| arena.operands(*e).all(|part| !matches!(arena.node(part), Node::Sum(..)));
         let is_flat = flat(&e) && arena.operands(e).all(|part| flat(&part));
@@ -277,8 +283,8 @@ impl Names {
     }
 }
 
-/// A word with the size of its factor: `x_doubled`, `x_by_4`, `x_times_3_by_2`; the number alone where there is no
-/// word. None if the number is long.
+/// Word with its factor's size: `x_doubled`, `x_by_4`, `x_times_3_by_2`; the number alone for an empty word. `None` if
+/// the number is long.
 fn scaled(word: &str, k: &Rational) -> Option<String> {
     let (n, d) = k.small()?;
     let (n, d) = (n.unsigned_abs(), d.unsigned_abs());

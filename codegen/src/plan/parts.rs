@@ -1,45 +1,45 @@
-//! A long program in parts: compilers take a function of n lines in a time that grows with n², and fill its registers
-//! no better than those of a short one.
+//! Long programs in parts. The compile time of a function of n lines grows with n², and its code is no better than that
+//! of short functions.
 
 use super::arguments::{Argument, Entry};
 use super::program::Program;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 
-/// Lines up to which a program stays whole.
+/// Most lines of a program that stays whole.
 const MOST_WHOLE: usize = 1500;
 
-/// Lines of a part.
+/// Number of lines of a part, except the last.
 const PART: usize = 1000;
 
-/// A part of a program.
+/// Part of a long program, which becomes a function.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// The function's arguments that it reads.
+    /// Arguments of the function, with the variables that the part reads.
     pub arguments: Vec<Argument>,
-    /// Places whose values it needs, with their variables.
+    /// Places in the array that the part reads, with the variables of their values.
     pub reads: Vec<(usize, String)>,
-    /// Its lines and outputs.
+    /// Lines and outputs of the part.
     pub program: Program,
-    /// Places that it fills for later parts and for the result, with the variables of their values.
+    /// Places in the array that the part fills for later parts and the result, with the variables of their values.
     pub writes: Vec<(usize, String)>,
 }
 
-/// A program in parts, each of which hands what later ones need to them by places in an array.
+/// Parts of a long program. A part passes values to later parts by places in an array.
 #[derive(Clone, Debug)]
 pub struct Parts {
-    /// The parts, in the order of computation.
+    /// Parts in the order of computation.
     pub list: Vec<Part>,
-    /// The length of the array.
+    /// Length of the array.
     pub places: usize,
-    /// Places of the array that hold the returned values, with their variables.
+    /// Places in the array that contain the returned values, with their variables.
     pub results: Vec<(usize, String)>,
-    /// Arguments that the return value takes directly.
+    /// Arguments that the return value contains directly.
     pub arguments: Vec<Argument>,
 }
 
 impl Parts {
-    /// The parts of a program, if it is too long to stay whole.
+    /// Parts of a program; `None` if it is short enough to stay whole.
     #[must_use]
     pub fn of(program: &Program, arguments: &[Argument], entries: &[Entry]) -> Option<Self> {
         let lines = program.lines.len();
@@ -52,7 +52,7 @@ impl Parts {
             Entry::Variable(name) => Some(name.as_str()),
             Entry::Zero => None,
         });
-        // What each part needs; the result counts as one behind all.
+        // Variables that each part reads; the result counts as a last part.
         let mut needed: Vec<FxHashSet<&str>> = ranges.iter().map(|range| program.names_read(range.clone())).collect();
         needed.push(returned.collect());
         let mut last: FxHashMap<&str, usize> = FxHashMap::default();
@@ -60,7 +60,7 @@ impl Parts {
             last.extend(names.iter().map(|name| (*name, at)));
         }
         let (mut places, mut free): (usize, Vec<usize>) = (0, Vec::new());
-        // The variables that are held for later, with their places.
+        // Variables whose values are kept for later, with their places.
         let mut held: Vec<(&str, usize)> = Vec::new();
         let mut list = Vec::with_capacity(ranges.len());
         for (at, range) in ranges.into_iter().enumerate() {
@@ -97,8 +97,8 @@ fn owned<'v>(held: impl Iterator<Item = &'v (&'v str, usize)>) -> Vec<(usize, St
     held.map(|(name, place)| (*place, (*name).to_owned())).collect()
 }
 
-/// Sends each place elsewhere, so that a part seldom fills two neighbours: compilers would look for operations to do in
-/// pairs behind every such pair of stores, and find none.
+/// Permutes the places, so that a part seldom fills two neighbours. After two stores to neighbours, compilers search in
+/// vain for operations to do in pairs.
 fn scatter<'p>(list: impl Iterator<Item = &'p mut (usize, String)>, places: usize) {
     let shares_factor = |a: usize| (2..=a).any(|d| a.is_multiple_of(d) && places.is_multiple_of(d));
     let stride = (places * 3 / 8..places).find(|stride| *stride > 0 && !shares_factor(*stride)).unwrap_or(1);
@@ -107,7 +107,7 @@ fn scatter<'p>(list: impl Iterator<Item = &'p mut (usize, String)>, places: usiz
     }
 }
 
-/// Arguments of which no more is read than these variables.
+/// Arguments with only those variables that are needed.
 fn restricted(arguments: &[Argument], needed: &FxHashSet<&str>) -> Vec<Argument> {
     let kept = |variable: &String| needed.contains(variable.as_str());
     let restrict = |argument: &Argument| match argument {

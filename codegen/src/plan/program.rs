@@ -1,5 +1,4 @@
-//! A straight-line program: sines and cosines, shared terms, outputs, each with a name that says what
-//! it holds.
+//! Straight-line program: sines and cosines, shared terms and outputs, each with a name that describes it.
 
 use super::form::is_flat;
 use super::names::{Names, Variables, identifier};
@@ -11,17 +10,17 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::text::view::{View, view};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
-/// Nodes in one formula above which code generation gives up rather than write megabytes.
+/// Most nodes of one formula that is written; a larger formula is cut, instead of megabytes of code.
 const BUDGET: usize = 2_000_000;
 
-/// A statement `let name = value;` with the equation it stands for.
+/// Statement `let name = value;` with the equation that it computes.
 #[derive(Clone, Debug)]
 pub struct Statement {
-    /// The variable.
+    /// Name of the variable.
     pub name: String,
-    /// Its value, with shared terms standing as their names.
+    /// Value of the variable, with shared terms replaced by their names.
     pub value: View,
-    /// The variable's meaning, in the language of model files; `None` if its value says so by itself.
+    /// Meaning of the variable, in the language of model files; `None` if the value is clear by itself.
     pub comment: Option<String>,
 }
 
@@ -30,21 +29,21 @@ pub struct Statement {
 pub enum Line {
     /// Sine and cosine of an angle.
     Circular {
-        /// The sine's variable.
+        /// Name of the sine's variable.
         sine: String,
-        /// The cosine's variable.
+        /// Name of the cosine's variable.
         cosine: String,
-        /// The angle.
+        /// Angle in radians, as a formula.
         angle: View,
     },
-    /// A shared term.
+    /// Shared term.
     Let(Statement),
-    /// A step of an elimination.
+    /// Step of an elimination.
     Step(Statement),
 }
 
 impl Line {
-    /// The computed expression; for a sine and a cosine, their angle.
+    /// Expression that the line computes; for a sine and a cosine, their angle.
     #[must_use]
     pub fn value(&self) -> &View {
         match self {
@@ -55,7 +54,7 @@ impl Line {
 }
 
 impl Line {
-    /// The variables that it sets.
+    /// Variables that the line sets.
     fn names_set(&self) -> Vec<&str> {
         match self {
             Self::Circular { sine, cosine, .. } => vec![sine, cosine],
@@ -64,19 +63,19 @@ impl Line {
     }
 }
 
-/// The body of one generated function.
+/// Body of one generated function.
 #[derive(Clone, Debug, Default)]
 pub struct Program {
     /// Symbols that the program reads.
     pub inputs: FxHashSet<Expr>,
-    /// Sines, cosines and shared terms, each after what it needs.
+    /// Sines, cosines and shared terms, each after those that it needs.
     pub lines: Vec<Line>,
-    /// The outputs, in order.
+    /// Statements of the outputs, in order.
     pub outputs: Vec<Statement>,
 }
 
 impl Program {
-    /// The equations that it computes, each as a formula: of the steps of an elimination, and of the outputs.
+    /// Equations that the program computes, as formulas: of the steps of an elimination, and of the outputs.
     pub fn equations(&self) -> impl Iterator<Item = &str> {
         let steps = self.lines.iter().filter_map(|line| match line {
             Line::Step(step) => Some(step),
@@ -85,7 +84,7 @@ impl Program {
         steps.chain(&self.outputs).filter_map(|statement| statement.comment.as_deref())
     }
 
-    /// The variables that these lines and outputs read, counted one after the other.
+    /// Variables that lines and outputs of a range read. Lines count first, then outputs.
     #[must_use]
     pub fn names_read(&self, range: Range<usize>) -> FxHashSet<&str> {
         let mut names = FxHashSet::default();
@@ -94,7 +93,7 @@ impl Program {
         names
     }
 
-    /// The variables that these lines and outputs set, in their order.
+    /// Variables that lines and outputs of a range set, in order. Lines count first, then outputs.
     #[must_use]
     pub fn names_set(&self, range: Range<usize>) -> Vec<&str> {
         let of_outputs = self.outputs.iter().map(|output| vec![output.name.as_str()]);
@@ -102,7 +101,7 @@ impl Program {
     }
 }
 
-/// The variables in a value.
+/// Collects the variables in a value.
 fn collect<'v>(view: &'v View, names: &mut FxHashSet<&'v str>) {
     match view {
         View::Shared(name) => {
@@ -119,22 +118,22 @@ fn collect<'v>(view: &'v View, names: &mut FxHashSet<&'v str>) {
     }
 }
 
-/// An output to be computed: its variable, its symbol in comments, its expression.
+/// Output to be computed: its variable, its symbol in comments, its expression.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// The variable that is wanted; another if an input has that name.
+    /// Wanted name of the variable; another name is used if it is taken.
     pub name: String,
-    /// Its label in comments: `M12`, `f3`.
+    /// Label of the output in comments: `M12`, `f3`.
     pub label: String,
-    /// The expression to compute.
+    /// Expression to be computed.
     pub value: Expr,
-    /// The value as comments state it: before what it shares with others was taken out.
+    /// Value as comments state it, before terms were shared.
     pub stated: Expr,
 }
 
-/// Orders, shares and names everything that the outputs need. The symbols of `steps` are no inputs: each is
-/// computed after the ones before it, and before what mentions it. Comments state the values that `stated` has for
-/// steps; symbols that [`tripos_derive::algebra::form::sharing`] introduced get names here.
+/// Orders, shares and names all terms that the outputs need. The symbols of `steps` are no inputs: each is computed
+/// after the steps before it, and before the terms that contain it. Comments show the values that `stated` has for
+/// steps. Symbols that [`tripos_derive::algebra::form::sharing`] introduced get names here.
 #[must_use]
 pub fn program(
     arena: &Arena,
@@ -175,28 +174,29 @@ pub fn program(
     Program { inputs: parts.into_iter().filter(is_input).collect(), lines: builder.ordered(), outputs }
 }
 
-/// A program under construction.
+/// Builder of a program.
 struct Builder<'a> {
     arena: &'a Arena,
     uses: FxHashMap<Expr, usize>,
-    /// Name of the first step or output that needs each term: stem of the term's name if it has no better one.
+    /// Name of the first step or output that needs each term. It is the stem of a term's name if the term has no better
+    /// one.
     needs: FxHashMap<Expr, String>,
     names: Names,
-    /// The variables of symbols, steps included.
+    /// Variables of symbols, steps included.
     variables: Variables,
-    /// The variables of all terms that have one.
+    /// Names of the variables of all terms that have one.
     shared: FxHashMap<Expr, String>,
     lines: Vec<Line>,
-    /// The terms that were looked at.
+    /// Terms that were already handled.
     done: FxHashSet<Expr>,
-    /// The angles whose sine and cosine are there.
+    /// Angles whose sine and cosine are computed, as formula and as term.
     circular: Vec<(View, Expr)>,
-    /// The tangents that are there, by their angles.
+    /// Tangents that are computed: angle and name of the variable.
     tangents: Vec<(View, String)>,
 }
 
 impl Builder<'_> {
-    /// Lines for what these terms need and share.
+    /// Adds lines for the sines, cosines and shared terms in these terms.
     fn terms(&mut self, roots: &[Expr]) {
         for e in self.arena.reachable(roots) {
             if !self.done.insert(e) {
@@ -212,7 +212,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A line for the sine and the cosine of an angle, if it has none yet.
+    /// Adds a line for the sine and the cosine of an angle, unless there is one.
     fn circle(&mut self, e: Expr, f: Function, angle: Expr) {
         let (sine, cosine) = self.names.circular(self.arena, angle);
         self.shared.insert(e, if f == Function::Sin { sine.clone() } else { cosine.clone() });
@@ -225,7 +225,7 @@ impl Builder<'_> {
         self.lines.push(Line::Circular { sine, cosine, angle: view });
     }
 
-    /// A line for a term that is used more than once.
+    /// Adds a line for a term that is used more than once.
     fn share(&mut self, e: Expr) {
         let name = self.descriptive(e);
         let value = self.resolve(view(self.arena, e, &self.shared, BUDGET));
@@ -234,7 +234,7 @@ impl Builder<'_> {
         self.lines.push(Line::Let(Statement { name, value, comment }));
     }
 
-    /// A step that sharing introduced. What has a name already, a tangent for instance, keeps it.
+    /// Adds a step that sharing introduced. A term that already has a name, such as a tangent, keeps it.
     fn shared_step(&mut self, step: Definition) {
         let value = self.operand(step.value);
         let value = self.resolve(value);
@@ -254,7 +254,7 @@ impl Builder<'_> {
         self.lines.push(Line::Let(Statement { name, value, comment }));
     }
 
-    /// A step of an elimination: it has its name from its symbol.
+    /// Adds a step of an elimination, whose variable is named after its symbol.
     fn step(&mut self, step: Definition, stated: &[Definition]) {
         let name = self.variables.of[&step.symbol].clone();
         let value = self.operand(step.value);
@@ -271,30 +271,31 @@ impl Builder<'_> {
         Statement { name, value, comment: Some(self.equation(&output.label, output.stated)) }
     }
 
-    /// The comment `name = formula`; the name alone if the value is that symbol itself.
+    /// Comment `name = formula`; the name alone if the value is this symbol.
     fn equation(&self, name: &str, value: Expr) -> String {
         let stays = self.arena.symbol_name(value) == Some(name);
         if stays { name.to_owned() } else { format!("{name} = {}", text(self.arena, value)) }
     }
 
-    /// A name after what a term holds, or after what needs it first.
+    /// Free name after the formula of a term, or after the first step or output that needs it.
     fn descriptive(&mut self, e: Expr) -> String {
         let stem = self.needs.get(&e).map_or("shared", String::as_str);
         self.names.descriptive(self.arena, &self.variables, e, stem)
     }
 
-    /// A shared term as a formula; nothing where it is a product, which reads as well in any language.
+    /// Formula of a shared term, for a comment; `None` if its value contains no sum, because such a value reads well in
+    /// any language.
     fn meaning(&self, e: Expr, value: &View) -> Option<String> {
         (!is_flat(value)).then(|| self.variables.spell(&text(self.arena, e)))
     }
 
-    /// Enters the variable of a symbol that sharing introduced.
+    /// Adds the variable of a symbol that sharing introduced.
     fn name(&mut self, symbol: Expr, name: &str) {
         self.variables.insert(self.arena, symbol, name);
         self.shared.insert(symbol, name.to_owned());
     }
 
-    /// A term as it stands inside others: by its name, if it has one.
+    /// View of a term inside others: its variable, if it has one.
     fn operand(&self, e: Expr) -> View {
         match self.shared.get(&e) {
             Some(name) => View::Shared(name.clone()),
@@ -302,7 +303,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Replaces every tangent by its variable, computed before it is first needed.
+    /// Replaces every tangent by its variable, which is computed before.
     fn resolve(&mut self, mut value: View) -> View {
         replace_tangents(&mut value, &mut |angle| self.tangent(angle));
         value
@@ -326,7 +327,7 @@ impl Builder<'_> {
         View::Shared(name)
     }
 
-    /// The lines, sines and cosines of inputs first: that is where a reader looks for them.
+    /// Lines of the program. Sines and cosines of inputs come first, where a reader looks for them.
     fn ordered(self) -> Vec<Line> {
         let variables = self.variables;
         let needs_nothing = |line: &Line| match line {
@@ -339,7 +340,7 @@ impl Builder<'_> {
     }
 }
 
-/// Number of times that each term is used as an operand or as an output.
+/// Numbers of uses of each term, as an operand or as an output.
 fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, usize> {
     let mut uses: FxHashMap<Expr, usize> = FxHashMap::default();
     for operand in parts.iter().flat_map(|part| arena.operands(*part)).chain(roots.iter().copied()) {
@@ -348,7 +349,7 @@ fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, 
     uses
 }
 
-/// For each term, the first step or output that needs it: what it is named after.
+/// Name of the first step or output that needs each term.
 fn first_needs(
     arena: &Arena,
     variables: &Variables,

@@ -1,4 +1,4 @@
-//! The functions of one scene's own equations, and what a call costs beside the whole model.
+//! Plan of the functions of one scene's own equations, and costs of a call compared with the whole model.
 
 use super::cost::Cost;
 use super::formulation::{accelerations, derivative, divisors, jacobian, kinematics_and_energies, singular_text};
@@ -14,14 +14,14 @@ use tripos_derive::mechanics::{self, DeriveError, Solved, Unsolved};
 use tripos_derive::reduce::{Quantity, Reduction, Slope};
 use tripos_derive::{Equations, Formulation, derive};
 
-/// A scene's equations, solved: what its functions are planned from.
+/// Solved equations of a scene, from which its functions are planned.
 pub struct SceneEquations<'a> {
-    /// The scene's reduction.
+    /// Reduction of the scene.
     pub reduction: &'a Reduction,
     arena: Arena,
     solved: Solved,
     recurrences: Option<Recurrences>,
-    /// The slopes of the energy by the state.
+    /// Gradient of the energy along the state.
     gradient: Vec<Expr>,
 }
 
@@ -29,7 +29,7 @@ impl<'a> SceneEquations<'a> {
     /// Solves the equations of a reduction.
     ///
     /// # Errors
-    /// [`Unsolved`] if the accelerations are determined in no configuration, or are not proved.
+    /// [`Unsolved`] if the accelerations are not determined in any configuration, or are not proved.
     pub fn new(reduction: &'a Reduction) -> Result<Self, Unsolved> {
         let mut arena = reduction.terms().clone();
         let equations = &reduction.derivation.equations;
@@ -39,35 +39,35 @@ impl<'a> SceneEquations<'a> {
         Ok(Self { reduction, arena, solved, recurrences, gradient })
     }
 
-    /// Planner of its functions for a language.
+    /// Planner of the scene's functions for a language.
     #[must_use]
     pub fn planner(&self, language: &Language) -> Planner<'_> {
         Planner::new(&self.reduction.model, &self.arena, &self.reduction.derivation.equations, language, true)
     }
 }
 
-/// The equations of one scene.
+/// Plan of the code of one scene's own equations.
 pub struct ScenePlan<'a> {
-    /// The scene's reduction.
+    /// Reduction of the scene.
     pub reduction: &'a Reduction,
-    /// Functions that give its constants and its start from a start of the whole model, whose parameters they take.
-    /// Empty if equations are in a moving frame: then no formula gives them.
+    /// Functions that compute the constants and the start from a start of the whole model, with the model's parameters.
+    /// Empty if the equations are in a moving frame, because then no formula gives the start.
     pub from_start: Vec<Function>,
-    /// The equations, in the order in which they are read.
+    /// Functions of the equations, in the order in which they are read.
     pub equations: Vec<Function>,
-    /// Functions for runs, beside the equations.
+    /// Further functions for runs.
     pub machine: Vec<Function>,
-    /// Names, for people, of the divisors that `divisors` returns; empty if no divisor can be zero.
+    /// Names, for people, of the divisors that the function `divisors` returns; empty if no divisor can be zero.
     pub divisors: Vec<String>,
-    /// The recurrences of its Taylor coefficients.
+    /// Recurrences of the Taylor coefficients; `None` if they are not requested.
     pub taylor: Option<TaylorPlan<'a>>,
-    /// Statements about it for the header, line by line.
+    /// Statements about the equations for the header, line by line.
     pub facts: Vec<String>,
 }
 
 impl<'a> ScenePlan<'a> {
-    /// Plans the functions of a scene of the whole model; also the entries of the Jacobian and the recurrences if these
-    /// are asked for.
+    /// Plans the functions of a scene of the model `whole`. Plans also the entries of the Jacobian and the recurrences
+    /// if they are requested.
     #[must_use]
     pub fn new(
         whole: &Model,
@@ -101,7 +101,8 @@ impl<'a> ScenePlan<'a> {
     }
 }
 
-/// `constants` and `start`: the parameters of the scene's equations, and their state, from a start of the whole model.
+/// Functions `constants` and `start`, which return the parameters and the state of the scene's equations, from a start
+/// of the whole model.
 fn from_start(whole: &Model, planner: &Planner<'_>, reduction: &Reduction) -> [Function; 2] {
     let e = planner.equations;
     let equations = Equations { coordinates: whole.q(), variables: whole.u(), ..e.clone() };
@@ -151,7 +152,7 @@ fn facts(reduction: &Reduction) -> Vec<String> {
     lines
 }
 
-/// A constant with what it is at the start and what it is called, each said once.
+/// Line for a constant: its name, its value at the start and its description, each written once.
 fn stated(name: &str, formula: &str, about: &str) -> String {
     match (name == formula, formula == about) {
         (true, _) => format!("{name}: {about}."),
@@ -177,7 +178,7 @@ fn outputs(planner: &Planner<'_>, reduction: &Reduction) -> Function {
     planner.stepwise("outputs", about, arguments, Returns::Vector, definitions, &values)
 }
 
-/// T + V, then its slopes.
+/// Function `energy_gradient`, which returns T + V, then its derivatives along the state.
 fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
     let e = planner.equations;
     let mut arena = planner.arena.clone();
@@ -192,8 +193,9 @@ fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
     planner.stepwise("energy_gradient", about, Arguments::State, Returns::Vector, &e.definitions, &values)
 }
 
-/// The slope of the potential energy between two places `q`, as it stands: what would be gained by rewriting it would
-/// bring back the differences that it avoids. `u` holds sin z/z of the angles z that the other function gives.
+/// Functions for the slope of the potential energy between two coordinates `q`. The formula is not rewritten, because
+/// sharing would bring back the cancellations that it avoids. `u` contains sin z/z of the angles z from the function
+/// `half_differences`.
 fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
     let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
     let equations = Equations {
@@ -226,19 +228,20 @@ fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
     ]
 }
 
-/// Cost of one call of the derivative of the state: of all equations by Kane's method, and of a scene's own.
+/// Costs of one call of the derivative of the state: of all equations by Kane's method, and of a scene's own equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Costs {
-    /// The cost of a call of the whole model.
+    /// Cost of a call for the whole model.
     pub full: Cost,
-    /// The cost of a call of the scene.
+    /// Cost of a call for the scene.
     pub scene: Cost,
 }
 
-/// Counts operations as generated code has them.
+/// Counts the operations of generated code for the whole model and for a scene.
 ///
 /// # Errors
-/// [`DeriveError`] if Kane's equations cannot be had, or accelerations are determined in no configuration.
+/// [`DeriveError`] if Kane's equations cannot be derived, or if the accelerations are not determined in any
+/// configuration.
 pub fn costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError> {
     let of = |model: &Model, arena: &Arena, equations: &Equations| {
         let mut arena = arena.clone();

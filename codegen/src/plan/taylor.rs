@@ -1,4 +1,4 @@
-//! The plan of a function `taylor`: names of everything that it computes, in which order, and what its comments say.
+//! Plan of a function `taylor`: the names and the order of all that it computes, and its comments.
 
 use super::{Allocator, Argument, Names, Output, Planner, Program, Variables, identifier, program};
 use crate::taylor::{Operand, Recurrences, Rule, Series};
@@ -6,41 +6,41 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::{Arena, Expr, Function as Elementary, Node};
 
-/// Number of which the padded count of convolutions is a multiple: `LANES` of `tripos_traits::series`.
+/// Factor of the padded number of convolutions: `LANES` of `tripos_traits::series`.
 const LANES: usize = 8;
 
-/// A function that computes Taylor coefficients by recurrences.
+/// Plan of a function that computes Taylor coefficients by recurrences.
 pub struct TaylorPlan<'a> {
-    /// The store of all terms.
+    /// Store of all terms.
     pub arena: &'a Arena,
-    /// The recurrences.
+    /// Recurrences that the function computes.
     pub list: &'a Recurrences,
-    /// The variables of symbols.
+    /// Variables of the symbols.
     pub variables: Variables,
-    /// The variable of each series.
+    /// Name of the variable of each series.
     pub names: Vec<String>,
-    /// The variable of the inverse of each series that is divided by.
+    /// Variables of the inverses of divisors, by the index of the series that is a divisor.
     pub over: FxHashMap<usize, String>,
-    /// The variable of 1/(2 z) of each root z.
+    /// Variables of 1/(2 z), by the index of the root z.
     pub over_twice: FxHashMap<usize, String>,
-    /// The variable of each weight that is no number and no symbol.
+    /// Variables of the weights that are neither numbers nor symbols.
     pub weights: FxHashMap<Expr, String>,
-    /// The variable of the rate of each state of the series, while orders are computed.
+    /// Variables of the rates of states, by the index of the state's series. They are used while orders are computed.
     pub rates: FxHashMap<usize, String>,
-    /// Operations that each series waits for at one order.
+    /// Operations that the coefficient of each series must wait for, at one order.
     pub depths: Vec<usize>,
-    /// The place of the convolution of each series that has one.
+    /// Places of the convolutions, by the index of the series that has one.
     pub slots: FxHashMap<usize, usize>,
-    /// The parameters, as far as weights have them.
+    /// Argument for the parameters, with those that the weights contain.
     pub parameters: Argument,
     /// Program of the terms that are constant in time.
     pub constants: Program,
-    /// True if each line is to have its formula above it.
+    /// True if each line has its formula above it as a comment.
     pub explained: bool,
 }
 
 impl<'a> TaylorPlan<'a> {
-    /// Names what the recurrences need.
+    /// Plans the names of all terms that the recurrences need.
     #[must_use]
     pub fn new(planner: &'a Planner<'_>, list: &'a Recurrences) -> Self {
         let (arena, mut variables) = (planner.arena, planner.variables.clone());
@@ -90,13 +90,14 @@ impl<'a> TaylorPlan<'a> {
         }
     }
 
-    /// Number of convolutions that there is room for, padding included.
+    /// Number of convolutions for which there is room, with padding.
     #[must_use]
     pub fn width(&self) -> usize {
         self.list.convolutions().next_multiple_of(LANES).max(LANES)
     }
 
-    /// The variable of the state at this place at order 0, if it is read: of a series, or as a constant in time.
+    /// Variable of the state `place` at order 0: that of its series, or of a constant in time. `None` if it is not
+    /// read.
     #[must_use]
     pub fn start(&self, place: usize) -> Option<String> {
         let state = self.list.states[place];
@@ -116,12 +117,12 @@ impl<'a> TaylorPlan<'a> {
         quotient || self.list.series.iter().any(read) || self.list.rates.iter().any(rate)
     }
 
-    /// Text of a weight in a comment.
+    /// Text of a weight for a comment: its variable or its formula.
     fn weight_text(&self, e: Expr) -> String {
         self.weights.get(&e).cloned().unwrap_or_else(|| text(self.arena, e))
     }
 
-    /// The equation `name = formula` of a series, in terms of other series; empty for a state.
+    /// Equation `name = formula` of a series, in terms of other series; empty for a state.
     #[must_use]
     pub fn equation(&self, at: usize) -> String {
         let name = |x: &usize| self.names[*x].as_str();
@@ -164,25 +165,25 @@ impl<'a> TaylorPlan<'a> {
     }
 }
 
-/// Symbols that weights and constants have.
+/// Symbols and subterms that the weights and constants contain.
 fn inputs(arena: &Arena, list: &Recurrences) -> FxHashSet<Expr> {
     arena.reachable(&list.constants()).into_iter().collect()
 }
 
-/// The weights, in terms of parameters and of states that do not change.
+/// Program of the weights, in terms of parameters and of states that do not change.
 fn constants(arena: &Arena, variables: &Variables, list: &Recurrences, weights: &FxHashMap<Expr, String>) -> Program {
     let named = list.constants().into_iter().filter_map(|e| Some((e, weights.get(&e)?)));
     let outputs = named.map(|(value, name)| Output { name: name.clone(), label: name.clone(), value, stated: value });
-    // Their names are taken in `variables`; the program is to give them to them.
+    // The names of the weights are released, so that the program can give them out.
     let mut variables = variables.clone();
     variables.allocator.release(weights.values());
     program(arena, &variables, &[], &[], &outputs.collect::<Vec<_>>())
 }
 
-/// Suffixes of the name of a series at orders 0, 1 and k − 1.
+/// Suffixes for the variable of a series at orders 0, 1 and k − 1.
 const ORDERS: [&str; 3] = ["_0", "_1", "_last"];
 
-/// A name for each series, after what it stands for or what needs it; free at each order.
+/// Names of all series, after the term or the first state that needs it; each is free at every order.
 fn names_of(arena: &Arena, variables: &Variables, names: &mut Names, list: &Recurrences) -> Vec<String> {
     let rate_of = |at: usize| {
         let place = list.rates.iter().position(|rate| *rate == Operand::Scaled(Expr::ONE, at))?;
@@ -204,8 +205,8 @@ fn names_of(arena: &Arena, variables: &Variables, names: &mut Names, list: &Recu
     list.series.iter().enumerate().map(&mut one).collect()
 }
 
-/// A name that is free at every order; one that is given out already is kept if it is free there, and gets a mark
-/// otherwise.
+/// Name that is free at every order. A name that is already given out is kept if it is free there, else it gets a
+/// suffix.
 fn reserved(allocator: &mut Allocator, wanted: &str, given: bool) -> String {
     let mut name = if given { wanted.to_owned() } else { allocator.unique(wanted) };
     while ORDERS.iter().any(|order| !allocator.is_free(&format!("{name}{order}"))) {
@@ -217,7 +218,7 @@ fn reserved(allocator: &mut Allocator, wanted: &str, given: bool) -> String {
     name
 }
 
-/// Operations at one order up to the coefficient of each series along its longest chain of recurrences, roughly.
+/// Operations at one order up to the coefficient of each series, along its longest chain of recurrences, roughly.
 fn depths(list: &Recurrences) -> Vec<usize> {
     let mut depths: Vec<usize> = Vec::new();
     for s in &list.series {

@@ -1,4 +1,4 @@
-//! Formulas as expressions of the scalar type `S`.
+//! Formulas as Rust expressions of the scalar type `S`.
 
 use crate::plan::{constant_and_factors, is_flat, is_plain_product, led};
 use proc_macro2::TokenStream;
@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
 use tripos_derive::algebra::text::view::View;
 
-/// A formula as an expression of the scalar type `S`.
+/// Rust expression of the scalar type `S` for a formula.
 pub fn expression(view: &View) -> TokenStream {
     match view {
         View::Number(text) => number(text, "1"),
@@ -29,20 +29,20 @@ pub fn expression(view: &View) -> TokenStream {
     }
 }
 
-/// A name as tokens.
+/// Tokens of an identifier.
 pub fn ident(name: &str) -> TokenStream {
     let ident = format_ident!("{name}");
     quote!(#ident)
 }
 
-/// A number as an exact constant.
+/// Rust expression for a number, exact if its parts fit into 64 bits.
 pub fn constant(value: &Rational) -> TokenStream {
     let magnitude = if value.is_negative() { value.neg() } else { value.clone() }.to_big();
     let magnitude = number(&magnitude.numer().to_string(), &magnitude.denom().to_string());
     if value.is_negative() { quote!(-#magnitude) } else { magnitude }
 }
 
-/// An exact constant; whole where the denominator is 1.
+/// Rust expression for a quotient of whole numbers; a whole number if the denominator is 1.
 fn number(numerator: &str, denominator: &str) -> TokenStream {
     match (numerator.parse::<i64>(), denominator.parse::<i64>()) {
         (Ok(n), Ok(1)) => {
@@ -53,12 +53,13 @@ fn number(numerator: &str, denominator: &str) -> TokenStream {
             let (n, d) = (proc_macro2::Literal::i64_unsuffixed(n), proc_macro2::Literal::i64_unsuffixed(d));
             quote!(S::ratio(#n, #d))
         }
-        // Too large for a word.
+        // The numbers have more than 64 bits.
         _ => long_number(numerator, denominator),
     }
 }
 
-/// A quotient of whole numbers of any length: the nearest double, times a power of ten where no double is near.
+/// Quotient of whole numbers of any length: the nearest double, with a factor that is a power of ten if no normal
+/// double is near.
 fn long_number(numerator: &str, denominator: &str) -> TokenStream {
     let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
     let value = value.and_then(|(n, d)| Some(n.mul(&d.recip()?)));
@@ -69,7 +70,7 @@ fn long_number(numerator: &str, denominator: &str) -> TokenStream {
         let nearest = double(nearest);
         return quote!(S::from_f64(#nearest));
     }
-    // Whole digits less, of both: the size in powers of ten, to one.
+    // The difference of the numbers of digits is the size in powers of ten, up to one.
     let size = digits(numerator) - digits(denominator);
     let ten = Rational::integer(10);
     let power = ten.pow(size).map(|power| value.mul(&power.recip().unwrap_or(Rational::ONE)).to_f64());
@@ -82,14 +83,14 @@ fn long_number(numerator: &str, denominator: &str) -> TokenStream {
     }
 }
 
-/// Number of digits of a whole number.
+/// Number of digits of a whole number, without its sign.
 fn digits(text: &str) -> i32 {
     i32::try_from(text.trim_start_matches('-').len()).unwrap_or(i32::MAX)
 }
 
-/// Terms from left to right. A product of plain factors is fused with what stands before it, where the scalar type can:
-/// one in a sum and none inside another, since nested calls are hard to read and gain little. Also whether all of it is
-/// one call, which binds as tightly as a name.
+/// Sum with its terms from left to right; true if the whole sum is one call, which binds as tightly as a name. A
+/// product of plain factors is fused with the terms before it if the scalar type can. A sum has at most one fused
+/// product and none inside another sum, because nested calls are hard to read and gain little.
 fn sum(terms: &[(bool, View)]) -> (TokenStream, bool) {
     let order = led(terms);
     let (mut tokens, mut call) = (TokenStream::new(), false);
@@ -115,14 +116,14 @@ fn sum(terms: &[(bool, View)]) -> (TokenStream, bool) {
     (tokens, call)
 }
 
-/// A plain product as what `mul_add` is called on and what it is multiplied by.
+/// Plain product as the receiver and the first argument of `mul_add`.
 fn halves(term: &View) -> (TokenStream, TokenStream) {
     let factors = match term {
         View::Product(factors) => factors.clone(),
         View::Power(base, _) => vec![(**base).clone(); 2],
         other => vec![other.clone()],
     };
-    // A number is multiplied by, not called upon: `x.mul_add(S::int(4), y)`.
+    // A number becomes the argument, not the receiver: `x.mul_add(S::int(4), y)`.
     let number = factors.iter().position(|f| matches!(f, View::Number(_)));
     let right = number.unwrap_or(factors.len() - 1);
     let mut left = factors;
@@ -140,7 +141,7 @@ fn factor(view: &View) -> TokenStream {
     if bound { tokens } else { quote!((#tokens)) }
 }
 
-/// A formula that a method is called on.
+/// Formula as the receiver of a method call, in parentheses if it needs them.
 pub fn receiver(view: &View) -> TokenStream {
     let (tokens, bound) = match view {
         View::Sum(terms) => sum(terms),
@@ -165,7 +166,7 @@ fn join_products(factors: &[TokenStream]) -> TokenStream {
     tokens
 }
 
-/// above / below, with the whole numbers of both merged into one exact constant.
+/// Quotient above / below, with the whole numbers of both terms merged into one exact constant.
 fn fraction(above: &View, below: &View) -> TokenStream {
     let (n, above) = constant_and_factors(above);
     let (d, below) = constant_and_factors(below);
@@ -191,7 +192,7 @@ fn fraction(above: &View, below: &View) -> TokenStream {
     }
 }
 
-/// Squares and cubes of a variable as products, other powers by `powi`.
+/// Power of a formula: squares and cubes of a variable as products, other powers by `powi`.
 fn power(base: &View, n: i32) -> TokenStream {
     let plain = matches!(base, View::Name(_) | View::Shared(_));
     let tokens = receiver(base);

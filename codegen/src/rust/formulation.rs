@@ -1,4 +1,4 @@
-//! One formulation of one model as Rust: the equations in a file for people, and the code in one for machines.
+//! Rust files of one formulation of one model: the equations for people, and the code for machines.
 
 use super::function::{Parameters, function};
 use super::slopes::{JACOBIAN_PRODUCT, jacobian_product};
@@ -10,17 +10,17 @@ use crate::plan::{FormulationPlan, module_name, type_name};
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Expr;
 
-/// The files of one formulation.
+/// Texts of the two files of one formulation.
 pub struct FormulationFiles {
-    /// The equations, such as `kane.rs`, for people: formulas of mass matrix, forcing, accelerations, kinematic
-    /// equations and energies, each where its function is re-exported.
+    /// Equations for people, such as `kane.rs`: formulas of mass matrix, forcing, accelerations, kinematic equations
+    /// and energies. Each formula is at the re-export of its function.
     pub equations: String,
-    /// The code, such as `code/kane.rs`: the functions, what runs use beside them, and the `System`.
+    /// Code for machines, such as `code/kane.rs`: the functions, further functions for runs, and the `System`.
     pub code: String,
 }
 
-/// Emits the files of a formulation; `origin` is the sentence of their headers that says where they come from.
-/// Functions that another formulation of the model has are not written again.
+/// Writes the files of a formulation. `origin` is the sentence of their headers that names their origin. Functions that
+/// another formulation of the model already has are not written again.
 #[must_use]
 pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) -> FormulationFiles {
     let (model, equations) = (plan.planner.model, plan.planner.equations);
@@ -40,7 +40,7 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
     parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
     parts.extend((!plan.constraints.is_empty()).then(|| Part::Constraints(plan.constraints.clone())));
-    // Equal texts of it call different functions: it is no one else's.
+    // The function `jacobian_product` is never shared: equal texts of it call different functions.
     let differentiated = product.then(|| jacobian_product(equations, together));
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
     let system = system::system(model, equations, &parts);
@@ -70,7 +70,7 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
         let (docs, module, name) = (stated(planned), format_ident!("{module}"), format_ident!("{}", planned.name));
         quote!(#docs #[doc(inline)] pub use super::code::#module::#name;)
     });
-    // What another formulation has is explained there.
+    // A function that another formulation has is explained there.
     let is_shown = |name: &&str| plan.equations.iter().any(|planned| planned.name == *name);
     let shared = sorted.others.iter().map(|(module, names)| (module, names.iter().copied().filter(is_shown)));
     let shared = shared.filter(|(_, names)| names.clone().next().is_some());

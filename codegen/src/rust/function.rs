@@ -1,4 +1,4 @@
-//! A planned function as a function of Rust, generic over the scalar type `S`.
+//! Rust function for a planned function, generic over the scalar type `S`.
 
 use super::expression::{expression, ident, receiver};
 use super::names::LANGUAGE;
@@ -8,48 +8,48 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 
-/// Entries of an array that a pattern passes over before those that are read are taken one by one.
+/// Most entries of an array argument that a pattern skips. With more, the entries that are read are taken one by one.
 const MOST_SKIPPED: usize = 20;
 
-/// The functions that runs spend their time in: `System` calls them through `Scalar::dispatch`.
+/// Names of the functions in which runs spend their time; `System` calls them through `Scalar::dispatch`.
 const DISPATCHED: [&str; 2] = ["accelerations", "derivative"];
 
-/// Those that quadrature spends its time in, where equations have one degree of freedom.
+/// Names of the functions in which quadrature spends its time, if equations have one degree of freedom.
 const INTEGRANDS: [&str; 4] = ["coordinate_rates", "kinetic_energy", "half_differences", "potential_slope"];
 
-/// The struct that functions are given the parameters in.
+/// Struct in which functions get the parameters.
 pub struct Parameters {
-    /// Its path, as it is seen from the functions.
+    /// Path of the struct, as seen from the functions.
     pub path: TokenStream,
-    /// The field of each parameter.
+    /// Name of the struct's field for each parameter.
     pub fields: Vec<String>,
 }
 
 impl Parameters {
-    /// The struct `Parameters` of a model, in scope.
+    /// Struct `Parameters` of a model, in scope of the functions.
     pub fn of(model: &Model) -> Self {
         Self { path: quote!(Parameters), fields: fields(model) }
     }
 }
 
-/// The struct field of each parameter: its own name, escaped where it is a keyword.
+/// Names of the struct's fields for the parameters: their own names, escaped if they are keywords.
 pub fn fields(model: &Model) -> Vec<String> {
     let mut allocator = Allocator::new(&Language { in_scope: &[], ..LANGUAGE });
     model.parameters.iter().map(|p| allocator.unique(&p.name)).collect()
 }
 
-/// The function, given its parameters in this struct.
+/// Rust function for a planned function, which gets its parameters in this struct.
 pub fn function(planned: &Function, parameters: &Parameters) -> TokenStream {
     written(planned, parameters, DISPATCHED.contains(&planned.name))
 }
 
-/// The function of equations that quadrature may integrate.
+/// Rust function for equations that quadrature may integrate, which gets its parameters in this struct.
 pub fn function_at_points(planned: &Function, parameters: &Parameters) -> TokenStream {
     written(planned, parameters, DISPATCHED.iter().chain(&INTEGRANDS).any(|name| *name == planned.name))
 }
 
-/// The function; what `System` dispatches is compiled again for the instructions of the processor, which reach only
-/// inlined code.
+/// Rust function for a planned function. If `dispatched`, it is inlined, because only inlined code is compiled again
+/// for the instructions of the processor.
 fn written(planned: &Function, parameters: &Parameters, dispatched: bool) -> TokenStream {
     let (name, about, cost) = (ident(planned.name), format!(" {}", planned.about), format!(" {}.", planned.cost));
     let inline = dispatched.then(|| quote!(#[inline(always)]));
@@ -74,14 +74,14 @@ fn written(planned: &Function, parameters: &Parameters, dispatched: bool) -> Tok
     }
 }
 
-/// The body of a function up to its result: its whole program.
+/// Body of a function up to its result, with its whole program.
 fn whole(planned: &Function, parameters: &Parameters) -> TokenStream {
     let unpack = planned.arguments.iter().map(|argument| unpack(argument, parameters));
     let body = lines(planned, &planned.program, &[]);
     quote!(#(#unpack)* #body)
 }
 
-/// The body of a function up to its result: calls of the parts of its program, each in a function of its own.
+/// Body of a function up to its result: calls of the parts of its program, each in a function of its own.
 fn in_parts(planned: &Function, parts: &Parts, parameters: &Parameters) -> TokenStream {
     let length = Literal::usize_unsuffixed(parts.places);
     let given: Vec<usize> = (0..planned.arguments.len()).filter(|at| planned.arguments[*at].is_read()).collect();
@@ -93,7 +93,7 @@ fn in_parts(planned: &Function, parts: &Parts, parameters: &Parameters) -> Token
         let body = lines(planned, &part.program, &part.writes);
         let (takes, hands_on) = (taken("values", &part.reads), handed_on(&part.writes));
         let work = quote!(#(#unpack)* #takes #body #hands_on);
-        // Instructions reach only what is inlined, which a part is not.
+        // Code for the processor's instructions must be inlined, so a part, which is not, dispatches its own work.
         let work = if DISPATCHED.contains(&planned.name) {
             quote!(S::dispatch(#[inline(always)] || { #work });)
         } else {
@@ -119,7 +119,7 @@ fn in_parts(planned: &Function, parts: &Parts, parameters: &Parameters) -> Token
     }
 }
 
-/// The lines of a program and its outputs; `more` variables are read behind it.
+/// Lines and outputs of a program. The code after the program reads the variables in `more`.
 fn lines(planned: &Function, program: &Program, more: &[(usize, String)]) -> TokenStream {
     let mut read = program.names_read(0..usize::MAX);
     read.extend(more.iter().map(|(_, name)| name.as_str()));
@@ -128,13 +128,13 @@ fn lines(planned: &Function, program: &Program, more: &[(usize, String)]) -> Tok
     quote!(#head #body)
 }
 
-/// The statement that takes variables from their places in an array.
+/// Statement that takes variables from their places in an array.
 fn taken(array: &str, list: &[(usize, String)]) -> TokenStream {
     let (places, names) = sides(array, list);
     if list.is_empty() { TokenStream::new() } else { quote!(let [#(#names),*] = [#(#places),*];) }
 }
 
-/// The statement that puts variables at their places.
+/// Statement that stores variables at their places in the array `values`.
 fn handed_on(list: &[(usize, String)]) -> TokenStream {
     let (places, names) = sides("values", list);
     if list.is_empty() { TokenStream::new() } else { quote!([#(#places),*] = [#(#names),*];) }
@@ -146,7 +146,7 @@ fn sides(array: &str, list: &[(usize, String)]) -> (Vec<TokenStream>, Vec<TokenS
     list.iter().map(|(at, name)| (place(*at), ident(name))).map(|(at, name)| (quote!(#array[#at]), name)).unzip()
 }
 
-/// An argument as it stands in a signature; with an underscore before its name if nothing is read of it.
+/// Argument in a function's signature, with an underscore before its name if the body does not read it.
 pub fn signature(argument: &Argument, parameters: &Parameters) -> TokenStream {
     let name = ident(&format!("{}{}", if argument.is_read() { "" } else { "_" }, argument.name()));
     match argument {
@@ -162,7 +162,7 @@ pub fn signature(argument: &Argument, parameters: &Parameters) -> TokenStream {
     }
 }
 
-/// The statement that gives what is read of an argument its variables.
+/// Statement that declares variables for the entries that the body reads of an argument.
 pub fn unpack(argument: &Argument, parameters: &Parameters) -> TokenStream {
     match argument {
         Argument::Parameters { read } if !read.is_empty() => {
@@ -186,7 +186,7 @@ pub fn unpack(argument: &Argument, parameters: &Parameters) -> TokenStream {
     }
 }
 
-/// The type of what is returned, and its expression.
+/// Return type of a function, and the expression that it returns.
 fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
     let names: Vec<TokenStream> = entries
         .iter()
@@ -213,8 +213,8 @@ fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
     }
 }
 
-/// The lines of a program, with comments carried as marked doc attributes; under one heading a kind. Each has its
-/// formula above it if they are `explained`.
+/// Lines of a program, with one heading for each kind of line. Comments are written as marked doc attributes. If
+/// `explained`, each line has its formula above it.
 pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explained: bool) -> TokenStream {
     let is_elimination = lines.iter().any(|line| matches!(line, Line::Step(_)));
     let shared = if !explained {
@@ -244,14 +244,14 @@ pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explained: boo
     tokens
 }
 
-/// `let` statements, the first one under a heading, with their formulas if they are `explained`.
+/// `let` statements with a heading above the first. If `explained`, each has its formula above it.
 pub fn section(heading: &str, list: &[Statement], explained: bool) -> TokenStream {
     let heading = if list.is_empty() { TokenStream::new() } else { comment(heading) };
     let statements = list.iter().map(|one| statement(one, explained));
     quote!(#heading #(#statements)*)
 }
 
-/// `let`, with the equation that it stands for above if it is `explained`.
+/// `let` statement. If `explained`, it has the equation that it computes above it.
 fn statement(statement: &Statement, explained: bool) -> TokenStream {
     let equation = statement.comment.as_deref().filter(|_| explained).map(comment);
     let (name, value) = (ident(&statement.name), expression(&statement.value));

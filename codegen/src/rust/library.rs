@@ -1,9 +1,9 @@
-//! The `lib.rs` of a workspace's generated code.
+//! Text of `lib.rs` in a workspace's generated code.
 
 use super::text::format;
 use quote::{format_ident, quote};
 
-/// `lib.rs` for these models.
+/// Text of `lib.rs` for the modules of these models.
 #[must_use]
 pub fn library(models: &[String]) -> String {
     let header = [

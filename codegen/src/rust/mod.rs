@@ -1,5 +1,4 @@
-//! Plans as Rust: tokens, then text through prettyplease. Nothing is computed or decided here but how a line is
-//! written.
+//! Rust text from plans: tokens, then text by prettyplease. This module decides only how a line is written.
 
 mod expression;
 mod formulation;

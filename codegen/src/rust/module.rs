@@ -1,4 +1,4 @@
-//! The `mod.rs` of one model: its parameters, its names, its formulations.
+//! Text of the `mod.rs` of one model: its parameters, its names, its formulations.
 
 use super::expression::constant;
 use super::function::fields;
@@ -8,31 +8,31 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 
-/// Operations of accelerations above which they are not compiled in eight lanes.
+/// Most operations of accelerations that are compiled in eight lanes.
 const MOST_IN_EIGHT: usize = 500;
 
-/// Equations that a model's module lists.
+/// Set of equations that a model's module lists.
 pub struct Entry {
-    /// Their name, such as `kane` or `printed:ID`.
+    /// Name of the equations, such as `kane` or `printed:ID`.
     pub name: String,
-    /// Their title, for headings.
+    /// Title of the equations, for headings.
     pub title: String,
-    /// Operations of their accelerations, if these were solved for.
+    /// Number of operations of the accelerations; `None` if these are not solved for.
     pub solved: Option<usize>,
-    /// True if their Taylor coefficients can be computed in lanes.
+    /// True if the Taylor coefficients can be computed in lanes.
     pub series: bool,
-    /// True if there is a file of the equations for people, beside the code.
+    /// True if there is a file of the equations for people, besides the code.
     pub shown: bool,
 }
 
 impl Entry {
-    /// The declaration of its module.
+    /// Declaration of the module of the equations.
     fn declaration(&self) -> TokenStream {
         let (name, about) = (format_ident!("{}", module_name(&self.name)), format!(" {}.", prose(&self.title)));
         quote!(#[doc = #about] #[rustfmt::skip] pub mod #name;)
     }
 
-    /// The `CompiledSystem` with which a program runs the equations.
+    /// Expression for the `CompiledSystem` with which a program runs the equations.
     fn system(&self) -> TokenStream {
         let (module, unit) = (format_ident!("{}", module_name(&self.name)), format_ident!("{}", type_name(&self.name)));
         let (name, system) = (&self.name, quote!(code::#module::#unit));
@@ -46,19 +46,19 @@ impl Entry {
     }
 }
 
-/// Statements about a model's module, for its header.
+/// Data about a model's module for its header.
 pub struct About<'a> {
-    /// Its name.
+    /// Name of the module.
     pub module: &'a str,
-    /// The sentence that says where it comes from.
+    /// Sentence of the header that names the origin of the module.
     pub origin: &'a str,
-    /// The hash of the publication beside the model; empty if there is none.
+    /// Hash of the publication beside the model; empty if there is no publication.
     pub publication_hash: &'a str,
-    /// True if it has the equations of scenes.
+    /// True if the module contains the equations of scenes.
     pub has_scenes: bool,
 }
 
-/// Emits the `mod.rs` of a model with these equations, and the one of their code.
+/// Writes the `mod.rs` of a model with these equations, and the `mod.rs` of their code.
 #[must_use]
 pub fn files(model: &Model, about: &About<'_>, equations: &[Entry]) -> [String; 2] {
     [module_file(model, about, equations), code_file(model, about, equations)]
@@ -115,14 +115,15 @@ fn module_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String 
     format_to_include(&header, items)
 }
 
-/// The type and the value of a list of names.
+/// Type and value of a constant list of names.
 pub fn names<'n>(list: impl Iterator<Item = &'n str>) -> (TokenStream, TokenStream) {
     let list: Vec<&str> = list.collect();
     let count = Literal::usize_unsuffixed(list.len());
     (quote!([&str; #count]), quote!([#(#list),*]))
 }
 
-/// The declaration of `code`. Symbols keep their names, and a last value its formula above it.
+/// Declaration of the module `code`. It allows symbols with their own names, and a last `let` with its formula above
+/// it.
 pub fn code_module() -> TokenStream {
     quote! {
         #[doc = " The code of the equations."]
@@ -138,7 +139,7 @@ fn code_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String {
     format(&[title, String::new(), about.origin.to_owned()], quote!(#(#modules)*))
 }
 
-/// The values that the model file states, if it states all.
+/// Implementation of `Default` with the values in the model file; `None` unless every parameter has a value.
 fn defaults(model: &Model) -> Option<TokenStream> {
     let values: Option<Vec<_>> = model.parameters.iter().map(|p| p.value.as_ref().map(constant)).collect();
     let names = fields(model);
@@ -157,7 +158,7 @@ fn defaults(model: &Model) -> Option<TokenStream> {
     })
 }
 
-/// The struct of the parameters of a model.
+/// Declaration of the struct of a model's parameters.
 pub fn parameters(model: &Model) -> TokenStream {
     let count = model.parameters.len();
     let names = fields(model);

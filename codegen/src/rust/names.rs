@@ -1,11 +1,11 @@
-//! Words that no variable of Rust can have.
+//! Names that no Rust variable of generated code can have.
 
 use crate::plan::Language;
 
-/// Rust, with the names that generated functions use for other things.
+/// Language Rust, with the names that generated functions use for other purposes.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE };
 
-/// Names in scope of the bodies of generated functions, and those that a pattern takes for something else.
+/// Names in the scope of generated function bodies, and names that a pattern would match as something else.
 const IN_SCOPE: [&str; 30] = [
     "p",
     "q",
@@ -14,13 +14,13 @@ const IN_SCOPE: [&str; 30] = [
     "v_dot",
     "out",
     "zero",
-    // What parts of a long function hand on.
+    // Array in which parts of a long function pass values.
     "values",
     "S",
     "Parameters",
     "Scalar",
     "System",
-    // Of the recurrences.
+    // Names used by the recurrences.
     "series",
     "history",
     "order",
@@ -35,16 +35,16 @@ const IN_SCOPE: [&str; 30] = [
     "rows",
     "Factors",
     "SLACK",
-    // Constants and variants that a name cannot hide.
+    // Constants and variants that a variable's name cannot hide.
     "None",
     "Some",
     "Ok",
     "Err",
 ];
 
-/// True if a word may be a name of a variable, a field or a module.
+/// True if a word may be the name of a Rust variable, field or module of generated code.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
-    // `gen` is a keyword since the edition of 2024.
+    // The word `gen` is a keyword since the 2024 edition.
     syn::parse_str::<syn::Ident>(word).is_ok() && !["_", "gen"].contains(&word)
 }

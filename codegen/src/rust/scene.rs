@@ -1,4 +1,4 @@
-//! The reduced equations of one scene as Rust: a file for people, and their code.
+//! Rust files of the reduced equations of one scene: the equations for people, and their code.
 
 use super::function::{Parameters, fields, function, function_at_points};
 use super::module::{code_module, names, parameters};
@@ -15,33 +15,33 @@ use tripos_derive::Model;
 use tripos_derive::mechanics::Unsolved;
 use tripos_derive::reduce::Reduction;
 
-/// The files of a scene.
+/// Texts of the files of one scene, with its module and key.
 pub struct SceneFile {
-    /// Its module.
+    /// Name of the scene's module.
     pub module: String,
-    /// The key of its equations.
+    /// Key of the scene's equations: equal keys mean equal equations.
     pub key: String,
-    /// Its equations, for people.
+    /// Equations of the scene, for people.
     pub text: String,
-    /// Their code; none where another scene has the same equations.
+    /// Code of the equations; `None` if another scene has equal equations.
     pub code: Option<String>,
 }
 
 /// Texts about a scene for the header of its file: name, title and origin.
 pub struct Named<'a> {
-    /// The name of the scene's file, without its ending.
+    /// Name of the scene's file, without its extension.
     pub name: &'a str,
-    /// Its title, or nothing.
+    /// Title of the scene; empty if it has none.
     pub title: &'a str,
-    /// The sentence of the header that says where the text comes from.
+    /// Sentence of the header that names the origin of the text.
     pub origin: &'a str,
 }
 
-/// Emits the files of a scene of the whole model, such as `report_10s.rs`, beside those that are there. Where one of
-/// them has the same equations, the file refers to it.
+/// Writes the files of a scene of the model `whole`, such as `report_10s.rs`. If a file of `before` has equal
+/// equations, the new file refers to it.
 ///
 /// # Errors
-/// [`Unsolved`] if the accelerations are determined in no configuration, or are not proved.
+/// [`Unsolved`] if the accelerations are not determined in any configuration, or are not proved.
 pub fn file(
     whole: &Model,
     reduction: &Reduction,
@@ -60,7 +60,7 @@ pub fn file(
     Ok(SceneFile { module, key, text, code })
 }
 
-/// A module name for a scene of any name, such as `scene_10s` for `10s`, that none of these has yet.
+/// Module name for a scene of any name, such as `scene_10s` for `10s`, that none of the given files has.
 fn module_of(name: &str, before: &[SceneFile]) -> String {
     let stem = module_name(name);
     let stem = if is_name(&stem) { stem } else { format!("scene_{stem}") };
@@ -69,7 +69,7 @@ fn module_of(name: &str, before: &[SceneFile]) -> String {
     candidates.into_iter().find(|candidate| !taken(candidate)).unwrap_or(stem)
 }
 
-/// The file of a scene whose equations another one has.
+/// Text of the file of a scene that has the equations of another scene.
 fn reference(reduction: &Reduction, named: &Named<'_>, same: &str) -> String {
     let header = vec![
         first_line(reduction, named),
@@ -94,7 +94,7 @@ fn first_line(reduction: &Reduction, named: &Named<'_>) -> String {
     format!("{}: {}.", prose(&reduction.model.title), prose(title))
 }
 
-/// The files of a scene with equations of its own: for people, and the code.
+/// Texts for a scene with equations of its own: the equations for people, and the code.
 fn equations_of(
     whole: &Model,
     reduction: &Reduction,
@@ -120,7 +120,7 @@ fn equations_file(plan: &ScenePlan<'_>, named: &Named<'_>, module: &str) -> Stri
     format(&header(first_line(plan.reduction, named), named.origin, &plan.facts), quote!(#rest #(#shown)*))
 }
 
-/// True if the plan has no `jacobian`: then the Jacobian is the code, differentiated as it runs.
+/// True if the plan has no function `jacobian`: then the Jacobian is computed by differentiating the code as it runs.
 fn is_long(plan: &ScenePlan<'_>) -> bool {
     !plan.machine.iter().any(|planned| planned.name == "jacobian")
 }
@@ -177,7 +177,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
     )
 }
 
-/// The `mod.rs` of the scenes of a model, and the one of their code.
+/// Writes the `mod.rs` of the scenes of a model, and the `mod.rs` of their code.
 #[must_use]
 pub fn list(title: &str, origin: &str, files: &[SceneFile]) -> [String; 2] {
     let header = |what: &str| vec![format!("{}: {what}.", prose(title)), String::new(), origin.to_owned()];

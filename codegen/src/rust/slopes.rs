@@ -1,14 +1,14 @@
-//! The Jacobian of a large system, by forward differentiation of the code itself.
+//! Jacobian of a large system, by forward differentiation of the code itself.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Equations;
 
-/// The function that stands for the Jacobian of a large system: its product with a direction.
+/// Name of the function that replaces the Jacobian of a large system: the Jacobian times a direction.
 pub const JACOBIAN_PRODUCT: &str = "jacobian_product";
 
-/// `jacobian_product`. It calls the functions of its module, `derivative` or, where there is none, those of both
-/// halves.
+/// Function `jacobian_product`. It calls `derivative` of its module if `together`, else `coordinate_rates` and
+/// `accelerations`.
 pub fn jacobian_product(equations: &Equations, together: bool) -> TokenStream {
     let own = format_ident!("{}", if equations.formulation.is_in_rates() { "q_dot" } else { "u" });
     let (n, m) = (equations.coordinates.len(), equations.variables.len());

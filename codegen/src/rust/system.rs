@@ -1,4 +1,4 @@
-//! The `System` that hands the simulator's slices to the generated functions.
+//! Implementation of `System`, which passes the simulator's slices to the generated functions.
 
 use super::text::prose;
 use crate::plan::type_name;
@@ -7,41 +7,41 @@ use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
 use tripos_derive::{Equations, Model};
 
-/// An optional part of a set of equations, beside its kinematics and energies.
+/// Optional part of a `System`, besides its kinematics and energies.
 #[derive(Clone, PartialEq, Eq)]
 pub enum Part {
-    /// `mass_matrix` and `forcing`.
+    /// Functions `mass_matrix` and `forcing`.
     LinearSystem {
-        /// True if `linear_system` computes both at once.
+        /// True if the function `linear_system` computes both.
         together: bool,
     },
-    /// `accelerations`, `derivative` and the Jacobian.
+    /// Function `accelerations`, with `derivative` and the Jacobian.
     Eliminated {
-        /// True if there is `jacobian_product` in place of `jacobian`.
+        /// True if `jacobian_product` replaces `jacobian`.
         product: bool,
-        /// True if there is `derivative`.
+        /// True if the function `derivative` exists.
         together: bool,
     },
     /// Recurrences of Taylor coefficients, with room for this many convolutions.
     Taylor(usize),
-    /// This many `outputs` of a scene.
+    /// Function `outputs` of a scene, with this number of outputs.
     Outputs(usize),
-    /// The whole state as `outputs`, of this length.
+    /// Whole state as `outputs`, with this number of components.
     WholeState(usize),
-    /// Function `power`.
+    /// Function `power` of the forces without a potential.
     Power,
-    /// `energy_gradient`.
+    /// Function `energy_gradient` of the total energy.
     EnergyGradient,
-    /// `potential_slope`, and `coordinate_period` after so many turns.
+    /// Function `potential_slope`; and `coordinate_period`, after this number of turns.
     PotentialSlope(Option<Rational>),
-    /// `divisors`, called this; not empty.
+    /// Function `divisors`, with the names of the divisors; not empty.
     Divisors(Vec<String>),
-    /// `constraints` and `constraint_slopes`, called this; not empty.
+    /// Functions `constraints` and `constraint_slopes`, with the names of the constraints; not empty.
     Constraints(Vec<String>),
 }
 
 impl Part {
-    /// The methods that hand slices to its functions.
+    /// Methods of `System` that pass slices to the part's functions.
     fn methods(&self) -> TokenStream {
         let state = state();
         match self {
@@ -146,7 +146,7 @@ impl Part {
     }
 }
 
-/// Period of the coordinate after which all repeats, in turns: the bits of `Slope::period`.
+/// Method for the period of the coordinate after which all repeats, from its turns, with the bits of `Slope::period`.
 fn coordinate_period(turns: &Rational) -> TokenStream {
     let count = Literal::f64_unsuffixed(turns.to_f64());
     let times = (!turns.is_one()).then(|| quote!(#count *));
@@ -156,7 +156,7 @@ fn coordinate_period(turns: &Rational) -> TokenStream {
     }
 }
 
-/// The methods for what a run is kept on.
+/// Methods for the constraints on which a run is kept.
 fn constraints(names: &[String]) -> TokenStream {
     let state = state();
     let count = Literal::usize_unsuffixed(names.len());
@@ -172,19 +172,19 @@ fn constraints(names: &[String]) -> TokenStream {
     }
 }
 
-/// A slice argument as the array that it is.
+/// Expression that converts a slice argument to an array.
 fn array(argument: &str) -> TokenStream {
     let argument = format_ident!("{argument}");
     quote!(array(#argument))
 }
 
-/// Parameters, coordinates and motion variables.
+/// Arguments for parameters, coordinates and motion variables, converted from slices.
 fn state() -> TokenStream {
     let (q, v) = (array("q"), array("v"));
     quote!(&Parameters::from_slice(p), #q, #v)
 }
 
-/// The `System` that hands slices to the functions above.
+/// Declaration and implementation of the `System` that passes slices to the functions above it.
 pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     let name = format_ident!("{}", type_name(&e.name(model)));
     let about = format!(" {} of this model as a [`System`].", prose(&e.title(model)));
@@ -195,7 +195,7 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     let conversions = conversions(e);
     let methods = parts.iter().map(Part::methods);
     let (state, q) = (state(), array("q"));
-    // What quadrature asks for at several points at once.
+    // Quadrature calls the functions at several points at once.
     let at_points = parts.iter().any(|part| matches!(part, Part::PotentialSlope(_)));
     let dispatched = |work: TokenStream| if at_points { quote!(S::dispatch(#[inline(always)] || #work)) } else { work };
     let rates = dispatched(quote!(out.copy_from_slice(&coordinate_rates(#state))));
@@ -236,7 +236,8 @@ pub fn system(model: &Model, e: &Equations, parts: &[Part]) -> TokenStream {
     }
 }
 
-/// Between motion variables and generalized speeds: functions of their own for Lagrange's q′, copies for others.
+/// Methods that convert between motion variables and generalized speeds: by functions for Lagrange's q′, by copies for
+/// others.
 fn conversions(e: &Equations) -> TokenStream {
     let (q, u, v_dot, state) = (array("q"), array("u"), array("v_dot"), state());
     if e.formulation.is_in_rates() {
@@ -265,7 +266,7 @@ fn conversions(e: &Equations) -> TokenStream {
     }
 }
 
-/// The methods of matrix and forcing, and of both at once where there is a function for it.
+/// Methods of matrix and forcing, and of both at once if a function computes both.
 fn linear_system(together: bool) -> TokenStream {
     let state = state();
     let both = together.then(|| {
@@ -288,7 +289,7 @@ fn linear_system(together: bool) -> TokenStream {
     }
 }
 
-/// The methods that hand the room for `width` convolutions to the recurrences.
+/// Methods that pass the working memory for `width` convolutions to the recurrences.
 fn series(width: usize) -> TokenStream {
     let room = Literal::usize_unsuffixed(2 * width);
     quote! {

@@ -1,4 +1,4 @@
-//! The module of one model as a target: files of equations for people, code under `code/`, and an entry for each set of
+//! Rust module of one model as a target: files of equations for people, code in `code/`, and an entry for each set of
 //! equations.
 
 use super::{Entry, FormulationFiles, LANGUAGE, Written, formulation_files};
@@ -13,28 +13,28 @@ use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::{Derivation, Solved, Unsolved, distances, in_distance};
 use tripos_derive::{Equations, Model};
 
-/// Convolutions an order above which no recurrences are written: a step of another method then costs less.
+/// Most convolutions at one order for which recurrences are written. With more, a step of another method costs less.
 const MOST_CONVOLUTIONS: usize = 200;
-/// Convolutions for each component of the state up to which recurrences are compiled in lanes as well: runs by them
-/// cost no more than by DOP853 up to there (2.4 of the disk cost 0.9 to 1.1 of it, 6.5 of a cart with three pendulums
-/// 2.3).
+/// Most convolutions, for each component of the state, of recurrences that are also compiled in lanes. Up to this
+/// number, runs by them cost no more than by DOP853: 2.4 of the disk cost 0.9 to 1.1 times as much, 6.5 of a cart with
+/// three pendulums 2.3 times.
 const MOST_CONVOLUTIONS_IN_LANES: usize = 4;
 
 fn has_short_series(convolutions: usize, equations: &Equations) -> bool {
     convolutions <= MOST_CONVOLUTIONS_IN_LANES * (equations.coordinates.len() + equations.variables.len())
 }
 
-/// The module of a model while it is written.
+/// Rust module of a model while it is written.
 pub(crate) struct RustModule<'a> {
     origin: &'a Origin,
     extras: Extras,
     files: BTreeMap<String, String>,
-    /// A set of equations each, in the order in which they were written.
+    /// Sets of equations in the order in which they were written.
     entries: Vec<Entry>,
-    /// Functions that are written already, which later sets of equations use.
+    /// Functions that are already written, which later sets of equations use.
     written: Written,
-    /// Equations in distances from singular surfaces. They are for runs alone, and stand last, so that what they have
-    /// in common with others stands there.
+    /// Equations in distances from singular surfaces. They are only for runs and come last, so that they use the
+    /// functions of the other equations.
     near: Vec<Derivation>,
 }
 
@@ -59,17 +59,17 @@ impl Target for RustModule<'_> {
     }
 }
 
-/// Readers of a set of equations.
+/// Intended readers of a set of equations.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Shown {
-    /// People: a file of equations beside the code.
+    /// People: a file of equations is written beside the code.
     ToPeople,
-    /// Runs alone.
+    /// Only runs: no file of equations is written.
     ToRuns,
 }
 
 impl<'a> RustModule<'a> {
-    /// A module with no equations yet.
+    /// Module without equations.
     pub fn new(origin: &'a Origin, extras: Extras) -> Self {
         Self {
             origin,
@@ -81,10 +81,10 @@ impl<'a> RustModule<'a> {
         }
     }
 
-    /// Writes the equations in distances, and returns all files and entries.
+    /// Writes the equations in distances from singular surfaces, and returns all files and entries.
     ///
     /// # Errors
-    /// [`Diagnostics`] if accelerations that were solved for are not proved.
+    /// [`Diagnostics`] if accelerations are not determined, or are not proved.
     pub fn finish(mut self, model: &Model) -> Result<(BTreeMap<String, String>, Vec<Entry>), Diagnostics> {
         for derivation in std::mem::take(&mut self.near) {
             self.solved(model, derivation, Shown::ToRuns)?;
@@ -122,7 +122,7 @@ impl<'a> RustModule<'a> {
     }
 }
 
-/// Why equations are not written: their accelerations cannot be used.
+/// Diagnostics for equations that are not written because their accelerations cannot be used.
 pub(crate) fn unsolved(source: &Source, equations: &str, why: Unsolved) -> Diagnostics {
     Diagnostics::new(source.clone(), vec![Diagnostic::of_file(format!("{equations}: {why}"), why.help())])
 }

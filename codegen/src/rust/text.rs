@@ -1,4 +1,4 @@
-//! Tokens as formatted text, with comments.
+//! Formatted text from tokens, with comments.
 
 use crate::lines::wrap;
 use crate::plan::{Entry, Function};
@@ -7,8 +7,8 @@ use quote::quote;
 use std::fmt::Write;
 use tripos_derive::plain::{one_line, visible};
 
-/// Words of a file for a doc comment: on one line, and plain for Markdown, which would run fenced and indented text as
-/// examples and follow brackets and addresses as links.
+/// Text from a file as words of a doc comment, on one line and without Markdown. Markdown would run fenced and indented
+/// text as examples, and make links of brackets and addresses.
 #[must_use]
 pub fn prose(text: &str) -> String {
     let line = one_line(text);
@@ -19,11 +19,11 @@ pub fn prose(text: &str) -> String {
         }
         out.push(c);
     }
-    // An address is a text, too.
+    // An address in the text must not become a link.
     out.replace("://", "\\://")
 }
 
-/// The lines of a header: what it is, where it comes from, and what is known of it.
+/// Lines of a file's header: its title, its origin, and facts about its contents.
 #[must_use]
 pub fn header(first: String, origin: &str, facts: &[String]) -> Vec<String> {
     let mut lines = vec![first, String::new(), origin.to_owned()];
@@ -55,10 +55,10 @@ pub fn stated(planned: &Function) -> TokenStream {
     quote!(#(#[doc = #lines])*)
 }
 
-/// The width of equations in documentation.
+/// Most bytes of a line of equations in documentation.
 const EQUATION: usize = 160;
 
-/// A comment on the next statement.
+/// Comment on the next statement, as a marked doc attribute.
 #[must_use]
 pub fn comment(text: &str) -> TokenStream {
     let marked = format!("{MARK}{text}");
@@ -67,7 +67,8 @@ pub fn comment(text: &str) -> TokenStream {
 
 const MARK: &str = "~";
 
-/// Formats the items of a file and turns the marked attributes into comments.
+/// Formats the items of a Rust file, with a header as file documentation, and turns the marked attributes into
+/// comments.
 ///
 /// # Panics
 /// If the tokens are not a Rust file: a defect of the generator.
@@ -76,7 +77,8 @@ pub fn format(header: &[String], items: TokenStream) -> String {
     under("//!", header, items)
 }
 
-/// Formats a file that can stand in another by `include!`, where documentation of the file itself is an error.
+/// Formats a file that another file can contain by `include!`. Its header is a plain comment, because file
+/// documentation would be an error there.
 ///
 /// # Panics
 /// If the tokens are not a Rust file: a defect of the generator.
@@ -88,7 +90,7 @@ pub fn format_to_include(header: &[String], items: TokenStream) -> String {
 fn under(sign: &str, header: &[String], items: TokenStream) -> String {
     let file: syn::File = syn::parse2(items).expect("generated tokens are a Rust file");
     let body = side_by_side(&prettyplease::unparse(&file));
-    // A line break in a line would end its comment: what follows would be code.
+    // A line break in a header line would end the comment, and the rest would be code.
     let lines = header.iter().map(|line| one_line(&visible(line)));
     let mut out: String =
         lines.map(|line| if line.is_empty() { format!("{sign}\n") } else { format!("{sign} {line}\n") }).collect();
@@ -96,7 +98,7 @@ fn under(sign: &str, header: &[String], items: TokenStream) -> String {
     let marked = format!("///{MARK}");
     let mut before = "";
     for line in body.lines() {
-        // A blank line before each item, as rustfmt would keep.
+        // Items are separated by blank lines, as rustfmt would keep them.
         let starts = ["///", "pub ", "impl", "fn ", "use ", "#["].iter().any(|start| line.starts_with(start));
         let ended = before.starts_with('}') || before.ends_with(';') && !before.starts_with(' ');
         let both = |start: &str| before.starts_with(start) && line.starts_with(start);
@@ -121,27 +123,27 @@ fn under(sign: &str, header: &[String], items: TokenStream) -> String {
     out
 }
 
-/// The width of code.
+/// Most bytes of a line of code.
 const WIDTH: usize = 100;
 
-/// Names and numbers of a list and fields that have a line each, as many on a line as it holds; and what
-/// follows an operator on the line before it, where both fit.
+/// Joins lines up to `WIDTH`: short items of lists and fields that have a line each, and continuations that begin with
+/// an operator.
 fn side_by_side(body: &str) -> String {
     let is_short = |item: &str| {
-        // Of fields, those that take an entry of an array.
+        // A field that takes an entry of an array is short.
         let item = if item.ends_with("],") { item.replacen(": ", "", 1) } else { item.to_owned() };
         let opens = item.starts_with(|c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '"'));
         opens && item.ends_with(',') && !item.contains([' ', '(', ')', '{', '}', '|', '&'])
     };
     let goes_on = |item: &str| ["+ ", "- ", "* ", "/ "].iter().any(|operator| item.starts_with(operator));
     let mut out = String::with_capacity(body.len());
-    // Where the list stands whose last line is open, and how long the last line is.
+    // Indent of the list whose last line can be continued, and length of the last line.
     let (mut open, mut length): (Option<usize>, usize) = (None, 0);
     let indent_of = |line: &str| line.len() - line.trim_start().len();
     let mut lines = body.lines().peekable();
     while let Some(line) = lines.next() {
         let (item, indent) = (line.trim_start(), indent_of(line));
-        // What has parts of its own below it keeps its line.
+        // An item with lines of its own below it keeps its line.
         let is_whole = lines.peek().is_none_or(|next| indent_of(next) <= indent);
         let fits = length + 1 + item.len() <= WIDTH;
         if fits && (open == Some(indent) && is_short(item) || is_whole && goes_on(item)) {

@@ -1,25 +1,26 @@
-//! Functions of one model that are written already: what is equal byte for byte is written once.
+//! Functions of one model that are already written, so that functions with equal text are written once.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use rustc_hash::FxHashMap;
 
-/// The module of code where each text stands.
+/// Module of code that contains each function, by the text of the function.
 #[derive(Default)]
 pub struct Written {
     places: FxHashMap<String, String>,
 }
 
-/// The functions of a module of code: those that stand there, and those that another has.
+/// Functions of a module of code: those that it contains, and those that other modules contain.
 pub struct Sorted {
-    /// The text of its own.
+    /// Texts of the functions that the module contains.
     pub own: Vec<TokenStream>,
-    /// The names of others, by the module that has them.
+    /// Names of functions that other modules contain, by module.
     pub others: Vec<(String, Vec<&'static str>)>,
 }
 
 impl Written {
-    /// Enters the functions of a module, by their names, as far as they are not there yet.
+    /// Sorts the functions of a module into new ones and those that another module already contains. New functions are
+    /// recorded.
     pub fn sort(&mut self, module: &str, functions: impl IntoIterator<Item = (&'static str, TokenStream)>) -> Sorted {
         let mut sorted = Sorted { own: Vec::new(), others: Vec::new() };
         for (name, tokens) in functions {
@@ -38,18 +39,18 @@ impl Written {
 }
 
 impl Sorted {
-    /// True if the module has the text of the function itself.
+    /// True if the module itself contains the text of the function.
     pub fn has(&self, name: &str) -> bool {
         !self.others.iter().any(|(_, names)| names.contains(&name))
     }
 
-    /// The imports of what others have.
+    /// Imports of the functions that other modules contain.
     pub fn imports(&self) -> impl Iterator<Item = TokenStream> {
         self.others.iter().map(|(module, names)| reexport(&quote!(super), module, names.iter().copied()))
     }
 }
 
-/// `pub use` of these names of a module, in their order in the alphabet.
+/// Item `pub use` for names of a module, in alphabetical order.
 pub fn reexport<'n>(parent: &TokenStream, module: &str, names: impl IntoIterator<Item = &'n str>) -> TokenStream {
     let mut names: Vec<&str> = names.into_iter().collect();
     names.sort_unstable();

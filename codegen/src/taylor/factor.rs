@@ -1,39 +1,39 @@
-//! Other forms of a sum of products, in which fewer products of what changes in time are left.
+//! Other forms of a sum of products, with fewer products of factors that change in time.
 //!
-//! A sum is written out and common factors are taken out again, the most frequent one first: a multivariate Horner
-//! scheme. Which of several equally frequent factors goes first changes the count, so there are several forms to choose
-//! from. Apart from `simplify`, which factors for the shortest text, and `sharing`, which factors for few operations:
-//! what counts here are products of what changes in time, and terms stay in the order in which they are met.
-//! Every form is the same term by the rules of a commutative ring alone. Absent on purpose: trigonometric identities.
+//! A sum is written out, and common factors are taken out again, the most frequent one first: a multivariate Horner
+//! scheme. If several factors are equally frequent, their order changes the number of products, so there are several
+//! forms to choose from. `simplify` factors for the shortest text, and `sharing` for few operations. Here only products
+//! of factors that change in time count, and terms keep the order in which they occur. Every form is equal to the sum
+//! by the rules of a commutative ring alone. Trigonometric identities are deliberately not used.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::form::polynomial::multiply;
 use tripos_derive::algebra::{Arena, Expr, Node, Rational};
 
-/// Products of a sum that is written out, above which it is left as it is.
+/// Most products of a sum that is written out; longer sums are not changed.
 const LONGEST: usize = 200;
-/// Powers of sums up to here are written out.
+/// Highest power of a sum that is written out.
 const HIGHEST: i32 = 3;
 
-/// Choice of the factor to take out first among equally frequent ones.
+/// Choice of the factor that is taken out first among equally frequent factors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Preference {
-    /// The one built first.
+    /// Factor that was built first.
     Early,
-    /// The one built last.
+    /// Factor that was built last.
     Late,
-    /// Functions, then others.
+    /// Function values before other factors.
     Functions,
-    /// States, then others.
+    /// States before other factors.
     Symbols,
 }
 
 impl Preference {
-    /// All of them.
+    /// All preferences.
     pub const ALL: [Self; 4] = [Self::Early, Self::Late, Self::Functions, Self::Symbols];
 }
 
-/// coefficient · Π base^exponent, bases sorted.
+/// Product coefficient · Π base^exponent, with sorted bases.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Monomial {
     coefficient: Rational,
@@ -49,14 +49,14 @@ impl Monomial {
         Self { coefficient: self.coefficient.mul(&other.coefficient), powers: multiply(&self.powers, &other.powers) }
     }
 
-    /// The exponent of a base in the direction of a sign, not negative.
+    /// Exponent of a base as a factor, or as a divisor if `inverse`; 0 if the exponent has the other sign.
     fn exponent(&self, (base, inverse): (Expr, bool)) -> i32 {
         let found = self.powers.iter().find(|(known, _)| *known == base).map_or(0, |(_, n)| *n);
         if inverse { (-found).max(0) } else { found.max(0) }
     }
 }
 
-/// The forms of `e`, one for each preference that gives another; `varying` is what changes in time.
+/// Different forms of `e` by the preferences, without `e` itself. `varying` are the terms that change in time.
 pub fn forms(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr) -> Vec<Expr> {
     let Some(sum) = written_out(arena, varying, e) else { return Vec::new() };
     let mut list = Vec::new();
@@ -69,7 +69,7 @@ pub fn forms(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr) -> Vec<Expr>
     list
 }
 
-/// The form of `e` by one preference; `e` itself where it is too long to be written out.
+/// Form of `e` by one preference; `e` itself if it is too long to be written out.
 pub fn form(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr, preference: Preference) -> Expr {
     match written_out(arena, varying, e) {
         Some(sum) => horner(arena, varying, sum, preference),
@@ -77,7 +77,7 @@ pub fn form(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr, preference: P
     }
 }
 
-/// `e` as a sum of products; `None` if it is too long. What does not change in time stays whole.
+/// Writes out `e` as a sum of products; `None` if it is too long. Sums that do not change in time are not written out.
 fn written_out(arena: &Arena, varying: &FxHashSet<Expr>, e: Expr) -> Option<Vec<Monomial>> {
     let mut known: FxHashMap<Expr, Vec<Monomial>> = FxHashMap::default();
     for part in arena.reachable(&[e]) {
@@ -126,7 +126,7 @@ fn times_power(product: &[Monomial], inner: &[Monomial], base: Expr, n: i32) -> 
     Some(result)
 }
 
-/// Like products added, those with coefficient 0 left out.
+/// Adds products with equal factors, and removes those with the coefficient 0.
 fn collected(sum: Vec<Monomial>) -> Vec<Monomial> {
     let mut place: FxHashMap<Vec<(Expr, i32)>, usize> = FxHashMap::default();
     let mut list: Vec<Monomial> = Vec::new();
@@ -143,7 +143,7 @@ fn collected(sum: Vec<Monomial>) -> Vec<Monomial> {
     list
 }
 
-/// The sum with common factors taken out. Nested no deeper than the longest sum is long.
+/// Sum with common factors taken out. It is nested at most as deep as the longest sum is long.
 fn horner(arena: &mut Arena, varying: &FxHashSet<Expr>, mut sum: Vec<Monomial>, preference: Preference) -> Expr {
     let common = common_factor(&sum);
     let mut terms = Vec::new();
@@ -167,7 +167,7 @@ fn horner(arena: &mut Arena, varying: &FxHashSet<Expr>, mut sum: Vec<Monomial>, 
     arena.mul(common, sum)
 }
 
-/// Factors that all products of a sum have in common, with their exponents.
+/// Factors common to all products of a sum, with their exponents.
 fn common_factor(sum: &[Monomial]) -> Vec<(Expr, i32)> {
     let Some(first) = sum.first().filter(|_| sum.len() > 1) else { return Vec::new() };
     let least = |&(base, n): &(Expr, i32)| {
@@ -184,7 +184,8 @@ fn take_out(sum: &mut [Monomial], factor: &[(Expr, i32)]) {
     }
 }
 
-/// The factor that changes in time and that most products have, if two or more have it.
+/// Factor that changes in time and is in most products, and true if it is a divisor. `None` unless two or more products
+/// have it.
 fn most_frequent(
     arena: &Arena,
     varying: &FxHashSet<Expr>,

@@ -1,4 +1,4 @@
-//! Terms as series: the program of a right-hand side, one operation at a time.
+//! Series from terms: the program of a right-hand side, one operation at a time.
 
 use super::products::{Atom, Base, Pairs};
 use super::recurrences::{Operand, Recurrences, Rule, Series};
@@ -7,8 +7,8 @@ use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::term::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
-/// The recurrences of states whose rates are given in terms of states, parameters and steps, as they stand. `None` if
-/// a function in them has no Taylor series.
+/// Recurrences of states whose rates are given in terms of states, parameters and steps, without other forms of the
+/// terms. `None` if a function in the terms has no Taylor series.
 pub fn lower(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> Option<Recurrences> {
     let steps = needed(arena, steps, rates);
     let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(rates.iter().copied()).collect();
@@ -57,7 +57,7 @@ pub fn lower(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Defini
     Some(tidied(Recurrences { series: lowering.series, states: states.to_vec(), rates: operands }, lowering.arena))
 }
 
-/// Terms that change in time: states whose rate is not 0, and all terms that mention them, steps included.
+/// Terms that change in time: states whose rate is not 0, and all terms that contain them, steps included.
 pub fn varying(arena: &Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> FxHashSet<Expr> {
     let value = |rate: Expr| steps.iter().find(|step| step.symbol == rate).map_or(rate, |step| step.value);
     let mut varying: FxHashSet<Expr> =
@@ -79,7 +79,7 @@ pub fn varying(arena: &Arena, states: &[Expr], rates: &[Expr], steps: &[Definiti
     varying
 }
 
-/// The factors that change of every product, with common pairs joined.
+/// Factors of every product that change in time, with common pairs joined.
 fn products(arena: &Arena, pairs: &mut Pairs, parts: &[Expr], varying: &FxHashSet<Expr>) -> FxHashMap<Expr, Vec<Atom>> {
     let mut names = Vec::new();
     let mut lists = Vec::new();
@@ -104,11 +104,11 @@ struct Lowering<'a> {
     series: Vec<Series>,
     known: FxHashMap<Expr, Operand>,
     known_pairs: FxHashMap<usize, Operand>,
-    /// Operations up to each series along its longest chain of recurrences, roughly.
+    /// Operations up to each series, along its longest chain of recurrences, roughly.
     depths: Vec<usize>,
-    /// The state or the step whose value is being formed.
+    /// State or step whose value is being lowered.
     current: Expr,
-    /// Steps that are constant in time.
+    /// Values of the steps that are constant in time.
     constants: Substitution,
 }
 
@@ -126,7 +126,7 @@ impl Lowering<'_> {
         self.series.len() - 1
     }
 
-    /// `e`, with everything it is built from.
+    /// Lowers a term with all its subterms.
     fn term(&mut self, e: Expr) -> Operand {
         for part in self.arena.reachable(&[e]) {
             if !self.known.contains_key(&part) {
@@ -137,7 +137,7 @@ impl Lowering<'_> {
         self.known[&e]
     }
 
-    /// A term whose operands are known.
+    /// Lowers a term whose operands are lowered.
     fn one(&mut self, e: Expr) -> Operand {
         if !self.varying.contains(&e) {
             return Operand::Constant(self.constants.apply(self.arena, e));
@@ -168,7 +168,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A known term that changes, as a series without a weight.
+    /// Series without a weight, for a lowered term that changes in time.
     fn plain(&mut self, e: Expr) -> usize {
         match self.known[&e] {
             Operand::Scaled(Expr::ONE, x) => x,
@@ -196,12 +196,12 @@ impl Lowering<'_> {
             weight = self.arena.mul(weight, constant);
             atoms.push((atom, x));
         }
-        // What is known first is joined first.
+        // Factors that are known first are joined first.
         while atoms.len() > 1 {
             atoms.sort_by_key(|(atom, x)| (std::cmp::Reverse(self.depths[*x]), *atom));
             let (Some((a, _)), Some((b, _))) = (atoms.pop(), atoms.pop()) else { break };
             let joined = self.pairs.joined(a, b);
-            // The weights of both are in `weight` already.
+            // The variable `weight` already contains the weights of both.
             let (_, x) = self.atom(joined);
             atoms.push((joined, x));
         }
@@ -218,7 +218,7 @@ impl Lowering<'_> {
         Operand::Scaled(weight, reciprocal)
     }
 
-    /// The weight of an atom, and its series; of one that is divided by, the series of the divisor.
+    /// Weight of an atom, and its series; for a divisor, 1/weight and the series of the divisor.
     fn atom(&mut self, atom: Atom) -> (Expr, usize) {
         let operand = match atom.base {
             Base::Term(e) => self.known[&e],
@@ -229,7 +229,7 @@ impl Lowering<'_> {
         (weight, x)
     }
 
-    /// A pair, its own pairs first; nested no deeper than a product has factors.
+    /// Lowers a pair, after the pairs inside it. It is nested at most as deep as a product has factors.
     fn pair(&mut self, place: usize) -> Operand {
         if let Some(known) = self.known_pairs.get(&place) {
             return *known;
@@ -246,7 +246,8 @@ impl Lowering<'_> {
         operand
     }
 
-    /// f(x) with what its recurrence needs beside it; x is the series of the argument.
+    /// Lowers a function value f(x) with the further series that its recurrence needs. `x` is the series of the
+    /// argument.
     fn function(&mut self, e: Expr, f: Function, argument: Expr, x: usize) -> usize {
         match f {
             Function::Sin | Function::Sinh => self.partners(f, argument, x).0,
@@ -287,7 +288,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Sine and cosine, of the circle or of the hyperbola: each is the other's slope.
+    /// Lowers a sine with its cosine, or a hyperbolic sine with its cosine: each is the other's slope. Returns both
+    /// series.
     fn partners(&mut self, f: Function, argument: Expr, x: usize) -> (usize, usize) {
         let round = matches!(f, Function::Sin | Function::Cos);
         let (one, other) = if round { (Function::Sin, Function::Cos) } else { (Function::Sinh, Function::Cosh) };
@@ -305,7 +307,7 @@ impl Lowering<'_> {
     }
 }
 
-/// Sums that only one other sum reads become part of it; what nothing reads is left out.
+/// Merges each sum that only one other sum reads into this sum, and removes series that are not read.
 fn tidied(mut list: Recurrences, arena: &mut Arena) -> Recurrences {
     let count = list.series.len();
     let mut readers = vec![0_usize; count];
@@ -364,7 +366,7 @@ fn tidied(mut list: Recurrences, arena: &mut Arena) -> Recurrences {
     list
 }
 
-/// Marks the series that the rates need; states always stay.
+/// Marks the series that the rates need; states are always marked.
 fn live(list: &Recurrences) -> Vec<bool> {
     let mut live: Vec<bool> = list.series.iter().map(|s| matches!(s.rule, Rule::State(_))).collect();
     let rate = |operand: &Operand| match operand {

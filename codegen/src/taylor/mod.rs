@@ -1,11 +1,12 @@
-//! Recurrences of the Taylor coefficients of a motion: automatic differentiation in time of the program that computes
-//! the derivative of the state.
+//! Recurrences of the Taylor coefficients of a motion, by automatic differentiation in time of the program that
+//! computes the derivative of the state.
 //!
-//! The flow: steps and rates → a form with few products of what changes in time (`factor`) → one operation at a time
-//! (`lower`, products shared by `products`) → [`Recurrences`] → a plan to be written (`plan::taylor`), or
-//! interpretation ([`Tape`]). What is linear costs an operation an order; every other operation is a convolution, so
-//! convolutions are what is counted. The recurrences are those of A. Jorba & M. Zou, "A software package for the
-//! numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117, §2.
+//! The flow: steps and rates → a form with few products of factors that change in time (`factor`) → one operation at a
+//! time (`lower`, with products shared by `products`) → [`Recurrences`] → a plan to be written (`plan::taylor`), or
+//! interpretation ([`Tape`]). A linear rule costs an operation at each order. Every other operation is a convolution,
+//! so the number of convolutions is the cost. The recurrences are those of A. Jorba & M. Zou, "A software package for
+//! the numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117,
+//! §2.
 
 mod factor;
 mod lower;
@@ -21,14 +22,14 @@ use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::{Definition, needed};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Rounds of improvement. Each form of each expression is tried in each.
+/// Most rounds of improvement. Each form of each expression is tried in each round.
 const ROUNDS: usize = 3;
-/// Steps above which the recurrences are taken as they stand: what is long was made of short steps.
+/// Most steps of a program whose recurrences are improved; longer programs already consist of short steps.
 const MOST_IMPROVED: usize = 100;
-/// Expressions times their forms above which forms are not tried one by one.
+/// Most forms of all expressions for which several rounds are run; with more, each form is tried once.
 const MOST_TRIALS: usize = 150;
 
-/// The recurrences of the state (q, v) of a set of equations. `None` if a function in them has no Taylor series
+/// Recurrences of the state (q, v) of a set of equations. `None` if a function in the equations has no Taylor series
 /// everywhere.
 #[must_use]
 pub fn recurrences_of(arena: &mut Arena, equations: &Equations, accelerations: &Elimination) -> Option<Recurrences> {
@@ -37,8 +38,8 @@ pub fn recurrences_of(arena: &mut Arena, equations: &Equations, accelerations: &
     recurrences(arena, &states, &rates, &accelerations.steps)
 }
 
-/// The recurrences of the states whose rates are given in terms of states, parameters and steps. `None` if a function
-/// in them has no Taylor series everywhere: |x| and sign x.
+/// Recurrences of states whose rates are given in terms of states, parameters and steps. `None` if a function in them
+/// has no Taylor series everywhere, such as |x| and sign x.
 #[must_use]
 pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> Option<Recurrences> {
     let mut steps = needed(arena, steps, rates);
@@ -55,7 +56,7 @@ pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[
         None => rates[at - steps.len()],
     };
     let choices: Vec<Vec<Expr>> = (0..count).map(|at| factor::forms(arena, &varying, of(&steps, &rates, at))).collect();
-    // Forms that only together save something are found together, by preference.
+    // Forms that save products only together are found together, one preference at a time.
     for preference in factor::Preference::ALL {
         let mut form = |e: Expr| factor::form(arena, &varying, e, preference);
         let new_steps: Vec<Definition> = steps.iter().map(|s| Definition { value: form(s.value), ..*s }).collect();
@@ -92,7 +93,7 @@ pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[
     Some(best)
 }
 
-/// Convolutions, then linear operations.
+/// Cost of recurrences: number of convolutions, then of linear operations.
 fn cost(list: &Recurrences) -> (usize, usize) {
     (list.convolutions(), list.linear_operations())
 }

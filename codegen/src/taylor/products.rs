@@ -1,30 +1,31 @@
-//! Products of many factors as products and quotients of two, shared between the products that have them in common.
+//! Products of many factors as products and quotients of two, shared between the products that contain them.
 
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
 
-/// A factor that changes in time.
+/// Base of a factor that changes in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Base {
-    /// A single term, not a pair.
+    /// Single term, not a pair.
     Term(Expr),
-    /// The pair at this place of [`Pairs`].
+    /// Pair with this index in [`Pairs`].
     Pair(usize),
 }
 
-/// A factor, or what is divided by.
+/// Factor or divisor of a product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Atom {
-    /// The factor or divisor itself.
+    /// Term or pair that is the factor or divisor.
     pub base: Base,
-    /// True if it is a divisor.
+    /// True for a divisor.
     pub inverse: bool,
 }
 
-/// Powers up to here are written out factor by factor, so that any factor can be shared; higher ones go by squares.
+/// Highest power that is written out factor by factor, so that any factor can be shared. Higher powers are computed by
+/// squares.
 const WRITTEN: u32 = 3;
 
-/// Pairs of atoms, each once.
+/// Distinct pairs of atoms.
 #[derive(Default)]
 pub struct Pairs {
     list: Vec<[Atom; 2]>,
@@ -32,16 +33,16 @@ pub struct Pairs {
 }
 
 impl Pairs {
-    /// The two atoms of a pair.
+    /// Atoms of the pair with this index.
     pub fn atoms(&self, place: usize) -> [Atom; 2] {
         self.list[place]
     }
 
-    /// Two atoms joined: a quotient if one of them is divided by, and itself divided by if both are.
+    /// Pair of two atoms: a quotient if one of them is a divisor, and itself a divisor if both are.
     pub fn joined(&mut self, a: Atom, b: Atom) -> Atom {
         let inverse = a.inverse && b.inverse;
         let [mut a, mut b] = [a, b].map(|atom| Atom { inverse: atom.inverse && !inverse, ..atom });
-        // What is divided by comes second; otherwise the order does not matter.
+        // A divisor is the second atom of a pair; otherwise the order does not matter.
         if (b.inverse, b.base) < (a.inverse, a.base) {
             std::mem::swap(&mut a, &mut b);
         }
@@ -53,7 +54,7 @@ impl Pairs {
         Atom { base: Base::Pair(place), inverse }
     }
 
-    /// The atoms of base^n.
+    /// Atoms whose product is base^n.
     pub fn power(&mut self, base: Expr, n: i32) -> Vec<Atom> {
         let mut atom = Atom { base: Base::Term(base), inverse: n < 0 };
         let mut left = n.unsigned_abs();
@@ -73,7 +74,7 @@ impl Pairs {
         list
     }
 
-    /// Joins, again and again, the pair that most products have, while two or more have it.
+    /// Joins the pair that occurs in most products, again and again, until no pair occurs in two products.
     pub fn share(&mut self, products: &mut [Vec<Atom>]) {
         loop {
             let mut counts: FxHashMap<[Atom; 2], usize> = FxHashMap::default();
@@ -87,7 +88,7 @@ impl Pairs {
                     *count += 1;
                 }
             }
-            // The first of those that occur most often.
+            // Among the most frequent pairs, the first one is joined.
             let best = order.into_iter().rev().max_by_key(|pair| counts[pair]);
             let Some([a, b]) = best.filter(|pair| counts[pair] > 1) else { return };
             for product in products.iter_mut() {

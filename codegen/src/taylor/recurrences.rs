@@ -1,61 +1,61 @@
-//! Recurrences as data: which series there are, and how the coefficient of order k of each follows.
+//! Recurrences as data: the series, and the rule for the coefficient of order k of each series.
 
 use tripos_derive::algebra::{Expr, Function};
 
-/// Weights with which constants in time enter: terms of parameters and of states that do not change.
+/// Weight or constant of a recurrence: a term of parameters and of states that do not change.
 pub type Constant = Expr;
 
-/// Recurrence for the coefficients of a series z from those of others; x, y, w are places in [`Recurrences::series`],
-/// and z_k is the coefficient of order k.
+/// Recurrence for the coefficients of a series z from those of other series. The indices x, y and w refer to
+/// [`Recurrences::series`], and z_k is the coefficient of order k.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// The state at this place: z_k is the coefficient k − 1 of its rate, over k.
+    /// State with this index: z_k is the coefficient k − 1 of its rate, divided by k.
     State(usize),
-    /// constant + Σ weight · x.
+    /// Linear combination of series: z = constant + Σ weight · x.
     Linear {
         /// Constant that is added at order 0.
         constant: Constant,
-        /// (weight, x)
+        /// Terms of the sum, as (weight, x).
         terms: Vec<(Constant, usize)>,
     },
     /// Product of two series: z = x y.
     Product(usize, usize),
-    /// z = x/y, or 1/y without an x.
+    /// Quotient of two series: z = x/y, or z = 1/y without x.
     Quotient(Option<usize>, usize),
     /// Square root of a series: z² = x.
     Root(usize),
-    /// z' = ±x' w, as for sin x with w = cos x.
+    /// Function value with z' = ±x' w, such as sin x with w = cos x.
     Forward {
-        /// The function whose value z has at order 0.
+        /// Function whose value z has at order 0.
         value: Function,
-        /// Place of x.
+        /// Index of the argument x.
         of: usize,
-        /// w, of which only lower orders are used; it may come later in the list.
+        /// Index of the slope w. Only its lower orders are used, so it may come later in the list.
         slope: usize,
-        /// True for the minus sign.
+        /// True for the minus sign in the rule.
         negative: bool,
     },
-    /// z' w = ±x', as for log x with w = x.
+    /// Function value with z' w = ±x', such as log x with w = x.
     Backward {
-        /// The function whose value z has at order 0.
+        /// Function whose value z has at order 0.
         value: Function,
-        /// Place of x.
+        /// Index of the argument x.
         of: usize,
-        /// Place of w.
+        /// Index of the slope's inverse w.
         slope: usize,
-        /// True for the minus sign.
+        /// True for the minus sign in the rule.
         negative: bool,
     },
 }
 
 impl Rule {
-    /// True if a convolution over lower orders is needed.
+    /// True if the rule needs a convolution over lower orders.
     #[must_use]
     pub fn convolves(&self) -> bool {
         !matches!(self, Self::State(_) | Self::Linear { .. })
     }
 
-    /// The series whose coefficient of the same order is needed.
+    /// Indices of the series whose coefficient of equal order the rule needs.
     #[must_use]
     pub fn reads(&self) -> Vec<usize> {
         match self {
@@ -68,7 +68,7 @@ impl Rule {
         }
     }
 
-    /// Renames places.
+    /// Renumbers the series that the rule reads.
     pub(super) fn renamed(&mut self, place: impl Fn(usize) -> usize) {
         let rename = |x: &mut usize| *x = place(*x);
         match self {
@@ -84,46 +84,46 @@ impl Rule {
     }
 }
 
-/// A series: what it stands for, and its rule.
+/// Series of Taylor coefficients of a term, with its recurrence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Series {
-    /// The term whose coefficients it has, as formed from other series.
+    /// Term whose coefficients the series has, as formed from other series.
     pub term: Expr,
-    /// Recurrence for its coefficients.
+    /// Recurrence for the coefficients.
     pub rule: Rule,
-    /// The state or the step whose value first needs it.
+    /// State or step whose value first needs the series.
     pub needed_by: Expr,
 }
 
-/// The rate of a state: a constant in time, or a weight and a series.
+/// Term that is constant in time, or a weight times a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operand {
-    /// A constant in time.
+    /// Constant in time.
     Constant(Constant),
-    /// weight · series
+    /// Weight times the series with this index.
     Scaled(Constant, usize),
 }
 
-/// The recurrences of the Taylor coefficients of a motion.
+/// Recurrences of the Taylor coefficients of a motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Recurrences {
-    /// The states first, those that are constant in time left out; then each after what it reads, other than slopes of
-    /// [`Rule::Forward`].
+    /// Series of the motion. States that change in time come first. Each later series comes after those that it reads,
+    /// except for the slopes of [`Rule::Forward`].
     pub series: Vec<Series>,
-    /// The symbols of all states.
+    /// Symbols of all states.
     pub states: Vec<Expr>,
-    /// The rate of each.
+    /// Rates of the states, in the order of `states`.
     pub rates: Vec<Operand>,
 }
 
 impl Recurrences {
-    /// Number of convolutions of an order.
+    /// Number of convolutions at each order.
     #[must_use]
     pub fn convolutions(&self) -> usize {
         self.series.iter().filter(|s| s.rule.convolves()).count()
     }
 
-    /// Products and sums of the linear rules, at each order.
+    /// Number of products and sums of the linear rules, at each order.
     #[must_use]
     pub fn linear_operations(&self) -> usize {
         let of = |rule: &Rule| match rule {
@@ -133,7 +133,7 @@ impl Recurrences {
         self.series.iter().map(|s| of(&s.rule)).sum()
     }
 
-    /// All weights and constants, each once, in order of appearance; 0, 1 and −1 left out.
+    /// Distinct weights and constants, in order of appearance, without 0, 1 and −1.
     #[must_use]
     pub fn constants(&self) -> Vec<Constant> {
         let mut list: Vec<Constant> = Vec::new();

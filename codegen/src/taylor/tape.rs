@@ -1,24 +1,24 @@
-//! The recurrences interpreted, in numbers of any precision: for models that are not compiled in.
+//! Interpreter of recurrences, in numbers of any precision, for models that are not compiled.
 
 use super::recurrences::{Constant, Operand, Recurrences, Rule};
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::value::evaluate::{Numeric, Tape as Values, UnknownSymbol};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Recurrences with numbers for their weights, ready to be evaluated.
+/// Recurrences with their weights, ready to be evaluated in numbers.
 #[derive(Clone, Debug)]
 pub struct Tape<S = f64> {
     list: Recurrences,
-    /// Weights and constants as functions of parameters and states.
+    /// Evaluation of the weights and constants from parameters and states.
     constants: Values<S>,
     places: FxHashMap<Constant, usize>,
 }
 
 impl Tape {
-    /// With these parameters and the states as inputs.
+    /// Tape of recurrences, with these parameters and the states as inputs.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if a weight depends on a symbol that is neither.
+    /// [`UnknownSymbol`] if a weight depends on another symbol.
     pub fn new(arena: &Arena, parameters: &[Expr], list: &Recurrences) -> Result<Self, UnknownSymbol> {
         let constants = [vec![Expr::ZERO, Expr::ONE, Expr::MINUS_ONE], list.constants()].concat();
         let inputs = [parameters, &list.states].concat();
@@ -28,17 +28,17 @@ impl Tape {
 }
 
 impl<S: Numeric> Tape<S> {
-    /// The recurrences in another kind of number.
+    /// Tape of equal recurrences for another type of number.
     #[must_use]
     pub fn to<T: Numeric>(&self) -> Tape<T> {
         Tape { list: self.list.clone(), constants: self.constants.to(), places: self.places.clone() }
     }
 
-    /// Coefficients of the states at the parameters `p`, row by row up to `order`: `x` has (`order` + 1) rows, and
-    /// comes with the state in the first one.
+    /// Computes the Taylor coefficients of the states at the parameters `p`, up to `order`. `x` has (`order` + 1) rows,
+    /// one for each order; the first row contains the state.
     ///
     /// # Panics
-    /// If a length is another.
+    /// If `x` has another length.
     pub fn evaluate(&self, p: &[S], order: usize, x: &mut [S]) {
         let n = self.list.states.len();
         assert_eq!(x.len(), (order + 1) * n, "a row for each order");
@@ -77,7 +77,7 @@ fn whole<S: Numeric>(n: usize) -> S {
     S::from_f64(n as f64)
 }
 
-/// The coefficients so far.
+/// Coefficients of all series that were computed so far, at order `k`.
 struct Known<'a, S> {
     z: &'a [S],
     columns: usize,
@@ -89,7 +89,7 @@ impl<S: Numeric> Known<'_, S> {
         self.z[j * self.columns + series]
     }
 
-    /// Σ a_j b_{k−j} over `from` ≤ j < `to`; with j a_j for a_j if `counted`.
+    /// Convolution Σ a_j b_{k−j} over `from` ≤ j < `to`; with `counted`, Σ j a_j b_{k−j}.
     fn sum(&self, (a, b): (usize, usize), from: usize, to: usize, counted: bool) -> S {
         let factor = |j: usize| if counted { whole(j) } else { S::int(1) };
         let products = (from..to).map(|j| factor(j) * self.of(j, a) * self.of(self.k - j, b));
@@ -109,7 +109,7 @@ impl<S: Numeric> Known<'_, S> {
             Rule::Product(x, y) => self.sum((*x, *y), 0, k + 1, false),
             Rule::Quotient(x, y) => {
                 let above = x.map_or(S::int(i64::from(k == 0)), now);
-                // y z = x, without the term of z_k
+                // From y z = x, without the term of z_k.
                 (above - self.sum((*y, at), 1, k + 1, false)) / first(*y)
             }
             Rule::Root(x) if k == 0 => first(*x).sqrt(),

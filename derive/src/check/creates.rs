@@ -1,10 +1,10 @@
-//! Loads that can give a mechanism energy, beyond the energy that a potential holds.
+//! Loads that can add energy to a mechanism, beyond the energy that a potential holds.
 //!
-//! The part of a load that is there at rest has a potential, or its work depends on the way. The rest of the load has
-//! the power P(q, u). If P ≤ 0 is proved, the load dissipates; if one state has P > 0, in ranges that are rounded
-//! outwards, it can create energy; otherwise its effect is undecided. P ≤ 0 is proved by the ranges of its terms or,
-//! for a quadratic form −uᵀ D u, by the pivots of D. A. J. van der Schaft, *L2-Gain and Passivity Techniques in
-//! Nonlinear Control*, 3rd edition (2017), § 2.2.
+//! The part of a load that acts at rest has a potential, or its work depends on the path. The rest of the load has the
+//! power P(q, u). If P ≤ 0 is proved, the load dissipates. If one state has P > 0, in ranges that are rounded outwards,
+//! it can create energy. Otherwise its effect is undecided. P ≤ 0 is proved by the ranges of its terms or, for a
+//! quadratic form −uᵀ D u, by the pivots of D. A. J. van der Schaft, *L2-Gain and Passivity Techniques in Nonlinear
+//! Control*, 3rd edition (2017), § 2.2.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -17,34 +17,34 @@ use crate::model::{Model, Tie};
 use rustc_hash::FxHashMap;
 use std::fmt::Write;
 
-/// Effect of a load on the energy.
+/// Effect of a load on the energy of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
-    /// It keeps the energy: it has a potential, or no power.
+    /// The load keeps the energy: it has a potential, or no power.
     Keeps,
-    /// It takes energy, or has no power.
+    /// The load takes energy, or has no power.
     Dissipates,
-    /// It can give energy.
+    /// The load can add energy.
     Creates,
-    /// No effect is proved.
+    /// No effect of the load is proved.
     Undecided,
 }
 
 /// A load, and its effect on the energy at the default values of parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadEffect {
-    /// Its name in the file.
+    /// Name of the load in the model file.
     pub load: String,
-    /// Effect on the energy.
+    /// Effect of the load on the energy.
     pub effect: Effect,
-    /// Reason for the effect; empty if it is plain.
+    /// Reason for the effect, in words; empty if it is plain.
     pub why: String,
 }
 
-/// Number of random states in which positive power is searched.
+/// Number of random states in which a positive power is searched.
 const STATES: usize = 60;
 
-/// Finds the effect of each applied load, in the order of the file, forces first.
+/// Finds the effect of each applied load, in the order of the model file, forces first.
 pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
     let names: Vec<String> =
         model.forces.iter().map(|f| &f.name).chain(model.torques.iter().map(|t| &t.name)).cloned().collect();
@@ -61,7 +61,7 @@ pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
             judge.arena.sum(&parts)
         })
         .collect();
-    // Loads may hold a potential, or dissipate, only together.
+    // Loads may have a potential, or dissipate, only together.
     let is_held = judge.has_potential(&all);
     let dissipate = judge.power(&all).is_some_and(|power| judge.never_gives(power));
     let mut list = Vec::new();
@@ -80,7 +80,7 @@ pub fn effects(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
     Ok(list)
 }
 
-/// The first input that a load names.
+/// Name of the first input that the load with this index contains.
 fn input_of(model: &Model, at: usize) -> Option<String> {
     let vector = match model.forces.get(at) {
         Some(force) => force.vector,
@@ -112,7 +112,7 @@ impl<'m> Judge<'m> {
         list.iter().map(put).collect()
     }
 
-    /// Generalized forces at rest; `None` if they have no value there.
+    /// Generalized forces at q̇ = 0; `None` if they have no value there.
     fn at_rest(&mut self, forces: &[Expr]) -> Option<Vec<Expr>> {
         let still: Vec<_> = self.model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
         let mut put = Substitution::new(&still);
@@ -124,7 +124,7 @@ impl<'m> Judge<'m> {
         potential_at_rest(&mut self.arena, &mut self.simplifier, self.model, forces).is_some()
     }
 
-    /// The power of the forces beyond those at rest, in q and u.
+    /// Power of the forces beyond that of their part at rest, in q and u; `None` if the forces have no value at rest.
     fn power(&mut self, forces: &[Expr]) -> Option<Expr> {
         let resting = self.at_rest(forces)?;
         let arena = &mut self.arena;
@@ -135,12 +135,12 @@ impl<'m> Judge<'m> {
         }
         let power = arena.sum(&terms);
         let power = rates_to_speeds(self.model).apply(arena, power);
-        // Rates of a model with constraints name parameters once more.
+        // Rates of a model with constraints contain parameters again.
         let power = self.defaults.apply(arena, power);
         Some(self.simplifier.simplify(arena, power))
     }
 
-    /// True if the part of a spring beyond its potential is proved to be a damper: its power is −c ḋ² with c above 0.
+    /// True if the part of a spring beyond its potential is proved to be a damper: its power is −c ḋ² with c > 0.
     fn damps(&mut self, forces: &[Expr], [coefficient, lengthening]: [Expr; 2]) -> bool {
         let coefficient = self.defaults.apply(&mut self.arena, coefficient);
         let taken = self.arena.neg(coefficient);
@@ -170,7 +170,7 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// Effect of a load by the power of its part beyond that at rest.
+    /// Effect of a load by the power of its part beyond that at rest, and the reason.
     fn effect_in_motion(&mut self, power: Expr, dissipate: bool) -> (Effect, String) {
         if zero_test(&self.arena, power) == ZeroTest::Zero {
             return (Effect::Keeps, String::new());
@@ -191,8 +191,8 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// True if the work of the forces at rest is proved to depend on the way: ∂F_i/∂q_j ≠ ∂F_j/∂q_i, where all ways are
-    /// open.
+    /// True if the work of the forces at rest is proved to depend on the path: ∂F_i/∂q_j ≠ ∂F_j/∂q_i. False if
+    /// constraints or loops restrict the paths.
     fn depends_on_way(&mut self, forces: &[Expr]) -> bool {
         let is_free = self.model.motion_constraints.iter().all(|c| c.tie == Tie::Clock) && self.model.loops.is_empty();
         let Some(resting) = self.at_rest(forces).filter(|_| is_free) else { return false };
@@ -229,7 +229,7 @@ impl<'m> Judge<'m> {
         self.is_form(power, &form, &u) && self.is_negative(form)
     }
 
-    /// True if a power is ½ uᵀ H u with an H that contains no speed.
+    /// True if a power is ½ uᵀ H u with the matrix H given, whose entries contain no speed.
     fn is_form(&mut self, power: Expr, form: &[Vec<Expr>], u: &[Expr]) -> bool {
         if self.arena.reachable(&form.concat()).iter().any(|part| u.contains(part)) {
             return false;
@@ -245,9 +245,8 @@ impl<'m> Judge<'m> {
         zero_test(&self.arena, rest) == ZeroTest::Zero
     }
 
-    /// True if a symmetric matrix is negative semidefinite, by its pivots. Each pivot is never above zero; where one is
-    /// zero by meaning, its row has zeros only. Where a pivot is zero at single places, the property holds by
-    /// continuity.
+    /// True if a symmetric matrix is negative semidefinite, by its pivots. Each pivot is never above zero; if one is
+    /// identically zero, its row has zeros only. If a pivot is zero at single places, the property holds by continuity.
     fn is_negative(&mut self, mut form: Vec<Vec<Expr>>) -> bool {
         let is_zero = |arena: &Arena, e: Expr| zero_test(arena, e) == ZeroTest::Zero;
         while let Some(row) = form.pop() {
@@ -276,7 +275,8 @@ impl<'m> Judge<'m> {
         true
     }
 
-    /// Searches for a state in which a power is above zero; returns it in words.
+    /// Searches for a state in which a power is above zero, and describes it in words; `None` if none is found. An
+    /// error, in words, if no state can be tested.
     fn state_with(&mut self, power: Expr) -> Result<Option<String>, String> {
         let model = self.model;
         let without = model.parameters.iter().find(|p| p.value.is_none() && self.arena.mentions(power, p.symbol));
@@ -290,7 +290,7 @@ impl<'m> Judge<'m> {
             (true, Some(pose)) => pose,
             (false, _) => vec![0.0; model.coordinates.len()],
         };
-        // Simple states first, for who reads it.
+        // Simple states come first, for the reader.
         let mut states: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
         for at in 0..model.speeds.len() {
             for sign in [1.0, -1.0] {
@@ -301,7 +301,7 @@ impl<'m> Judge<'m> {
         }
         let mut chance = 1_u32;
         for _ in 0..STATES {
-            // Eighths between -2 and 2, which print as they are (Lehmer's generator).
+            // Multiples of 1/8 between -2 and 2, which print exactly (Lehmer's generator).
             let mut draw = || {
                 chance = u32::try_from(u64::from(chance) * 48_271 % 2_147_483_647).unwrap_or(1);
                 (f64::from(chance % 33) - 16.0) / 8.0
@@ -320,7 +320,7 @@ impl<'m> Judge<'m> {
     }
 }
 
-/// Text that a load adds energy in this state.
+/// Words that a load adds energy in this state, with the coordinates and speeds that are not zero.
 fn words(model: &Model, q: &[f64], u: &[f64]) -> String {
     let coordinates = model.coordinates.iter().map(|c| &c.name).zip(q);
     let named = coordinates.chain(model.speeds.iter().map(|s| &s.name).zip(u)).filter(|(_, value)| **value != 0.0);

@@ -1,8 +1,8 @@
-//! Poses in which the constraints of a mechanism lose rank, whatever its speeds are.
+//! Poses in which the constraints of a mechanism lose rank, for every choice of speeds.
 //!
 //! In such a pose more may move than elsewhere, no choice of independent speeds determines the motion, and some
-//! reactions are free. All rows count, even those that follow from the others in most poses: which of them was left out
-//! is a choice, and no property of the mechanism. The surfaces are the common zeros of minors, which are exact
+//! reactions are free. All rows count, even those that follow from the others in most poses: the choice of the row to
+//! leave out is no property of the mechanism. The surfaces are the common zeros of minors, which are exact
 //! ([`minors`]). A claim carries its proof, or a pose in which the rank was computed ([`pose`]): q with as many
 //! orthonormal vectors λ with Aᵀ λ = 0 as the loss of rank requires. J. M. Selig, *Geometric Fundamentals of Robotics*,
 //! 2nd edition (2005), § 4.6.
@@ -17,26 +17,26 @@ use crate::model::{Model, Tie};
 use minors::{Matrix, surfaces};
 use pose::Constraints;
 
-/// Poses where constraints lose rank, with the proof or an example.
+/// Poses where the constraints of a model lose rank, with a proof that there are none or an example.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RankLoss {
-    /// Number of independent constraints in other poses.
+    /// Number of independent constraints in all other poses.
     pub rank: usize,
-    /// Formulas that are all zero in exactly these poses; empty if there is proved to be no such pose. `None` if the
-    /// formulas are too many.
+    /// Formulas that are all zero exactly in the poses where rank is lost; empty if it is proved that no such pose
+    /// exists. `None` if there are too many formulas.
     pub where_all_zero: Option<Vec<String>>,
     /// True if it is proved that the constraints never lose rank.
     pub nowhere: bool,
-    /// Proof of that, for each part of the constraints that shares no coordinate with the others.
+    /// Proof that rank is never lost, for each part of the constraints that shares no coordinate with the others.
     pub proof: Vec<String>,
-    /// Formulas of parameters that are assumed nonzero, as at the default values.
+    /// Formulas of parameters that the results assume nonzero, as they are at the default values.
     pub taken: Vec<String>,
-    /// An example of such a pose, in doubles, at the default values: a value for each coordinate, and last the instant,
-    /// s, if the pose depends on it.
+    /// An example of a pose where rank is lost, in doubles, at the default values. It has a value for each coordinate,
+    /// and last the instant, s, if the pose depends on time.
     pub pose: Option<Vec<(String, f64)>>,
-    /// Number of independent constraints in that pose.
+    /// Number of independent constraints in the example pose; `None` without an example.
     pub rank_there: Option<usize>,
-    /// Number of random places from which such a pose was searched.
+    /// Number of random places from which the search for an example started.
     pub sought: usize,
 }
 
@@ -78,8 +78,8 @@ pub fn rank_loss(model: &Model) -> Option<RankLoss> {
     Some(found)
 }
 
-/// The slopes of all constraints along the rates of these coordinates. First those that are independent in most poses,
-/// whose number is returned, then the others, without those that follow in every pose.
+/// Slopes of all constraints along the rates of these coordinates. First come the rows that are independent in most
+/// poses, whose number is returned. Then come the others, without those that follow in every pose.
 fn rows(model: &Model, arena: &mut Arena, columns: &[usize]) -> (Vec<Vec<Expr>>, usize) {
     let rates: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].rate).collect();
     let places: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].symbol).collect();

@@ -1,7 +1,8 @@
-//! A published derivation compared with the derived one, entry by entry, and the effect of its errors on the motion.
+//! Comparison of a published derivation with the derived one, entry by entry, and the effect of its errors on the
+//! motion.
 //!
 //! Every entry is judged on its own: symbols of the text stand for derived values, so an error counts once, where it is
-//! made. Nothing is repaired or guessed; the only freedom is the factor that each row of a linear system may carry.
+//! made. Nothing is repaired or guessed. The only free quantity is the factor of each row of a linear system.
 
 mod edits;
 pub mod equations;
@@ -29,12 +30,13 @@ use equations::claim::{Claim, Table};
 use formulas::near::Near;
 use printed::motion::Motion;
 
-/// A publication, judged.
+/// Result of the comparison of a publication with the derived equations.
 #[derive(Clone, Debug)]
 pub struct Difference {
-    /// Every entry in the order of the file; rows and single entries of systems after one another.
+    /// Findings of all entries in the order of the publication file, with those of a system's rows and entries in
+    /// sequence.
     pub findings: Vec<Finding>,
-    /// The mistakes behind the findings that are different, each of which is in exactly one group.
+    /// Mistakes that cause the findings that are different. Each such finding is in exactly one group.
     pub roots: Vec<Root>,
     /// Consequences of each printed system for the motion.
     pub consequences: Vec<Consequences>,
@@ -49,7 +51,7 @@ impl Difference {
         self.findings.iter().filter(|f| f.judgement.word() == word).count()
     }
 
-    /// Every formula that is shown of the verdicts, except those in remarks, which are written out there.
+    /// All formulas of the verdicts that documents show, except those in remarks, which are written out.
     #[must_use]
     pub fn shown(&self) -> Vec<Expr> {
         let findings = self.findings.iter().flat_map(Finding::shown);
@@ -82,7 +84,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
         let tables = found.tables.len();
         let near = entry.near.as_ref().map(|near| Near::new(&mut quantities, near));
         let words = near.as_ref().map(|near| near.words.clone());
-        // What is printed up to an order near a point is compared as it is printed.
+        // A formula that is printed up to an order near a point is compared as printed, not in permitted states.
         let comparer = if near.is_some() { &mut anywhere } else { &mut comparer };
         let mut judge = formulas::entries::Judge { quantities: &mut quantities, comparer, names: &names, tables, near };
         match &entry.kind {
@@ -97,7 +99,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
             EntryKind::Listing(listing) => found.take(judge.listing(entry, listing)),
             EntryKind::Initial(_) => found.push(formulas::initial::judge(model, publication, entry)),
         }
-        // Of a system or listing the first row carries what holds for all of it.
+        // The first row of a system or listing carries the remarks about the whole.
         if let Some(finding) = found.findings.get_mut(first) {
             finding.remarks.extend(words);
             finding.remarks.extend(entry.repaired.iter().map(|text| format!("scan: {text}")));
@@ -110,11 +112,11 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     Difference { findings, roots, consequences, agreements }
 }
 
-/// Findings, claims, tables and motions gathered entry by entry.
+/// Findings, claims, tables and motions, gathered entry by entry.
 #[derive(Default)]
 struct Found {
     findings: Vec<Finding>,
-    /// Claim of each finding.
+    /// Claims of the findings, in equal order.
     claims: Vec<Claim>,
     tables: Vec<Table>,
     motions: Vec<(Motion, printed::systems::Matched)>,
@@ -133,12 +135,12 @@ impl Found {
     }
 }
 
-/// The printed systems and listings of a publication as equations of motion.
+/// Printed systems and listings of a publication as equations of motion.
 pub fn motions(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Motion> {
     let mut quantities = Quantities::new(model, derivations);
     let names = Names::new(publication, &mut quantities);
     let mut list = Vec::new();
-    // What holds near a point is no equation of the whole motion.
+    // An entry that holds near a point is no equation of the whole motion.
     for entry in publication.entries.iter().filter(|entry| entry.near.is_none()) {
         match &entry.kind {
             EntryKind::System(system) => {

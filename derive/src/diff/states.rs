@@ -1,9 +1,9 @@
-//! The states in which printed and derived are compared: on the constraints of a model and in its domain.
+//! Permitted states, in which printed and derived values are compared: on the constraints of a model and in its domain.
 //!
-//! Rates are those that speeds leave, q̇ = W u + w. Each equation between coordinates is solved for one symbol: a
-//! coordinate in which it is linear; else a parameter, such as a length of a loop; else the root of a quadratic
-//! equation. A statement proved for the other symbols then holds in every state on the constraints, except where a
-//! divisor is 0.
+//! Rates are those that the speeds permit, q̇ = W u + w. Each equation between coordinates is solved for one symbol:
+//! for a coordinate in which it is linear, else for a parameter, such as a length of a loop, else for the root of a
+//! quadratic equation. A statement proved for the other symbols then holds in every state on the constraints, except
+//! where a divisor is 0.
 
 use crate::algebra::form::normal::Normalizer;
 use crate::algebra::form::simplify::Simplifier;
@@ -17,10 +17,10 @@ use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::model::{Model, TIME, Tie};
 
-/// Number of multiplications of terms that the numerator of one equation may cost.
+/// Most multiplications of terms for the numerator of one equation.
 const BUDGET: u64 = 100_000;
 
-/// The permitted states of a model.
+/// Permitted states of a model, as values of the symbols that its constraints determine.
 pub fn permitted(quantities: &mut Quantities<'_>) -> Permitted {
     let model = quantities.model;
     let (mut solved, open) = solved_loops(quantities);
@@ -46,7 +46,7 @@ pub fn permitted(quantities: &mut Quantities<'_>) -> Permitted {
     if is_told { permitted } else { permitted.untold() }
 }
 
-/// A symbol with a value for each equation between coordinates, and the reason why one of them has none.
+/// For each equation between coordinates, symbols with their values; and the reason if an equation gives no value.
 fn solved_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<String>) {
     let model = quantities.model;
     let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
@@ -78,8 +78,8 @@ fn solved_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<S
     (solved, open)
 }
 
-/// Sums of coordinates that an equation sets to a constant or a term of parameters, each with that value: x² + y² with
-/// l².
+/// Sums of coordinates that an equation sets to a constant or a term of parameters, each with this value, such as x² +
+/// y² with l².
 fn shorter_sums(model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
     let coordinates = model.q();
     let mut list = Vec::new();
@@ -93,7 +93,7 @@ fn shorter_sums(model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
         let constant = arena.number(constant);
         let fixed: Vec<_> = fixed.into_iter().chain([(constant, Rational::ONE)]).collect();
         let (sum, rest) = (arena.linear_combination(&moving), arena.linear_combination(&fixed));
-        // sum + rest = 0, and sums stand in terms without their content.
+        // sum + rest = 0. In terms, sums occur without a factor that is a number.
         let (content, sum) = arena.split_content(sum);
         let Some(inverse) = content.recip() else { continue };
         list.push((sum, arena.scale(rest, &inverse.neg())));
@@ -101,7 +101,7 @@ fn shorter_sums(model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
     list
 }
 
-/// Numerator of a fraction; the term itself if it is too large.
+/// Numerator of a fraction; the whole term if the numerator is too large.
 fn numerator(arena: &mut Arena, e: Expr) -> Expr {
     let mut normalizer = Normalizer::new(BUDGET);
     match normalizer.fraction(arena, e) {
@@ -110,7 +110,7 @@ fn numerator(arena: &mut Arena, e: Expr) -> Expr {
     }
 }
 
-/// A x² + B x + C, the equation in one symbol.
+/// Equation A x² + B x + C = 0 in one symbol x.
 struct Quadratic {
     a: Expr,
     b: Expr,
@@ -118,7 +118,8 @@ struct Quadratic {
 }
 
 impl Quadratic {
-    /// An equation in a symbol, if it is at most quadratic in it and depends on it.
+    /// Coefficients of an equation in a symbol; `None` unless the equation depends on the symbol and is at most
+    /// quadratic in it.
     fn new(arena: &mut Arena, equation: Expr, symbol: Expr) -> Option<Self> {
         let mut along = Differential::partial(symbol);
         let slope = along.apply(arena, equation);
@@ -135,7 +136,7 @@ impl Quadratic {
         self.a == Expr::ZERO
     }
 
-    /// −C/B, or the upper root.
+    /// Value of the symbol: −C/B, or the upper root −B/(2 A) + √(B²/(4 A²) − C/A).
     fn value(&self, arena: &mut Arena) -> Option<Expr> {
         if self.is_linear() {
             let quotient = arena.div(self.c, self.b)?;
@@ -151,10 +152,10 @@ impl Quadratic {
     }
 }
 
-/// A symbol of an equation, and its value.
+/// Symbol that an equation determines, with its value; `None` if there is no such symbol.
 ///
-/// An equation that is a product determines no symbol that only one of its factors contains. So a value without
-/// coordinates is refused where the equation ties coordinates.
+/// An equation that is a product does not determine a symbol that only one factor contains. So a value must contain a
+/// coordinate.
 fn solve_one(
     model: &Model,
     (arena, simplifier): (&mut Arena, &mut Simplifier),
@@ -172,7 +173,8 @@ fn solve_one(
             continue;
         }
         let Some(quadratic) = Quadratic::new(arena, equation, symbol) else { continue };
-        // Roots are wanted of what is positive alone: a coordinate has two.
+        // The best symbol is linear; next is a positive parameter that enters as a pure square, because its root is
+        // unique.
         let rank = match (quadratic.is_linear(), positive && quadratic.b == Expr::ZERO) {
             (true, _) => 0,
             (false, true) => 1,
@@ -190,7 +192,7 @@ fn solve_one(
     found.map(|(_, symbol, value)| (symbol, value))
 }
 
-/// An angle of an equation a sin q + b cos q + c = 0: its sine, its cosine and itself.
+/// Sine, cosine and value of an angle q from an equation a sin q + b cos q + c = 0; `None` if no coordinate enters so.
 fn solve_angle(model: &Model, arena: &mut Arena, equation: Expr) -> Option<Vec<(Expr, Expr)>> {
     model.coordinates.iter().filter(|c| c.name != TIME).find_map(|q| {
         let (sine, cosine) = (arena.sin(q.symbol), arena.cos(q.symbol));

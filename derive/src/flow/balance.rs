@@ -1,9 +1,9 @@
-//! Conditions for rest, or for motion along the symmetries of a mechanism, in letters; and their solutions in closed
-//! form.
+//! Conditions for rest, or for motion along the symmetries of a mechanism, with parameters as letters; and their
+//! solutions in closed form.
 //!
-//! Along Σ c ζ with symmetries ζ = (ξ, η) the coordinates have the rates q̇ = Σ c ξ, so that the speeds u = J q̇ + d
-//! are formulas in q and c. The remaining conditions are W u + w = Σ c ξ, M Σ c η = F, and the loops φ(q) = 0. The
-//! first holds by itself unless motions are constrained.
+//! Along Σ c ζ with symmetries ζ = (ξ, η) the coordinates have the rates q̇ = Σ c ξ. So the speeds u = J q̇ + d are
+//! formulas in q and c. The remaining conditions are W u + w = Σ c ξ, M Σ c η = F, and the loops φ(q) = 0. The first
+//! holds by itself unless motions are constrained.
 
 use super::Flow;
 use crate::algebra::form::simplify::Simplifier;
@@ -15,36 +15,36 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::model::Model;
 use crate::prove::IntegralKind;
 
-/// The velocity along a symmetry, a letter.
+/// Velocity of a steady motion along one symmetry.
 #[derive(Clone, Debug)]
 pub struct Along {
-    /// Its symbol: that of the coordinate's rate if `is_rate`.
+    /// Symbol of the velocity: that of the coordinate's rate if `is_rate`.
     pub symbol: Expr,
-    /// The symmetry, by its place.
+    /// Index of the symmetry in [`Flow::symmetries`].
     pub symmetry: usize,
-    /// True if it is the rate of a coordinate that no other symmetry changes.
+    /// True if the velocity is the rate of a coordinate that no other symmetry changes.
     pub is_rate: bool,
 }
 
 /// Conditions of rest, or of motion along the symmetries, as terms that must vanish.
 #[derive(Clone, Debug, Default)]
 pub struct Balance {
-    /// Velocities along symmetries; none at rest.
+    /// Velocities along symmetries; empty for rest.
     pub along: Vec<Along>,
-    /// The generalized speeds, in coordinates and velocities along symmetries.
+    /// Generalized speeds, in coordinates and velocities along symmetries.
     pub speeds: Vec<Expr>,
     /// Terms that must vanish, in parameters, coordinates and velocities along symmetries.
     pub rows: Vec<Expr>,
-    /// Divisors of the kinematic equations, with the speeds put in.
+    /// Divisors of the kinematic equations, in coordinates and velocities along symmetries.
     pub divisors: Vec<Expr>,
 }
 
 impl Flow {
-    /// Conditions of rest, or of motions along the symmetries if `moves`. Drives at a constant rate go on in both.
+    /// Conditions of rest, or of motion along the symmetries if `moves`. Drives at a constant rate continue in both.
     pub fn balance(&mut self, model: &Model, moves: bool) -> Balance {
         let along = if moves { self.velocities(model) } else { Vec::new() };
         let q_count = model.coordinates.len();
-        // Time goes on by itself, and rest is meant at any time: at 0.
+        // Time continues by itself. Rest at any time is stated at time 0.
         let by_time = self.by_time(model);
         let now: Vec<(Expr, Expr)> = model.time().map(|at| (self.states[at], Expr::ZERO)).into_iter().collect();
         let arena = &mut self.arena;
@@ -88,14 +88,14 @@ impl Flow {
         Balance { along, speeds, rows, divisors }
     }
 
-    /// A letter for the velocity along each symmetry.
+    /// Velocities along all symmetries except the shift of time, with their symbols.
     fn velocities(&mut self, model: &Model) -> Vec<Along> {
         let n = model.coordinates.len();
         let rates = model.q_dot();
         let mut list: Vec<Along> = Vec::new();
         let by_time = self.by_time(model);
         for (symmetry, field) in self.symmetries.iter().enumerate().filter(|(at, _)| Some(*at) != by_time) {
-            // q' = c where no other symmetry changes the coordinate.
+            // The velocity c is q' if no other symmetry changes the coordinate.
             let others = || self.symmetries.iter().enumerate().filter(|(at, _)| *at != symmetry).map(|(_, s)| s);
             let own = (0..n).find(|at| {
                 let left = self.arena.sub(field.along[*at], Expr::ONE);
@@ -110,8 +110,8 @@ impl Flow {
         list
     }
 
-    /// Solves a balance in closed form for velocities along symmetries and coordinates. The symbols in `asked` come
-    /// first, parameters among them.
+    /// Solves a balance in closed form for velocities along symmetries and for coordinates. The symbols `asked`, which
+    /// may be parameters, are solved for first. Returns the unknowns in their order, and the solutions.
     pub fn closed_form(&mut self, model: &Model, balance: &Balance, asked: &[Expr]) -> (Vec<Expr>, Solutions) {
         let mentioned = self.arena.reachable(&balance.rows);
         let is_new = |e: &Expr| mentioned.binary_search(e).is_ok() && !asked.contains(e);
@@ -123,7 +123,7 @@ impl Flow {
     }
 }
 
-/// Name of a velocity along a symmetry that is the rate of no coordinate.
+/// Name of a velocity along a symmetry that is not the rate of a coordinate.
 fn name(model: &Model, kind: IntegralKind) -> String {
     let axis = |frame: usize, axis: usize| format!("{}{}", model.frames[frame].name.to_lowercase(), axis + 1);
     let of = |body: usize| &model.bodies[body].name;

@@ -1,5 +1,5 @@
-//! The linear system near a steady motion with some numbers kept as letters: by exact algebra, from values and slopes
-//! at a state that is given by formulas.
+//! Linear system near a steady motion, with chosen numbers kept as letters. Exact algebra makes it from values and
+//! slopes at a state that formulas give.
 
 use super::{Flow, Rates};
 use crate::algebra::form::simplify::Simplifier;
@@ -10,39 +10,39 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashSet;
 
-/// Highest power of a letter up to which an entry is treated as a polynomial.
+/// Highest power of a letter for which an entry of a matrix is treated as a polynomial.
 const MOST_POWERS: i64 = 8;
 
-/// Choice of the states that are kept, and of the loops and symmetries that eliminate the others. All are positions
-/// from 0, as a numeric elimination chose them.
+/// Choice of the states that are kept in the linear system, and of the loops and symmetries that eliminate the others.
+/// All are indices from 0, as a numeric elimination chose them.
 #[derive(Clone, Debug, Default)]
 pub struct Chosen {
-    /// The states of the result.
+    /// Indices of the states that the linear system keeps.
     pub kept: Vec<usize>,
-    /// States that the loops determine.
+    /// Indices of the states that the loops determine.
     pub closed: Vec<usize>,
-    /// States that symmetries shift.
+    /// Indices of the states that symmetries eliminate.
     pub shifted: Vec<usize>,
-    /// The symmetries that shift them.
+    /// Indices of the symmetries that eliminate the `shifted` states.
     pub symmetries: Vec<usize>,
-    /// States and symmetries that determine the velocities along the symmetries.
+    /// Indices of states and of symmetries that determine the velocities along the symmetries.
     pub carried: (Vec<usize>, Vec<usize>),
 }
 
-/// The state and the numbers at which the linear system is taken.
+/// State and numbers at which the linear system is taken.
 #[derive(Clone, Debug, Default)]
 pub struct Stated {
-    /// Exact values of parameters.
+    /// Symbols of parameters with their exact values.
     pub numbers: Vec<(Expr, Rational)>,
-    /// Each state, as a formula in parameters and letters.
+    /// Formula of each state, in parameters and letters.
     pub states: Vec<Expr>,
-    /// Symbols of inputs.
+    /// Symbols of the inputs of the linear system.
     pub inputs: Vec<Expr>,
-    /// Outputs, in states.
+    /// Outputs of the linear system, as terms in states.
     pub outputs: Vec<Expr>,
 }
 
-/// Reason why there is no linear system in letters.
+/// Reason why a linear system in letters does not exist.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotInLetters {
     /// The state is not steady for every value of the letters.
@@ -51,20 +51,20 @@ pub enum NotInLetters {
     Singular,
 }
 
-/// d' = A d + B r, y = C d + D r in letters.
+/// Linear system d' = A d + B r, y = C d + D r in letters.
 #[derive(Clone)]
 pub struct InLetters {
-    /// The terms of the entries.
+    /// Store of the terms of the entries.
     pub arena: Arena,
-    /// A, B, C and D, row by row.
+    /// Matrices A, B, C and D, row by row.
     pub matrices: [Vec<Vec<Expr>>; 4],
 }
 
 impl Flow {
-    /// The linear system in letters.
+    /// Linear system in letters near a steady motion of this flow.
     ///
     /// # Errors
-    /// [`NotInLetters`].
+    /// [`NotInLetters`] if the state is not steady, or a divisor is zero.
     pub fn in_letters(&self, stated: &Stated, chosen: &Chosen) -> Result<InLetters, NotInLetters> {
         let mut work = Work { arena: self.arena.clone(), simplifier: Simplifier::default() };
         let (values, slopes) = work.slopes(self, stated)?;
@@ -81,11 +81,11 @@ impl Flow {
                 .collect::<Vec<Expr>>()
         };
         let columns: Vec<Vec<Expr>> = slopes.iter().map(|slope| moving(&mut work, slope)).collect();
-        // States that are not closed, then inputs.
+        // States that the loops do not determine, then inputs.
         let inputs = states..states + stated.inputs.len();
         let all: Vec<usize> = (0..states).filter(|at| !chosen.closed.contains(at)).chain(inputs).collect();
         let free = all.len() - stated.inputs.len();
-        // What is closed follows these: δx_d = E (δx_k, δr).
+        // The states that the loops determine follow from these: δx_d = E (δx_k, δr).
         let loops: Vec<usize> = (0..self.loops.len()).collect();
         let follows = work.follows(&loops, &chosen.closed, &all, |row, column| slopes[column].loops[row])?;
         let on = |work: &mut Work, of: &dyn Fn(usize) -> Expr| -> Vec<Expr> {
@@ -99,7 +99,7 @@ impl Flow {
         let rows: Vec<Vec<Expr>> = (0..states).map(|row| on(&mut work, &|column| columns[column][row])).collect();
         let outputs: Vec<Vec<Expr>> =
             (0..stated.outputs.len()).map(|row| on(&mut work, &|column| slopes[column].outputs[row])).collect();
-        // What is shifted is left out: H G_out = G_kept.
+        // The shifted states are eliminated: H G_out = G_kept.
         let field = |row: usize, column: usize| values.symmetries[chosen.symmetries[column]][row];
         let order: Vec<usize> = (0..chosen.symmetries.len()).collect();
         let shares = work.follows(&order, &chosen.shifted, &chosen.kept, |row, column| field(column, row))?;
@@ -107,7 +107,7 @@ impl Flow {
         let mut a = Vec::new();
         let mut b = Vec::new();
         for (k, row) in chosen.kept.iter().enumerate() {
-            // With the sign of `follows`, which gives −H.
+            // Row k of H, from `follows`; `minus` subtracts its products with the shifted rows.
             let factors: Vec<Expr> = shares.iter().map(|share| share[k]).collect();
             let quotient = |work: &mut Work, direct: Expr, others: Vec<Expr>| work.minus(direct, &others, &factors);
             let mut line = Vec::new();
@@ -136,7 +136,7 @@ struct Work {
 }
 
 impl Work {
-    /// Values and slopes along states and inputs, at the stated state.
+    /// Values of the flow at the stated state, and slopes along each state and input.
     fn slopes(&mut self, flow: &Flow, stated: &Stated) -> Result<(Rates<Expr>, Vec<Rates<Expr>>), NotInLetters> {
         let Self { arena, simplifier } = self;
         let zetas = flow.symmetries.iter().flat_map(|symmetry| &symmetry.along);
@@ -146,7 +146,7 @@ impl Work {
             arena,
             &flow.steps.iter().map(|step| step.value).chain(terms.iter().copied()).collect::<Vec<_>>(),
         );
-        // What stands in a function stays a letter: the function would be no number otherwise.
+        // A parameter inside a function stays a letter: the function would have no exact value otherwise.
         let numbers = stated.numbers.iter().filter(|(symbol, _)| !inside.contains(symbol));
         let numbers: Vec<(Expr, Expr)> = numbers
             .map(|(symbol, value)| (*symbol, value.clone()))
@@ -201,7 +201,7 @@ impl Work {
         Ok((Rates::new(sizes, &values), slopes))
     }
 
-    /// Finds c with f = Σ c ζ, for the symmetries that carry the state along; proved for all values of the letters.
+    /// Finds c with f = Σ c ζ, for the symmetries ζ that carry the state along. The equation is proved for all letters.
     fn carried(&mut self, flow: &Flow, values: &Rates<Expr>, chosen: &Chosen) -> Result<Vec<Expr>, NotInLetters> {
         let (rows, columns) = &chosen.carried;
         let a: Vec<Vec<Expr>> =
@@ -222,7 +222,8 @@ impl Work {
         if zero_test(&self.arena, e) == ZeroTest::Zero { Ok(()) } else { Err(NotInLetters::NotSteady) }
     }
 
-    /// Finds X with M_d X = −M_k, so that M x = 0 for x_d = X x_k; M is given by its entries.
+    /// Finds X with M_d X = M_k for the columns `dependent` and `kept` of the matrix M, which `entry` gives. So M x = 0
+    /// for x_d = −X x_k.
     fn follows(
         &mut self,
         rows: &[usize],
@@ -241,7 +242,7 @@ impl Work {
         Ok(found)
     }
 
-    /// e − Σ a b.
+    /// Simplified term e − Σ a b, for pairs of the two lists.
     fn minus(&mut self, e: Expr, a: &[Expr], b: &[Expr]) -> Expr {
         let mut terms = vec![(e, Rational::ONE)];
         for (a, b) in a.iter().zip(b) {
@@ -252,7 +253,7 @@ impl Work {
     }
 }
 
-/// The symbols that stand in arguments of functions.
+/// Symbols that occur in arguments of functions.
 fn inside_functions(arena: &Arena, terms: &[Expr]) -> FxHashSet<Expr> {
     let arguments: Vec<Expr> = arena
         .reachable(terms)
@@ -263,7 +264,8 @@ fn inside_functions(arena: &Arena, terms: &[Expr]) -> FxHashSet<Expr> {
 }
 
 impl InLetters {
-    /// The coefficients of an entry as a polynomial in one letter, that of its power 0 first; nothing if it is none.
+    /// Coefficients of an entry as a polynomial in one letter, that of power 0 first. `None` if the entry is no
+    /// polynomial of this letter.
     pub fn polynomial<S: Numeric>(&mut self, entry: Expr, letter: Expr, known: &[(Expr, S)]) -> Option<Vec<S>> {
         let arena = &mut self.arena;
         let (symbols, values): (Vec<Expr>, Vec<S>) = known.iter().copied().unzip();

@@ -1,8 +1,8 @@
 //! The motion of a mechanism as a system of first order, with its slopes and its symmetries: the basis of equilibria,
 //! steady motions and linearisations.
 //!
-//! The states x are the coordinates, then the generalized speeds; x' = f(x, r) with f(q, u) = (W u + w, u̇) by Kane's
-//! method and inputs r. Where loops close the mechanism, f is meant on φ(q) = 0, which it leaves invariant.
+//! The states x are the coordinates, then the generalized speeds. x' = f(x, r) with f(q, u) = (W u + w, u̇) by Kane's
+//! method and inputs r. If loops close the mechanism, f is meant on φ(q) = 0, which it leaves invariant.
 
 mod balance;
 mod letters;
@@ -24,32 +24,32 @@ use crate::mechanics::{DeriveError, Equations, Formulation, Kinematics, Solved, 
 use crate::model::Model;
 use crate::prove::{Field, IntegralKind};
 
-/// System x' = f(x, r) of a mechanism, with its loops and symmetries.
+/// Flow x' = f(x, r) of a mechanism, with its loops and symmetries.
 #[derive(Clone)]
 pub struct Flow {
-    /// The terms of all below.
+    /// Store of all terms of the flow.
     pub arena: Arena,
-    /// Steps that compute f, in order; the last symbols are u̇.
+    /// Definitions of the steps that compute f, in order; the last symbols are u̇.
     pub steps: Vec<Definition>,
-    /// Symbols of the parameters, those of inputs among them.
+    /// Symbols of the parameters, including those of inputs.
     pub parameters: Vec<Expr>,
-    /// Coordinates q, then generalized speeds u.
+    /// Symbols of the states: coordinates q, then generalized speeds u.
     pub states: Vec<Expr>,
-    /// f: q̇, then u̇, in parameters, states and symbols of steps.
+    /// Right-hand side f: q̇, then u̇, in parameters, states and symbols of steps.
     pub rates: Vec<Expr>,
-    /// M of M u̇ = F, in parameters and states.
+    /// Mass matrix M of M u̇ = F, in parameters and states.
     pub inertia: Vec<Vec<Expr>>,
-    /// Forcing F of M u̇ = F.
+    /// Forcing F of M u̇ = F, in parameters and states.
     pub balances: Vec<Expr>,
-    /// φ: zero where the loops are closed.
+    /// Left sides φ of the loop equations, which are zero where the loops are closed.
     pub loops: Vec<Expr>,
-    /// Further terms that are zero where all loops are closed; they tie no velocities that φ does not tie.
+    /// Further terms that are zero where all loops are closed. They restrict no velocities that φ does not restrict.
     pub closed: Vec<Expr>,
-    /// Motions of the state that take solutions to solutions, proved.
+    /// Symmetries of the flow, proved: fields on the states that take solutions to solutions.
     pub symmetries: Vec<Symmetry>,
-    /// T and V in states, and the power of what V leaves out.
+    /// Kinetic energy T and potential energy V in states, and the power of the forces that V leaves out.
     pub energies: [Expr; 3],
-    /// Divisors of the kinematic equations.
+    /// Divisors of the kinematic equations: where one is zero, the speeds do not determine q̇.
     pub divisors: Vec<Expr>,
 }
 
@@ -87,15 +87,15 @@ impl Flow {
         Ok(flow)
     }
 
-    /// Position among the symmetries of the shift of time; `None` if the model does not name time or its equations
-    /// depend on it.
+    /// Index of the shift of time among the symmetries; `None` if the model does not name time or its equations depend
+    /// on it.
     #[must_use]
     pub fn by_time(&self, model: &Model) -> Option<usize> {
         let time = model.time()?;
         self.symmetries.iter().position(|symmetry| symmetry.kind == IntegralKind::Coordinate(time))
     }
 
-    /// The state whose rate depends on time explicitly, by its place among the states, if one does.
+    /// Index of the first state whose rate depends on time explicitly; `None` if no rate does.
     pub fn depends_on_time(&mut self, model: &Model) -> Option<usize> {
         let time = self.states[model.time()?];
         let rates = self.rates.clone();
@@ -107,7 +107,7 @@ impl Flow {
         })
     }
 
-    /// Terms with every symbol of a step replaced by its value: shared, not written out.
+    /// Terms in which values replace all symbols of steps. Common terms stay shared.
     pub fn behind(&mut self, terms: &[Expr]) -> Vec<Expr> {
         let mut put = Substitution::default();
         for step in &self.steps {
@@ -117,8 +117,8 @@ impl Flow {
         terms.iter().map(|term| put.apply(&mut self.arena, *term)).collect()
     }
 
-    /// A term of a run, as outputs name it, in states and symbols of steps. Rates and accelerations are replaced by f,
-    /// energies by their formulas.
+    /// Term of a run, such as an output, in states and symbols of steps. The right-hand side f replaces rates and
+    /// accelerations; formulas replace energies.
     pub fn in_states(&mut self, model: &Model, term: Expr) -> Expr {
         let mut put = Substitution::default();
         let rates = model.q_dot().into_iter().chain(model.speeds.iter().map(|speed| speed.rate));

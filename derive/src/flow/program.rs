@@ -1,4 +1,4 @@
-//! A flow as a program: its values and its slopes along a direction, in numbers of any precision.
+//! Flow of a mechanism as a program: values and slopes along a direction, in numbers of any precision.
 
 use super::Flow;
 use crate::algebra::Expr;
@@ -7,7 +7,7 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::term::steps::{Definition, fresh_symbol};
 use crate::algebra::value::evaluate::{Numeric, Tape, UnknownSymbol};
 
-/// Numbers of the inputs and results of a program.
+/// Sizes of the inputs and results of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
     /// Number of parameters.
@@ -16,9 +16,9 @@ pub struct Sizes {
     pub states: usize,
     /// Number of inputs along which slopes can be computed.
     pub inputs: usize,
-    /// Number of loops, those that tie the mechanism first.
+    /// Number of loops; independent loops come first.
     pub loops: usize,
-    /// Number of loops that tie the mechanism; the others follow from them.
+    /// Number of independent loops; the other loops follow from them.
     pub ties: usize,
     /// Number of symmetries.
     pub symmetries: usize,
@@ -26,24 +26,24 @@ pub struct Sizes {
     pub outputs: usize,
 }
 
-/// A flow with its slopes along any direction of states and inputs.
+/// A flow as a program, with its slopes along any direction of states and inputs.
 #[derive(Clone)]
 pub struct Program {
     tape: Tape,
-    /// Numbers of its parameters, states, inputs, loops, symmetries and outputs.
+    /// Numbers of the program's parameters, states, inputs, loops, symmetries and outputs.
     pub sizes: Sizes,
 }
 
-/// Results of a program: values, or slopes of these along a direction.
+/// Results of a program: values, or slopes of the values along a direction.
 #[derive(Clone, Debug)]
 pub struct Rates<S> {
-    /// Rates f of the states.
+    /// Rates f of the states, or their slopes.
     pub flow: Vec<S>,
-    /// Residuals φ of the loops.
+    /// Residuals φ of the loops, or their slopes.
     pub loops: Vec<S>,
-    /// Symmetries ζ, one list for each.
+    /// Symmetries ζ, one list of components for each, or their slopes.
     pub symmetries: Vec<Vec<S>>,
-    /// Outputs y.
+    /// Outputs y of the program, or their slopes.
     pub outputs: Vec<S>,
 }
 
@@ -62,10 +62,11 @@ impl<S: Clone> Rates<S> {
 }
 
 impl Flow {
-    /// The program of this flow, with these parameters as inputs and these terms in states as outputs.
+    /// Program of this flow. Slopes can also be taken along the parameters `inputs`; the terms `outputs` in states are
+    /// its outputs.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an output has no value in states and parameters.
+    /// [`UnknownSymbol`] if an output contains a symbol that is no state, parameter or step.
     pub fn program(&self, inputs: &[Expr], outputs: &[Expr]) -> Result<Program, UnknownSymbol> {
         let mut arena = self.arena.clone();
         let mut simplifier = Simplifier::default();
@@ -114,8 +115,8 @@ impl Program {
         &self.tape
     }
 
-    /// Evaluates the program by a tape at a state: values, and slopes along each of the given directions of states and
-    /// inputs.
+    /// Evaluates the program by a tape at a state `x`. Returns values, and slopes along each of the given directions of
+    /// states and inputs.
     #[must_use]
     pub fn evaluate<S: Numeric>(
         &self,
@@ -132,7 +133,7 @@ impl Program {
         (values, slopes)
     }
 
-    /// Values at a state, and slopes along each state, then along each input.
+    /// Values at a state `x`, and slopes along each state, then along each input.
     #[must_use]
     pub fn all_slopes<S: Numeric>(&self, tape: &Tape<S>, parameters: &[S], x: &[S]) -> (Rates<S>, Vec<Rates<S>>) {
         let count = self.sizes.states + self.sizes.inputs;

@@ -1,7 +1,8 @@
-//! Symmetries of the flow of a mechanism: fields ζ(x) with [ζ, f] = 0, along which a solution is moved into a solution.
+//! Symmetries of the flow of a mechanism: fields ζ(x) with [ζ, f] = 0. Displacement along ζ takes solutions to
+//! solutions.
 //!
-//! A field ξ(q) on coordinates moves speeds with it: u = J q̇ + d becomes u + ε η with η = ∂u/∂q ξ + J ξ̇. No momentum
-//! need be conserved for that: a rolling wheel may be moved on its plane, and the momenta of the plane change.
+//! A field ξ(q) on coordinates changes speeds too: u = J q̇ + d becomes u + ε η with η = ∂u/∂q ξ + J ξ̇. No momentum need
+//! be conserved for that: a rolling wheel may be moved on its plane, although the momenta along the plane change.
 
 use super::Flow;
 use crate::algebra::term::calculus::Differential;
@@ -13,32 +14,32 @@ use crate::model::Model;
 use crate::prove::{Field, IntegralKind, Pivot, rigid_motions};
 use nalgebra::DMatrix;
 
-/// A field on the states that commutes with the flow and leaves the loops closed.
+/// A symmetry of a flow: a field on the states that commutes with the flow and keeps the loops closed.
 #[derive(Clone, Debug)]
 pub struct Symmetry {
-    /// Kind of the motion along which it moves the mechanism.
+    /// Kind of the motion along which the symmetry moves the mechanism.
     pub kind: IntegralKind,
-    /// Its components, one a state, in parameters and states.
+    /// Components of the field, one for each state, in parameters and states.
     pub along: Vec<Expr>,
 }
 
 impl Symmetry {
-    /// Description of the motion in words.
+    /// Description in words of the motion along the symmetry.
     #[must_use]
     pub fn words(&self, model: &Model) -> String {
         self.kind.motion(model)
     }
 }
 
-/// The shift of time: a symmetry if the equations do not depend on time, as for a drive at a constant rate. `None` if
-/// the model does not name time.
+/// Shift of time, as a candidate for a symmetry. It is one if the equations do not depend on time, as for a drive at a
+/// constant rate. `None` if the model does not name time.
 pub(super) fn of_time(model: &Model) -> Option<Field> {
     let time = model.time()?;
     let unit = |at| if at == time { Expr::ONE } else { Expr::ZERO };
     Some(Field { kind: IntegralKind::Coordinate(time), xi: (0..model.coordinates.len()).map(unit).collect() })
 }
 
-/// Fields that may be symmetries: along each coordinate, and the rigid motions of the whole and of each body.
+/// Fields that may be symmetries: along each coordinate, and the rigid motions of the mechanism and of each body.
 pub fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     let n = model.coordinates.len();
     let unit = |i: usize| (0..n).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect();
@@ -50,7 +51,7 @@ pub fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     list
 }
 
-/// Returns those of the fields that are symmetries, by exact tests.
+/// Symmetries among the candidate fields, by exact tests.
 pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> Vec<Symmetry> {
     let rates = flow.rates.clone();
     let rates = flow.behind(&rates);
@@ -62,7 +63,8 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
             list.push(Symmetry { kind: field.kind, along });
         }
     }
-    // About the mass centre it is mostly the one about the origin and translations, in shares that depend on the place.
+    // A turn about the mass centre is mostly a combination of the turn about the origin and translations, which depends
+    // on the pose.
     let is_of_centre =
         |symmetry: &Symmetry| matches!(symmetry.kind, IntegralKind::Angular { through: Pivot::MassCentre, .. });
     for at in (0..list.len()).rev() {
@@ -73,8 +75,8 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
     list
 }
 
-/// Returns those of the fields that are symmetries, are wanted, and turn states into one another, by exact tests. A
-/// field turns states if some of its components are not numbers.
+/// Symmetries among the candidate fields that are wanted and that turn states into one another, by exact tests. A field
+/// turns states if at least one of its components is not a number. Loops are not tested.
 pub fn turned(
     model: &Model,
     flow: &mut Flow,
@@ -96,13 +98,13 @@ pub fn turned(
     list
 }
 
-/// True if a field moves coordinates as a combination of the others does, at a random state. The coefficients may
-/// depend on the state, so the speeds may move otherwise.
+/// True if a field moves coordinates as a combination of the other fields does, at a random state. The coefficients may
+/// depend on the state, so the speeds may change otherwise.
 fn follows(flow: &mut Flow, (list, count): (&[Symmetry], usize), at: usize) -> bool {
     let fields: Vec<Expr> = list.iter().flat_map(|symmetry| symmetry.along[..count].iter().copied()).collect();
     let fields = flow.behind(&fields);
     let symbols = [flow.parameters.clone(), flow.states.clone()].concat();
-    // Numbers that have nothing to do with one another.
+    // Values without a relation to one another.
     let values: Vec<f64> = (1..=symbols.len()).map(|k| 0.5 + (k as f64 * 0.754_877_666_246_693).fract()).collect();
     let Ok(tape) = Tape::new(&flow.arena, &symbols, &fields) else { return false };
     let columns = DMatrix::from_column_slice(count, list.len(), &tape.evaluate(&values));
@@ -115,7 +117,7 @@ fn follows(flow: &mut Flow, (list, count): (&[Symmetry], usize), at: usize) -> b
 /// Relative remainder of a field below which it counts as a combination of others.
 const DEPENDENT: f64 = 1e-9;
 
-/// True if two fields are equal.
+/// True if two fields on the states are equal.
 fn is_same(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let difference = flow.arena.sub(*a, *b);
@@ -123,7 +125,7 @@ fn is_same(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
     })
 }
 
-/// (ξ, η): the field with what it does to the generalized speeds.
+/// Field (ξ, η) on the states: the field ξ on coordinates, and the change η of the generalized speeds along it.
 fn prolonged(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
     let arena = &mut flow.arena;
     let mut d_dt = Differential::along(&model.q().into_iter().zip(model.q_dot()).collect::<Vec<_>>());
@@ -141,7 +143,7 @@ fn prolonged(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
     xi.iter().copied().chain(eta.collect::<Vec<_>>()).collect()
 }
 
-/// True if the loops stay closed along a field.
+/// True if the loops stay closed along a field on the states.
 fn closes(flow: &mut Flow, along: &[Expr]) -> bool {
     let mut moved = Differential::along(&pairs(flow, along));
     let arena = &mut flow.arena;
@@ -151,7 +153,7 @@ fn closes(flow: &mut Flow, along: &[Expr]) -> bool {
     })
 }
 
-/// True if `[ζ, f] = Df ζ − Dζ f` is zero.
+/// True if a field ζ on the states commutes with the flow f: the bracket `[ζ, f] = Df ζ − Dζ f` is zero.
 fn commutes(flow: &mut Flow, rates: &[Expr], along: &[Expr]) -> bool {
     let mut by_field = Differential::along(&pairs(flow, along));
     let mut by_time = Differential::along(&pairs(flow, rates));

@@ -2,10 +2,10 @@
 
 use crate::algebra::{Arena, Expr};
 
-/// Components in one frame.
+/// Components of a vector along the three axes of one frame.
 pub type Components = [Expr; 3];
 
-/// a × b in common components.
+/// Cross product a × b of two vectors with components in one frame.
 pub fn cross_components(arena: &mut Arena, a: &Components, b: &Components) -> Components {
     [(1, 2), (2, 0), (0, 1)].map(|(j, k)| {
         let (plus, minus) = (arena.mul(a[j], b[k]), arena.mul(a[k], b[j]));
@@ -13,18 +13,18 @@ pub fn cross_components(arena: &mut Arena, a: &Components, b: &Components) -> Co
     })
 }
 
-/// Product A · v of a tensor and a vector.
+/// Product A · v of a tensor A and a vector v with components in one frame.
 pub fn apply_tensor(arena: &mut Arena, tensor: &[[Expr; 3]; 3], v: &Components) -> Components {
     tensor.map(|row| row_times(arena, &row, v))
 }
 
-/// Σ row_i v_i.
+/// Sum Σ row_i v_i, which is an entry of a matrix times a vector.
 pub(crate) fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
     let products = [0, 1, 2].map(|i| arena.mul(row[i], v[i]));
     arena.sum(&products)
 }
 
-/// The transposed matrix.
+/// Transposed matrix of three rows.
 pub fn transposed(rows: &[Components; 3]) -> [Components; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| rows[j][i]))
 }

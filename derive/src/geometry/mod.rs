@@ -1,4 +1,4 @@
-//! Frames, points and vectors: where things are and how they move, before anything has mass.
+//! Frames, points and vectors: positions and motions, before anything has mass.
 
 mod components;
 mod motion;
@@ -13,20 +13,20 @@ pub use vector::{Dots, Frames, Part, Vector};
 
 use crate::algebra::Expr;
 
-/// A reference frame, turned from its parent.
+/// A reference frame, turned from its parent frame.
 #[derive(Clone, Debug)]
 pub struct Frame {
-    /// Its name in the file.
+    /// Name of the frame in the model file.
     pub name: String,
-    /// Parent, and how it is turned from there; `None` for the inertial frame.
+    /// Number of the parent frame, and the turn from it; `None` for the inertial frame.
     pub rotation: Option<(usize, Turn)>,
 }
 
-/// A point, placed from another.
+/// A point, placed from its parent point.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Its name in the file.
+    /// Name of the point in the model file.
     pub name: String,
-    /// Parent point, frame of the components, components; `None` for the origin.
+    /// Number of the parent point, number of the frame of the components, and components in m; `None` for the origin.
     pub position: Option<(usize, usize, [Expr; 3])>,
 }

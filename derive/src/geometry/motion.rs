@@ -10,16 +10,16 @@ use crate::algebra::term::calculus::Differential;
 
 /// Positions of all points, and velocities of all frames and points in the inertial frame.
 pub struct Motion {
-    /// p_OP of each point, from the origin.
+    /// Position p_OP of each point from the origin.
     pub positions: Vec<Vector>,
-    /// ω of each frame.
+    /// Angular velocity ω of each frame in the inertial frame.
     pub angular: Vec<Vector>,
-    /// v of each point.
+    /// Velocity v of each point in the inertial frame.
     pub linear: Vec<Vector>,
 }
 
 impl Motion {
-    /// Along a motion in which quantities change by these rates.
+    /// Computes positions and velocities along a motion in which quantities change by these rates.
     #[must_use]
     pub fn new(
         arena: &mut Arena,
@@ -33,7 +33,8 @@ impl Motion {
         Self { positions, angular, linear }
     }
 
-    /// The velocity of the material at a point, of what turns with a frame and has a point `centre`: v_C + ω × p_CP.
+    /// Velocity, at a point P, of the material of a body: v_C + ω × p_CP. The body turns with `frame`, and the point
+    /// `centre`, C, is fixed in it.
     pub fn of_material(
         &self,
         arena: &mut Arena,
@@ -48,7 +49,7 @@ impl Motion {
     }
 }
 
-/// ω of each frame in the inertial frame, along a motion in which quantities change by these rates.
+/// Angular velocity ω of each frame in the inertial frame, along a motion in which quantities change by these rates.
 #[must_use]
 pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differential) -> Vec<Vector> {
     let mut angular: Vec<Vector> = Vec::new();
@@ -57,7 +58,7 @@ pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differe
             angular.push(Vector::default());
             continue;
         };
-        // Addition theorem: ω_F = ω_parent + what the turn adds, in the frame.
+        // Addition theorem: ω_F = ω_parent + angular velocity of the turn, in the frame.
         let own = turn.spin(arena, rates);
         let total = angular[*parent].add(arena, &Vector::in_frame(at, own));
         angular.push(total);
@@ -65,7 +66,8 @@ pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differe
     angular
 }
 
-/// Positions from the origin and velocities in the inertial frame of all points, likewise.
+/// Positions of all points from the origin, and their velocities in the inertial frame, along a motion in which
+/// quantities change by these rates.
 #[must_use]
 pub fn linear_velocities(
     arena: &mut Arena,

@@ -1,4 +1,4 @@
-//! Turns from one frame to another.
+//! Turns: rotations from one frame to another.
 
 use super::components::{Components, row_times, transposed};
 use crate::algebra::form::simplify::Simplifier;
@@ -6,27 +6,27 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 
-/// The turn that leads from a frame to the next.
+/// Rotation that leads from a frame to the next frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Turn {
-    /// About an axis of both, 0, 1 or 2, by an angle in radians.
+    /// Turn about an axis that both frames share, 0, 1 or 2, by an angle in radians.
     About(usize, Expr),
-    /// Any other.
+    /// Any other turn, given by its direction cosines.
     Oriented(Box<Oriented>),
 }
 
-/// A turn that is told by its cosines.
+/// A turn that is given by its direction cosines.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Oriented {
-    /// (components in the frame) = cosines · (components in the one before).
+    /// Direction cosines: (components in the new frame) = cosines · (components in the frame before).
     pub cosines: [Components; 3],
-    /// Angular velocity relative to the frame before, in the frame, s⁻¹: each quantity that turns it, with the factor
-    /// of its rate. Empty for a constant turn.
+    /// Angular velocity relative to the frame before, in the new frame, s⁻¹: each quantity that turns it, with the
+    /// factor of its rate. Empty for a constant turn.
     pub spins: Vec<(Expr, Components)>,
 }
 
 impl Turn {
-    /// True if components only change places and signs.
+    /// True if the turn only exchanges components and changes their signs.
     pub(crate) fn is_exchange(&self) -> bool {
         let is_unit = |e: &Expr| [Expr::ZERO, Expr::ONE, Expr::MINUS_ONE].contains(e);
         matches!(self, Self::Oriented(turn) if turn.cosines.iter().flatten().all(is_unit))
@@ -78,9 +78,9 @@ impl Turn {
         Self::Oriented(Box::new(Oriented { cosines, spins }))
     }
 
-    /// The shortest turn that takes an axis a to a unit vector e, and that back, constant both.
+    /// Shortest turn that takes the axis a with number `axis` to a unit vector e, and the turn back; both are constant.
     ///
-    /// R = 1 + \[a × e\] + \[a × e\]²/(1 + a · e); where e is −a, half a turn about the next axis.
+    /// R = 1 + \[a × e\] + \[a × e\]²/(1 + a · e); if e is −a, half a turn about the next axis.
     ///
     /// # Panics
     /// Never: 1 + a · e is asked whether it is zero before it divides.
@@ -109,7 +109,7 @@ impl Turn {
         [rows, back].map(|cosines| Self::Oriented(Box::new(Oriented { cosines, spins: Vec::new() })))
     }
 
-    /// Every term that it is made of.
+    /// All terms in the turn: its angle, or its cosines and spins.
     #[must_use]
     pub fn terms(&self) -> Vec<Expr> {
         match self {
@@ -121,7 +121,7 @@ impl Turn {
         }
     }
 
-    /// Puts other terms in the stead of all that it is made of.
+    /// Replaces every term in the turn by its value under `map`.
     pub fn rewrite(&mut self, map: &mut impl FnMut(Expr) -> Expr) {
         match self {
             Self::About(_, angle) => *angle = map(*angle),
@@ -135,7 +135,7 @@ impl Turn {
         }
     }
 
-    /// The quantities that turn it.
+    /// Quantities whose rates turn the new frame.
     #[must_use]
     pub fn quantities(&self) -> Vec<Expr> {
         match self {
@@ -144,8 +144,8 @@ impl Turn {
         }
     }
 
-    /// Angular velocity relative to the frame before, in the frame, s⁻¹, along a motion in which quantities change by
-    /// these rates.
+    /// Angular velocity of the turn relative to the frame before, in the new frame, s⁻¹, along a motion in which
+    /// quantities change by these rates.
     pub fn spin(&self, arena: &mut Arena, rates: &mut Differential) -> Components {
         let mut components = [Expr::ZERO; 3];
         match self {
@@ -158,7 +158,8 @@ impl Turn {
                         arena.add(components[i], share)
                     });
                 }
-                // Where rates are those of Euler parameters by the components themselves, these are what is left.
+                // If the rates of Euler parameters are given by these components, simplification leaves the components
+                // alone.
                 let mut simplifier = Simplifier::default();
                 components = components.map(|e| simplifier.simplify(arena, e));
             }
@@ -166,7 +167,7 @@ impl Turn {
         components
     }
 
-    /// Components in the frame of a vector that has these in the frame before; with `back`, the reverse.
+    /// Components of a vector in the new frame, from its components `v` in the frame before; with `back`, the reverse.
     pub fn apply(&self, arena: &mut Arena, v: &Components, back: bool) -> Components {
         match self {
             Self::About(axis, angle) => {

@@ -1,8 +1,8 @@
 //! Vectors as components in several frames at once, and rotations between frames.
 //!
-//! A vector keeps each contribution in the frame where it is short; frames are joined only by a dot
-//! product, through the one rotation that lies between them. Turns about a common axis add their
-//! angles first, so a planar chain has cosines of sums, not sums of products.
+//! A vector keeps each contribution in the frame where it is short. Frames are joined only by a dot product, through
+//! the one rotation that lies between them. Turns about a common axis add their angles first, so a planar chain has
+//! cosines of sums, not sums of products.
 
 use super::Frame;
 use super::components::{Components, cross_components, row_times, transposed};
@@ -13,20 +13,20 @@ use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// Part of a vector in one frame: (frame, components).
+/// Part of a vector in one frame: (number of the frame, components).
 pub type Part = (usize, Components);
 
 /// A vector: components by frame, frames ascending, no frame with all components zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Vector {
-    /// (frame, components)
+    /// Parts of the vector, as (number of the frame, components).
     pub parts: Vec<Part>,
 }
 
 const NOTHING: Components = [Expr::ZERO; 3];
 
 impl Vector {
-    /// Components in one frame.
+    /// Creates a vector from its components in one frame.
     #[must_use]
     pub fn in_frame(frame: usize, components: Components) -> Self {
         let parts = if components == NOTHING { Vec::new() } else { vec![(frame, components)] };
@@ -58,7 +58,7 @@ impl Vector {
         Self { parts }
     }
 
-    /// Every component mapped.
+    /// Vector with every component replaced by its value under `f`.
     #[must_use]
     pub fn map(&self, mut f: impl FnMut(Expr) -> Expr) -> Self {
         let mut parts: Vec<_> = self.parts.iter().map(|(frame, c)| (*frame, c.map(&mut f))).collect();
@@ -66,7 +66,7 @@ impl Vector {
         Self { parts }
     }
 
-    /// Times a scalar.
+    /// Product of the vector with a scalar k.
     #[must_use]
     pub fn scale(&self, arena: &mut Arena, k: Expr) -> Self {
         self.map(|e| arena.mul(k, e))
@@ -78,21 +78,22 @@ impl Vector {
         self.map(|e| arena.neg(e))
     }
 
-    /// Symbols replaced in every component.
+    /// Vector with symbols replaced in every component.
     #[must_use]
     pub fn substitute(&self, arena: &mut Arena, substitution: &mut Substitution) -> Self {
         self.map(|e| substitution.apply(arena, e))
     }
 
-    /// Every component differentiated, basis vectors held fixed: a partial derivative, or the time
-    /// derivative of a vector whose components all are in the frame it is observed from.
+    /// Derivative of every component, with basis vectors held fixed: a partial derivative, or the time derivative of a
+    /// vector whose components all are in the frame it is observed from.
     #[must_use]
     pub fn differentiate(&self, arena: &mut Arena, along: &mut Differential) -> Self {
         self.map(|e| along.apply(arena, e))
     }
 
-    /// The derivatives of the vector along each variable on which it depends by form, (which, derivative), in order;
-    /// basis vectors are held fixed. Of a velocity, along the motion variables, these are the partial velocities.
+    /// Derivatives of the vector along each variable on which it depends by form, as (number of the variable,
+    /// derivative), in order. Basis vectors are held fixed. For a velocity and the motion variables, these are the
+    /// partial velocities.
     #[must_use]
     pub fn slopes(&self, arena: &mut Arena, gradient: &mut Gradient) -> Vec<(usize, Self)> {
         let mut by_variable: BTreeMap<usize, Self> = BTreeMap::new();
@@ -112,7 +113,7 @@ impl Vector {
         by_variable.into_iter().collect()
     }
 
-    /// Every component simplified.
+    /// Vector with every component simplified.
     #[must_use]
     pub fn simplify(&self, arena: &mut Arena, simplifier: &mut Simplifier) -> Self {
         self.map(|e| simplifier.simplify(arena, e))
@@ -129,13 +130,13 @@ pub struct Frames {
 }
 
 impl Frames {
-    /// The frames of a model.
+    /// Creates the tree of the frames of a model.
     #[must_use]
     pub fn new(frames: &[Frame]) -> Self {
         Self { tree: frames.to_vec(), rotations: FxHashMap::default(), dots: FxHashMap::default(), carries: false }
     }
 
-    /// From `frame` up to the inertial frame, itself first.
+    /// Frames from `frame` up to the inertial frame, `frame` first.
     pub(crate) fn ancestors(&self, frame: usize) -> Vec<usize> {
         let mut path = vec![frame];
         while let Some((parent, _)) = &self.tree[path[path.len() - 1]].rotation {
@@ -149,18 +150,18 @@ impl Frames {
         &self.tree[frame].name
     }
 
-    /// The frame that a frame is turned from.
+    /// Frame that a frame is turned from; `None` for the inertial frame.
     pub(crate) fn parent(&self, frame: usize) -> Option<usize> {
         self.tree[frame].rotation.as_ref().map(|(parent, _)| *parent)
     }
 
-    /// The turn that leads into a frame from its parent.
+    /// Turn that leads into a frame from its parent; `None` for the inertial frame.
     pub(crate) fn turned_into(&self, frame: usize) -> Option<&Turn> {
         self.tree[frame].rotation.as_ref().map(|(_, turn)| turn)
     }
 
-    /// Number of turns between two frames that count. Consecutive turns about one axis count as one, a turn given by
-    /// cosines as three.
+    /// Number of turns between two frames for which `counts` is true. Consecutive turns about one axis count as one, a
+    /// turn given by cosines as three.
     pub(crate) fn axes_between(&self, from: usize, to: usize, counts: impl Fn(&Turn) -> bool) -> usize {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let apart = |path: &[usize], other: &[usize]| -> Vec<usize> {
@@ -169,7 +170,7 @@ impl Frames {
         let way = apart(&up, &down).into_iter().chain(apart(&down, &up).into_iter().rev());
         let (mut turns, mut last) = (0, None);
         for turn in way.filter_map(|frame| self.turned_into(frame)).filter(|turn| counts(turn)) {
-            // Cosines that are told stand for the turns about three axes.
+            // A turn given by cosines stands for turns about three axes.
             let axis = if let Turn::About(axis, _) = turn { Some(*axis) } else { None };
             turns += if axis.is_none() { 3 } else { usize::from(axis != last) };
             last = axis;
@@ -177,7 +178,8 @@ impl Frames {
         turns
     }
 
-    /// True if every frame is turned from the inertial one, so that its components are short and so are their products.
+    /// True if every frame is turned directly from the inertial frame. Its cosines are then short, and so are their
+    /// products.
     pub(crate) fn are_near(&self) -> bool {
         self.tree.iter().all(|frame| frame.rotation.as_ref().is_none_or(|(parent, _)| *parent == 0))
     }
@@ -212,7 +214,7 @@ impl Frames {
         turns
     }
 
-    /// R with (components in `to`) = R · (components in `from`).
+    /// Rotation matrix R with (components in `to`) = R · (components in `from`).
     pub fn rotation(&mut self, arena: &mut Arena, from: usize, to: usize) -> [[Expr; 3]; 3] {
         if let Some(done) = self.rotations.get(&(from, to)) {
             return *done;
@@ -227,7 +229,7 @@ impl Frames {
         matrix
     }
 
-    /// All of a vector in one frame.
+    /// Components of a whole vector in one frame.
     pub fn express(&mut self, arena: &mut Arena, v: &Vector, frame: usize) -> Components {
         if self.carries {
             return self.carry(arena, v, frame, ("x", &self.tree[frame].name));
@@ -245,7 +247,7 @@ impl Frames {
         sums.map(|terms| arena.sum(&terms))
     }
 
-    /// One component of a vector in one frame.
+    /// Component of a whole vector along the axis 0, 1 or 2 of one frame.
     pub fn component(&mut self, arena: &mut Arena, v: &Vector, frame: usize, axis: usize) -> Expr {
         if self.carries {
             return self.carry(arena, v, frame, ("x", &self.tree[frame].name))[axis];
@@ -258,7 +260,7 @@ impl Frames {
         arena.sum(&products)
     }
 
-    /// Dot product a · b.
+    /// Dot product a · b of two vectors.
     pub fn dot(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Expr {
         if self.carries {
             let home = self.home([a, b]);
@@ -274,9 +276,10 @@ impl Frames {
         arena.sum(&terms)
     }
 
-    /// a · b of what two vectors have in one frame each, remembered: bodies of a chain share their velocities' parts.
+    /// Dot product of two parts, each in one frame. Results are remembered: bodies of a chain share parts of their
+    /// velocities.
     fn dot_of_parts(&mut self, arena: &mut Arena, a: Part, b: Part) -> Expr {
-        // In one order: half the rotations, and equal products are equal terms.
+        // A fixed order needs half the rotations, and makes equal products equal terms.
         let (a, b) = if b.0 < a.0 { (b, a) } else { (a, b) };
         if let Some(known) = self.dots.get(&(a, b)) {
             return *known;
@@ -301,7 +304,7 @@ impl Frames {
         product
     }
 
-    /// a × b, each part of b in its own frame.
+    /// Cross product a × b, with each part of b in its own frame.
     pub fn cross(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Vector {
         let mut result = Vector::default();
         for (frame, y) in &b.parts {
@@ -312,7 +315,7 @@ impl Frames {
         result
     }
 
-    /// The time derivative seen from the inertial frame: ᴺdv/dt = Σ_F (ᶠdv/dt + ω_F × v), part by part.
+    /// Time derivative of a vector, seen from the inertial frame: ᴺdv/dt = Σ_F (ᶠdv/dt + ω_F × v), part by part.
     pub fn time_derivative(
         &mut self,
         arena: &mut Arena,
@@ -329,19 +332,19 @@ impl Frames {
     }
 }
 
-/// Σ weight · (a · b), to be written down once all are known.
+/// Sum Σ weight · (a · b) of dot products, which becomes a term when all products are known.
 ///
-/// Equal pairs of parts are put together first: where a chain's bodies move alike, their masses add up to one factor
-/// of one dot product, Σ m_k (a · b) = (Σ m_k) (a · b), and a sum over n bodies takes n terms rather than n².
+/// Equal pairs of parts are collected first. Where a chain's bodies move alike, their masses add up to one factor of
+/// one dot product, Σ m_k (a · b) = (Σ m_k) (a · b). So a sum over n bodies takes n terms rather than n².
 #[derive(Default)]
 pub struct Dots {
     places: FxHashMap<(Part, Part), usize>,
-    /// In the order of first use, each with its weights.
+    /// Pairs of parts in the order of first use, each with its weights.
     list: Vec<((Part, Part), Vec<Expr>)>,
 }
 
 impl Dots {
-    /// Adds weight · (a · b).
+    /// Adds weight · (a · b) to the sum.
     pub fn add(&mut self, weight: Expr, a: &Vector, b: &Vector) {
         for x in &a.parts {
             for y in &b.parts {

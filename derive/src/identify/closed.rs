@@ -1,5 +1,5 @@
-//! Relations between columns that hold only where the loops of a mechanism are closed. They are found in doubles, at
-//! the values of the file, since closed poses are known in numbers only.
+//! Relations between columns of a regressor that hold only where the loops of a mechanism are closed. They are found in
+//! doubles, at the parameter values of the model file, since closed poses are known in numbers only.
 
 use super::{Base, Factor, Identification};
 use crate::algebra::Expr;
@@ -8,31 +8,32 @@ use crate::model::Model;
 use crate::model::constraints::closed_poses::{Chance, Poses, reach};
 use nalgebra::{DMatrix, DVector};
 
-/// Number of closed poses, and of states at each: half of these to find the relations, half to confirm them elsewhere.
+/// Number of closed poses. `STATES` is the number of states in each pose: half of these find the relations, half
+/// confirm them.
 const POSES: usize = 12;
 const STATES: usize = 16;
-/// Range of speeds and accelerations of these states, 1/s and 1/s² for angles.
+/// Largest absolute value of the speeds and accelerations of the states, 1/s and 1/s² for angles.
 const FAST: f64 = 3.0;
-/// Remainder of a column of length 1 after those before it are taken out: above the first the column is independent,
-/// below the second dependent.
+/// Remainder of a column of length 1 above which it is independent, after earlier columns are projected out. Below
+/// `DEPENDENT` it is dependent.
 const INDEPENDENT: f64 = 1e-6;
 const DEPENDENT: f64 = 1e-9;
-/// Factors below this fraction of the largest count as zero.
+/// Fraction of the largest factor below which a factor counts as zero.
 const NONE: f64 = 1e-8;
 
 /// Sample of closed states by which relations on loops were found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnLoops {
-    /// Number of closed poses, at the values of the file.
+    /// Number of closed poses in the sample, at the parameter values of the model file.
     pub poses: usize,
-    /// Smallest remainder of an independent column of length 1.
+    /// Smallest remainder of an independent column of length 1, after earlier columns are projected out.
     pub independent: f64,
-    /// Largest remainder of a dependent column of length 1.
+    /// Largest remainder of a dependent column of length 1, after independent columns are projected out.
     pub dependent: f64,
 }
 
-/// Groups base parameters that act as one in closed poses. Returns `None` and leaves the base parameters unchanged if
-/// no closed pose is found, a parameter has no value, or a dependence is unclear.
+/// Groups base parameters that act as one in closed poses. Returns the sample of closed states. `None`, with unchanged
+/// base parameters, if no closed pose is found, a parameter has no value, or a dependence is unclear.
 pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     let ([rows, elsewhere], poses) = rows(model, found)?;
     let mut basis: Vec<DVector<f64>> = Vec::new();
@@ -67,7 +68,7 @@ pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     for (at, column) in given {
         let factors = svd.solve(&column, 0.0).ok()?;
         let there = elsewhere.column(at);
-        // A dependence that holds only at the states where it was found is chance.
+        // A dependence that holds only at the states where it was found is accidental.
         if (&beside * &factors - there).norm() > INDEPENDENT * there.norm() {
             return None;
         }
@@ -77,7 +78,7 @@ pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
     Some(seen)
 }
 
-/// Adds the base parameters that are given up to those that are kept.
+/// Adds the dependent base parameters to those that are kept.
 fn regroup(found: &mut Identification, kept: &[usize], shares: &[(usize, DVector<f64>)]) {
     let mut base: Vec<Base> = kept.iter().map(|at| found.base[*at].clone()).collect();
     for (at, factors) in shares {
@@ -87,14 +88,14 @@ fn regroup(found: &mut Identification, kept: &[usize], shares: &[(usize, DVector
             base[place].with.push((column, Factor::Number(*factor)));
         }
     }
-    // A dependent base parameter keeps its own combination: its name stands for all of it.
+    // A dependent base parameter keeps its own combination: its name stands for the whole combination.
     let given: Vec<Base> = shares.iter().map(|(at, _)| found.base[*at].clone()).collect();
     found.grouped = given.into_iter().filter(|base| !base.with.is_empty()).collect();
     found.base = base;
 }
 
-/// Values of the base columns in closed poses at the states of two samples, one row for each speed of each state, and
-/// the number of poses. `None` if a parameter has no value or no closed pose is found.
+/// Values of the base columns in closed poses, for two samples of states: a row for each speed of each state. Also the
+/// number of poses. `None` if a parameter has no value or no closed pose is found.
 fn rows(model: &Model, found: &mut Identification) -> Option<([DMatrix<f64>; 2], usize)> {
     let regressor = &mut found.regressor;
     let time = model.time();
@@ -126,7 +127,7 @@ fn rows(model: &Model, found: &mut Identification) -> Option<([DMatrix<f64>; 2],
     let mut chance = Chance::new();
     for q in &poses {
         for state in 0..STATES {
-            // All speeds and accelerations are independent numbers: a pattern among them would pass for a relation.
+            // All speeds and accelerations are independent numbers: a pattern among them would look like a relation.
             let moving: Vec<f64> = (0..2 * speeds).map(|_| FAST * chance.draw()).collect();
             let known = of_poses.iter().map(|(_, x)| *x).chain(q.iter().copied());
             let forces = tape.evaluate(&known.chain(moving).collect::<Vec<f64>>());

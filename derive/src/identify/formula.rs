@@ -1,6 +1,6 @@
-//! Formulas for factors in the known parameters, found from their residues: sums of products of lengths, and of sines
-//! and cosines of constant angles, with coefficients a or, if square roots occur, a + b √n, where a and b are
-//! rational.
+//! Formulas for factors in the known parameters, found from their residues. They are sums of products of lengths, and
+//! of sines and cosines of constant angles. The coefficients are a or, if square roots occur, a + b √n, where a and b
+//! are rational.
 //!
 //! The unit of a factor excludes most products. A formula must agree with the residues at more points than it has
 //! unknowns, and is proved afterwards.
@@ -15,18 +15,19 @@ use crate::mechanics::Column;
 use crate::model::Unit;
 use rustc_hash::FxHashSet;
 
-/// Number of points at which factors are computed first, and number of points beyond the unknowns that must agree.
+/// Number of points at which factors are computed first. `BEYOND` is the number of points, beyond the number of
+/// unknowns, at which a formula must agree.
 const FIRST: usize = 6;
 const BEYOND: usize = 4;
 fn value(f: Field, atoms: &[u64], powers: &Powers) -> Option<u64> {
     powers.iter().try_fold(1, |product, (at, n)| Some(f.mul(product, f.power(atoms[*at], *n)?)))
 }
 
-/// Index of a dependent column, and the pivots that it is a sum of: the index of each among the pivots, and its
+/// Index of a dependent column, and the pivot columns of which it is a sum: index of each among the pivots, and its
 /// factor.
 pub type Made = (usize, Vec<(usize, Factor)>);
 
-/// Finds the factors of all dependent columns, as formulas where possible.
+/// Finds the factors of all dependent columns of a regressor, as formulas if possible.
 pub fn factors(table: &mut Table<'_>, arena: &mut Arena, letters: &Letters, columns: &[Column]) -> Vec<Made> {
     let Some(mut known) = Known::new(table, letters) else {
         let unknown = |support: &[usize]| support.iter().map(|pivot| (*pivot, Factor::Unknown)).collect();
@@ -47,10 +48,10 @@ pub fn factors(table: &mut Table<'_>, arena: &mut Arena, letters: &Letters, colu
     made
 }
 
-/// Residues of the factors at random values of the letters.
+/// Residues of the factors at random points, that is, random values of the letters.
 struct Known {
     rows: Vec<Row>,
-    /// Residues at the first point with the value of one letter changed; one row for each letter.
+    /// Residues at the first point with the value of one letter changed: one row for each letter.
     beside: Vec<Row>,
 }
 
@@ -101,8 +102,8 @@ impl Known {
         Factor::Unknown
     }
 
-    /// Residues of the coefficients with which the products add up to a factor at all points; `None` if there are
-    /// none.
+    /// Residues of the coefficients with which the products add up to a factor at all points; `None` if no coefficients
+    /// do.
     fn sum(&self, f: Field, products: &[Powers], (k, i): (usize, usize)) -> Option<Vec<u64>> {
         let rows: Option<Vec<Vec<u64>>> = self
             .rows
@@ -116,7 +117,7 @@ impl Known {
     }
 }
 
-/// Sum of products whose coefficients have these residues; `None` if a coefficient is not found.
+/// Formula from products and the residues of their coefficients; `None` if a coefficient is not found.
 fn formula_of<'p>(
     arena: &mut Arena,
     letters: &Letters,

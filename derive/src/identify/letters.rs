@@ -1,13 +1,15 @@
-//! Known quantities in the columns: parameters as letters, and products of them of which factors may be sums.
+//! Known quantities in the columns of a regressor: parameters as letters, and products of these that a factor may
+//! contain.
 
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::Column;
 use crate::model::{Model, Unit};
 use rustc_hash::FxHashSet;
 
-/// Largest number of products among which a sum is searched.
+/// Largest number of products of which a sum is searched.
 const MOST: usize = 240;
-/// Stages of the search, in this order. The file may state lengths as plain numbers, so the last stages ignore units.
+/// Stages of the search for a factor, in this order. A model file may state lengths as plain numbers, so the last
+/// stages ignore units.
 pub const STAGES: [Stage; 6] = [
     Stage { degree: 1, divides: false, by_unit: true },
     Stage { degree: 2, divides: false, by_unit: true },
@@ -16,52 +18,52 @@ pub const STAGES: [Stage; 6] = [
     Stage { degree: 2, divides: false, by_unit: false },
     Stage { degree: 2, divides: true, by_unit: false },
 ];
-/// Number of angles given as numbers up to which their sines are searched.
+/// Largest number of constant angles, given as numbers, whose sines and cosines are tried.
 const MOST_FIXED: usize = 2;
-/// Largest powers of the sine and of the cosine of one angle, and largest total power of all.
+/// Largest powers of the sine and of the cosine of one angle. `MOST_TURNS` is the largest total power of all angles.
 const TURNS: [i32; 2] = [1, 2];
 const MOST_TURNS: i32 = 4;
 
-/// Set of products that one stage of the search tries.
+/// Set of products that one stage of the search for a factor tries.
 #[derive(Clone, Copy)]
 pub struct Stage {
-    /// Largest total degree in the letters.
+    /// Largest total degree of a product in the letters.
     degree: i32,
     /// True if letters may be divisors.
     divides: bool,
-    /// True if products must have the unit of the factor.
+    /// True if products must have the unit of the factor that is sought.
     by_unit: bool,
 }
 
-/// A parameter whose value counts as known.
+/// A parameter whose value counts as known in the search for factors.
 pub struct Letter {
     /// Symbol of the parameter.
     pub symbol: Expr,
     unit: Unit,
-    /// Index of the parameter among the atoms; `turned` holds those of its sine and its cosine if it occurs inside
+    /// Index of the parameter among the atoms. `turned` has the indices of its sine and its cosine, if it occurs inside
     /// functions.
     plain: usize,
     turned: Option<[usize; 2]>,
 }
 
-/// Constants in the columns: the known parameters, with the atoms of formulas for factors.
+/// Known parameters in the columns of a regressor, with the atoms from which formulas for factors are built.
 pub struct Letters {
-    /// Letters in the order of the model.
+    /// Known parameters, in the order of the model.
     pub list: Vec<Letter>,
     atoms: Vec<Expr>,
     /// Indices, among the atoms, of the sine and the cosine of each numeric angle.
     fixed: Vec<[usize; 2]>,
-    /// True if square roots occur.
+    /// True if square roots occur in the columns.
     pub has_roots: bool,
-    /// Symbols of coordinates, speeds, accelerations and signals.
+    /// Symbols that change during a motion: coordinates, speeds, accelerations and inputs.
     pub moving: FxHashSet<Expr>,
 }
 
-/// Product of powers of atoms: the index of each atom and its exponent.
+/// A product of powers of atoms: the index of each atom and its exponent.
 pub type Powers = Vec<(usize, i32)>;
 
 impl Letters {
-    /// Collects the letters and atoms of some columns.
+    /// Collects the letters and atoms of columns of a regressor.
     pub fn of(model: &Model, arena: &mut Arena, columns: &[Column]) -> Self {
         let inputs = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol);
         let moving: FxHashSet<Expr> =
@@ -108,12 +110,12 @@ impl Letters {
         self.atoms.len() - 1
     }
 
-    /// Terms from which formulas are built: letters, and sines and cosines.
+    /// Terms from which formulas for factors are built: letters, and sines and cosines of angles.
     pub fn atoms(&self) -> &[Expr] {
         &self.atoms
     }
 
-    /// Products of these letters that the stage tries for a factor of this unit; empty if there are too many.
+    /// Products of these letters that a stage tries for a factor of this unit; empty if there are too many.
     pub fn products(&self, letters: &[usize], unit: &Unit, stage: Stage) -> Vec<Powers> {
         let plain = self.plain_products(letters, unit, stage);
         let circles = self.circles(letters);
@@ -123,7 +125,7 @@ impl Letters {
         plain.iter().flat_map(|p| circles.iter().map(move |c| [p.clone(), c.clone()].concat())).collect()
     }
 
-    /// Products of powers of the letters themselves, without sines and cosines.
+    /// Products of powers of these letters, without sines and cosines.
     fn plain_products(&self, letters: &[usize], unit: &Unit, stage: Stage) -> Vec<Powers> {
         let mut list: Vec<(Powers, i32, Unit)> = vec![(Vec::new(), stage.degree, Unit::default())];
         for letter in letters.iter().map(|at| &self.list[*at]) {
@@ -145,7 +147,7 @@ impl Letters {
         list.into_iter().filter(|(.., u)| !stage.by_unit || u == unit).map(|(powers, ..)| powers).collect()
     }
 
-    /// Products of sines and cosines. A sine has at most power 1: its square is 1 less that of the cosine.
+    /// Products of sines and cosines of angles. A sine has at most power 1: its square is 1 less that of the cosine.
     fn circles(&self, letters: &[usize]) -> Vec<Powers> {
         let mut circles: Vec<(Powers, i32)> = vec![(Vec::new(), MOST_TURNS)];
         let turned = letters.iter().filter_map(|at| self.list[*at].turned).chain(self.fixed.iter().copied());

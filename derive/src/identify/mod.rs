@@ -1,10 +1,10 @@
-//! Parameters that can be identified from motion. The force M u̇ − f is linear in the inertial parameters. Some of them
-//! have no effect; the base parameters are the fewest combinations of the others that determine all motions and all
-//! forces.
+//! Parameters that can be identified from motion. The force M u̇ − f is linear in the inertial parameters. Some
+//! parameters have no effect. The base parameters are the fewest combinations of the others that determine all motions
+//! and all forces.
 //!
 //! The dependent columns of the regressor Y are found at random states modulo a prime, with all other parameters as
-//! letters. The zero test ([`crate::algebra::value::modular`]) then proves the relations, and that nothing is left. The
-//! rank proves that no smaller set does: a minor that is not 0 modulo a prime is not 0.
+//! letters. The zero test ([`crate::algebra::value::modular`]) then proves the relations, and that no force is left
+//! over. The rank proves that no smaller set suffices: a minor that is not 0 modulo a prime is not 0.
 //!
 //! H. Mayeda, K. Yoshida & K. Osuka, "Base parameters of manipulator dynamic models", IEEE Trans. Robotics and
 //! Automation 6 (1990) 312–321; M. Gautier & W. Khalil, "Direct calculation of minimum set of inertial parameters of
@@ -25,21 +25,21 @@ use crate::model::Model;
 use letters::Letters;
 use table::Table;
 
-/// A base parameter: a combination that is identified in place of a single parameter.
+/// A base parameter: a combination of inertial parameters that is identified in place of a single one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Base {
-    /// Index of the column whose parameter names the combination.
+    /// Index of the column whose parameter names the base parameter.
     pub column: usize,
-    /// Other parameters that are added to it, by their indices, each with its factor.
+    /// Other parameters that are added to the named one: index of the column, and factor.
     pub with: Vec<(usize, Factor)>,
 }
 
-/// Factor of a parameter that acts as a part of another.
+/// Factor with which one inertial parameter is added to another in a base parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor {
-    /// A proved formula in the parameters that have no columns.
+    /// A proved formula in the parameters that have no columns in the regressor.
     Exact(Expr),
-    /// A number that holds in closed poses, at the parameter values of the file.
+    /// A number that holds in closed poses, at the parameter values of the model file.
     Number(f64),
     /// A factor for which no closed form was found.
     Unknown,
@@ -48,33 +48,34 @@ pub enum Factor {
 /// Degree of certainty that the base parameters are complete.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Complete {
-    /// M u̇ − f less Σ Y_b π_b is identically zero; the probability that this is wrong is below 2 to minus this
-    /// number.
+    /// The difference M u̇ − f less Σ Y_b π_b is identically zero. The probability that this is wrong is below 2 to
+    /// minus this number.
     Proved(f64),
-    /// The difference is zero at random states modulo a prime, as often as was tested, and a factor has no closed form.
+    /// The difference M u̇ − f less Σ Y_b π_b is zero at every tested random state modulo a prime, but a factor has no
+    /// closed form.
     AtPoints,
-    /// The zero test cannot decide: the difference contains functions that it does not know.
+    /// The zero test cannot decide: the difference contains functions that the test does not know.
     Undecided,
-    /// The difference is not zero: two derivations disagree.
+    /// The difference is not zero, so that two derivations disagree.
     No,
 }
 
 /// Identifiable parameters of a model.
 pub struct Identification {
-    /// Regressor: M u̇ − f, parameter by parameter.
+    /// Regressor of M u̇ − f, with a column for each inertial parameter.
     pub regressor: Regressor,
-    /// The base parameters.
+    /// Base parameters, which determine all motions and forces.
     pub base: Vec<Base>,
-    /// Parameters without effect, by their indices among the columns.
+    /// Indices of the columns whose parameters have no effect.
     pub without_effect: Vec<usize>,
-    /// Number of random states at which the columns were evaluated.
+    /// Number of random states at which the columns of the regressor were evaluated.
     pub states: usize,
     /// Certainty that the base parameters are complete.
     pub complete: Complete,
-    /// Combinations that act as a part of other base parameters in closed poses. The parameter of the first column
-    /// names each.
+    /// Dependent base parameters that in closed poses act only as parts of others, each with its own combination.
     pub grouped: Vec<Base>,
-    /// Sample of closed states; `None` without loops, or if no relation could be decided there.
+    /// Sample of closed states by which relations on loops were found; `None` without loops, or if no relation could be
+    /// decided.
     pub on_loops: Option<OnLoops>,
 }
 
@@ -110,7 +111,7 @@ impl Identification {
         Ok(found)
     }
 
-    /// Makes base parameters of the pivot columns, with the additions of the others.
+    /// Makes base parameters of the pivot columns; dependent columns are added to them with their factors.
     fn take(&mut self, pivots: &[usize], made: Vec<formula::Made>) {
         self.base = pivots.iter().map(|column| Base { column: *column, with: Vec::new() }).collect();
         let mut is_left: Vec<bool> = (0..self.regressor.columns.len()).map(|at| !pivots.contains(&at)).collect();
@@ -127,7 +128,7 @@ impl Identification {
         self.base.iter().flat_map(|base| &base.with).all(|(_, factor)| *factor != Factor::Unknown)
     }
 
-    /// Parameters that act alone: base parameters without additions.
+    /// Columns of base parameters to which no other parameter is added.
     pub fn alone(&self) -> impl Iterator<Item = usize> + '_ {
         self.base.iter().filter(|base| base.with.is_empty()).map(|base| base.column)
     }

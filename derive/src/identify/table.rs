@@ -1,4 +1,4 @@
-//! Linear relations between columns, in residues.
+//! Linear relations between the columns of a regressor, in residues modulo a prime.
 
 use super::letters::Letters;
 use crate::algebra::value::field::Field;
@@ -8,35 +8,36 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::Column;
 use rustc_hash::FxHashSet;
 
-/// Number of further states at which the rank must stay unchanged.
+/// Number of further states at which the rank of the columns must stay unchanged.
 const STILL: usize = 2;
-/// Number of tries for each state where a term has no value.
+/// Number of attempts to draw a state in which all terms have a value.
 const TRIES: usize = 20;
 
-/// Linear relations between columns, with the factors at points of the letters.
+/// Linear relations between the columns of a regressor, with their factors at points of the letters.
 pub struct Table<'a> {
     sampler: Sampler<'a>,
     field: Field,
     moving: &'a FxHashSet<Expr>,
     speeds: usize,
     columns: usize,
-    /// Indices of the columns that are independent of those before them.
+    /// Indices of the columns that are independent of earlier columns.
     pub pivots: Vec<usize>,
-    /// The other nonzero columns, each with the indices, among the pivots, of the columns of which it is a sum.
+    /// Other nonzero columns, each with the indices, among the pivots, of the columns of which it is a sum.
     pub dependent: Vec<(usize, Vec<usize>)>,
-    /// Number of random states at which the rank was found.
+    /// Number of random states at which the rank of the columns was found.
     pub states: usize,
 }
 
-/// Residues at one point of the letters.
+/// Residues at one point, that is, at one choice of values of the letters.
 pub struct Row {
-    /// Factors of each dependent column, in the order of its pivots.
+    /// Residues of the factors of each dependent column, in the order of the pivots of its sum.
     pub factors: Vec<Vec<u64>>,
-    /// Residues of the atoms of the letters.
+    /// Residues of the atoms at this point, in the order of [`Letters::atoms`].
     pub atoms: Vec<u64>,
 }
 
-/// Letters with other values than at the point of the seed.
+/// Letters whose values differ from those of the point's seed, and the seed of their other values; `None` if none
+/// differ.
 pub type Moved<'s> = Option<(&'s FxHashSet<Expr>, u64)>;
 
 impl<'a> Table<'a> {
@@ -61,7 +62,7 @@ impl<'a> Table<'a> {
             return Some(table);
         }
         table.settle(seed)?;
-        // At another point, too: a factor may be 0 by chance at one.
+        // Two points are used: a factor may be 0 by chance at one of them.
         let again = table.seed();
         for seed in [seed, again] {
             table.add_supports(seed)?;
@@ -71,7 +72,7 @@ impl<'a> Table<'a> {
         Some(table)
     }
 
-    /// Raises the number of states until the rank stays the same; `None` if terms have no values.
+    /// Raises the number of states until the rank of the columns stays the same; `None` if terms have no values.
     fn settle(&mut self, seed: u64) -> Option<()> {
         self.states = self.columns.div_ceil(self.speeds.max(1)).max(1);
         let rank =
@@ -104,17 +105,18 @@ impl<'a> Table<'a> {
         Some(())
     }
 
-    /// Draws a seed for a point of the letters.
+    /// Draws a seed for another point, that is, for other values of the letters.
     pub fn seed(&mut self) -> u64 {
         self.sampler.seed()
     }
 
-    /// Finite field of all residues.
+    /// Finite field of all residues of the table.
     pub fn field(&self) -> Field {
         self.field
     }
 
-    /// Forces at this number of states, a row for each speed of each, and the atoms.
+    /// Residues of the forces at this number of states, a row for each speed of each state, and of the atoms; `None` if
+    /// terms have no values.
     fn rows(&self, seed: u64, moved: Moved<'_>, states: usize) -> Option<(Vec<Vec<u64>>, Vec<u64>)> {
         let mut rows = Vec::new();
         let mut left = states;
@@ -133,13 +135,13 @@ impl<'a> Table<'a> {
         None
     }
 
-    /// Factors of the dependent columns at a point of the letters; `None` if they have no values there.
+    /// Factors of the dependent columns at the point of a seed; `None` if they have no values there.
     pub fn at(&self, seed: u64, moved: Moved<'_>) -> Option<Row> {
         let (rows, atoms) = self.rows(seed, moved, self.states)?;
         let factors = self.dependent.iter().map(|(column, support)| {
             let places: Vec<usize> = support.iter().map(|pivot| self.pivots[*pivot]).chain([*column]).collect();
             let part = rows.iter().map(|row| places.iter().map(|at| row[*at]).collect());
-            // Rows in which all entries are zero tell nothing.
+            // Rows in which all entries are zero give no condition.
             solved(self.field, part.filter(|row: &Vec<u64>| row.iter().any(|x| *x != 0)).collect())
         });
         Some(Row { factors: factors.collect::<Option<_>>()?, atoms })

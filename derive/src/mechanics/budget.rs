@@ -5,11 +5,11 @@ use crate::algebra::Arena;
 use crate::geometry::Frames;
 use crate::model::Model;
 
-/// Most links that are derived: frames and points between a body and the ground, added up over all bodies. A mass
-/// matrix has about as many entries.
+/// Most links that are derived: frames and points between a body and the ground, added up over all bodies. The mass
+/// matrix of such a model has about as many entries.
 const MOST_LINKS: usize = 25_000;
 
-/// Most terms of a store; above them a derivation is given up, at about a gigabyte.
+/// Most terms of a store. A derivation with more terms, about a gigabyte, is given up.
 const MOST_TERMS: usize = 6_000_000;
 
 /// Refuses a model with more than `MOST_LINKS` links.

@@ -1,4 +1,4 @@
-//! Deriving a model: one formulation, one with its steps, or all of them over one store of terms.
+//! Derives a model: one formulation, one formulation with its steps, or all formulations over one store of terms.
 
 use super::budget::check_terms;
 use super::equations::{Equations, complete};
@@ -15,9 +15,9 @@ use rustc_hash::FxHashSet;
 /// One formulation of a model, with the store of its terms.
 #[derive(Clone)]
 pub struct Derivation {
-    /// The terms of `equations`.
+    /// Store of the terms of `equations`.
     pub arena: Arena,
-    /// The equations.
+    /// Equations of motion by one formulation.
     pub equations: Equations,
 }
 
@@ -32,31 +32,32 @@ impl Derivation {
 /// One formulation of a model as a textbook shows it, with the store of its terms.
 #[derive(Clone)]
 pub struct DerivationInSteps {
-    /// The terms of `equations` and `steps`.
+    /// Store of the terms of `equations` and `steps`.
     pub arena: Arena,
-    /// The equations.
+    /// Equations of motion by one formulation.
     pub equations: Equations,
-    /// Steps from which the equations come, in order.
+    /// Steps from which the equations come, in the order of the derivation.
     pub steps: Vec<Step>,
 }
 
 /// All formulations of a model over one store of terms, so that they can be compared.
 pub struct Derivations {
-    /// The kinematics that they share, with the store of all terms.
+    /// Kinematics that all formulations share, with the store of all terms.
     pub kinematics: Kinematics,
     /// Each formulation with its equations, or the reason why it cannot be derived.
     pub list: Vec<(Formulation, Result<Equations, DeriveError>)>,
 }
 
 impl Derivations {
-    /// The equations by one method, if it is possible.
+    /// Equations by one formulation; `None` if the formulation cannot be derived for this model.
     #[must_use]
     pub fn get(&self, formulation: Formulation) -> Option<&Equations> {
         self.result(formulation).ok()
     }
 
-    /// Gives the named terms of all equations the names that every document about the model uses: Kane's, then those
-    /// that only others have.
+    /// Gives the named terms of all equations the names that every document about the model uses. Kane's terms are
+    /// named
+    /// first, then the terms that only other formulations have.
     pub fn write_names(&mut self) {
         for (formulation, equations) in &self.list {
             if let Ok(equations) = equations {
@@ -65,10 +66,10 @@ impl Derivations {
         }
     }
 
-    /// The equations by one method.
+    /// Equations by one formulation.
     ///
     /// # Errors
-    /// [`DeriveError`] if this method cannot be used.
+    /// [`DeriveError`] if the formulation cannot be derived for this model.
     pub fn result(&self, formulation: Formulation) -> Result<&Equations, DeriveError> {
         let found = self.list.iter().find(|(f, _)| *f == formulation);
         found.map_or(Err(DeriveError::NotLinear), |(_, equations)| equations.as_ref().map_err(Clone::clone))
@@ -78,23 +79,23 @@ impl Derivations {
 /// Derives the equations of motion of a model.
 ///
 /// # Errors
-/// [`DeriveError`]; ask [`DeriveError::is_unsupported`] whether another formulation may succeed.
+/// [`DeriveError`]; [`DeriveError::is_unsupported`] tells whether another formulation may succeed.
 pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;
     Ok(Derivation { arena: kinematics.arena, equations })
 }
 
-/// Derives the equations of motion of a model, and shows what they come from, step by step.
+/// Derives the equations of motion of a model, with the steps that lead to them.
 ///
 /// # Errors
-/// As [`derive()`].
+/// [`DeriveError`], for the same reasons as [`derive()`].
 pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<DerivationInSteps, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;
     let steps = (formulation.method().steps)(model, &mut kinematics)?;
     let mut arena = kinematics.arena;
-    // Inverse dynamics is code, and no part of what is shown.
+    // Inverse dynamics is written only in code, so the steps do not show it.
     let equations = Equations { required: Vec::new(), ..equations };
     if formulation != REFERENCE {
         if arena.has_names() {
@@ -105,7 +106,7 @@ pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<Deriva
     Ok(written_down(arena, &equations, steps))
 }
 
-/// The terms of all formulations up to this one over one store, with the names that every document about the model has.
+/// Store of the terms of all formulations up to this one, with the names that every document about the model uses.
 fn with_names(model: &Model, formulation: Formulation) -> Result<Arena, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
     let mut list = Vec::new();
@@ -117,12 +118,12 @@ fn with_names(model: &Model, formulation: Formulation) -> Result<Arena, DeriveEr
     Ok(all.kinematics.arena)
 }
 
-/// The formulation whose named terms have plain names in every document; others put their own name into theirs.
+/// Formulation whose named terms have plain names in every document. Other formulations put their own name before.
 const REFERENCE: Formulation = Formulation::Kane;
 
-/// Gives the named terms of these equations their names.
+/// Gives the named terms of one formulation's equations their names.
 fn write_names(arena: &mut Arena, formulation: Formulation, equations: &Equations) {
-    // Inverse dynamics is code, and no part of what is shown.
+    // Inverse dynamics is written only in code, so documents do not show it.
     let equations = Equations { required: Vec::new(), ..equations.clone() };
     if formulation == REFERENCE {
         let _ = equations.written(arena);
@@ -132,7 +133,7 @@ fn write_names(arena: &mut Arena, formulation: Formulation, equations: &Equation
     }
 }
 
-/// Equations and steps with a symbol for each name; what the symbols stand for is among the definitions.
+/// Equations and steps with a symbol for each named term; the terms themselves are among the definitions.
 fn written_down(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -> DerivationInSteps {
     let mut equations = equations.written(&mut arena);
     let lines = || steps.iter().flat_map(|step| step.lines.iter());
@@ -147,7 +148,7 @@ fn written_down(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -
     DerivationInSteps { arena, equations, steps }
 }
 
-/// Derives the equations of motion of a model by every method.
+/// Derives the equations of motion of a model by every formulation.
 ///
 /// # Errors
 /// [`DeriveError`] if the model is wrong; a formulation that this model does not support is listed with its reason.
@@ -155,10 +156,10 @@ pub fn derive_all(model: &Model) -> Result<Derivations, DeriveError> {
     derive_all_with(model, Kinematics::new(model)?)
 }
 
-/// [`derive_all`] from kinematics in one form or the other: [`Kinematics::in_form`].
+/// [`derive_all`] from given kinematics, whose terms are named or not: [`Kinematics::in_form`].
 ///
 /// # Errors
-/// As [`derive_all`].
+/// [`DeriveError`], for the same reasons as [`derive_all`].
 pub fn derive_all_with(model: &Model, mut kinematics: Kinematics) -> Result<Derivations, DeriveError> {
     let mut list = Vec::new();
     for f in Formulation::ALL {
@@ -170,7 +171,7 @@ pub fn derive_all_with(model: &Model, mut kinematics: Kinematics) -> Result<Deri
     Ok(Derivations { kinematics, list })
 }
 
-/// The equations of one formulation over kinematics that others may share.
+/// Equations of one formulation, from kinematics that several formulations may share.
 pub(crate) fn derive_with(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -185,7 +186,7 @@ pub(crate) fn derive_with(
     }
 }
 
-/// The matrix is singular in every configuration: this row follows from those before it.
+/// Error for a matrix that is singular in every configuration because this row depends on the rows before it.
 fn singular(model: &Model, row: &RowName) -> DeriveError {
     match row {
         RowName::Balance(_) | RowName::Power(_) => DeriveError::ReactionsDependent,

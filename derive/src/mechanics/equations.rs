@@ -12,7 +12,7 @@ use crate::algebra::text::definitions::written;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, Tie};
 
-/// Definitions up to which a system may be solved in closed form.
+/// Most definitions of a system that may be solved in closed form.
 const MOST_WRITTEN_OUT: usize = 40;
 
 /// Equations of motion  matrix · unknowns = forcing,  q̇ = `coordinate_rates`.
@@ -20,57 +20,61 @@ const MOST_WRITTEN_OUT: usize = 40;
 pub struct Equations {
     /// Origin of the equations: a formulation, a publication or a reduction.
     pub by: By,
-    /// The distance that stands for a coordinate, if there is one.
+    /// Distance that stands for one of the coordinates; `None` if every coordinate is the model's own.
     pub distance: Option<Distance>,
-    /// The formulation whose motion variables and unknowns these have.
+    /// Formulation whose motion variables and unknowns these equations have.
     pub formulation: Formulation,
-    /// Symbols that stand for terms in parameters, q and v in everything below, each after those that it mentions.
-    /// Empty except in reduced equations, and where names were written down ([`Self::written`]).
+    /// Symbols that stand for terms in the other fields, in parameters, q and v. A definition comes after the
+    /// definitions
+    /// that it uses. Empty except in reduced equations, and where named terms were written down ([`Self::written`]).
     pub definitions: Vec<Definition>,
-    /// The generalized coordinates q, or the distance that stands for one ([`super::in_distance`]).
+    /// Symbols of the generalized coordinates q, or of the distance that stands for a coordinate
+    /// ([`super::in_distance`]).
     pub coordinates: Vec<Expr>,
-    /// The motion variables v that are integrated beside q: u, or q̇ for Lagrange.
+    /// Symbols of the motion variables v that are integrated beside q: u, or q̇ for Lagrange.
     pub variables: Vec<Expr>,
-    /// Their time derivatives, then the reactions or the multipliers.
+    /// Symbols of the unknowns: v̇, then the reactions or the multipliers.
     pub unknowns: Vec<Expr>,
     /// Name of each row: the speed, coordinate, constraint or balance that it belongs to.
     pub rows: Vec<RowName>,
-    /// Square; in parameters, q and v.
+    /// Square matrix of the equations, one column for each unknown; in parameters, q and v.
     pub matrix: Vec<Vec<Expr>>,
-    /// One entry a row; in parameters, q and v.
+    /// Right-hand side of the equations, one entry for each row; in parameters, q and v.
     pub forcing: Vec<Expr>,
     /// True if the matrix is symmetric by construction, and positive definite where it is regular.
     pub symmetric: bool,
-    /// Multipliers of the rows, one list for each motion variable, under which the reactions cancel and a
-    /// symmetric, positive definite system is left: the partial velocities. Empty without reactions.
+    /// Multipliers of the rows, one list for each motion variable: the partial velocities. They cancel the reactions
+    /// and
+    /// leave a symmetric, positive definite system. Empty without reactions.
     pub projection: Vec<Vec<Expr>>,
-    /// Map from the free accelerations to v̇, where motion constraints leave fewer free accelerations than v has
-    /// variables. The projection leaves a system for the free ones.
+    /// Map from the free accelerations to v̇. Present if motion constraints leave fewer free accelerations than v has
+    /// variables; the projection then leaves a system for the free accelerations.
     pub embedding: Option<Embedding>,
-    /// q̇ in q and v.
+    /// Rates q̇ of the coordinates, in q and v.
     pub coordinate_rates: Vec<Expr>,
-    /// Forces along the motion variables, beside the loads, that v̇ requires, M v̇ − f: inverse dynamics, in
-    /// parameters, q, v and v̇. Empty until it is asked for, and where reactions or multipliers are among the unknowns.
+    /// Inverse dynamics: forces along the motion variables, beside the loads, that v̇ requires, M v̇ − f. In
+    /// parameters,
+    /// q, v and v̇. Empty until computed, and where reactions or multipliers are among the unknowns.
     pub required: Vec<Expr>,
-    /// Function that v̇ minimizes, by the accelerations of the bodies (Gauss's principle): a second way to v̇, for
-    /// large systems.
+    /// Function of the bodies' accelerations that v̇ minimizes (Gauss's principle): a second way to v̇, for large
+    /// systems.
     pub gauss: Option<Sum>,
-    /// The symbols of the generalized speeds u; fewer than motion variables where constraints tie these.
+    /// Symbols of the generalized speeds u; fewer than motion variables where constraints tie these.
     pub speeds: Vec<Expr>,
-    /// u in q and v.
+    /// Generalized speeds u, in q and v.
     pub generalized_speeds: Vec<Expr>,
-    /// u̇ in q, v and v̇.
+    /// Rates u̇ of the generalized speeds, in q, v and v̇.
     pub generalized_speed_rates: Vec<Expr>,
-    /// v in q and u.
+    /// Motion variables v, in q and u.
     pub motion_variables: Vec<Expr>,
-    /// T in q and v.
+    /// Kinetic energy T, in q and v.
     pub kinetic_energy: Expr,
-    /// V in q: of gravity, and of the applied loads that have a potential.
+    /// Potential energy V of gravity and of the applied loads that have a potential, in q.
     pub potential_energy: Expr,
-    /// Power of the forces without a potential in V, in q and v: d(T + V)/dt. 0 in reduced equations, whose T and V are
-    /// others.
+    /// Power of the forces without a potential in V, in q and v: d(T + V)/dt. It is 0 in reduced equations, which have
+    /// their own T and V.
     pub power: Expr,
-    /// Expressions in q that the kinematic equations divide by.
+    /// Divisors of the kinematic equations, in q.
     pub divisors: Vec<Expr>,
     /// Constraints that are zero in every motion and drift in a run: the loops of the model, and its motion constraints
     /// where the variables may break them.
@@ -80,11 +84,11 @@ pub struct Equations {
 /// A constraint that a run may break, and that is therefore enforced.
 #[derive(Clone, Debug)]
 pub struct Constrained {
-    /// Name of the constraint in the file, with a prime if it is the rate of a loop.
+    /// Name of the constraint in the model file, with a prime if it is the rate of a loop.
     pub name: String,
-    /// Residual of the constraint, in q and v; zero where it holds.
+    /// Residual of the constraint, in q and v; zero where the constraint holds.
     pub value: Expr,
-    /// Its slopes along q, then along v.
+    /// Partial derivatives of the residual along each q, then along each v.
     pub slopes: Vec<Expr>,
 }
 
@@ -102,19 +106,20 @@ impl Equations {
         self.distance.map_or_else(|| title.clone(), |distance| format!("{title} in {}", distance.title(model)))
     }
 
-    /// The names of the rows, in plain text.
+    /// Names of the rows, in plain text.
     #[must_use]
     pub fn row_names(&self, model: &Model) -> Vec<String> {
         self.rows.iter().map(|row| row.text(model)).collect()
     }
 
-    /// True if there are too many named terms to write the equations out again.
+    /// True if the equations have too many named terms to be solved in closed form.
     pub(super) fn is_large(&self) -> bool {
         self.definitions.len() > MOST_WRITTEN_OUT
     }
 
-    /// The equations in the form that is solved, differentiated and written as code: every term with a name is replaced
-    /// by a symbol, and the symbols are among the definitions.
+    /// The equations in the form that is solved, differentiated and written as code. A symbol replaces every named
+    /// term,
+    /// and the definitions contain the symbols.
     #[must_use]
     pub fn written(&self, arena: &mut Arena) -> Self {
         let mut result = self.clone();
@@ -128,14 +133,14 @@ impl Equations {
         result
     }
 
-    /// All terms.
+    /// Lists all terms of the equations, definitions included.
     pub(super) fn terms(&self, arena: &mut Arena) -> Vec<Expr> {
         let mut terms = Vec::new();
         self.clone().visit(&mut |e, _| terms.push(*e), arena);
         terms
     }
 
-    /// Changes every expression except Gauss's form, which consists of other terms.
+    /// Changes every expression in place. Drops the function of Gauss's principle, which consists of other terms.
     pub(crate) fn visit(&mut self, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
         self.gauss = None;
         let vectors = [
@@ -159,7 +164,7 @@ impl Equations {
     }
 }
 
-/// Completes the rows of a method to equations, with q̇ and u in its motion variables and every entry simplified.
+/// Completes the rows of a formulation to equations, with q̇ and u in its motion variables and every entry simplified.
 ///
 /// # Errors
 /// [`DeriveError::NoZeroOfPotential`].
@@ -216,7 +221,7 @@ pub(super) fn complete(
     Ok(equations)
 }
 
-/// The constraints that a run by this formulation can break.
+/// Constraints that a run by this formulation can break.
 fn constraints(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Vec<Constrained> {
     let loops = model.loops.iter().map(|c| (c.name.clone(), c.equation));
     let of_motion =
@@ -226,7 +231,7 @@ fn constraints(model: &Model, kinematics: &mut Kinematics, formulation: Formulat
         });
     let states = [model.q(), formulation.variables(model)].concat();
     let mut gradient = Gradient::new(&states);
-    // Nothing moves time: what is tied to it is moved.
+    // Time has no slope: the constraint corrects the coordinates that are tied to it.
     let time = model.time().map(|at| &model.coordinates[at]);
     let is_time = |state: Expr| time.is_some_and(|time| state == time.symbol || state == time.rate);
     let Kinematics { arena, simplifier, .. } = kinematics;
@@ -248,7 +253,7 @@ fn along_rates(model: &Model, arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
     terms.iter().map(|e| d_dt.apply(arena, *e)).collect()
 }
 
-/// Simplifies all but the energies, which are simplified where they are made.
+/// Simplifies all entries except the energies, which were simplified when they were derived.
 fn simplify(kinematics: &mut Kinematics, equations: &mut Equations) {
     let Kinematics { arena, simplifier, .. } = kinematics;
     let entries = equations.matrix.iter_mut().flatten().chain(&mut equations.forcing);

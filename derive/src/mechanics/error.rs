@@ -1,117 +1,117 @@
-//! Why equations cannot be derived.
+//! Reasons why equations cannot be derived, with help.
 
 use super::unsolved::Unsolved;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;
 use std::fmt;
 
-/// Why a formulation cannot be derived.
+/// Reason why a formulation cannot be derived.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DeriveError {
     /// The inertia of a body, stated in a frame that the body turns in, is not constant in the body.
     InertiaNotConstant {
-        /// The body.
+        /// Name of the body.
         body: String,
-        /// The frame its inertia is stated in.
+        /// Name of the frame in which the inertia is stated.
         frame: String,
-        /// The body's own frame.
+        /// Name of the frame that is fixed in the body.
         body_frame: String,
     },
     /// A reaction does work in a permitted motion.
     ReactionWorks {
-        /// The reaction.
+        /// Name of the reaction.
         reaction: String,
-        /// The rate of a coordinate, or the speed, that it works along.
+        /// Rate of a coordinate, or the speed, along which the reaction works.
         motion: String,
-        /// The power for each unit of that.
+        /// Power of the reaction for each unit of `motion`.
         rate: String,
     },
     /// A force or torque divides by a velocity that is zero at all times.
     LoadDividesByZero {
-        /// The force or torque.
+        /// Name of the force or torque.
         load: String,
-        /// The term, velocities put in.
+        /// Term that divides by zero, with the velocities put in.
         term: String,
     },
-    /// The direction of a reaction has another length than 1, so its value would not be the force.
+    /// The direction of a reaction is no unit vector, so the value of the reaction would not be the force.
     DirectionNotUnit {
-        /// The reaction.
+        /// Name of the reaction.
         reaction: String,
-        /// The square of the length.
+        /// Square of the length of the direction.
         square: String,
     },
-    /// The potential energy has no value where the model puts its zero.
+    /// The potential energy has no value in the configuration `zero_at`, where the model puts its zero.
     NoZeroOfPotential {
-        /// The term that divides by zero.
+        /// Term that divides by zero.
         term: String,
     },
     /// A speed moves no mass: the mass matrix has a zero row.
     NoInertia {
-        /// The speed.
+        /// Name of the generalized speed, or of the coordinate with a prime.
         speed: String,
     },
-    /// At the values of a scene a speed moves no mass.
+    /// A speed moves no mass at the parameter values of a scene.
     NoInertiaAt {
-        /// The speed.
+        /// Name of the generalized speed.
         speed: String,
-        /// The parameters that are 0 there.
+        /// Names of the parameters that are 0 in the scene.
         zero: Vec<String>,
     },
     /// An acceleration did not come out linear: cannot happen for a checked model.
     NotLinear,
-    /// The accelerations that were solved for cannot be used.
+    /// The linear equations for the accelerations have no solution that can be used.
     Unsolved(Unsolved),
-    /// Newton–Euler needs as many reactions as there are equations left.
+    /// The number of reactions differs from the number of Newton–Euler equations less the number of speeds.
     ReactionCount {
-        /// Equations that are not 0 = 0.
+        /// Number of equations that are not 0 = 0.
         equations: usize,
-        /// Generalized speeds.
+        /// Number of generalized speeds.
         speeds: usize,
-        /// Reactions named.
+        /// Number of reactions that the model names.
         reactions: usize,
-        /// Equations of all bodies: as many reactions as speeds leave over of these can be needed, and no more.
+        /// Number of equations of all bodies. No more reactions than `all` − `speeds` can be needed.
         all: usize,
-        /// The components in which the bodies feel something, body by body: `disk force b1, b2`.
+        /// Components in which the bodies feel a load, body by body: `disk force b1, b2`.
         felt: Vec<String>,
     },
-    /// The reactions named are not independent: they cannot be told apart.
+    /// The equations do not determine the reactions one by one, because the reactions are not independent.
     ReactionsDependent,
-    /// The reaction was computed by the program, and it cannot be shown that it does no work.
+    /// The program found the reaction itself, and it cannot be shown that the reaction does no work.
     ReactionNotShown {
-        /// The reaction.
+        /// Name of the reaction.
         reaction: String,
     },
-    /// A torque on a frame without a body: no moment balance holds it.
+    /// A torque acts on a frame without a body, so no moment balance contains the torque.
     TorqueOnNothing {
-        /// The torque.
+        /// Name of the torque.
         torque: String,
     },
-    /// A potential is not known as forces and torques between bodies.
+    /// The program does not know a potential as forces and torques between bodies.
     PotentialOnNothing {
-        /// A potential of the file.
+        /// Name of a potential in the model file.
         potential: String,
     },
-    /// The equations would be too many to be derived.
+    /// The equations have more links or terms than are derived.
     TooLarge {
-        /// Bodies of the model.
+        /// Number of bodies of the model.
         bodies: usize,
-        /// Its coordinates.
+        /// Number of coordinates of the model.
         coordinates: usize,
         /// Number of links or terms that the derivation has.
         count: usize,
-        /// Noun for the counted things.
+        /// Noun for the counted items: links or terms.
         what: &'static str,
         /// Largest number that is derived.
         most: usize,
     },
-    /// Reduced equations of a scene cannot be made for a mechanism whose loops a run must keep closed.
+    /// A mechanism has loops, which its reduced equations would not keep closed.
     LoopsReduced {
-        /// Name of a loop.
+        /// Name of one of the loops.
         name: String,
     },
-    /// Reduced equations of a scene cannot be made for a mechanism whose constraints leave no speed.
+    /// The constraints of a mechanism leave no speed, so it has no reduced equations.
     NothingMoves,
-    /// The reduced equations of a scene are not proved equivalent to those of the model.
+    /// The reduced equations of a scene are not proved equivalent to the model's equations.
     ReductionNotProved {
         /// Statement that is not proved.
         what: String,
@@ -132,7 +132,7 @@ impl DeriveError {
         )
     }
 
-    /// The name in the model file that it is about, and what to do.
+    /// Name in the model file that the error is about, and advice what to do.
     fn place_and_help(&self) -> (Option<&str>, &'static str) {
         match self {
             Self::InertiaNotConstant { body, .. } => (
@@ -284,7 +284,7 @@ impl fmt::Display for DeriveError {
 }
 
 impl Model {
-    /// The error with its place in the model file.
+    /// Diagnostics that show the error at its place in the model file.
     #[must_use]
     pub fn diagnose(&self, error: &DeriveError) -> Diagnostics {
         let (name, help) = error.place_and_help();

@@ -1,4 +1,4 @@
-//! Equations of motion by several methods that share nothing but the kinematics: see [`Formulation`].
+//! Equations of motion by several formulations that share only the kinematics: see [`Formulation`].
 
 mod budget;
 mod derivation;

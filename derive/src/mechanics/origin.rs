@@ -1,4 +1,4 @@
-//! Origin of a set of equations of motion, as data; names and titles are made from it here and nowhere else.
+//! Origin of a set of equations of motion, as data. The names and titles of equations are made only here.
 
 use super::formulations::formulation::Formulation;
 use crate::model::Model;
@@ -6,13 +6,13 @@ use crate::model::Model;
 /// Origin of a set of equations of motion.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum By {
-    /// Derived by this formulation.
+    /// Derived by the program, with this formulation.
     Derived(Formulation),
-    /// Those of a published system or listing, as printed.
+    /// Equations of a published system or listing, as printed.
     Printed {
-        /// Its id in the publication.
+        /// Id of the system or listing in the publication file.
         id: String,
-        /// The formulation that the publication states for it.
+        /// Formulation that the publication states for the system.
         formulation: Formulation,
     },
     /// The reduced equations of a scene.
@@ -23,7 +23,7 @@ pub enum By {
 const PRINTED: &str = "printed:";
 
 impl By {
-    /// Name on the command line and in files: `kane`, `printed:ID`, `reduced`.
+    /// Name of the equations on the command line and in files: `kane`, `printed:ID`, `reduced`.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
@@ -43,19 +43,19 @@ impl By {
         }
     }
 
-    /// Name in generated code of these equations in a distance: `kane@q2-90deg`; without a distance, the plain name.
+    /// Name in generated code, with the distance if there is one: `kane@q2-90deg`.
     #[must_use]
     pub fn name_in(&self, distance: Option<Distance>, model: &Model) -> String {
         distance.map_or_else(|| self.name(), |distance| format!("{}@{}", self.name(), distance.name(model)))
     }
 
-    /// The formulation of derived equations; `None` for others.
+    /// Formulation of derived equations; `None` for printed and reduced equations.
     #[must_use]
     pub fn formulation(&self) -> Option<Formulation> {
         if let Self::Derived(formulation) = self { Some(*formulation) } else { None }
     }
 
-    /// The id of printed equations; `None` for others.
+    /// Id of printed equations; `None` for derived and reduced equations.
     #[must_use]
     pub fn printed_id(&self) -> Option<&str> {
         if let Self::Printed { id, .. } = self { Some(id) } else { None }
@@ -67,7 +67,7 @@ impl By {
         *self == Self::Reduced
     }
 
-    /// The id in an argument such as `printed:ID`; `None` if it does not ask for printed equations.
+    /// Id in an argument such as `printed:ID`; `None` if the argument does not ask for printed equations.
     #[must_use]
     pub fn asked_id(argument: &str) -> Option<&str> {
         argument.strip_prefix(PRINTED)
@@ -83,14 +83,14 @@ impl From<Formulation> for By {
 /// Distance of a coordinate from a multiple of a quarter turn, which replaces the coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Distance {
-    /// Index of the coordinate, from 0.
+    /// Index of the replaced coordinate, from 0.
     pub coordinate: usize,
-    /// The origin in quarter turns: 1 for 90°.
+    /// Angle at which the distance is zero, in quarter turns: 1 for 90°.
     pub quarter_turns: i32,
 }
 
 impl Distance {
-    /// The origin, degrees.
+    /// Angle at which the distance is zero, degrees.
     #[must_use]
     pub fn degrees(self) -> i64 {
         90 * i64::from(self.quarter_turns)

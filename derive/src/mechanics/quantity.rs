@@ -4,7 +4,7 @@ use crate::algebra::text::parse::{VelocityOf, velocity_name};
 use crate::model::Model;
 use std::fmt;
 
-/// Kind of the object that a vector quantity belongs to.
+/// Kind of object to which a vector quantity belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Owner {
     /// A point of the model.
@@ -13,12 +13,12 @@ pub enum Owner {
     Frame,
     /// A body or particle.
     Body,
-    /// A rigid body.
+    /// A rigid body, not a particle.
     RigidBody,
 }
 
 impl Owner {
-    /// The word in a form such as `v(POINT) @ FRAME [COMPONENT]`.
+    /// Word for the owner in a form such as `v(POINT) @ FRAME [COMPONENT]`.
     pub(crate) const fn placeholder(self) -> &'static str {
         match self {
             Self::Point => "POINT",
@@ -31,36 +31,36 @@ impl Owner {
 /// A vector that the model determines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VectorName {
-    /// p of a point, from the origin, m.
+    /// Position p of a point, from the origin, m.
     Position,
-    /// v of a point in the inertial frame, m/s.
+    /// Velocity v of a point in the inertial frame, m/s.
     Velocity,
-    /// a of a point in the inertial frame, m/s².
+    /// Acceleration a of a point in the inertial frame, m/s².
     Acceleration,
-    /// ω of a frame in the inertial frame, rad/s.
+    /// Angular velocity ω of a frame in the inertial frame, rad/s.
     AngularVelocity,
-    /// α of a frame in the inertial frame, rad/s².
+    /// Angular acceleration α of a frame in the inertial frame, rad/s².
     AngularAcceleration,
-    /// H = I · ω of a body about its mass centre, kg m²/s.
+    /// Angular momentum H = I · ω of a body about its mass centre, kg m²/s.
     AngularMomentum,
-    /// dH/dt in the inertial frame, N m.
+    /// Rate dH/dt of the angular momentum of a body in the inertial frame, N m.
     MomentumRate,
-    /// m a: the rate of the linear momentum, N.
+    /// Rate m a of the linear momentum of a body, N.
     LinearMomentumRate,
-    /// R* = −m a, N.
+    /// Inertia force R* = −m a of a body, N.
     InertiaForce,
-    /// T* = −dH/dt, N m.
+    /// Inertia torque T* = −dH/dt of a body, N m.
     InertiaTorque,
-    /// Weight m g, N.
+    /// Weight m g of a body, N.
     Weight,
-    /// The sum of all forces on a body, weight and reactions included, N.
+    /// Sum of all forces on a body, N, weight and reactions included.
     Force,
-    /// The moment of all loads on a body about its mass centre, reactions included, N m.
+    /// Moment of all loads on a body about its mass centre, N m, reactions included.
     Moment,
 }
 
 impl VectorName {
-    /// All of them, with their names.
+    /// All vectors in the order of the variants, each with its name in publication files.
     pub(crate) const ALL: [(Self, &'static str); 13] = [
         (Self::Position, "p"),
         (Self::Velocity, "v"),
@@ -77,7 +77,7 @@ impl VectorName {
         (Self::Moment, "moment"),
     ];
 
-    /// Kind of the object that the vector belongs to.
+    /// Kind of object to which the vector belongs.
     #[must_use]
     pub const fn owner(self) -> Owner {
         match self {
@@ -88,19 +88,19 @@ impl VectorName {
         }
     }
 
-    /// Its letter or word in publication files.
+    /// Letter or word for the vector in publication files.
     #[must_use]
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1
     }
 
-    /// The vector without a frame, in plain text: `v(P)`.
+    /// Vector and its owner without a frame, in plain text: `v(P)`.
     #[must_use]
     pub fn text(self, model: &Model, of: usize) -> String {
         format!("{}({})", self.name(), self.owner_name(model, of))
     }
 
-    /// The name of the point, frame or body at a position of the model's list.
+    /// Name of the point, frame or body at a position of the model's list.
     #[must_use]
     pub fn owner_name(self, model: &Model, of: usize) -> &str {
         match self.owner() {
@@ -111,39 +111,39 @@ impl VectorName {
     }
 }
 
-/// An entry of Kane's equations F + F* = 0, that is M u̇ = f, or of Lagrange's, E q̈ = A.
+/// Row of Kane's equations F + F* = 0, or M u̇ = f, or of Lagrange's equations E q̈ = A.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Row {
-    /// F: the generalized active force of a speed.
+    /// Generalized active force F of a speed.
     ActiveForce,
-    /// F*: the generalized inertia force of a speed, −(M u̇ + …).
+    /// Generalized inertia force F* = −(M u̇ + …) of a speed.
     InertiaForce,
-    /// f: Kane's forcing.
+    /// Forcing f of Kane's equations.
     Forcing,
-    /// A: Lagrange's right-hand side.
+    /// Right-hand side A of Lagrange's equations.
     LagrangeForcing,
 }
 
 impl Row {
-    /// All of them, with their names.
+    /// All rows in the order of the variants, each with its name in publication files.
     pub(crate) const ALL: [(Self, &'static str); 4] =
         [(Self::ActiveForce, "F"), (Self::InertiaForce, "Fstar"), (Self::Forcing, "f"), (Self::LagrangeForcing, "A")];
 }
 
-/// An energy, J.
+/// Kind of an energy, J.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Energy {
     /// Kinetic energy T.
     Kinetic,
-    /// Σ ½ m v·v.
+    /// Kinetic energy of translation, Σ ½ m v·v.
     Translation,
-    /// Σ ½ ω·I·ω.
+    /// Kinetic energy of rotation, Σ ½ ω·I·ω.
     Rotation,
-    /// V, of gravity and of the applied loads that have a potential.
+    /// Potential energy V of gravity and of the applied loads that have a potential.
     Potential,
-    /// Gravity's part of V, zero where the model puts its zero.
+    /// Potential energy of gravity alone, zero where the model puts its zero.
     Gravity,
-    /// L = T − V.
+    /// Lagrangian L = T − V.
     Lagrangian,
     /// Total energy T + V.
     Total,
@@ -156,7 +156,7 @@ impl Energy {
         matches!(self, Self::Potential | Self::Gravity | Self::Lagrangian | Self::Total)
     }
 
-    /// All of them, with their names.
+    /// All energies in the order of the variants, each with its name in publication files.
     pub(crate) const ALL: [(Self, &'static str); 7] = [
         (Self::Kinetic, "T"),
         (Self::Translation, "T_translation"),
@@ -168,83 +168,84 @@ impl Energy {
     ];
 }
 
-/// Kind of a quantity, with its indices. Points, frames, bodies, speeds, coordinates, rows and axes are positions
+/// Kind of a quantity, with its indices. Indices of points, frames, bodies, speeds, coordinates, rows and axes count
 /// from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum QuantityKind {
-    /// Entry (row, column) of R with (components in `to`) = R · (components in `from`).
+    /// Entry of the rotation matrix R with (components in `to`) = R · (components in `from`).
     Rotation {
-        /// The frame whose components are turned.
+        /// Index of the frame whose components are turned.
         from: usize,
-        /// The frame of the result.
+        /// Index of the frame of the turned components.
         to: usize,
-        /// Row and column.
+        /// Row and column of the entry.
         entry: (usize, usize),
     },
-    /// A component of a vector along an axis of a frame.
+    /// Component of a vector along an axis of a frame.
     Component {
-        /// The vector.
+        /// Name of the vector.
         vector: VectorName,
-        /// The point, frame or body that it belongs to.
+        /// Index of the point, frame or body to which the vector belongs.
         of: usize,
-        /// The frame of the component.
+        /// Index of the frame of the component.
         frame: usize,
-        /// The axis.
+        /// Axis of the component: 0, 1 or 2.
         axis: usize,
     },
-    /// A component of the velocity, in the inertial frame, of the material of a body that is at a point, m/s.
+    /// Component of the velocity, in the inertial frame, of a body's material at a point, m/s.
     MaterialVelocity {
-        /// The body.
+        /// Index of the body.
         body: usize,
-        /// The point.
+        /// Index of the point.
         point: usize,
-        /// The frame of the component.
+        /// Index of the frame of the component.
         frame: usize,
-        /// The axis.
+        /// Axis of the component: 0, 1 or 2.
         axis: usize,
     },
-    /// A component of a partial velocity: the derivative by a speed.
+    /// Component of a partial velocity, the derivative of a velocity along a speed.
     Partial {
-        /// Velocity or angular velocity.
+        /// Kind of the vector: velocity or angular velocity.
         vector: VectorName,
-        /// The point or frame that it belongs to.
+        /// Index of the point or frame to which the velocity belongs.
         of: usize,
-        /// The frame of the component.
+        /// Index of the frame of the component.
         frame: usize,
-        /// The axis.
+        /// Axis of the component: 0, 1 or 2.
         axis: usize,
-        /// The speed.
+        /// Index of the speed.
         speed: usize,
     },
-    /// An entry of the central inertia of a body, kg m².
+    /// Entry of the central inertia of a body, kg m².
     Inertia {
-        /// The body.
+        /// Index of the body.
         body: usize,
-        /// The frame of the components.
+        /// Index of the frame of the components.
         frame: usize,
-        /// Row and column.
+        /// Row and column of the entry.
         entry: (usize, usize),
     },
-    /// An entry of a list with one row for each speed or coordinate.
+    /// Entry of a list with one row for each speed or coordinate, with the index of the row.
     Row(Row, usize),
-    /// An entry of Kane's mass matrix M.
+    /// Entry of Kane's mass matrix M, at a row and column.
     MassMatrix(usize, usize),
-    /// An entry of Lagrange's matrix E.
+    /// Entry of Lagrange's matrix E, at a row and column.
     LagrangeMatrix(usize, usize),
-    /// An energy.
+    /// Energy of the model.
     Energy(Energy),
-    /// A speed, by its definition.
+    /// Generalized speed, by its definition.
     Speed(usize),
-    /// The time derivative of a coordinate, in terms of the speeds.
+    /// Time derivative of a coordinate, in terms of the speeds.
     Rate(usize),
-    /// The time derivative of a speed, solved for: in q and u.
+    /// Time derivative of a speed from the solved equations, in q and u.
     SpeedRate(usize),
-    /// The second time derivative of a coordinate, solved for: in q and u.
+    /// Second time derivative of a coordinate from the solved equations, in q and u.
     SecondRate(usize),
 }
 
 impl QuantityKind {
-    /// The name in full, with numbers for components and rows: two quantities are the same iff their names are.
+    /// Full name of the quantity, with numbers for components and rows. Two quantities are equal if and only if their
+    /// names are.
     #[must_use]
     pub fn name(&self, model: &Model) -> String {
         let component = |vector: VectorName, of: usize, frame: usize, axis: usize| {
@@ -286,10 +287,10 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// A quantity of a model.
+    /// Quantity of a model, with its canonical name.
     ///
     /// # Panics
-    /// If a position is outside the model's lists.
+    /// If an index is outside the model's lists.
     #[must_use]
     pub fn new(kind: QuantityKind, model: &Model) -> Self {
         let name = kind.name(model);
@@ -302,7 +303,7 @@ impl Quantity {
         &self.kind
     }
 
-    /// The canonical name.
+    /// Canonical name of the quantity, such as `v(Cstar) @ B [1]`.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name

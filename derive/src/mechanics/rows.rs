@@ -1,79 +1,78 @@
-//! Results of a method of derivation: rows, and the steps that they come from. Names are data; their text is made from
-//! them.
+//! Result of a method of derivation: rows, and the steps that lead to them. Names are data, from which their text is
+//! made.
 
 use super::quantity::{QuantityKind, VectorName};
 use crate::algebra::Expr;
 use crate::algebra::solve::least::Sum;
 use crate::model::Model;
 
-/// The rows of a linear system, as a method of derivation states them. The rest of [`super::Equations`] follows from
+/// Rows of a linear system, as a method of derivation states them. The other fields of [`super::Equations`] follow from
 /// the model.
 pub struct Rows {
     /// Name of each row: the speed, coordinate, constraint or balance that it belongs to.
     pub names: Vec<RowName>,
-    /// One row each, in the order of the unknowns; in parameters, q and v.
+    /// Matrix of the system, one column for each unknown; in parameters, q and v.
     pub matrix: Vec<Vec<Expr>>,
-    /// One entry a row; in parameters, q and v.
+    /// Right-hand side of the system, one entry for each row; in parameters, q and v.
     pub forcing: Vec<Expr>,
-    /// Multipliers of the rows, one list for each motion variable, under which reactions cancel; empty without
-    /// reactions.
+    /// Multipliers of the rows, one list for each motion variable, which cancel the reactions; empty without reactions.
     pub projection: Vec<Vec<Expr>>,
-    /// Map from fewer, free accelerations to v̇, where constraints tie the motion variables.
+    /// Map from the free accelerations to v̇; present if constraints tie the motion variables.
     pub embedding: Option<Embedding>,
-    /// T in q and v.
+    /// Kinetic energy T, in q and v.
     pub kinetic_energy: Expr,
-    /// Forces along the motion variables, beside the loads, that v̇ requires, M v̇ − f; `Some` if the method has its
-    /// own form of it.
+    /// Forces M v̇ − f along the motion variables, beside the loads, that v̇ requires. `None` if the method has no form
+    /// of its own for them.
     pub required: Option<Vec<Expr>>,
-    /// Function that v̇ minimizes, by the accelerations of the bodies, where these are named.
+    /// Function of the bodies' accelerations that v̇ minimizes; present if the accelerations are named.
     pub gauss: Option<Sum>,
 }
 
-/// Map from the accelerations s that constraints leave free to all v̇: v̇ = W s + x.
+/// Map v̇ = W s + x from the accelerations s that constraints leave free to all accelerations v̇.
 #[derive(Clone, Debug)]
 pub struct Embedding {
-    /// s: the rates of the generalized speeds.
+    /// Symbols of the free accelerations s, the rates of the generalized speeds.
     pub free: Vec<Expr>,
-    /// W, a row for each motion variable.
+    /// Matrix W, one row for each motion variable.
     pub matrix: Vec<Vec<Expr>>,
-    /// x in q and v.
+    /// Remaining acceleration x, in q and v, one entry for each motion variable.
     pub rest: Vec<Expr>,
 }
 
-/// Name of a row of equations of motion, as data. Places are positions from 0.
+/// Name of a row of equations of motion, as data. Indices count from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum RowName {
-    /// A generalized speed.
+    /// Row of a generalized speed.
     Speed(usize),
-    /// A generalized coordinate.
+    /// Row of a generalized coordinate.
     Coordinate(usize),
-    /// A motion constraint, differentiated.
+    /// Row of a motion constraint, differentiated in time.
     Constraint(usize),
-    /// A component of the balance of one body.
+    /// Component of the balance of one body.
     Balance(BalanceName),
-    /// The condition that shared reactions do no work together along a speed.
+    /// Condition that the shared reactions together do no work along a speed.
     Power(usize),
-    /// A motion variable of a scene's reduced equations, by its name.
+    /// Row of a motion variable of a scene's reduced equations, with the name of the variable.
     Along(String),
-    /// A row of a published system, by its place.
+    /// Row of a published system, with its index.
     Printed(usize),
 }
 
-/// A component of Newton's or Euler's equation of one body. Places are positions from 0.
+/// Component of Newton's or Euler's equation of one body. Indices count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BalanceName {
-    /// The body.
+    /// Index of the body.
     pub body: usize,
-    /// True for a balance of moments about the mass centre, false for one of forces.
+    /// True for a balance of moments about the mass centre, false for a balance of forces.
     pub moments: bool,
-    /// The frame of the component.
+    /// Index of the frame of the component.
     pub frame: usize,
-    /// The axis of the component: 0, 1 or 2.
+    /// Axis of the component: 0, 1 or 2.
     pub axis: usize,
 }
 
 impl RowName {
-    /// The name in plain text: `u1`, `q1`, `disk force b1`.
+    /// Name of the row in plain text: `u1`, `q1`, `disk force b1`.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         match self {
@@ -90,7 +89,7 @@ impl RowName {
         }
     }
 
-    /// Name of the balance without the direction: `disk force`; for other rows the whole name.
+    /// Name of a balance without its direction: `disk force`. For other rows, the whole name.
     #[must_use]
     pub fn subject(&self, model: &Model) -> String {
         match self {
@@ -102,30 +101,30 @@ impl RowName {
     }
 }
 
-/// A stage of a derivation, to be shown: named quantities and their values.
+/// Step of a derivation, for display: named quantities and their values.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// Stage of the derivation.
+    /// Stage of the derivation that the step shows.
     pub stage: Stage,
-    /// The quantities.
+    /// Quantities of the step, each with its value.
     pub lines: Vec<(LineName, Expr)>,
 }
 
-/// Stage of a derivation, with its vector, frame or body. Places are positions from 0.
+/// Stage of a derivation, with its vector, frame or body. Indices count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// The definitions of the speeds, and the rates of the coordinates.
+    /// Definitions of the speeds, and the rates of the coordinates.
     KinematicEquations,
-    /// A velocity in components, with its partial velocities.
+    /// Components of a velocity, with its partial velocities.
     Velocities {
-        /// Velocity or angular velocity.
+        /// Kind of the vector: velocity or angular velocity.
         vector: VectorName,
-        /// The point or frame that it belongs to.
+        /// Index of the point or frame to which the velocity belongs.
         of: usize,
-        /// The frame of the components.
+        /// Index of the frame of the components.
         frame: usize,
     },
-    /// The accelerations of a body.
+    /// Accelerations of a body.
     Accelerations(usize),
     /// The energies T and V.
     Energies,
@@ -136,7 +135,7 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// The heading, in plain text.
+    /// Heading of the stage, in plain text.
     #[must_use]
     pub fn title(self, model: &Model) -> String {
         match self {
@@ -153,19 +152,19 @@ impl Stage {
     }
 }
 
-/// Quantity on the left-hand side of a line of a step. Places are positions from 0.
+/// Quantity on the left-hand side of a line of a step. Indices count from 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LineName {
-    /// A quantity that publication files can name, too.
+    /// Quantity that publication files can also name.
     Quantity(QuantityKind),
-    /// The generalized active force of a speed.
+    /// Generalized active force of a speed.
     ActiveForce(usize),
-    /// The generalized force of a coordinate, gravity left out.
+    /// Generalized force of a coordinate, without gravity.
     GeneralizedForce(usize),
 }
 
 impl LineName {
-    /// The name in plain text: `v(P) @ B [1]`, `d v(P) @ B [1]/d u2`, `F[u1]`, `Q[q1]`.
+    /// Name of the quantity in plain text: `v(P) @ B [1]`, `d v(P) @ B [1]/d u2`, `F[u1]`, `Q[q1]`.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         match self {
@@ -176,7 +175,7 @@ impl LineName {
     }
 }
 
-/// The definitions of the speeds and the rates of the coordinates, which every derivation begins with.
+/// First step of every derivation: definitions of the speeds and rates of the coordinates.
 pub(super) fn kinematic_step(model: &Model) -> Step {
     let speeds = model.speeds.iter().enumerate().map(|(at, s)| (QuantityKind::Speed(at), s.definition));
     let rates = model.kinematic_equations.rates.iter().enumerate().map(|(at, e)| (QuantityKind::Rate(at), *e));
@@ -184,7 +183,7 @@ pub(super) fn kinematic_step(model: &Model) -> Step {
     Step { stage: Stage::KinematicEquations, lines }
 }
 
-/// Components of a vector in a frame, a line each.
+/// Components of a vector in a frame, one line for each.
 pub(super) fn component_lines(
     (vector, of, frame): (VectorName, usize, usize),
     components: [Expr; 3],

@@ -1,4 +1,4 @@
-//! Reasons why accelerations, or other results made from equations of motion, cannot be used.
+//! Reasons why accelerations, or other results computed from equations of motion, cannot be used.
 
 use crate::algebra::solve::linear::Singular;
 use std::fmt;
@@ -6,12 +6,11 @@ use std::fmt;
 /// A result that a check did not confirm.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Unproved {
-    /// The accelerations do not satisfy this row of the equations, counted from 0.
+    /// The accelerations do not satisfy this row of the equations; rows count from 0.
     Accelerations(usize),
-    /// The Jacobian is not the derivative of the rates in this row, counted from 0: first q̇, then the rows of the
-    /// equations.
+    /// The Jacobian is not the derivative of the rates in this row; rows count from 0, first q̇, then the equations.
     Jacobian(usize),
-    /// Inverse dynamics is not M v̇ − f in this row, counted from 0.
+    /// Inverse dynamics is not M v̇ − f in this row; rows count from 0.
     InverseDynamics(usize),
     /// No random state was found at which all terms have a value.
     NoPoint,
@@ -33,9 +32,9 @@ impl fmt::Display for Unproved {
 /// Reason why accelerations cannot be used.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Unsolved {
-    /// The equations determine them in no configuration.
+    /// The equations do not determine the accelerations in any configuration.
     Singular(Singular),
-    /// They were found, and a check did not confirm them: a fault of this library.
+    /// The accelerations were found, but a check did not confirm them: a fault of this library.
     Unproved(Unproved),
 }
 
@@ -61,7 +60,7 @@ impl fmt::Display for Unsolved {
 }
 
 impl Unsolved {
-    /// Advice for the user.
+    /// Advice for the user, one line.
     #[must_use]
     pub fn help(&self) -> &'static str {
         match self {

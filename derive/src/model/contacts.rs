@@ -1,30 +1,31 @@
-//! Contacts of bodies that the file states, beside rolling and reactions: friction, and equations that compare two
-//! bodies.
+//! Contacts of bodies that the model file states, other than rolling and reactions: friction, and equations that
+//! compare two bodies.
 
 use crate::algebra::text::parse::VelocityOf;
 
-/// The velocities, places and bodies that one constraint of the file ties: between these it may act.
+/// Velocities, places and bodies that one constraint of the model file ties together. The bodies may touch.
 #[derive(Clone, Debug)]
 pub struct Compared {
-    /// The velocities and places that it names.
+    /// Velocities and places that the constraint names.
     pub named: Vec<VelocityOf<usize>>,
-    /// The bodies whose own coordinates, or their rates, stand beside at most one name, in the order of the file.
+    /// Indices of bodies whose own coordinates, or their rates, the constraint contains, in the order of the model
+    /// file. Empty if the constraint contains several named velocities or a speed.
     pub own: Vec<usize>,
-    /// The bodies whose own coordinates, or their rates, the constraint ties once its names are put in, in the order of
-    /// the file.
+    /// Indices of bodies whose own coordinates, or their rates, the constraint contains once terms replace its names.
+    /// In the order of the model file.
     pub moved: Vec<usize>,
-    /// True if the constraint stays true while all that it ties moves together: then it compares bodies.
+    /// True if the constraint stays true while everything that it ties moves together: it then compares bodies.
     pub is_difference: bool,
 }
 
-/// Contacts of bodies, beside rolling and reactions.
+/// Contacts of bodies that the model file states, other than rolling and reactions.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
-    /// Bodies that friction acts on, each with the body against which it rubs; `None` is the ground.
+    /// Bodies on which friction acts, each with the body against which it rubs; `None` is the ground.
     pub rubbing: Vec<(usize, Option<usize>)>,
-    /// The constraints of the file.
+    /// Bodies and velocities that each constraint of the model file ties.
     pub compared: Vec<Compared>,
-    /// Bodies on which the ground, or the body that they touch, exerts nothing except what the file names: other
-    /// connections carry them.
+    /// Bodies on which the ground, or the body they touch, exerts only the forces that the model file names. Other
+    /// connections carry these bodies.
     pub idle: Vec<usize>,
 }

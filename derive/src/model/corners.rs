@@ -8,9 +8,9 @@ use rustc_hash::FxHashSet;
 use tripos_traits::Real;
 
 impl Model {
-    /// Instants, s, at which absolute values of time have a corner or signs of time jump (true for a jump), at these
-    /// parameters. Only arguments that are linear in t are found. An integrator that steps across such an instant loses
-    /// its order. If the parameters carry slopes, the instants do, too.
+    /// Instants at which absolute values of time have a corner or signs of time jump: the instant, s, and true for a
+    /// jump. Only arguments that are linear in t are found, at the given parameters. An integrator that steps across
+    /// such an instant loses its order. If the parameters carry slopes, the instants carry them too.
     #[must_use]
     pub fn corners<S: Numeric + Real>(&self, parameters: &[S]) -> Vec<(S, bool)> {
         let Some(time) = self.time().map(|at| self.coordinates[at].symbol) else { return Vec::new() };
@@ -34,7 +34,7 @@ impl Model {
         corners
     }
 
-    /// The formulas, as text, of which the model takes the sign and that depend on the state, not on time alone.
+    /// Formulas, as text, whose sign the model takes and that depend on the state, not on time alone.
     #[must_use]
     pub fn signs_of_states(&self) -> Vec<String> {
         let time = self.time();
@@ -47,7 +47,7 @@ impl Model {
     }
 }
 
-/// Argument of an absolute value or a sign, and true if the term jumps; `None` for other terms.
+/// Argument of an absolute value or a sign, and true if the term jumps, as a sign does; `None` for other terms.
 fn cornered(node: &Node) -> Option<(Expr, bool)> {
     match node {
         Node::Apply(Function::Abs, argument) => Some((*argument, false)),

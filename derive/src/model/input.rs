@@ -6,23 +6,23 @@ use crate::algebra::Expr;
 /// A signal that loads name.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// Its name in the file.
+    /// Name of the input in the model file.
     pub name: String,
-    /// Its unit, in SI.
+    /// Unit of the input, in SI.
     pub unit: Unit,
-    /// Description in words.
+    /// Description of the input in words; empty if the model file gives none.
     pub about: String,
-    /// The symbol of a parameter of its name; the formula where it has one, whose numbers are in SI.
+    /// Symbol of the parameter that has the input's name, or the input's formula, in SI, if it has one.
     pub value: Expr,
     /// True if the input is a parameter, false if it has a formula.
     pub is_parameter: bool,
 }
 
-/// A formula that stands for an input in one scene.
+/// A formula that replaces an input in one scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Binding {
-    /// The name of the input.
+    /// Name of the input that the formula replaces.
     pub input: String,
-    /// The formula, in t, coordinates, q', speeds and parameters.
+    /// Formula for the input, in t, coordinates, q', speeds and parameters.
     pub formula: String,
 }

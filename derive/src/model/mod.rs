@@ -36,45 +36,45 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use units::unit_of;
 
-/// A quantity that stays fixed during a motion.
+/// A quantity that stays fixed during a motion, or an input.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// Its name in the file.
+    /// Name of the parameter in the model file.
     pub name: String,
-    /// Its symbol.
+    /// Symbol of the parameter in formulas.
     pub symbol: Expr,
-    /// Its unit, in SI.
+    /// Unit of the parameter, in SI.
     pub unit: Unit,
-    /// The default value, if the file gives one.
+    /// Default value of the parameter, in SI; `None` if the model file gives none.
     pub value: Option<Rational>,
-    /// True if the file states that the parameter is positive.
+    /// True if the model file states that the parameter is positive.
     pub positive: bool,
     /// True if the parameter is an input, which drives loads and may change from one step to the next.
     pub is_input: bool,
-    /// Description in words.
+    /// Description of the parameter in words; empty if the model file gives none.
     pub about: String,
 }
 
-/// A configuration variable.
+/// A configuration variable q, with the symbols of its derivatives. Time is the last one if formulas name it.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
-    /// Its name in the file.
+    /// Name of the coordinate in the model file.
     pub name: String,
     /// Symbol of the coordinate q.
     pub symbol: Expr,
-    /// q̇, named `q'`.
+    /// Symbol of the rate q̇ of the coordinate, named `q'`.
     pub rate: Expr,
-    /// q̈, named `q''`.
+    /// Symbol of the second time derivative q̈ of the coordinate, named `q''`.
     pub second_rate: Expr,
-    /// Its unit, in SI; radians count as 1.
+    /// Unit of the coordinate, in SI; radians count as 1.
     pub unit: Unit,
-    /// Description in words.
+    /// Description of the coordinate in words; empty if the model file gives none.
     pub about: String,
 }
 
 impl Coordinate {
-    /// True if an angle of more than one turn was probably meant in degrees: people write degrees with few decimals,
-    /// and multiples of π have many.
+    /// True if an angle q of more than one turn was probably meant in degrees: it has at most two decimals. Multiples
+    /// of π have more decimals.
     #[must_use]
     pub fn looks_like_degrees(&self, q: f64) -> bool {
         let is_short = (q - (100.0 * q).round() / 100.0).abs() <= f64::EPSILON * q.abs();
@@ -82,158 +82,158 @@ impl Coordinate {
     }
 }
 
-/// A generalized speed.
+/// A generalized speed u, with its definition in q and q̇.
 #[derive(Clone, Debug)]
 pub struct Speed {
-    /// Its name in the file.
+    /// Name of the speed in the model file.
     pub name: String,
     /// Symbol of the speed u.
     pub symbol: Expr,
-    /// u̇, named `u'`.
+    /// Symbol of the time derivative u̇ of the speed, named `u'`.
     pub rate: Expr,
-    /// Its definition in terms of q and q̇, linear in q̇.
+    /// Definition of the speed in terms of q and q̇, linear in q̇.
     pub definition: Expr,
-    /// Its unit, that of its definition.
+    /// Unit of the speed, that of its definition.
     pub unit: Unit,
 }
 
-/// A speed that a joint brings and constraints leave no choice of: it follows from the others.
+/// A speed of a joint that constraints make dependent: it follows from the generalized speeds of the model.
 #[derive(Clone, Debug)]
 pub struct DependentSpeed {
-    /// Its name.
+    /// Name of the dependent speed.
     pub name: String,
-    /// Its definition in terms of q and q̇.
+    /// Definition of the dependent speed in terms of q and q̇.
     pub definition: Expr,
-    /// True if the file names the speed, false if it has the joint's default name.
+    /// True if the model file names the dependent speed, false if it has the joint's default name.
     pub is_stated: bool,
 }
 
 /// The inertia of a rigid body about its mass centre.
 #[derive(Clone, Debug)]
 pub struct Inertia {
-    /// The frame of the components. The tensor is constant in the body.
+    /// Index of the frame of the tensor's components. The tensor is constant in the body.
     pub frame: usize,
-    /// The symmetric tensor, kg m².
+    /// Components of the symmetric inertia tensor about the mass centre, kg m².
     pub tensor: [[Expr; 3]; 3],
 }
 
 /// A rigid body or a particle.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// Its name in the file.
+    /// Name of the body or particle in the model file.
     pub name: String,
-    /// The mass centre.
+    /// Index of the point that is the body's mass centre.
     pub centre: usize,
-    /// The mass, kg.
+    /// Mass of the body, kg.
     pub mass: Expr,
-    /// The body's frame and inertia; `None` for a particle.
+    /// Index of the body's frame, and inertia of the body; `None` for a particle.
     pub rigid: Option<(usize, Inertia)>,
 }
 
-/// Uniform gravity.
+/// Uniform gravity, which acts on every body.
 #[derive(Clone, Debug)]
 pub struct Gravity {
-    /// The frame of the components: inertial.
+    /// Index of the frame of the acceleration's components: the inertial frame.
     pub frame: usize,
-    /// The acceleration of free fall, m/s².
+    /// Components of the acceleration of free fall, m/s².
     pub acceleration: [Expr; 3],
-    /// Values of coordinates at which the potential energy is zero; the others cancel or are 0.
+    /// Coordinates and their values where the potential energy is zero. Coordinates that are not listed are 0 there.
     pub zero_at: Vec<(Expr, Expr)>,
 }
 
-/// Place at which a force or reaction acts: a body and a point moving with it.
+/// Place at which a force or reaction acts: the material of a body that is at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The body.
+    /// Index of the body on which the force or reaction acts.
     pub body: usize,
-    /// The point of the body, as it is now.
+    /// Index of the point through which the force acts. The point may move through the body.
     pub point: usize,
 }
 
 /// An applied force, and its opposite on another body if there is one.
 #[derive(Clone, Debug)]
 pub struct Force {
-    /// Its name in the file.
+    /// Name of the force in the model file.
     pub name: String,
     /// Place at which the force acts.
     pub on: Place,
-    /// Place at which the opposite force acts.
+    /// Place at which the opposite of the force acts; `None` if no opposite acts on a body.
     pub against: Option<Place>,
-    /// The frame of the components.
+    /// Index of the frame of the force's components.
     pub frame: usize,
-    /// The components, N, in parameters, q, q̇, u and [`Model::velocities`].
+    /// Components of the force, N, in parameters, q, q̇, u and [`Model::velocities`].
     pub vector: [Expr; 3],
-    /// The point at the other end of a spring or damper, on a body or the ground.
+    /// Index of the point at the other end of a spring or damper, on a body or the ground; `None` for other forces.
     pub end: Option<usize>,
-    /// The potential energy in q, J, of the part of it and its opposite that remains at rest, if known: that of a
-    /// spring.
+    /// Potential energy of a spring in q, J: that of the force and its opposite without damping. `None` if no potential
+    /// is known.
     pub energy: Option<Expr>,
-    /// Coefficient c of a damper, in parameters, and rate ḋ of its length, in q and q̇: the damper takes the power c
-    /// ḋ².
+    /// Coefficient c of a damper, in parameters, and rate ḋ of its length, in q and q̇. The damper takes the power c ḋ².
     pub damper: Option<[Expr; 2]>,
 }
 
 /// An applied torque, and its opposite on another frame if there is one.
 #[derive(Clone, Debug)]
 pub struct Torque {
-    /// Its name in the file.
+    /// Name of the torque in the model file.
     pub name: String,
-    /// The frame that is turned, and the body it belongs to if it belongs to one.
+    /// Index of the frame that the torque turns, and index of the body of that frame if it has one.
     pub on: (usize, Option<usize>),
-    /// The frame that the opposite torque turns.
+    /// Frame that the opposite torque turns, and its body if it has one; `None` if no opposite acts.
     pub against: Option<(usize, Option<usize>)>,
-    /// The frame of the components.
+    /// Index of the frame of the torque's components.
     pub frame: usize,
-    /// The components, N m, in parameters, q, q̇, u and [`Model::velocities`].
+    /// Components of the torque, N m, in parameters, q, q̇, u and [`Model::velocities`].
     pub vector: [Expr; 3],
 }
 
-/// A potential energy as the file gives it.
+/// A potential energy as the model file gives it.
 #[derive(Clone, Debug)]
 pub struct Potential {
-    /// Its name in the file.
+    /// Name of the potential in the model file.
     pub name: String,
-    /// V in parameters, q and t, J: it adds −∂V/∂q to the generalized forces of the coordinates other than time.
+    /// Energy V, J, in parameters, q and t. It adds −∂V/∂q to the generalized forces of the coordinates other than
+    /// time.
     pub energy: Expr,
 }
 
-/// Joint from which a body hangs.
+/// A body that a joint carries, with the body or ground that holds it.
 #[derive(Clone, Copy, Debug)]
 pub struct Hung {
-    /// The body.
+    /// Index of the body that the joint carries.
     pub body: usize,
-    /// The body that it hangs on; the ground if there is none.
+    /// Index of the body that holds the carried body; `None` for the ground.
     pub on: Option<usize>,
-    /// The point of the body at the joint.
+    /// Index of the carried body's point at the joint.
     pub point: usize,
 }
 
-/// A force or torque between bodies that stands for potentials in the Newton–Euler equations.
+/// A force or torque between bodies that represents potentials in the Newton–Euler equations.
 #[derive(Clone, Debug)]
 pub struct Effort {
-    /// Places or bodies on which it acts.
+    /// Places or bodies on which the effort and its opposite act.
     pub kind: ReactionKind,
-    /// The frame of the components.
+    /// Index of the frame of the effort's components.
     pub frame: usize,
-    /// The components, N or N m, in parameters and q.
+    /// Components of the effort, N for a force or N m for a torque, in parameters and q.
     pub vector: [Expr; 3],
 }
 
 /// Places or bodies on which a reaction and its opposite act.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReactionKind {
-    /// A force at a place, and the opposite at another if given.
+    /// A force at a place, and its opposite at another place if one is given.
     Force {
-        /// Place at which it acts.
+        /// Place at which the reaction force acts.
         on: Place,
-        /// Place at which its opposite acts.
+        /// Place at which the opposite force acts; `None` on the ground.
         against: Option<Place>,
     },
-    /// A torque on a body, and the opposite on another if given.
+    /// A torque on a body, and its opposite on another body if one is given.
     Torque {
-        /// The body it turns.
+        /// Index of the body that the reaction torque turns.
         on: usize,
-        /// The body its opposite turns.
+        /// Index of the body that the opposite torque turns; `None` for the ground.
         against: Option<usize>,
     },
 }
@@ -241,90 +241,91 @@ pub enum ReactionKind {
 /// An unknown force or torque that a constraint exerts along a known direction.
 #[derive(Clone, Debug)]
 pub struct Reaction {
-    /// Its name in the file.
+    /// Name of the reaction, of the model file or made for a reaction that was found.
     pub name: String,
-    /// Its symbol.
+    /// Symbol of the reaction's unknown size.
     pub symbol: Expr,
-    /// Places or bodies on which it acts.
+    /// Places or bodies on which the reaction and its opposite act.
     pub kind: ReactionKind,
-    /// The frame of the direction's components.
+    /// Index of the frame of the direction's components.
     pub frame: usize,
-    /// The direction; positive values act along it.
+    /// Components of the direction along which positive values of the reaction act.
     pub direction: [Expr; 3],
-    /// True if the file names the reaction, false if it was found.
+    /// True if the model file names the reaction, false if it was found.
     pub is_stated: bool,
-    /// True if the reaction does work by itself: the powers of all such reactions along every speed add up to zero.
-    /// They hold directions that are held along no axis of a frame.
+    /// True if the reaction does work by itself, while the powers of all such reactions along every speed add up to
+    /// zero. Such reactions hold directions that lie along no axis of a frame.
     pub is_shared: bool,
 }
 
 /// A condition of the domain in which the model holds.
 #[derive(Clone, Debug)]
 pub struct Condition {
-    /// Its name in the file.
+    /// Name of the condition in the model file.
     pub name: String,
-    /// The condition as written.
+    /// Inequality of the condition, as the model file writes it.
     pub text: String,
-    /// An expression in parameters, q, q̇, u and reactions that is positive inside.
+    /// Expression in parameters, q, q̇, u and reactions that is positive inside the domain.
     pub positive: Expr,
 }
 
 /// The solved kinematic equations q̇ = W u + w.
 #[derive(Clone, Debug, Default)]
 pub struct KinematicEquations {
-    /// q̇ of each generalized coordinate, in q and u: q̇ = W(q) u + w(q), W with a row for each coordinate and a column
-    /// for each speed.
+    /// Rates q̇ of the generalized coordinates, in q and u: q̇ = W(q) u + w(q). W has a row for each coordinate and a
+    /// column for each speed.
     pub rates: Vec<Expr>,
-    /// Divisors: where one of these is zero, the speeds do not determine q̇.
+    /// Divisors of the solution: where one of them is zero, the speeds do not determine q̇.
     pub divisors: Vec<Expr>,
 }
 
-/// An equation that rolling or a joint states, and that says nothing new.
+/// An equation of rolling or of a joint that follows from other constraints, so that it restricts no velocity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Repeated {
-    /// Its name.
+    /// Name of the repeated equation.
     pub name: String,
-    /// True if the equation is one between coordinates, of a joint.
+    /// True if the repeated equation is one of a joint, between coordinates.
     pub is_of_loop: bool,
-    /// The component of a slip that it states, if it states one.
+    /// Component of a slip that the repeated equation sets to zero; `None` if it is not one of rolling.
     pub rolled: Option<Rolled>,
-    /// Expression in q and q̇ that is zero, if the equation does not follow from the others in every pose. It follows
-    /// wherever these are independent.
+    /// Expression in q and q̇ that is zero, if the equation does not follow from other constraints in every pose. It
+    /// follows in the poses where the other constraints are independent. `None` if it follows in every pose.
     pub elsewhere: Option<Expr>,
 }
 
 impl Repeated {
-    /// One between coordinates, of a joint.
+    /// A repeated equation between coordinates, of a joint, that follows in every pose.
     fn of_loop(name: String) -> Self {
         Self { name, is_of_loop: true, rolled: None, elsewhere: None }
     }
 
-    /// Equation that others already imply: in every pose, or with `elsewhere` only where these are independent.
+    /// A repeated equation that others imply: in every pose, or with `elsewhere` only where those others are
+    /// independent.
     fn of(name: String, tie: Tie, elsewhere: Option<Expr>) -> Self {
         let rolled = if let Tie::Rolling(rolled) = tie { Some(rolled) } else { None };
         Self { name, is_of_loop: matches!(tie, Tie::Loop(_)), rolled, elsewhere }
     }
 }
 
-/// A mechanism, checked: every name resolved, frames and points in order, parents first.
+/// A mechanism, checked: every name is resolved, and frames and points are in order, parents first.
 #[derive(Clone)]
 pub struct Model {
-    /// The title.
+    /// Title of the model.
     pub title: String,
-    /// Source of the problem, as the file states it.
+    /// Source of the problem, as the model file cites it.
     pub reference: String,
-    /// The file.
+    /// Text of the model file, with its name.
     pub source: Source,
-    /// The store of every expression below.
+    /// Store of every expression of the model.
     pub arena: Arena,
-    /// Parameters, in the order of the file.
+    /// Parameters, in the order of the model file.
     pub parameters: Vec<Parameter>,
-    /// Generalized coordinates, in the order of the file, and last [`TIME`] if formulas name it. Constrained
+    /// Generalized coordinates, in the order of the model file, and last [`TIME`] if formulas name it. Constrained
     /// configuration variables are not among them.
     pub coordinates: Vec<Coordinate>,
     /// Number of configuration variables: generalized coordinates and constrained variables, without time.
     pub configuration_variables: usize,
-    /// Generalized speeds u, in the order of the file: n for n coordinates, less one for each motion constraint.
+    /// Generalized speeds u, in the order of the model file: n for n coordinates, less one for each motion constraint.
     pub speeds: Vec<Speed>,
     /// Motion constraints, those of [`Self::loops`] first.
     pub motion_constraints: Vec<MotionConstraint>,
@@ -332,39 +333,39 @@ pub struct Model {
     pub frames: Vec<Frame>,
     /// Points, the origin first.
     pub points: Vec<Point>,
-    /// Bodies and particles, in the order of the file.
+    /// Bodies and particles, in the order of the model file.
     pub bodies: Vec<Body>,
-    /// Gravity, if there is any.
+    /// Gravity; `None` if the model file states none.
     pub gravity: Option<Gravity>,
-    /// Inputs, the signals that drive loads.
+    /// Inputs: the signals that drive loads.
     pub inputs: Vec<Input>,
-    /// The formulas that a scene gave to some of them, in the order of the scene.
+    /// Formulas that a scene gives to inputs, in the order of the scene.
     pub bindings: Vec<Binding>,
-    /// Inputs that have a parameter of their name beside a formula ([`Self::with_varied`]).
+    /// Names of inputs whose formula has a parameter of the same name added to it ([`Self::with_varied`]).
     pub varied: Vec<String>,
-    /// Applied forces.
+    /// Applied forces, including those of springs and friction.
     pub forces: Vec<Force>,
-    /// Applied torques.
+    /// Applied torques, including those of friction about axes.
     pub torques: Vec<Torque>,
-    /// Potentials.
+    /// Potential energies that the model file states.
     pub potentials: Vec<Potential>,
-    /// All potentials as forces and torques between bodies; none if there is no potential, or they cannot be had so.
+    /// All potentials as forces and torques between bodies. Empty if there is no potential, or if none are found.
     pub efforts: Vec<Effort>,
-    /// The velocities that the components of forces and torques name.
+    /// Velocities and positions that the components of forces, torques and other formulas name.
     pub velocities: Vec<NamedVelocity>,
-    /// Reactions: those of the file, then those that were found.
+    /// Reactions: first those of the model file, then those that were found.
     pub reactions: Vec<Reaction>,
-    /// Reactions of joints along directions that are held otherwise as well, by the names of their equations. They are
-    /// taken as zero.
+    /// Reactions of joints along directions that are held otherwise as well, each after the name of its joint equation.
+    /// They are taken as zero.
     pub redundant: Vec<(String, Reaction)>,
-    /// Contacts of bodies, beside rolling and reactions.
+    /// Contacts of bodies that the model file states, other than rolling and reactions.
     pub contacts: Contacts,
-    /// Holonomic constraints that fix a coordinate.
+    /// Holonomic constraints that are solved for a coordinate.
     pub constraints: Vec<Constraint>,
-    /// Holonomic constraints that fix none.
+    /// Holonomic constraints that are solved for no coordinate.
     pub loops: Vec<Loop>,
-    /// Loops whose rates follow from those of the others wherever all of them hold: they close the mechanism, and
-    /// restrict no further velocity.
+    /// Loops whose rates follow from those of [`Self::loops`] wherever all loops are closed. They restrict no further
+    /// velocity.
     pub closed: Vec<Loop>,
     /// Constraints that depend on others in the closed poses.
     pub dependent: Vec<DependentConstraint>,
@@ -372,24 +373,26 @@ pub struct Model {
     pub dependent_speeds: Vec<DependentSpeed>,
     /// Branch of closed poses on which dependence was decided, if loops are to be closed and closed poses were found.
     pub branch: Option<Branch>,
-    /// The domain.
+    /// Conditions of the domain in which the model holds.
     pub domain: Vec<Condition>,
     /// Bodies that joints carry, each with its holder.
     pub hung: Vec<Hung>,
-    /// Shapes of the parts, as far as the file states them.
+    /// Shapes of the parts that the model file states.
     pub shapes: Vec<Shape>,
-    /// q̇ in terms of the speeds.
+    /// Rates q̇ in terms of the speeds u.
     pub kinematic_equations: KinematicEquations,
-    /// Components of rolling that follow from other constraints, and count as none.
+    /// Equations of rolling and of joints that follow from other constraints, and do not count as constraints.
     pub repeated: Vec<Repeated>,
-    /// Parameters, frames and points that nothing in the file refers to, each with what it is.
+    /// Parameters, expressions, inputs, frames and points that the model file declares and never uses: noun of the
+    /// kind, and name.
     pub unused: Vec<(&'static str, String)>,
-    /// Byte range in the file of each name's declaration, for diagnostics.
+    /// Byte range in the model file of each name's declaration, for diagnostics.
     pub declared: FxHashMap<String, Range<usize>>,
 }
 
 impl Model {
-    /// The unit of a term of this arena in parameters, coordinates and speeds, if it has one.
+    /// Unit of a term of `arena` in parameters, coordinates and speeds; `None` if its parts do not fit or it has no
+    /// unit.
     #[must_use]
     pub fn unit_of(&self, arena: &Arena, e: Expr) -> Option<Unit> {
         let per_second = |unit: &Unit| unit.times(&Unit::new(0, 0, -1));
@@ -413,7 +416,7 @@ impl Model {
         self.coordinates.iter().map(|c| c.symbol).collect()
     }
 
-    /// Symbols of their time derivatives.
+    /// Symbols of the rates q̇ of the generalized coordinates.
     #[must_use]
     pub fn q_dot(&self) -> Vec<Expr> {
         self.coordinates.iter().map(|c| c.rate).collect()
@@ -431,8 +434,8 @@ impl Model {
         self.parameters.iter().map(|p| p.symbol).collect()
     }
 
-    /// Hash of the model text without shapes at its end, and of formulas of inputs. Equations that carry it were
-    /// derived from exactly these.
+    /// Hash of the model text, without shapes at its end, and of the formulas of inputs. Equations that carry this hash
+    /// were derived from exactly this text and these formulas.
     #[must_use]
     pub fn text_hash(&self) -> String {
         let text = without_shapes(&self.source.text);
@@ -457,7 +460,7 @@ impl Model {
     }
 }
 
-/// The hash that compiled equations carry: the first 16 hexadecimal digits of SHA-256.
+/// Hash of a text, as compiled equations carry it: the first 16 hexadecimal digits of its SHA-256.
 #[must_use]
 pub fn text_hash(text: &str) -> String {
     use sha2::Digest;

@@ -1,24 +1,24 @@
-//! Checks for masses and inertias that no body can have, at the default values of a model and at those of a scene or
+//! Checks for masses and inertias that no body can have: at the default values of a model, and at those of a scene or
 //! state.
 
 use super::{Body, Model, Parameter};
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
 
-/// The default values of parameters, where they have one.
+/// Symbols of the parameters that have a default value, each with that value, in SI.
 pub fn defaults(parameters: &[Parameter]) -> Vec<(Expr, f64)> {
     parameters.iter().filter_map(|p| Some((p.symbol, p.value.as_ref()?.to_f64()))).collect()
 }
 
-/// Values of expressions at these parameters, if all that they need are there.
+/// Values of expressions at known symbols; `None` if an expression contains another symbol.
 pub fn values_at(arena: &Arena, known: &[(Expr, f64)], outputs: &[Expr]) -> Option<Vec<f64>> {
     let (symbols, values): (Vec<Expr>, Vec<f64>) = known.iter().copied().unzip();
     Some(Tape::new(arena, &symbols, outputs).ok()?.evaluate(&values))
 }
 
 impl Model {
-    /// Masses and inertias that no body can have, at these values of the parameters: for each a line, advice, and the
-    /// indices of the parameters that it depends on.
+    /// Masses and inertias that no body can have, at these values of the parameters. Each has a message, advice, and
+    /// the indices of the parameters on which it depends.
     #[must_use]
     pub fn impossible(&self, parameters: &[f64]) -> Vec<(String, String, Vec<usize>)> {
         let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
@@ -37,7 +37,8 @@ impl Model {
 /// Relative rounding allowed in the checks of an inertia: a thin disk fulfils 1 + 1 ≥ 2 with equality.
 pub const TOLERANCE: f64 = 1e-12;
 
-/// Why this body cannot exist at these values, in a line, if it cannot, and the way out; `which` values they are.
+/// Message and advice for a body that cannot exist at the `known` values; `None` if it can exist. `which` names these
+/// values in the message, such as "the default".
 pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str) -> Option<(String, String)> {
     let mass = values_at(arena, known, &[body.mass]).map(|v| v[0]);
     if let Some(mass) = mass.filter(|m| m.is_nan() || *m < 0.0) {
@@ -97,7 +98,7 @@ fn way_out(values: &[f64]) -> String {
     }
 }
 
-/// A value to show: 12 digits.
+/// A value rounded to 12 digits, for messages.
 fn rounded(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }

@@ -1,7 +1,7 @@
 //! From the text of a model file to a checked [`Model`].
 //!
-//! Invariant: every error is reported once, at its cause. What depends on something that is already
-//! reported fails in silence, so that `None` always means that an error stands in the reader.
+//! Invariant: every error is reported once, at its cause. An item that depends on a reported one fails in silence, so
+//! that `None` always means that an error stands in the reader.
 
 use super::bodies::elements::Elements;
 use super::bodies::inputs::Signals;
@@ -55,14 +55,14 @@ impl Model {
     /// Reads and checks a model file.
     ///
     /// # Errors
-    /// [`Diagnostics`] with every error of the file.
+    /// [`Diagnostics`] with every error of the model file.
     #[cfg(feature = "files")]
     pub fn read(path: &std::path::Path) -> Result<Self, Diagnostics> {
         load(&Source::read(path)?)
     }
 }
 
-/// True if a text is meant as a model file: it has a section that other files do not have.
+/// True if a text is meant as a model file: it has a section that other kinds of files do not have.
 #[must_use]
 pub fn is_model(source: &Source) -> bool {
     const OWN: [&str; 7] = ["coordinates", "inertial", "joints", "bodies", "particles", "frames", "points"];
@@ -72,16 +72,16 @@ pub fn is_model(source: &Source) -> bool {
 /// Reads and checks a model text.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the file.
+/// [`Diagnostics`] with every error of the model text.
 ///
 /// # Panics
-/// Never: a model without errors is complete.
+/// Never: a model text without errors gives a complete model.
 pub fn load(source: &Source) -> Result<Model, Diagnostics> {
     load_bound(source, Vec::new(), &[])
 }
 
-/// Reads and checks a model text. Formulas replace inputs, and a parameter is added to the formula of each input that
-/// is varied.
+/// Reads and checks a model text. `bindings` replace inputs by formulas. Each input of `varied` gets a parameter that
+/// is added to its formula.
 pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) -> Result<Model, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
@@ -105,10 +105,10 @@ pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) ->
 }
 
 impl Model {
-    /// The model with formulas in the stead of its inputs.
+    /// The model with formulas in the place of its inputs.
     ///
     /// # Errors
-    /// [`Diagnostics`] of `scene`, at the place where its inputs are, if the mechanism cannot be with them.
+    /// [`Diagnostics`] of `scene`, at the `place` of its inputs, if the model has errors with these formulas.
     pub fn bound(&self, bindings: Vec<Binding>, scene: &Source, place: Range<usize>) -> Result<Self, Diagnostics> {
         load_bound(&self.source, bindings, &self.varied).map_err(|errors| {
             let why = errors.list.first().map_or_else(String::new, |error| error.message.clone());
@@ -119,8 +119,9 @@ impl Model {
     }
 
     /// The model with a parameter added to the formula of each of these inputs, so that slopes along the input can be
-    /// computed. The parameter has the name of the input, and is 0 unless changed. Names of other inputs, and unknown
-    /// names, change nothing.
+    /// The model with a parameter added to the formula of each of these inputs, so that slopes along the input can be
+    /// computed. The parameter has the name of the input, and is 0 unless changed. Inputs that are parameters, and
+    /// unknown names, change nothing.
     ///
     /// # Errors
     /// [`Diagnostics`] of the model file, which was read without errors before.
@@ -129,33 +130,33 @@ impl Model {
         if inputs.iter().any(is_formula) {
             return load_bound(&self.source, self.bindings.clone(), inputs);
         }
-        // A file may give formulas to them yet.
+        // A scene may still give formulas to these inputs.
         Ok(Self { varied: inputs.to_vec(), ..self.clone() })
     }
 }
 
-/// Connections that tie a mechanism together, beside its frames and points.
+/// Connections that tie a mechanism together: everything but its frames and points.
 struct Connections {
-    /// The velocities and positions that formulas name.
+    /// Velocities and positions that formulas name.
     velocities: Vec<NamedVelocity>,
-    /// Equations between coordinates.
+    /// Constraints that contain coordinates only.
     configuration: Vec<Stated>,
-    /// Equations between velocities.
+    /// Constraints that contain rates or speeds.
     motion: Vec<Stated>,
-    /// Components of velocities at which bodies would slip.
+    /// Components of the velocities at which rolling bodies would slip, each as an equation.
     slips: Vec<(Stated, Rolled)>,
-    /// Reactions that may hold closed joints.
+    /// Reactions that may hold joints that close loops.
     holding: Vec<Holding>,
-    /// True if all of these could be read.
+    /// True if all connections could be read.
     is_known: bool,
 }
 
-/// The coordinates of a file and its speeds.
+/// The coordinates of a model file, and the texts of its speeds.
 struct Declared {
     coordinates: Vec<Coordinate>,
-    /// Number of coordinates beside time.
+    /// Number of coordinates other than time.
     configuration_variables: usize,
-    /// The speeds as they are stated.
+    /// Names and definitions of the speeds, as the model file states them.
     texts: Vec<(Located, Located)>,
 }
 
@@ -209,7 +210,7 @@ impl<'a> Loading<'a> {
         let of_left_out = left_out.iter().map(|speed| (speed.symbol, speed.definition));
         let mut fixed = Substitution::new(&replacements.into_iter().chain(of_left_out).collect::<Vec<_>>());
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
-        // With an error in any of them, the number and the rank of the speeds say nothing.
+        // With an error in any declaration, the number and the rank of the speeds mean nothing.
         let kinematic_equations = match &ties {
             Some(ties) if motion_errors == 0 && speeds.len() == stated_speeds && has_speeds => {
                 self.kinematic_equations(table, &coordinates, &speeds, &ties.motion)
@@ -262,7 +263,7 @@ impl<'a> Loading<'a> {
         Some(model)
     }
 
-    /// The coordinates, with those that joints bring and time, and the texts of the speeds.
+    /// Reads the coordinates, with those of joints and with time, and the texts of the speeds.
     fn variables(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Declared {
         let mut coordinates = self.coordinates(table, joints);
         let configuration_variables = coordinates.len();
@@ -274,7 +275,7 @@ impl<'a> Loading<'a> {
         Declared { coordinates, configuration_variables, texts }
     }
 
-    /// Puts what variables follow from into the conditions of the domain and the inputs.
+    /// Replaces constrained variables and dependent speeds in the conditions of the domain and in the inputs.
     fn put_into_conditions(&mut self, fixed: &mut Substitution, domain: &mut [Condition], signals: &mut Signals) {
         let positives = domain.iter_mut().map(|condition| &mut condition.positive);
         let values = positives.chain(signals.list.iter_mut().map(|input| &mut input.value));
@@ -282,7 +283,7 @@ impl<'a> Loading<'a> {
         self.report_undefined(fixed.undefined);
     }
 
-    /// Finds reactions, and puts in what conditions of the domain name of them.
+    /// Finds reactions, and puts those that conditions of the domain name into these conditions.
     fn complete(
         &mut self,
         model: &mut Model,
@@ -296,7 +297,7 @@ impl<'a> Loading<'a> {
         self.reader.errors.extend(open);
     }
 
-    /// Declares the reactions of the file.
+    /// Declares the names and symbols of the reactions of the model file.
     fn reaction_symbols(&mut self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
         let reactions = self.section(table, "reactions", &[Kind::Reaction]);
         for (name, _) in &reactions {
@@ -314,7 +315,7 @@ impl<'a> Loading<'a> {
         title.map(|title| title.text)
     }
 
-    /// Reports a term that constraints make divide by zero.
+    /// Reports a term that divides by zero wherever the constraints hold.
     fn report_undefined(&mut self, term: Option<Expr>) {
         if let Some(term) = term {
             let term = crate::algebra::text::print::text(&self.arena, term);
@@ -323,8 +324,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads constraints, rolling, springs, friction and potentials. Velocities and positions that they name are
-    /// replaced by terms of the motion, and springs become forces.
+    /// Reads constraints, rolling, springs, friction and potentials. Terms of the motion replace the velocities and
+    /// positions that they name, and springs become forces.
     fn connections(
         &mut self,
         table: &'a DeTable<'a>,
@@ -351,7 +352,7 @@ impl<'a> Loading<'a> {
             || !friction.is_empty()
             || !potentials.is_empty()
             || stated.iter().any(names_motion);
-        // With an error in frames or points, nothing is said of what moves with them.
+        // With an error in frames or points, nothing is said about velocities.
         let is_known = !needs_motion || self.reader.errors.is_empty();
         let (mut slips, mut holding) = (Vec::new(), Vec::new());
         if !is_known {
@@ -372,7 +373,7 @@ impl<'a> Loading<'a> {
             elements.forces.extend(forces);
             self.friction_loads(&mut moving, elements, friction);
         }
-        // Closings of joints, which come after the constraints of the file, are no contacts.
+        // Equations of joints, which come after the constraints of the model file, are no contacts.
         for (compared, constraint) in compared.iter_mut().zip(&stated) {
             compared.moved = self.moved(elements, coordinates, constraint.equation);
         }
@@ -387,8 +388,8 @@ impl<'a> Loading<'a> {
         !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))
     }
 
-    /// Reports sections that are missing. Returns true if the model has speeds, or if constraints may leave none.
-    /// `moves` tells that something may move, along a coordinate or by time.
+    /// Reports sections that are missing. Returns true if the model has speeds, or if constraints may leave it without
+    /// speeds. `moves` is true if the model may move, along a coordinate or by time.
     fn missing_sections(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>, moves: bool) -> bool {
         let empty = |key: &str| {
             self.reader.get(table, key).is_none_or(|v| v.get_ref().as_table().is_some_and(DeTable::is_empty))
@@ -396,7 +397,7 @@ impl<'a> Loading<'a> {
         let no_bodies = empty("bodies") && empty("particles");
         let is_told = joints.coordinates().is_empty() && !joints.is_short && empty("coordinates");
         let no_coordinates = is_told && !moves;
-        // Constraints may leave none: what moves as it is told, or does not move.
+        // Constraints may leave no speed: the mechanism moves as prescribed, or does not move.
         let is_tied = is_told && moves
             || joints.list.iter().any(|joint| !joint.carries)
             || !empty("constraints")

@@ -1,4 +1,4 @@
-//! Units of measurement and the check that every sum adds like to like.
+//! Units of measurement, and a check that all terms of a sum have the same unit.
 //!
 //! Quantities are declared in coherent SI units, so that no conversion can be forgotten; a radian counts as 1. A plain
 //! number may be stated in other units, and is converted when it is read.
@@ -9,14 +9,14 @@ use crate::read::Located;
 use rustc_hash::FxHashMap;
 use std::fmt;
 
-/// Exponents of metre, kilogram and second.
+/// A unit of measurement as exponents of metre, kilogram and second.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Unit {
     exponents: [Rational; 3],
 }
 
 const BASE: [&str; 3] = ["m", "kg", "s"];
-/// Derived units as exponents of m, kg, s.
+/// Names of SI units that parameters may state, each with its exponents of m, kg and s.
 const NAMED: [(&str, [i64; 3]); 11] = [
     ("1", [0, 0, 0]),
     ("rad", [0, 0, 0]),
@@ -31,8 +31,8 @@ const NAMED: [(&str, [i64; 3]); 11] = [
     ("sr", [0, 0, 0]),
 ];
 
-/// Other units in which a number may be stated: exponents of m, kg and s, and the factor as a fraction. The last three
-/// also have a factor of π.
+/// Other units in which a number may be stated: exponents of m, kg and s, and the factor to SI as a fraction. The last
+/// three factors also contain π.
 const OTHER: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("mm", [1, 0, 0], (1, 1000)),
     ("cm", [1, 0, 0], (1, 100)),
@@ -51,13 +51,13 @@ const OTHER: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("rev", [0, 0, 0], (2, 1)),
     ("rpm", [0, 0, -1], (1, 30)),
 ];
-/// Units of these whose factor contains π.
+/// Units of [`OTHER`] whose factor contains π.
 const OF_TURNS: [&str; 3] = ["deg", "rev", "rpm"];
 
-/// The unit after a number: `0.1 m`, `90 deg`, `3 rev/min`.
+/// The unit after a number in a text: `0.1 m`, `90 deg`, `3 rev/min`.
 pub struct StatedUnit {
     pub unit: Unit,
-    /// The value in SI is the number times this, and times π to this power.
+    /// Factor to SI: the value in SI is the number times this factor, times π to the power `turns`.
     pub factor: Rational,
     pub turns: i32,
     /// Byte offset in the text at which the number ends.
@@ -65,7 +65,7 @@ pub struct StatedUnit {
 }
 
 impl StatedUnit {
-    /// The unit that a text ends in after a number and a space, if it does.
+    /// Unit after a number and a space at the end of a text; `None` if the text does not end so.
     pub fn of(text: &str) -> Option<Self> {
         let (number, name) = text.trim_end().rsplit_once(char::is_whitespace)?;
         let end = number.trim_end().len();
@@ -99,13 +99,13 @@ impl StatedUnit {
         Some(Self { unit, factor, turns, end })
     }
 
-    /// The number without its unit.
+    /// The number in front of the unit.
     pub fn number(&self, formula: &Located) -> Located {
         let range = 0..self.end;
         Located { text: formula.text[range.clone()].to_owned(), span: formula.part(range), exact: formula.exact }
     }
 
-    /// A number in this unit, in SI.
+    /// Value in SI of a number that is stated in this unit.
     pub fn apply(&self, arena: &mut Arena, number: Expr) -> Expr {
         let pi = arena.pi();
         let turns = arena.pow(pi, self.turns).expect("π is not 0");
@@ -115,16 +115,16 @@ impl StatedUnit {
 }
 
 impl Unit {
-    /// From exponents of metre, kilogram, second.
+    /// The unit with these exponents of metre, kilogram and second.
     #[must_use]
     pub fn new(metre: i64, kilogram: i64, second: i64) -> Self {
         Self { exponents: [metre, kilogram, second].map(Rational::integer) }
     }
 
-    /// Reads `kg*m^2/s`, `N*m`, `rad`, `1`.
+    /// Reads a unit such as `kg*m^2/s`, `N*m`, `rad` or `1`.
     ///
     /// # Errors
-    /// What is wrong, in a line.
+    /// A message, in a line, for a text that is no product or quotient of known units.
     pub fn parse(text: &str) -> Result<Self, String> {
         if text.trim().is_empty() {
             return Err("the unit is empty".to_owned());
@@ -168,7 +168,7 @@ impl Unit {
         if near.starts_with("did") && text.trim().len() > 1 { format!("{near} {known}") } else { known.to_owned() }
     }
 
-    /// The unit as a message names it.
+    /// Text of the unit in messages, such as `N*m` or `1 or rad`.
     #[must_use]
     pub fn words(&self) -> String {
         match self {
@@ -183,7 +183,7 @@ impl Unit {
         Self { exponents: self.exponents.clone().map(|e| e.mul(k)) }
     }
 
-    /// The unit of a product.
+    /// Unit of the product of two quantities with these units.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let mut result = self.clone();
@@ -193,31 +193,31 @@ impl Unit {
         result
     }
 
-    /// The unit of a quotient, such as a derivative.
+    /// Unit of the quotient of two quantities, or of the derivative of one along the other.
     #[must_use]
     pub fn over(&self, other: &Self) -> Self {
         self.times(&other.scaled(&Rational::integer(-1)))
     }
 
-    /// The unit of a time derivative.
+    /// Unit of the time derivative of a quantity with this unit.
     #[must_use]
     pub fn per_second(&self) -> Self {
         self.times(&Self::new(0, 0, -1))
     }
 
-    /// The exponent of the kilogram.
+    /// Exponent of the kilogram in the unit.
     #[must_use]
     pub fn of_mass(&self) -> &Rational {
         &self.exponents[1]
     }
 
-    /// The unit of a power.
+    /// Unit of the nth power of a quantity with this unit.
     #[must_use]
     pub fn to_power(&self, n: i32) -> Self {
         self.scaled(&Rational::integer(i64::from(n)))
     }
 
-    /// True if the unit is 1, as that of an angle.
+    /// True if the unit is 1, as that of an angle is.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         *self == Self::default()
@@ -248,11 +248,11 @@ impl fmt::Display for Unit {
     }
 }
 
-/// The unit of an expression; `Ok(None)` where it is not known: for the number 0, which fits every
-/// unit, and for what contains a symbol without a unit, whose declaration is already reported.
+/// Unit of an expression. `Ok(None)` if it is not known: for the number 0, which fits every unit, and for terms with a
+/// symbol without a unit, whose declaration is already reported.
 ///
 /// # Errors
-/// Message about units that do not fit, in a line, and advice.
+/// A message about units that do not fit, in a line, and advice.
 pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Result<Option<Unit>, (String, String)> {
     let check = "check the units of the parameters and coordinates".to_owned();
     let show = |e: Expr| shown(&crate::algebra::text::print::text(arena, e));

@@ -7,20 +7,20 @@ use crate::algebra::{Arena, Expr};
 use crate::read::Located;
 use std::ops::Range;
 
-/// A component of a velocity in the inertial frame, m/s or rad/s, or of a position, m, that formulas name.
+/// Component of a velocity relative to the inertial frame, m/s or rad/s, or of a position, m, that formulas name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedVelocity {
-    /// Symbol that stands for it in formulas. Its name is that of the quantity, `v(disk, P) @ A [1]`.
+    /// Symbol of the velocity or position in formulas. Its name is that of the quantity, `v(disk, P) @ A [1]`.
     pub symbol: Expr,
-    /// Moving thing: a point, a body and a point (the material that is there now), or a frame that turns.
+    /// Moving object: a point, the material of a body at a point, or a frame that turns.
     pub of: VelocityOf<usize>,
-    /// The frame of the component.
+    /// Index of the frame along whose axis the component is taken.
     pub frame: usize,
-    /// The axis of the component: 0, 1 or 2.
+    /// Axis of the component: 0, 1 or 2.
     pub axis: usize,
 }
 
-/// A velocity as a formula names it, by names with their places in the file.
+/// A velocity or position as a formula states it: names, each with its place in the file.
 pub struct StatedVelocity {
     pub symbol: Expr,
     pub of: VelocityOf<Located>,
@@ -44,7 +44,7 @@ impl StatedVelocity {
         Self { symbol: arena.symbol(&name.text()), of, frame: located(&name.frame), axis: name.axis }
     }
 
-    /// m/s, rad/s or m.
+    /// Unit of the velocity or position: m/s, rad/s or m.
     pub fn unit(&self) -> Unit {
         match self.of {
             VelocityOf::Point(_) | VelocityOf::Material(..) => Unit::new(1, 0, -1),

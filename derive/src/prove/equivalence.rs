@@ -1,10 +1,9 @@
-//! Kane ⇔ Lagrange ⇔ Newton–Euler, each pair by linear combination of rows.
+//! Equivalence Kane ⇔ Lagrange ⇔ Newton–Euler: each pair by linear combination of rows.
 //!
-//! With q̇ = W u + w and u = J q̇ + d:  Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, so that one vanishes with the
-//! other where det J ≠ 0. With P the partial velocities (of mass centres for forces, of frames for
-//! moments):  Kane = P · (Newton–Euler), in which the reactions cancel. P and as many further rows D as there
-//! are reactions form a regular matrix, so Kane's equations and those rows, which give the reactions, are
-//! Newton–Euler again.
+//! With q̇ = W u + w and u = J q̇ + d:  Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, so both vanish together where
+//! det J ≠ 0. With the partial velocities P (of mass centres for forces, of frames for moments):  Kane = P ·
+//! (Newton–Euler), in which the reactions cancel. P and as many further rows D as there are reactions form a regular
+//! matrix. So Kane's equations and the rows D, which give the reactions, are equivalent to Newton–Euler.
 
 use super::verdicts::{all, all_equal};
 use crate::algebra::meaning::compare::{Comparer, Verdict};
@@ -18,31 +17,31 @@ use crate::mechanics::{
 };
 use crate::model::Model;
 
-/// Two formulations and how one follows from the other.
+/// Two formulations with the proof that they are equivalent.
 #[derive(Clone, Debug)]
 pub struct Pair {
-    /// The first.
+    /// First formulation, in the order of [`Formulation::ALL`].
     pub left: Formulation,
-    /// The second.
+    /// Second formulation, in the order of [`Formulation::ALL`].
     pub right: Formulation,
     /// Verdict on the claim that each set of rows is the stated combination of the other.
     pub verdict: Verdict,
-    /// The combination, in words and symbols.
+    /// Combination that leads from one formulation to the other, in words and symbols.
     pub map: String,
 }
 
-/// A reaction given by the equation of motion that Kane's method leaves over.
+/// A reaction with the equation that gives it: a Newton–Euler row that Kane's method does not use.
 #[derive(Clone, Debug)]
 pub struct ReactionEquation {
-    /// The reaction.
+    /// Name of the reaction.
     pub name: String,
-    /// Its value in q, u and u̇.
+    /// Value of the reaction in q, u and u̇.
     pub value: Expr,
 }
 
 type Matrix = Vec<Vec<Expr>>;
 
-/// All pairs of the formulations that there are, and the reactions.
+/// Proves all pairs of the formulations that were derived, and gives the equations for the reactions.
 pub fn prove(
     model: &Model,
     derivations: &mut Derivations,
@@ -63,7 +62,7 @@ pub fn prove(
     (pairs, prover.reactions.unwrap_or_default())
 }
 
-/// A verdict on two formulations, and how one follows from the other in words.
+/// Verdict on two formulations, and the combination that leads from one to the other, in words.
 type Found = (Verdict, String);
 
 struct Prover<'a> {
@@ -76,8 +75,8 @@ struct Prover<'a> {
 }
 
 impl Prover<'_> {
-    /// Compares two systems by the map from the kind of `left` to the kind of `right`. `None` if the map leads the
-    /// other way.
+    /// Compares two systems by the combination that leads from `left` to `right`. `None` if only the other direction is
+    /// known.
     fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<Found> {
         let (from, to) = (left.formulation, right.formulation);
         match (from.carries_reactions(), to.carries_reactions()) {
@@ -89,7 +88,7 @@ impl Prover<'_> {
         }
     }
 
-    /// Compares two systems that state the same rows.
+    /// Compares two systems of the same kind row by row.
     fn row_by_row(&mut self, left: &Equations, right: &Equations) -> Found {
         let rows = (left.matrix.clone(), left.forcing.clone());
         let verdict = equal_systems(&mut self.kinematics.arena, self.comparer, &rows, right, 0);
@@ -112,7 +111,7 @@ impl Prover<'_> {
             transposed(&maps.j).iter().map(|row| row.iter().map(|e| to_rates.apply(arena, *e)).collect()).collect();
         let backward = combine(arena, &j, &in_rates);
         let backward = equal_systems(arena, comparer, &backward, rates, 0);
-        // At rest in q̇, a speed that is not homogeneous has an offset.
+        // A speed that is not homogeneous in q̇ has an offset at q̇ = 0.
         let pairs: Vec<_> = model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
         let mut at_rest = Substitution::new(&pairs);
         let homogeneous = model.speeds.iter().all(|s| at_rest.apply(arena, s.definition) == Expr::ZERO);
@@ -140,7 +139,7 @@ impl Prover<'_> {
         (all([forward, vanish]), map)
     }
 
-    /// Proves Speeds = P · Balances; the rows that P leaves over give the reactions.
+    /// Proves Speeds = P · Balances; rows of the balances that P does not use give the reactions.
     fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> Found {
         let Self { model, kinematics, comparer, .. } = self;
         let combined = combine(&mut kinematics.arena, &balances.projection, balances);
@@ -166,7 +165,7 @@ impl Prover<'_> {
         if !model.motion_constraints.is_empty() {
             return multipliers_and_balances((model, kinematics, comparer, maps), &partial, rates, balances);
         }
-        // Jᵀ makes rows along q̇ of those along u.
+        // Jᵀ turns rows along u into rows along q̇.
         let of_powers: Matrix = balances.projection.iter().map(|row| row[rows.len()..].to_vec()).collect();
         for (at, row) in partial.iter_mut().enumerate() {
             let along: Vec<Expr> = maps.j.iter().map(|row| row[at]).collect();
@@ -182,8 +181,8 @@ impl Prover<'_> {
     }
 }
 
-/// Proves Rates = P · Balances up to the forces of the constraints. Wᵀ cancels these on both sides, so the reactions,
-/// along q̇, are Aᵀλ for exactly one λ.
+/// Proves Rates = P · Balances up to the forces of the constraints. Wᵀ cancels these forces on both sides. So the
+/// reactions along q̇ are Aᵀλ for exactly one λ.
 fn multipliers_and_balances(
     (model, kinematics, comparer, maps): (&Model, &mut Kinematics, &mut Comparer, &Maps),
     partial: &Matrix,
@@ -199,7 +198,7 @@ fn multipliers_and_balances(
         pairs.extend(row[..p].iter().copied().zip(in_speeds.matrix[at].iter().copied()).take(p));
         pairs.push((*value, in_speeds.forcing[at]));
     }
-    // What works alone is made up for by the rows that say so of all that do.
+    // The power of shared reactions along a speed is cancelled by the rows that set their total power to zero.
     let powers = balances.rows.iter().position(|row| matches!(row, RowName::Power(_))).unwrap_or(balances.rows.len());
     for (column, multipliers) in transposed(&maps.w).into_iter().zip(&balances.projection) {
         for reaction in p..balances.unknowns.len() {
@@ -220,13 +219,13 @@ fn label(equations: &Equations) -> &'static str {
     equations.formulation.method().label
 }
 
-/// q̇ = W u + w, q̈ = W u̇ + x and u = J q̇ + d, u̇ = J q̈ + y.
+/// Maps between speeds and rates: q̇ = W u + w, q̈ = W u̇ + x, and u = J q̇ + d, u̇ = J q̈ + y.
 struct Maps {
     w: Matrix,
     j: Matrix,
-    /// q̈ with u̇ = 0, in q and u.
+    /// Accelerations q̈ for u̇ = 0, in q and u.
     x: Vec<Expr>,
-    /// u̇ with q̈ = 0, in q and q̇.
+    /// Accelerations u̇ for q̈ = 0, in q and q̇.
     y: Vec<Expr>,
 }
 
@@ -238,7 +237,7 @@ impl Maps {
         };
         let rates = &model.kinematic_equations.rates;
         let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
-        // Along the motion with accelerations left out.
+        // Time derivatives along the motion, without the terms in accelerations.
         let along_speeds: Vec<_> = model.q().into_iter().zip(rates.iter().copied()).collect();
         let along_rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut by_speeds = Differential::along(&along_speeds);
@@ -251,7 +250,7 @@ impl Maps {
         }
     }
 
-    /// Equations in u̇ and further unknowns as equations in q̈ and those unknowns: A u̇ = A J q̈ + A y.
+    /// Rewrites equations in u̇ and further unknowns as equations in q̈ and the further unknowns: A u̇ = A J q̈ + A y.
     fn to_rates(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
         let mut to_rates = speeds_to_rates(model);
         let n = model.speeds.len();
@@ -269,7 +268,7 @@ impl Maps {
         result
     }
 
-    /// Equations in q̈ and further unknowns as equations in u̇ and those unknowns.
+    /// Rewrites equations in q̈ and further unknowns as equations in u̇ and the further unknowns.
     fn to_speeds(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
         let mut to_speeds = rates_to_speeds(model);
         let mut result = equations.clone();
@@ -302,7 +301,7 @@ fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
     arena.sum(&products)
 }
 
-/// The rows of `multipliers` times the system: (matrix, right-hand side).
+/// Combination of rows of a system, one for each row of `multipliers`: (matrix, right-hand side).
 fn combine(arena: &mut Arena, multipliers: &Matrix, system: &Equations) -> (Matrix, Vec<Expr>) {
     let width = system.unknowns.len();
     let matrix =
@@ -310,7 +309,7 @@ fn combine(arena: &mut Arena, multipliers: &Matrix, system: &Equations) -> (Matr
     (matrix, multipliers.iter().map(|by| dot(arena, by, &system.forcing)).collect())
 }
 
-/// Compares combined rows with those of `expected`, where the coefficients of `extra` further unknowns must vanish.
+/// Compares combined rows with the rows of `expected`. The coefficients of `extra` further unknowns must vanish.
 fn equal_systems(
     arena: &mut Arena,
     comparer: &mut Comparer,
@@ -327,7 +326,7 @@ fn equal_systems(
     all_equal(arena, comparer, &pairs)
 }
 
-/// The balances that are rows of Newton–Euler: those that are not 0 = 0.
+/// Balances that are rows of the Newton–Euler equations, because they are not 0 = 0.
 fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations) -> Vec<Balance> {
     let velocities = kinematics.in_speeds(model);
     let mut rows = balances(model, kinematics, &velocities, None);
@@ -335,8 +334,8 @@ fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations)
     rows
 }
 
-/// Proves that Kane's rows and one further row for each reaction are Newton–Euler again, and solves those
-/// for the reactions.
+/// Proves that Kane's rows and one further row for each reaction are equivalent to Newton–Euler. Solves the further
+/// rows for the reactions.
 fn reactions_from(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -347,7 +346,7 @@ fn reactions_from(
     let count = newton_euler.rows.len();
     let unit = |at: usize| (0..count).map(|k| if k == at { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
     let directions = along_reactions(model, kinematics, &newton_euler.rows);
-    // The balance along each reaction is the natural row; where it adds nothing new, plain rows do.
+    // The balance along each reaction is the natural further row. If it depends on earlier rows, plain rows are used.
     for candidate in directions.into_iter().chain((0..count).map(unit)) {
         if further.len() == model.reactions.len() {
             break;

@@ -1,8 +1,9 @@
-//! Fields on configuration space and the momenta that belong to them.
+//! Fields on configuration space and their momenta.
 //!
 //! Noether: along the equations of motion d/dt (ξ · ∂T/∂q̇) = ξ⁽¹⁾T − ξV + ξ·Q with ξ⁽¹⁾T = ξ·∂T/∂q + ξ̇·∂T/∂q̇. The
-//! momentum is conserved iff the right-hand side is zero identically. It contains the forces that work along ξ, and
-//! those of motion constraints, Aᵀλ, with any λ: a momentum that a constraint changes is not conserved.
+//! momentum is conserved if and only if the right-hand side is identically zero. The right-hand side contains the
+//! forces that work along ξ, and the forces Aᵀλ of motion constraints for any λ. So a momentum that a constraint
+//! changes is not conserved.
 
 use super::kind::IntegralKind;
 use crate::algebra::form::normal::Normalizer;
@@ -17,34 +18,34 @@ use crate::mechanics::{Derivations, Kinematics};
 use crate::model::Model;
 use std::collections::BTreeSet;
 
-/// ξ(q), one component for each coordinate, and the kind of its momentum.
+/// Field ξ(q) on configuration space, one component for each coordinate, with the kind of its momentum.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// Kind of the momentum.
+    /// Kind of the field's momentum.
     pub kind: IntegralKind,
-    /// Components in q.
+    /// Components ξ of the field in q, one for each coordinate.
     pub xi: Vec<Expr>,
 }
 
-/// T, V and Q in q and q̇, with their partial derivatives.
+/// Partial derivatives of T and V, and the generalized forces without a potential, in q and q̇.
 #[derive(Clone)]
 pub struct Lagrangian {
     q: Vec<Expr>,
     q_dot: Vec<Expr>,
     t_by_q: Vec<Expr>,
-    /// ∂T/∂q̇: the generalized momenta.
+    /// Generalized momenta ∂T/∂q̇, one for each coordinate.
     pub momenta: Vec<Expr>,
     v_by_q: Vec<Expr>,
-    /// Q: generalized forces of what V leaves out.
+    /// Generalized forces Q without a potential in V, one for each coordinate.
     pub forces: Vec<Expr>,
-    /// Aᵀλ: generalized forces of motion constraints, with their multipliers.
+    /// Generalized forces Aᵀλ of motion constraints, with their multipliers, one for each coordinate.
     of_constraints: Vec<Expr>,
-    /// True if V has a part from applied loads beside gravity's.
+    /// True if V has a part from applied loads besides gravity's.
     pub loads_have_potential: bool,
 }
 
 impl Lagrangian {
-    /// The fields of a model whose Lagrange equations were derived.
+    /// Lagrangian of a model with kinetic energy `t` and potential energy `v`, both in q and q̇.
     pub fn new(model: &Model, derivations: &mut Derivations, t: Expr, v: Expr) -> Self {
         let loads = derivations.kinematics.load_potential(model);
         let Kinematics { arena, .. } = &mut derivations.kinematics;
@@ -63,19 +64,19 @@ impl Lagrangian {
         self.forces.iter().any(|force| *force != Expr::ZERO)
     }
 
-    /// Every term.
+    /// All terms of the Lagrangian, to be rewritten in place.
     pub fn terms(&mut self) -> impl Iterator<Item = &mut Expr> {
         let Self { t_by_q, momenta, v_by_q, forces, of_constraints, .. } = self;
         t_by_q.iter_mut().chain(momenta).chain(v_by_q).chain(forces).chain(of_constraints)
     }
 
-    /// ξ · ∂T/∂q̇.
+    /// Momentum ξ · ∂T/∂q̇ of a field.
     pub fn momentum(&self, arena: &mut Arena, xi: &[Expr]) -> Expr {
         let terms: Vec<Expr> = xi.iter().zip(&self.momenta).map(|(x, p)| arena.mul(*x, *p)).collect();
         arena.sum(&terms)
     }
 
-    /// d/dt (ξ · ∂T/∂q̇) along the equations of motion, in q and q̇.
+    /// Rate d/dt (ξ · ∂T/∂q̇) of a field's momentum along the equations of motion, in q and q̇.
     pub fn rate(&self, arena: &mut Arena, xi: &[Expr]) -> Expr {
         let along: Vec<_> = self.q.iter().copied().zip(self.q_dot.iter().copied()).collect();
         let mut d_dt = Differential::along(&along);
@@ -89,15 +90,15 @@ impl Lagrangian {
         arena.sum(&terms)
     }
 
-    /// The fields ∂/∂q_i whose momenta are conserved: those of cyclic coordinates; all units are returned.
+    /// Unit fields ∂/∂q_i of all coordinates. Their momenta are conserved if the coordinates are cyclic.
     pub fn units(&self) -> Vec<Field> {
         let n = self.q.len();
         let unit = |i: usize| (0..n).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect();
         (0..n).map(|i| Field { kind: IntegralKind::Coordinate(i), xi: unit(i) }).collect()
     }
 
-    /// All fields ξ = A q + b with constant A and b whose momenta are conserved: a basis of the null space of
-    /// conditions linear in A and b, over the field of the parameters. `None` if it is too large to decide.
+    /// All fields ξ = A q + b with constant A and b whose momenta are conserved. They are a basis of the null space of
+    /// conditions linear in A and b, over the field of the parameters. `None` if the conditions are too large to solve.
     pub fn affine(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Option<Vec<Field>> {
         let n = self.q.len();
         let mut unknowns: Vec<(usize, Expr)> = Vec::new();
@@ -108,7 +109,8 @@ impl Lagrangian {
         self.conserved(model, (arena, simplifier), &unknowns)
     }
 
-    /// The fields that are sums of these components, each with a constant factor, and whose momenta are conserved.
+    /// Fields with conserved momenta among the sums of these components with constant factors; (i, e) is the component
+    /// e along q_i.
     fn conserved(
         &self,
         model: &Model,
@@ -134,17 +136,17 @@ impl Lagrangian {
         }
         Some(fields)
     }
-    /// Fields e_k + Σ m(q) e_s whose momenta are conserved, e_s along cyclic coordinates and m sums of the products
-    /// of sines and cosines by which these hang together with others: then q_k is quasi-cyclic. With the p_s held,
-    /// ∂L/∂q_k is the rate of f = −Σ m(q) p_s, and p_k − f does not change. Nothing if there is none, or if it is too
-    /// large to decide.
+    /// Fields e_k + Σ m(q) e_s with conserved momenta, for quasi-cyclic coordinates q_k. The e_s are along cyclic
+    /// coordinates s. The m are sums of the products of sines and cosines that couple these with other coordinates.
+    /// With the p_s constant, ∂L/∂q_k is the rate of f = −Σ m(q) p_s, so p_k − f is constant. Empty if there is no such
+    /// field, or if the conditions are too large to solve.
     pub fn quasi_cyclic(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Vec<Field> {
         let cyclic: Vec<usize> = (0..self.q.len()).filter(|s| self.is_cyclic(arena, *s)).collect();
         let products = self.trigonometric(arena, &cyclic);
         if products.is_empty() || cyclic.len() == self.q.len() {
             return Vec::new();
         }
-        // What stands last is what the basis is normed by.
+        // The last components normalize the basis.
         let along = cyclic.iter().flat_map(|s| products.iter().map(|m| (*s, *m)));
         let unknowns: Vec<(usize, Expr)> = along.chain((0..self.q.len()).map(|k| (k, Expr::ONE))).collect();
         let found = self.conserved(model, (arena, simplifier), &unknowns).unwrap_or_default();
@@ -158,13 +160,13 @@ impl Lagrangian {
         zero_test(arena, gain) == ZeroTest::Zero
     }
 
-    /// ∂(T − V)/∂q_i + Q_i + (Aᵀλ)_i.
+    /// Rate ∂(T − V)/∂q_i + Q_i + (Aᵀλ)_i of the generalized momentum of coordinate i.
     fn gain(&self, arena: &mut Arena, i: usize) -> Expr {
         let pull = arena.neg(self.v_by_q[i]);
         arena.sum(&[self.t_by_q[i], self.forces[i], self.of_constraints[i], pull])
     }
 
-    /// The products of one or two sines and cosines in the rows of the mass matrix of these coordinates, and in their
+    /// Products of one or two sines and cosines in the rows of the mass matrix for these coordinates, and in their
     /// derivatives.
     fn trigonometric(&self, arena: &mut Arena, cyclic: &[usize]) -> BTreeSet<Expr> {
         let mut normalizer = Normalizer::new(Normalizer::BUDGET);
@@ -186,7 +188,7 @@ impl Lagrangian {
     }
 }
 
-/// Aᵀλ, one entry a coordinate.
+/// Generalized forces Aᵀλ of the motion constraints, one for each coordinate.
 fn constraint_forces(model: &Model, arena: &mut Arena) -> Vec<Expr> {
     let mut along = Gradient::new(&model.q_dot());
     let mut sums: Vec<Vec<Expr>> = vec![Vec::new(); model.coordinates.len()];
@@ -198,7 +200,7 @@ fn constraint_forces(model: &Model, arena: &mut Arena) -> Vec<Expr> {
     sums.iter().map(|terms| arena.sum(terms)).collect()
 }
 
-/// The products of one or two sines and cosines that stand in the terms of a polynomial.
+/// Collects the products of one or two sines and cosines in the terms of a polynomial.
 fn collect(arena: &mut Arena, normalizer: &mut Normalizer, e: Expr, products: &mut BTreeSet<Expr>) {
     let Some(form) = normalizer.fraction(arena, e) else { return };
     for monomial in normalizer.polynomial(&form.numerator).terms.keys() {

@@ -1,7 +1,7 @@
-//! First integrals: energy, and the momenta of symmetries.
+//! First integrals of a model: the energy, and the momenta of symmetries.
 //!
-//! Candidates come from a stated search (see [`find`]); each that is kept is proved by an identity,
-//! dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the multipliers λ = J ξ known beforehand.
+//! Candidates come from a stated search (see [`find`]). Each integral is proved by the identity dI/dt − λᵀ (M u̇ − f) =
+//! 0 in q, u and free u̇, with the known multipliers λ = J ξ.
 
 use super::fields::{Field, Lagrangian};
 use super::kind::{IntegralKind, beside};
@@ -23,24 +23,24 @@ use crate::mechanics::{
 };
 use crate::model::Model;
 
-/// A quantity that is constant along every motion.
+/// Quantity that is constant along every motion of a model.
 #[derive(Clone, Debug)]
 pub struct Integral {
-    /// Kinds of the integral: one, or several that are the same function or its negative.
+    /// Kinds of the integral. Several kinds belong to one integral if they are the same function or its negative.
     pub kinds: Vec<IntegralKind>,
-    /// Its value in q and u.
+    /// Value of the integral in q and u.
     pub expression: Expr,
     /// The symmetry q′ = ξ(q) whose momentum the integral is; `None` for the energy.
     pub field: Option<Vec<Expr>>,
-    /// For each kind, the function of q that is added to that momentum in the integral. It balances the change of the
-    /// momentum by forces that depend on velocities, such as drag. 0 where the momentum itself is constant.
+    /// For each kind, the function of q that is added to the momentum in the integral. It balances the change of the
+    /// momentum by forces that depend on velocities, such as drag. 0 if the momentum itself is constant.
     pub of_places: Vec<Expr>,
-    /// Verdict on the identity that the rate vanishes along Kane's equations.
+    /// Verdict on the identity that the integral's rate vanishes along Kane's equations.
     pub verdict: Verdict,
 }
 
 impl Integral {
-    /// Descriptions in words, one for each of its kinds; its terms are in `arena`.
+    /// Descriptions of the integral in words, one for each kind. `arena` contains its terms.
     #[must_use]
     pub fn names(&self, model: &Model, arena: &Arena) -> Vec<String> {
         let xi = self.field.as_deref().unwrap_or_default();
@@ -48,26 +48,26 @@ impl Integral {
         kinds.map(|(kind, place)| kind.words(model, arena, xi, *place)).collect()
     }
 
-    /// Short name of its first kind; its terms are in `arena`.
+    /// Short name of the integral's first kind. `arena` contains the integral's terms.
     #[must_use]
     pub fn title(&self, model: &Model, arena: &Arena) -> String {
         self.kinds[0].title(model) + &beside(arena, self.of_places[0])
     }
 
-    /// Descriptions of all its kinds, in one text.
+    /// Descriptions of all kinds of the integral, in one text.
     #[must_use]
     pub fn name(&self, model: &Model, arena: &Arena) -> String {
         self.names(model, arena).join("; ")
     }
 
-    /// True if one of its kinds is the energy T + V; false for momenta and Jacobi's integral.
+    /// True if a kind of the integral is the energy T + V; false for momenta and Jacobi's integral.
     #[must_use]
     pub fn is_energy(&self) -> bool {
         self.kinds.iter().any(|kind| kind.is_energy())
     }
 
-    /// Every formula that is shown of it: its value, its divisors, and the components of a symmetry that has no other
-    /// name.
+    /// Formulas of the integral that documents show: its value, its divisors, and the components of an unnamed
+    /// symmetry.
     #[must_use]
     pub fn shown(&self, arena: &Arena) -> Vec<Expr> {
         let mut list = vec![self.expression];
@@ -78,8 +78,8 @@ impl Integral {
         list
     }
 
-    /// Divisors of its value that may vanish; where one is 0, the integral has no value. Divisors that are proved never
-    /// to be zero are left out. A parameter that is not stated to be positive is among them.
+    /// Divisors of the integral that may vanish; the integral has no value where a divisor is 0. Divisors that are
+    /// proved never to be zero are left out. A parameter that is not stated to be positive may be zero.
     #[must_use]
     pub fn divisors(&self, arena: &Arena) -> Vec<Expr> {
         let all = divisors(arena, &[self.expression]);
@@ -87,18 +87,19 @@ impl Integral {
     }
 }
 
-/// Coverage of a search for first integrals, and the reason if it found no energy.
+/// Coverage of a search for first integrals, and the power if no energy is conserved.
 #[derive(Clone, Debug)]
 pub struct Search {
     /// Description of the fields and functions that were searched.
     pub covered: String,
-    /// d(T + V)/dt in q and u, if there is no energy integral: applied loads have no potential that was found, or one
-    /// that jumps in time.
+    /// Power d(T + V)/dt in q and u, if there is no energy integral. Then the applied loads have no potential that was
+    /// found, or a potential that jumps in time.
     pub power: Option<Expr>,
 }
 
 impl Search {
-    /// Description of the coverage, and of the reason if there is no energy, in a line; its terms are in `arena`.
+    /// Description of the coverage, and of the power if no energy is conserved, in one line. `arena` contains the
+    /// terms.
     #[must_use]
     pub fn text(&self, arena: &Arena) -> String {
         let Some(power) = self.power else { return self.covered.clone() };
@@ -110,12 +111,14 @@ impl Search {
     }
 }
 
-/// Finds first integrals: the energy T + V, or Jacobi's integral where drives move the mechanism, with the potential of
-/// forces that have one by the rules of [`primitive`]; the momenta of coordinates, with a function of place beside them
-/// where forces depend on velocities; of translations along the inertial axes and rotations about them through the mass
-/// centre and through the origin, of the whole and of each body; of all fields ξ = A q + b; and of quasi-cyclic
-/// coordinates. Of the momenta only functionally independent ones are kept. The second value describes the coverage of
-/// the search.
+/// Finds first integrals. The second value describes the coverage of the search.
+///
+/// The search looks for the energy T + V, or Jacobi's integral if drives move the mechanism. The energy includes the
+/// potential of forces that have one by the rules of [`primitive`]. The search looks for the momenta of coordinates, of
+/// rigid motions, of all fields ξ = A q + b and of quasi-cyclic coordinates. Rigid motions are translations along the
+/// inertial axes, and rotations about them through the mass centre and the origin, of the whole and of each body. A
+/// function of q may be added to a momentum if forces depend on velocities. Only functionally independent momenta are
+/// kept.
 pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Comparer) -> (Vec<Integral>, Search) {
     match Basis::new(model, derivations) {
         Some(basis) => {
@@ -129,22 +132,22 @@ pub fn find(model: &Model, derivations: &mut Derivations, comparer: &mut Compare
     }
 }
 
-/// Equations and fields from which a search for first integrals starts. Parameters may be replaced in it by numbers,
-/// for which there may be further integrals.
+/// Equations and fields from which a search for first integrals starts. Parameters may be replaced by numbers, for
+/// which more integrals may exist.
 #[derive(Clone)]
 pub struct Basis {
-    /// T, V and Q in q and q̇.
+    /// Derivatives of T and V, and the forces Q, in q and q̇.
     pub lagrangian: Lagrangian,
-    /// The q̇ that the forces work along.
+    /// Rates q̇ along which the generalized forces work.
     rates: Vec<Expr>,
-    /// Kane's equations.
+    /// Kane's equations of the model.
     kane: Equations,
-    /// The unit fields and the rigid motions.
+    /// Unit fields of the coordinates and fields of the rigid motions.
     fields: Vec<Field>,
 }
 
 impl Basis {
-    /// The basis of a model; `None` without the equations by Kane and by Lagrange.
+    /// Basis of a model; `None` unless the equations by Kane and by Lagrange were derived.
     pub fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
         let kane = derivations.get(Formulation::Kane)?.clone();
         let lagrange = derivations.get(Formulation::Lagrange)?.clone();
@@ -154,7 +157,7 @@ impl Basis {
         Some(Self { lagrangian, rates: lagrange.variables, kane, fields })
     }
 
-    /// Rewrites every term.
+    /// Rewrites every term of the basis in place.
     pub fn change(&mut self, arena: &mut Arena, rewrite: &mut dyn FnMut(&mut Arena, Expr) -> Expr) {
         self.kane.visit(&mut |e, arena| *e = rewrite(arena, *e), arena);
         let of_fields = self.fields.iter_mut().flat_map(|f| &mut f.xi);
@@ -163,7 +166,7 @@ impl Basis {
         }
     }
 
-    /// Finds first integrals of a model whose speeds are rewritten likewise.
+    /// Finds first integrals of a model whose speeds are rewritten in the same way as the basis.
     pub fn search(
         &self,
         model: &Model,
@@ -206,10 +209,10 @@ struct Searching<'a> {
     arena: &'a mut Arena,
     simplifier: &'a mut Simplifier,
     comparer: &'a mut Comparer,
-    /// ∂I/∂(q, u) of what was found.
+    /// Gradients ∂I/∂(q, u) of the integrals found, except the energy.
     gradients: Vec<Vec<Expr>>,
     found: Vec<Integral>,
-    /// True if forces do work and no potential of them was found.
+    /// True if forces do work and no potential of these forces was found.
     no_potential: bool,
 }
 
@@ -236,7 +239,8 @@ impl Searching<'_> {
         self.jacobi(energy);
     }
 
-    /// Speeds without what they have at rest, with time standing still or going on: q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
+    /// Multipliers J q̇ of Kane's equations: speeds less their values at rest. Time stands still if `time` is `None`,
+    /// else t' = 1. Then q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
     fn moved_by_speeds(&mut self, time: Option<usize>) -> Vec<Expr> {
         let (model, arena) = (self.model, &mut *self.arena);
         let rate_at_rest = |at: usize| if time == Some(at) { Expr::ONE } else { Expr::ZERO };
@@ -250,7 +254,8 @@ impl Searching<'_> {
         speeds.collect()
     }
 
-    /// T + V − ∂T/∂t', with t' = 1: what stays of the energy where drives work and nothing depends on time by itself.
+    /// Searches for Jacobi's integral T + V − ∂T/∂t', with t' = 1. It is constant if drives work and no term depends on
+    /// time explicitly.
     fn jacobi(&mut self, energy: Expr) {
         let Some(time) = self.model.time() else { return };
         let momentum = self.basis.lagrangian.momenta[time];
@@ -269,8 +274,8 @@ impl Searching<'_> {
         let of_place = if zero_test(arena, rate) == ZeroTest::Zero {
             Expr::ZERO
         } else {
-            // A rate that is itself the rate of a function of q is taken to the other side: so it is with a magnetic or
-            // gyroscopic force, and with drag. What is then constant is the momentum with that function beside it.
+            // With magnetic forces, gyroscopic forces and drag, the rate of a momentum can be the rate of a function of
+            // q. Then the momentum less this function is constant.
             let Some(of_place) = rate_of(arena, self.simplifier, self.model, rate) else { return };
             arena.neg(of_place)
         };
@@ -288,7 +293,8 @@ impl Searching<'_> {
         self.keep((field.kind, Some(&field.xi), of_place), momentum, &multipliers);
     }
 
-    /// Keeps an integral unless it is a function of those found; a further kind of a known integral is added to it.
+    /// Keeps an integral unless it is a function of the integrals found. A further kind of a known integral is added to
+    /// it.
     fn keep(
         &mut self,
         (kind, field, of_place): (IntegralKind, Option<&[Expr]>, Expr),
@@ -317,7 +323,7 @@ impl Searching<'_> {
         if !verdict.is_equal() {
             return;
         }
-        // The energy of a free body is a function of its momenta, and is listed all the same.
+        // The energy of a free body is a function of its momenta, but it is listed nevertheless.
         if !kind.is_energy() {
             self.gradients = gradients;
         }
@@ -330,7 +336,7 @@ impl Searching<'_> {
         });
     }
 
-    /// dI/dt − λᵀ (M u̇ − f) = 0, coefficient by coefficient of u̇.
+    /// Proves dI/dt − λᵀ (M u̇ − f) = 0 for an integral I, coefficient by coefficient of u̇.
     fn prove(&mut self, value: Expr, multipliers: &[Expr]) -> Verdict {
         let (arena, comparer, kane) = (&mut *self.arena, &mut *self.comparer, &self.basis.kane);
         let rate = motion_rates(self.model).apply(arena, value);
@@ -352,8 +358,8 @@ impl Searching<'_> {
     }
 }
 
-/// Finds a potential U(q) of the forces. The forces at rest are −∂U/∂q. The rest of the forces does no work in any
-/// motion, as that of a magnetic field. `None` if there is no potential, or no rule finds it.
+/// Potential U(q) of the forces: the forces at rest are −∂U/∂q, and the rest of the forces does no work in any motion,
+/// such as a magnetic force. `None` if there is no potential, or no rule finds it.
 fn potential_of(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -371,7 +377,7 @@ fn potential_of(
     (zero_test(arena, power) == ZeroTest::Zero).then_some(energy)
 }
 
-/// F(q) with dF/dt = `rate` along every path, if that is linear in q̇ and the rules find F.
+/// Function F(q) with dF/dt = `rate` along every path. `None` if the rate is not linear in q̇ or no rule finds F.
 fn rate_of(arena: &mut Arena, simplifier: &mut Simplifier, model: &Model, rate: Expr) -> Option<Expr> {
     let (slopes, rest) = LinearForm::new(&model.q_dot()).coefficients(arena, rate).ok()?;
     if zero_test(arena, rest) != ZeroTest::Zero {

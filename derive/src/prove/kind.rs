@@ -1,62 +1,62 @@
-//! Kinds of first integrals, as data. Names in words are made from them, never the other way.
+//! Kinds of first integrals, as data, from which their names in words are made.
 
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Node};
 use crate::model::Model;
 
-/// Conserved quantity of a first integral. Coordinates, bodies and axes are positions from 0; axes are of the inertial
-/// frame unless another is named.
+/// Kind of a first integral. Indices of coordinates, bodies and axes count from 0. Axes are those of the inertial frame
+/// unless another frame is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum IntegralKind {
-    /// T + V, where no applied force works.
+    /// Energy T + V in a model whose applied forces do no work.
     Energy,
-    /// T + V with the potential of the applied forces.
+    /// Energy T + V, including the potential of the applied forces.
     EnergyOfForces,
-    /// T + V less ∂T/∂t', where drives move the mechanism: Jacobi's integral, Σ q̇ ∂L/∂q̇ − L over the coordinates
-    /// except time.
+    /// Jacobi's integral T + V − ∂T/∂t' of a mechanism that drives move: Σ q̇ ∂L/∂q̇ − L over the coordinates except
+    /// time.
     Jacobi,
-    /// The generalized momentum ∂L/∂q̇ of a coordinate.
+    /// Generalized momentum ∂L/∂q̇ of a coordinate.
     Coordinate(usize),
-    /// The linear momentum of the whole along an axis.
+    /// Linear momentum of the whole system along an axis.
     Linear(usize),
-    /// The angular momentum of the whole about an axis through a point.
+    /// Angular momentum of the whole system about an axis through a point.
     Angular {
-        /// The axis.
+        /// Axis of the inertial frame: 0, 1 or 2.
         axis: usize,
-        /// The point.
+        /// Point through which the axis passes.
         through: Pivot,
     },
-    /// The linear momentum of one body along an axis.
+    /// Linear momentum of one body along an axis.
     LinearOfBody {
-        /// The body.
+        /// Index of the body.
         body: usize,
-        /// The axis.
+        /// Axis of the inertial frame: 0, 1 or 2.
         axis: usize,
     },
-    /// The angular momentum of one body about an axis through its own mass centre.
+    /// Angular momentum of one body about an axis through its own mass centre.
     AngularOfBody {
-        /// The body.
+        /// Index of the body.
         body: usize,
-        /// The axis.
+        /// Axis of the inertial frame: 0, 1 or 2.
         axis: usize,
     },
-    /// The angular momentum of one rigid body about an axis of the frame that its inertia is stated in.
+    /// Angular momentum of one rigid body about an axis of the frame in which its inertia is stated.
     Spin {
-        /// The body.
+        /// Index of the body.
         body: usize,
-        /// The axis, of that frame.
+        /// Axis of the frame of the inertia: 0, 1 or 2.
         axis: usize,
     },
-    /// The momentum of a symmetry q′ = ξ(q) that is none of these.
+    /// Momentum of a symmetry q′ = ξ(q) that is no other kind.
     Symmetry,
 }
 
-/// Point that an axis passes through.
+/// Point through which the axis of an angular momentum passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pivot {
-    /// The mass centre of the whole.
+    /// Mass centre of the whole system.
     MassCentre,
-    /// The origin of the inertial frame.
+    /// Origin of the inertial frame.
     Origin,
 }
 
@@ -67,8 +67,8 @@ impl IntegralKind {
         matches!(self, Self::Energy | Self::EnergyOfForces)
     }
 
-    /// Full description: a momentum with its definition, a symmetry with its components ξ, and the function of place
-    /// that is added if it is not 0. The terms are in `arena`.
+    /// Full description of an integral: a momentum with its definition, a symmetry with its components ξ. The function
+    /// of q that is added to a momentum follows if it is not 0. `arena` contains the terms.
     #[must_use]
     pub fn words(self, model: &Model, arena: &Arena, xi: &[Expr], of_place: Expr) -> String {
         let (title, place) = (self.title(model), beside(arena, of_place));
@@ -119,7 +119,7 @@ impl IntegralKind {
         }
     }
 
-    /// The motion whose momentum it is: a shift, a rotation.
+    /// Motion whose momentum the integral is, such as a translation or a rotation, in words.
     #[must_use]
     pub fn motion(self, model: &Model) -> String {
         let body = |at: usize| &model.bodies[at].name;
@@ -148,7 +148,7 @@ impl IntegralKind {
         }
     }
 
-    /// A short symbol for its value, such as `p_q3`, `P_n1` or `H_n3`; none if it has no customary one.
+    /// Short symbol for the integral's value, such as `p_q3`, `P_n1` or `H_n3`; `None` if there is no customary symbol.
     pub(crate) fn symbol(self, model: &Model) -> Option<String> {
         match self {
             Self::Coordinate(at) => Some(format!("p_{}", model.coordinates[at].name)),
@@ -159,7 +159,7 @@ impl IntegralKind {
     }
 }
 
-/// Text of the term that is added to a momentum, as in ` + c*x`; empty if it is 0.
+/// Text of the term that is added to a momentum, such as ` + c*x`; empty if the term is 0.
 pub(super) fn beside(arena: &Arena, of_place: Expr) -> String {
     let mut arena = arena.clone();
     let (content, rest) = arena.split_content(of_place);
@@ -174,7 +174,7 @@ pub(super) fn beside(arena: &Arena, of_place: Expr) -> String {
     }
 }
 
-/// `a1` for the first axis of frame A.
+/// Name of an axis of a frame: `a1` for the first axis of frame A.
 fn axis_name(model: &Model, frame: usize, axis: usize) -> String {
     format!("{}{}", model.frames[frame].name.to_lowercase(), axis + 1)
 }

@@ -1,8 +1,8 @@
-//! Proofs: that the formulations are equivalent, and what a motion conserves.
+//! Proofs that the formulations are equivalent, and of the quantities that every motion conserves.
 //!
 //! Every statement is an identity between expressions, decided by [`crate::algebra::meaning::compare`]. Nothing is
-//! integrated, sampled in floating point or solved for accelerations: one set of equations is shown to be a linear
-//! combination of the other, with the multipliers given.
+//! integrated, sampled in floating point or solved for accelerations. Each system is proved to be a linear combination
+//! of the other, with the multipliers given.
 
 mod equivalence;
 mod fields;
@@ -27,22 +27,23 @@ use crate::algebra::text::definitions::write_down;
 use crate::mechanics::{Derivations, DeriveError, Formulation, LoadDivisor, load_divisors};
 use crate::model::Model;
 
-/// Everything that was proved about a model.
+/// All statements that were proved about a model.
 #[derive(Clone, Debug)]
 pub struct Proof {
-    /// Each pair of formulations that the model supports.
+    /// Pairs of the formulations that the model supports, each with its proof.
     pub pairs: Vec<Pair>,
-    /// Formulations that the model does not support, and why.
+    /// Formulations that the model does not support, each with the reason.
     pub missing: Vec<(Formulation, DeriveError)>,
-    /// Each reaction from the equation that Kane's method leaves over.
+    /// Reactions, each with the equation that gives it.
     pub reactions: Vec<ReactionEquation>,
-    /// Quantities that stay constant along every motion, functionally independent.
+    /// First integrals: functionally independent quantities that are constant along every motion.
     pub integrals: Vec<Integral>,
-    /// Coverage of the search for integrals.
+    /// Coverage of the search for first integrals.
     pub search: Search,
-    /// Divisors at whose zeros the equivalence does not hold: the speeds do not determine q̇, or a load has no value.
+    /// Divisors at whose zeros the formulations are not equivalent: the speeds do not determine q̇, or a load has no
+    /// value.
     pub singular_where: Vec<Expr>,
-    /// Those among `singular_where` that loads divide by.
+    /// Divisors of loads, which are also among `singular_where`.
     pub loads: Vec<LoadDivisor>,
 }
 
@@ -62,8 +63,8 @@ impl Proof {
     }
 }
 
-/// First integrals of a model, without the proof of equivalence; [`prove`] finds them too. That proof takes nearly all
-/// of the time where loops are closed.
+/// First integrals of a model, without the proof of equivalence, which takes nearly all of the time in models with
+/// loops. [`prove`] finds the integrals too.
 pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
     integrals::find(model, derivations, &mut Comparer::default()).0
 }

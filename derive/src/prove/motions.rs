@@ -1,8 +1,8 @@
 //! Rigid motions of the whole system, or of one of its bodies, that the constraints permit.
 //!
-//! A field ξ(q) is the rotation of a set of bodies about an axis e through S iff with q̇ = ξ every moved frame has ω =
-//! e, every moved mass centre has v = e × (r − r_S), and everything else rests. That is a linear system for ξ with more
-//! rows than unknowns; the motion is permitted iff it is consistent.
+//! A field ξ(q) rotates a set of bodies about an axis e through S under these conditions. With q̇ = ξ every moved frame
+//! has ω = e, every moved mass centre has v = e × (r − r_S), and all other bodies rest. This is a linear system for ξ
+//! with more rows than unknowns. The motion is permitted if and only if the system is consistent.
 
 use super::fields::Field;
 use super::kind::{IntegralKind, Pivot};
@@ -15,17 +15,17 @@ use crate::geometry::Vector;
 use crate::mechanics::Kinematics;
 use crate::model::Model;
 
-/// Prescribed ω and v of a rigid motion: for each body the two vectors, or `None` for rest.
+/// Rigid motion, with ω and v of the mass centre for each body; `None` for a body at rest.
 struct Motion {
     kind: IntegralKind,
     of_body: Vec<Option<(Vector, Vector)>>,
 }
 
-/// Bodies above which parts are not moved one by one.
+/// Most bodies of a model in which single bodies are also moved.
 const MOST_BODIES: usize = 8;
 
-/// The fields of all permitted rigid motions: translations along the inertial axes, rotations about them through the
-/// mass centre and through the origin, of the whole, then of each body about its own mass centre.
+/// Fields of all permitted rigid motions. The whole system translates along the inertial axes, or rotates about them
+/// through the mass centre or the origin. Each body does the same about its own mass centre.
 pub fn fields(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
     let mut candidates = of_the_whole(model, kinematics);
     if (2..=MOST_BODIES).contains(&model.bodies.len()) {
@@ -86,7 +86,7 @@ fn of_one_body(model: &Model, body: usize) -> Vec<Motion> {
     list
 }
 
-/// r_S = Σ m r / Σ m.
+/// Mass centre r_S = Σ m r / Σ m of the whole system.
 fn mass_centre(model: &Model, kinematics: &mut Kinematics) -> Vector {
     let masses: Vec<Expr> = model.bodies.iter().map(|b| b.mass).collect();
     let arena = &mut kinematics.arena;
@@ -101,12 +101,12 @@ fn mass_centre(model: &Model, kinematics: &mut Kinematics) -> Vector {
     sum
 }
 
-/// ω and v of all bodies, and the rates of loops, as linear forms in q̇.
+/// Linear forms in q̇: ω and v of all bodies, and the rates of loops.
 struct Rows {
-    /// (body, whether of ω, frame, axis); nothing for a loop.
+    /// Label of each row: (body, true for ω, frame, axis); `None` for a loop.
     labels: Vec<Option<(usize, bool, usize, usize)>>,
     matrix: Vec<Vec<Expr>>,
-    /// Positions of independent rows, as many as there are coordinates; fewer if the bodies do not determine q̇.
+    /// Indices of independent rows, one for each coordinate; fewer if the bodies do not determine q̇.
     chosen: Vec<usize>,
 }
 
@@ -134,7 +134,7 @@ impl Rows {
                 }
             }
         }
-        // Coordinates that loops tie, such as Euler parameters, are more than bodies have motions.
+        // Coordinates tied by loops, such as Euler parameters, outnumber the motions of the bodies.
         for of_loop in &model.loops {
             let Kinematics { arena, simplifier, .. } = &mut *kinematics;
             let row = model.q().into_iter().map(|q| {
@@ -153,7 +153,7 @@ impl Rows {
         Self { labels, matrix, chosen: chosen.into_iter().map(|at| order[at]).collect() }
     }
 
-    /// ξ of a motion, if it is permitted and not zero.
+    /// Field ξ of a motion; `None` if the motion is not permitted or zero.
     fn field(&self, model: &Model, kinematics: &mut Kinematics, motion: &Motion) -> Option<Field> {
         let n = model.coordinates.len();
         if self.chosen.len() != n {

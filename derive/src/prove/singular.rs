@@ -1,7 +1,7 @@
-//! Zeros of the determinant of a matrix of accelerations, compared with those of the kinematic equations.
+//! Zeros of the determinant of a matrix of accelerations, at the zeros of the kinematic equations' divisors.
 //!
-//! A statement is made only where it is proved for every real state with positive parameters: by the range of the
-//! determinant's values, or by the determinant with the divisor put to zero. Everything else is open.
+//! A statement is made only if it is proved for every real state with positive parameters: by the range of the
+//! determinant's values, or by the determinant with the divisor set to zero. All other cases are open.
 
 use crate::algebra::solve::linear::determinant;
 use crate::algebra::term::calculus::Substitution;
@@ -10,44 +10,44 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::Kinematics;
 use crate::model::Model;
 
-/// Matrices beyond this many rows are not expanded.
+/// Most rows of a matrix whose determinant is expanded.
 const MOST_ROWS: usize = 8;
 
 /// Known zeros of the determinant of a matrix.
 #[derive(Clone, Debug)]
 pub struct Singularity {
-    /// The determinant, simplified.
+    /// Determinant of the matrix, simplified.
     pub determinant: Expr,
     /// True if the determinant is proved never to be zero.
     pub never: bool,
-    /// Behaviour of the matrix where a divisor of the kinematic equations vanishes, for each divisor.
+    /// Behaviour of the matrix at the zeros of each divisor of the kinematic equations.
     pub at: Vec<Place>,
 }
 
-/// The zeros of a divisor of the kinematic equations.
+/// Behaviour of a matrix at the zeros of a divisor of the kinematic equations.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
-    /// The divisor.
+    /// Divisor of the kinematic equations.
     pub divisor: Expr,
-    /// The determinant there.
+    /// Value of the determinant at the zeros of the divisor.
     pub determinant: There,
-    /// True if entries of the matrix divide by zero there. Near such a place they are large, and the matrix is
-    /// ill-conditioned even where its determinant is far from zero.
+    /// True if entries of the matrix divide by zero at the divisor's zeros. Near the zeros the entries are large, and
+    /// the matrix is ill-conditioned even if its determinant is far from zero.
     pub entries_divide: bool,
 }
 
-/// Value of a determinant where a divisor vanishes.
+/// Value of a determinant at the zeros of a divisor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum There {
-    /// It is zero there.
+    /// The determinant is proved to be zero.
     Zero,
-    /// It is not zero there.
+    /// The determinant is proved not to be zero.
     NotZero,
-    /// Neither is proved.
+    /// Neither value of the determinant is proved.
     Open,
 }
 
-/// The determinant of a matrix and its known zeros; `None` if the matrix is too large.
+/// Determinant of a matrix and its known zeros; `None` if the matrix is too large.
 pub fn singularity(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Expr>]) -> Option<Singularity> {
     if matrix.len() > MOST_ROWS {
         return None;
@@ -88,7 +88,7 @@ fn place(kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant: Expr, d
     place
 }
 
-/// All zeros of a divisor, each as replacements; only those of a sine, a cosine or a symbol are known.
+/// All zeros of a divisor, each as a list of replacements. `None` unless every factor is a sine, a cosine or a symbol.
 fn roots(arena: &mut Arena, divisor: Expr) -> Option<Vec<Vec<(Expr, Expr)>>> {
     let (_, divisor) = arena.split_content(divisor);
     let factors: Vec<Expr> = match arena.node(divisor) {

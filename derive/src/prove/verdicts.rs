@@ -1,15 +1,15 @@
-//! Many verdicts as one.
+//! One verdict from many comparisons.
 
 use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
 use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
 use crate::algebra::{Arena, Expr};
 
-/// Terms times questions above which one question is asked for all.
+/// Product of terms and comparisons above which all pairs are compared at once.
 const MOST_SINGLE: usize = 2_000_000;
 
-/// Compares two terms of every pair and gives one verdict. For large systems, whose entries share most terms, one
-/// question is asked: is Σ w_i d_i zero, for the differences d_i with a new symbol w_i for each? It is if and only if
+/// Compares the two terms of every pair and gives one verdict. In large systems, whose entries share most terms, all
+/// pairs are compared at once: Σ w_i d_i of the differences d_i, with a new symbol w_i for each, is zero if and only if
 /// all differences are.
 pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Expr)]) -> Verdict {
     let differences: Vec<Expr> = pairs.iter().map(|(left, right)| arena.sub(*left, *right)).collect();
@@ -32,7 +32,7 @@ pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Exp
     all(pairs.iter().map(|(left, right)| comparer.compare(arena, *left, *right)))
 }
 
-/// One verdict for many: the first that is not "equal", else the weakest engine.
+/// One verdict for many: the first that is not "equal", or else "equal" with the weakest engine.
 pub fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     let mut engine = Engine::NormalForm;
     for verdict in verdicts {

@@ -1,4 +1,4 @@
-//! The entries of a publication: what all have in common, and those of a single formula.
+//! Entries of a publication: the keys common to all, and entries with a single formula.
 
 use super::read::{KEYS, Loading};
 use super::{Entry, EntryKind, Initial};
@@ -10,12 +10,12 @@ use crate::read::Located;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
-/// The most entries of a file.
+/// Largest number of entries in a publication file.
 const MAX_ENTRIES: usize = 2000;
-/// The longest id, in characters.
+/// Most characters of an entry's id.
 const MAX_ID: usize = 80;
 
-/// The kinds of entries.
+/// Kind of an entry of a publication.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Equation,
@@ -25,7 +25,7 @@ enum Kind {
     Initial,
 }
 
-/// The kinds of entries: each with its key and its name in messages.
+/// Kinds of entries, each with its key and its name in messages.
 const KINDS: [(Kind, &str, &str); 5] = [
     (Kind::Equation, "equation", "an equation"),
     (Kind::Definition, "definition", "a definition"),
@@ -34,7 +34,7 @@ const KINDS: [(Kind, &str, &str); 5] = [
     (Kind::Initial, "initial", "an initial value"),
 ];
 
-/// The keys of every entry, then those of its kind.
+/// Keys that an entry of this kind may have: those of every entry, then its own.
 fn keys(kind: Kind) -> Vec<&'static str> {
     let own: &[&str] = match kind {
         Kind::Equation => &["quantity", "printed"],
@@ -51,19 +51,19 @@ fn keys(kind: Kind) -> Vec<&'static str> {
     [&["id", "section", "repaired", "note"], formulas, own].concat()
 }
 
-/// One entry as it stands in the file.
+/// An entry as it stands in the publication file.
 pub struct Item<'a> {
     pub table: &'a DeTable<'a>,
     /// Name of the entry's kind in messages.
     pub what: &'static str,
-    /// Place of its header, as a byte range.
+    /// Byte range of the entry in the publication file.
     pub span: Range<usize>,
-    /// Notation of its formulas.
+    /// Notation of the entry's formulas.
     pub notation: Notation,
 }
 
 impl<'a> Loading<'a, '_> {
-    /// All entries, in the order of the file.
+    /// Reads all entries, in the order of the publication file.
     pub fn entries(&mut self, table: &'a DeTable<'a>) -> Vec<Entry> {
         let before = self.reader.errors.len();
         let mut items: Vec<(Kind, Item<'a>)> = Vec::new();
@@ -81,7 +81,7 @@ impl<'a> Loading<'a, '_> {
                 }
             }
         }
-        // An unknown key may be a misspelt kind of entries, and is reported.
+        // An unknown key, which may be a misspelt kind of entry, is reported.
         let all_known = table.iter().all(|(key, _)| KEYS.contains(&key.get_ref().as_ref()));
         if items.is_empty() && all_known && self.reader.errors.len() == before {
             let help = "add [[equation]] entries; docs/publication.md describes the format";
@@ -134,13 +134,13 @@ impl<'a> Loading<'a, '_> {
         Some(entry)
     }
 
-    /// A string that must be there.
+    /// String under a key that must be present.
     pub fn required_text(&mut self, item: &Item<'a>, key: &str) -> Option<Located> {
         let value = self.reader.need(item.table, key, item.what, &item.span)?;
         self.reader.string(value, &format!("`{key}`"))
     }
 
-    /// A formula that must be there.
+    /// Formula under a key that must be present.
     fn required_formula(&mut self, item: &Item<'a>, key: &str) -> Option<Located> {
         let value = self.reader.need(item.table, key, item.what, &item.span)?;
         self.reader.formula(value, &format!("`{key}`"))
@@ -160,7 +160,7 @@ impl<'a> Loading<'a, '_> {
         Some(id)
     }
 
-    /// Takes an id for an entry; reports one that is taken.
+    /// Reserves an id for an entry; reports an id that is already used.
     fn claim(&mut self, id: &str, span: &Range<usize>, of_what: &str) {
         if let Some(first) = self.ids.get(id) {
             let message = format!("the id `{}`{of_what} is used twice", shown(id));
@@ -200,7 +200,7 @@ impl<'a> Loading<'a, '_> {
         Some(Initial { set, quantity: symbol, name: name.text, value: value?, text, decimals })
     }
 
-    /// A parameter, a coordinate, a coordinate's derivative or a speed.
+    /// Name and symbol of a parameter, a coordinate, a coordinate's derivative or a speed; reports another name.
     fn initial_quantity(&mut self, name: Located) -> Option<(Located, Expr)> {
         let model = &self.model;
         let mut known: Vec<(String, Expr)> = model.parameters.iter().map(|p| (p.name.clone(), p.symbol)).collect();
@@ -216,7 +216,7 @@ impl<'a> Loading<'a, '_> {
         None
     }
 
-    /// A formula that is a number.
+    /// Reads a formula that is a number; reports symbols.
     fn constant(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         let e = self.formula(formula, notation)?;
         let arena = &self.model.arena;
@@ -235,7 +235,7 @@ impl<'a> Loading<'a, '_> {
     }
 }
 
-/// Decimals of a plain number, `1.50e-3` having five; `None` for any other formula.
+/// Number of decimals of a plain number, five for `1.50e-3`; `None` for any other formula.
 fn decimals(text: &str) -> Option<u32> {
     let text = text.trim().trim_start_matches(['-', '+']).trim_start();
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {

@@ -1,4 +1,4 @@
-//! Entries of many formulas: linear systems, and programs that compute the derivative of a state.
+//! Entries of a publication with many formulas: linear systems, and programs that compute the derivative of a state.
 
 use super::entries::Item;
 use super::read::Loading;
@@ -12,32 +12,32 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// The most rows of a system.
+/// Largest number of rows of a printed matrix.
 const MAX_ROWS: usize = 500;
 
-/// The mark that an error stands in the reader, where `None` means that a key is absent.
+/// Mark that an error stands in the reader. In its place, `None` means that a key is absent.
 struct Reported;
 
-/// Formulas and their texts.
+/// Formulas as terms, and their printed texts.
 type Formulas = (Vec<Expr>, Vec<String>);
-/// The entries of a matrix row by row: as terms, and as they are printed.
+/// Entries of a printed matrix, row by row: as terms, and as texts.
 type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
 
-/// Requirements on a matrix: its width, and the symbols that no entry may contain.
+/// Requirements on a printed matrix: its width, and the symbols that no entry may contain.
 #[derive(Clone, Copy)]
 struct Fit<'a> {
-    /// Entries of a row, if that is known.
+    /// Number of entries in each row; `None` if it is not known.
     columns: Option<usize>,
     /// Reason for the number of columns, given as help in an error.
     help: &'a str,
-    /// Unknowns of the system; no entry may contain one.
+    /// Unknowns of the system. No entry of the matrix may contain one.
     unknowns: &'a [Expr],
-    /// Notation of its entries.
+    /// Notation of the matrix entries.
     notation: Notation,
 }
 
 impl<'a> Loading<'a, '_> {
-    /// Reads an entry of `[[system]]`: matrix · unknowns = right.
+    /// Reads an entry `[[system]]`: a linear system, matrix · unknowns = right.
     pub fn system(&mut self, item: &Item<'a>) -> Option<System> {
         let formulation = self.formulation(item);
         let frame = self.frame(item, formulation);
@@ -79,11 +79,11 @@ impl<'a> Loading<'a, '_> {
         })
     }
 
-    /// Reads an entry of `[[listing]]`: a program that computes the derivative of a state.
+    /// Reads an entry `[[listing]]`: a program that computes the derivative of a state.
     pub fn listing(&mut self, item: &Item<'a>) -> Option<Listing> {
         let formulation = self.formulation(item);
         let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
-        // An odd state is an error of its own, and says nothing about the other lengths.
+        // An odd length of the state is reported by itself, and decides nothing about the other lengths.
         let length = state.as_ref().map(|(array, _)| array.len()).filter(|n| n.is_multiple_of(2));
         let state = state.and_then(|(array, span)| self.state(array, &span, formulation?));
         let derivative = self.required_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");
@@ -124,7 +124,8 @@ impl<'a> Loading<'a, '_> {
         found
     }
 
-    /// The frame of the components: systems with reactions have one, others have none.
+    /// Index of the frame in which a system with reactions has its components; `None` for other systems, which have no
+    /// frame.
     fn frame(&mut self, item: &Item<'a>, formulation: Option<Formulation>) -> Result<Option<usize>, Reported> {
         if !formulation.ok_or(Reported)?.carries_reactions() {
             let Some(value) = self.reader.get(item.table, "frame") else { return Ok(None) };
@@ -141,7 +142,7 @@ impl<'a> Loading<'a, '_> {
         found.map(Some).ok_or(Reported)
     }
 
-    /// Coordinates, then as many speeds, or time derivatives for Lagrange.
+    /// Reads a state: coordinates, then as many speeds. For Lagrange, rates of coordinates take the place of speeds.
     fn state(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
@@ -171,7 +172,7 @@ impl<'a> Loading<'a, '_> {
         Some((state, names))
     }
 
-    /// Names out of a list, each once, at least one.
+    /// Reads at least one name out of the list `known`, each once.
     fn members(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
@@ -220,7 +221,7 @@ impl<'a> Loading<'a, '_> {
         Some((self.array(value, &format!("`{key}`"), example)?, value.span()))
     }
 
-    /// Formulas without any of the unknowns.
+    /// Reads formulas that contain none of the unknowns.
     fn formulas(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
@@ -234,12 +235,12 @@ impl<'a> Loading<'a, '_> {
             self.without(e, &formula, what, unknowns)?;
             Some((e, formula.text))
         });
-        // All of them, so that all errors are seen.
+        // All formulas are read, so that all errors are reported.
         let read: Vec<Option<_>> = read.collect();
         read.into_iter().collect::<Option<Vec<_>>>().map(|list| list.into_iter().unzip())
     }
 
-    /// Reports a formula that contains an unknown of its system: matrix · unknowns = right is linear as it stands.
+    /// Reports a formula that contains an unknown of its system: matrix · unknowns = right must be linear as printed.
     fn without(&mut self, e: Expr, formula: &Located, what: &str, unknowns: &[Expr]) -> Option<()> {
         let arena = &self.model.arena;
         let parts = arena.reachable(&[e]);
@@ -252,7 +253,7 @@ impl<'a> Loading<'a, '_> {
         None
     }
 
-    /// Rows of equally many formulas.
+    /// Reads a matrix: rows with equal numbers of formulas.
     fn matrix(&mut self, array: &'a [Spanned<DeValue<'a>>], span: &Range<usize>, fit: Fit<'_>) -> Option<Matrix> {
         if array.is_empty() || array.len() > MAX_ROWS {
             let message = format!("a matrix of {}", count(array.len(), "row"));
@@ -277,7 +278,7 @@ impl<'a> Loading<'a, '_> {
         rows.into_iter().collect::<Option<Vec<_>>>().map(|rows| rows.into_iter().unzip())
     }
 
-    /// Ids with places for the row and the column.
+    /// Reads a template of ids with marks for the row and the column; `None` if the key is absent.
     fn template(&mut self, item: &Item<'a>, key: &str, marks: &[&str]) -> Result<Option<String>, Reported> {
         let Some(value) = self.reader.get(item.table, key) else { return Ok(None) };
         let template = self.reader.string(value, &format!("`{key}`")).ok_or(Reported)?;

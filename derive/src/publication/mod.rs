@@ -1,14 +1,14 @@
 //! Published derivations as data: every printed equation of a publication, to be judged one by one.
 //!
-//! A publication file belongs to a model. Its formulas are read into the arena of the model, so read it before
+//! A publication file belongs to a model. Its formulas are read into the arena of the model. So read it before
 //! [`crate::mechanics::derive_all`], whose arena starts as a clone: every handle stays valid there.
 //!
 //! Invariant: nothing is repaired or judged here. A wrong *form* of a file is an error; a wrong printed *equation* is
 //! left for a comparison to find.
 //!
 //! Abbreviations are replaced by their formulas while reading. The names of derived quantities stay symbols, which no
-//! model can declare, until [`Names::resolve`] says what they are worth: so an entry may be read, and its errors
-//! found, before anything is derived.
+//! model can declare, until [`Names::resolve`] replaces them by values. So an entry may be read, and its errors found,
+//! before anything is derived.
 //!
 //! ```
 //! use tripos_derive::algebra::meaning::compare::Comparer;
@@ -63,147 +63,147 @@ use crate::diagnostic::Source;
 use crate::mechanics::{Formulation, Quantity};
 use std::ops::Range;
 
-/// A published derivation.
+/// A published derivation, as a publication file states it.
 #[derive(Clone, Debug)]
 pub struct Publication {
-    /// The file.
+    /// Text of the publication file, with its name.
     pub source: Source,
-    /// The title.
+    /// Title of the publication; empty if the file states none.
     pub title: String,
-    /// Description of the source that was transcribed, in words.
+    /// Description, in words, of the printed source that was transcribed.
     pub reference: String,
-    /// Shorthand of the text, in the order of the file: (name, formula).
+    /// Shorthand of the printed text, in the order of the publication file: (name, formula).
     pub abbreviations: Vec<(String, Expr)>,
-    /// Symbols of the text for derived quantities: (name, quantity, its symbol in the formulas).
+    /// Symbols of the printed text for derived quantities: (name, quantity, symbol in the formulas).
     pub names: Vec<(String, Quantity, Expr)>,
-    /// The entries in the order of the file.
+    /// Entries, in the order of the publication file.
     pub entries: Vec<Entry>,
 }
 
-/// Something printed.
+/// An entry of a publication: an equation, a definition, a system, a listing or a number.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Unique in the file; the equation number comes first.
+    /// Id of the entry, unique in the publication file; the printed equation number comes first.
     pub id: String,
-    /// The section of the text.
+    /// Section of the printed text in which the entry stands.
     pub section: String,
     /// Garbled part of the print, and the way it was read; `None` if the print was clear.
     pub repaired: Option<String>,
-    /// Remark of the transcriber.
+    /// Remark of the transcriber; `None` if the file states none.
     pub note: Option<String>,
-    /// Notation of its formulas.
+    /// Notation of the entry's formulas.
     pub notation: Notation,
-    /// Point near which its formulas hold; `None` if they hold everywhere.
+    /// Point near which the entry's formulas hold; `None` if they hold everywhere.
     pub near: Option<Approximation>,
-    /// The place of the id in the file.
+    /// Byte range of the entry's id in the publication file.
     pub span: Range<usize>,
     /// Content of the entry: an equation, a definition, a system, a listing or a number.
     pub kind: EntryKind,
 }
 
-/// Statement that formulas hold near a point, up to an order in the deviations from it.
+/// Statement that formulas hold near a point, up to an order in the deviations from the point.
 #[derive(Clone, Debug)]
 pub struct Approximation {
     /// Highest order in the deviations that is kept, at least 1.
     pub order: u32,
-    /// The point, at least one value.
+    /// Values of variables at the point; at least one.
     pub values: Vec<PointValue>,
 }
 
-/// Value near which one variable stays.
+/// Value near which one variable stays in an approximation.
 #[derive(Clone, Debug)]
 pub struct PointValue {
     /// Name of a coordinate, a time derivative, a speed or a reaction.
     pub name: String,
-    /// Its symbol.
+    /// Symbol of the variable.
     pub symbol: Expr,
-    /// The value, in parameters.
+    /// Value near which the variable stays, in parameters.
     pub value: Expr,
 }
 
 /// Kinds of content of an entry, with their data.
 #[derive(Clone, Debug)]
 pub enum EntryKind {
-    /// A value of a derived quantity.
+    /// A printed value of a derived quantity.
     Equation {
-        /// The quantity.
+        /// Derived quantity to which the value belongs.
         quantity: Quantity,
-        /// The value, as printed.
+        /// Value of the quantity, as printed.
         printed: Expr,
-        /// Its text.
+        /// Text of the printed value.
         text: String,
     },
-    /// Definition of the text, which no derivation can contradict.
+    /// A printed definition, which no derivation can contradict.
     Definition {
-        /// The text.
+        /// Text of the printed definition.
         text: String,
     },
-    /// A linear system.
+    /// A printed linear system, such as M u̇ = F.
     System(System),
-    /// A program that computes the derivative of a state.
+    /// A printed program that computes the derivative of a state.
     Listing(Listing),
-    /// A number.
+    /// A printed number of a parameter or of a start.
     Initial(Initial),
 }
 
-/// matrix · unknowns = right, as printed. Any number of rows; as many columns as unknowns.
+/// A printed linear system, matrix · unknowns = right. It has any number of rows, and as many columns as unknowns.
 #[derive(Clone, Debug)]
 pub struct System {
     /// Formulation that the system is compared with.
     pub formulation: Formulation,
-    /// The frame of the components: for Newton–Euler only.
+    /// Index of the frame of the components of a Newton–Euler system; `None` for other systems.
     pub frame: Option<usize>,
-    /// u̇ for Kane, q̈ for Lagrange, u̇ and reactions for Newton–Euler; each once.
+    /// Unknowns of the system, each once: u̇ for Kane, q̈ for Lagrange, u̇ and reactions for Newton–Euler.
     pub unknowns: Vec<Expr>,
-    /// Their names.
+    /// Names of the unknowns.
     pub unknown_names: Vec<String>,
-    /// The matrix, row by row.
+    /// Matrix of the printed system, row by row.
     pub matrix: Vec<Vec<Expr>>,
-    /// Its text.
+    /// Texts of the matrix entries, row by row.
     pub matrix_texts: Vec<Vec<String>>,
-    /// The right-hand sides.
+    /// Right-hand sides of the printed system, one for each row.
     pub right: Vec<Expr>,
-    /// Their texts.
+    /// Texts of the right-hand sides.
     pub right_texts: Vec<String>,
-    /// Ids of single entries of the matrix, with `{i}` for the row and `{j}` for the column.
+    /// Template of the ids of single matrix entries, with `{i}` for the row and `{j}` for the column.
     pub matrix_ids: Option<String>,
-    /// Ids of single right-hand sides, with `{i}` for the row.
+    /// Template of the ids of single right-hand sides, with `{i}` for the row.
     pub right_ids: Option<String>,
 }
 
-/// A program that computes the derivative of a state (q, v): v is u, or q̇ for Lagrange.
+/// A printed program that computes the derivative of a state (q, v), where v is u, or q̇ for Lagrange.
 #[derive(Clone, Debug)]
 pub struct Listing {
     /// Formulation that the listing is compared with.
     pub formulation: Formulation,
-    /// z(1), z(2), …: coordinates, then as many speeds, each once.
+    /// State z(1), z(2), …: coordinates, then as many speeds, each once. For Lagrange, rates take the place of speeds.
     pub state: Vec<Expr>,
-    /// Their names.
+    /// Names of the state's variables.
     pub state_names: Vec<String>,
-    /// dz(1), dz(2), … as assigned: before the division by the matrix, if there is one.
+    /// Derivative dz(1), dz(2), … as assigned: before the division by the matrix, if the program has one.
     pub derivative: Vec<Expr>,
-    /// Their texts.
+    /// Texts of the assigned derivatives.
     pub derivative_texts: Vec<String>,
-    /// E of dz = E \ dz for the second half of the state; square.
+    /// Square matrix E of dz = E \ dz for the second half of the state; `None` if the program has none.
     pub matrix: Option<Vec<Vec<Expr>>>,
-    /// Its text.
+    /// Texts of the matrix entries, row by row.
     pub matrix_texts: Option<Vec<Vec<String>>>,
 }
 
-/// A number of a parameter, or a value at the start.
+/// A printed number: the value of a parameter, or a value at the start.
 #[derive(Clone, Debug)]
 pub struct Initial {
-    /// Values of one set belong together; a set has one value of a quantity.
+    /// Name of the set to which the number belongs. A set has one value of each quantity.
     pub set: String,
-    /// The symbol of a parameter, coordinate, coordinate's derivative or speed.
+    /// Symbol of a parameter, coordinate, coordinate's derivative or speed.
     pub quantity: Expr,
-    /// Its name.
+    /// Name of the parameter, coordinate, coordinate's derivative or speed.
     pub name: String,
-    /// The number: a term without symbols.
+    /// Printed number as a term without symbols.
     pub value: Expr,
-    /// Its text.
+    /// Text of the printed number.
     pub text: String,
-    /// Decimals as printed, for a plain number; `None` for a formula, which is exact.
+    /// Number of printed decimals of a plain number; `None` for a formula, which is exact.
     pub decimals: Option<u32>,
 }
 
@@ -219,20 +219,20 @@ impl Publication {
 }
 
 impl System {
-    /// The id of a row, which counts from 0, of the system `id`.
+    /// Id of a row, counted from 0, of the system whose id is `id`.
     #[must_use]
     pub fn row_id(&self, id: &str, row: usize) -> String {
         format!("{id}-row{}", row + 1)
     }
 
-    /// The id of a single entry of the matrix, row and column from 0, if the file names them.
+    /// Id of a single matrix entry, row and column counted from 0; `None` if the publication file names none.
     #[must_use]
     pub fn matrix_id(&self, row: usize, column: usize) -> Option<String> {
         let template = self.matrix_ids.as_ref()?;
         Some(template.replace("{i}", &(row + 1).to_string()).replace("{j}", &(column + 1).to_string()))
     }
 
-    /// The id of a single right-hand side, row from 0, if the file names them.
+    /// Id of a single right-hand side, row counted from 0; `None` if the publication file names none.
     #[must_use]
     pub fn right_id(&self, row: usize) -> Option<String> {
         Some(self.right_ids.as_ref()?.replace("{i}", &(row + 1).to_string()))
@@ -249,16 +249,16 @@ impl System {
 }
 
 impl Listing {
-    /// The id of dz(`at` + 1) of the listing `id`.
+    /// Id of the derivative dz(`at` + 1) of the listing whose id is `id`.
     #[must_use]
     pub fn derivative_id(&self, id: &str, at: usize) -> String {
         format!("{id}-dz{}", at + 1)
     }
 
-    /// The id of an entry of the matrix of the listing `id`, row and column from 0.
+    /// Id of a matrix entry, row and column counted from 0, of the listing whose id is `id`.
     #[must_use]
     pub fn matrix_id(&self, id: &str, row: usize, column: usize) -> String {
-        // Beyond 9 rows, 1 and 11 would read as 11 and 1.
+        // Beyond nine rows, the pairs 1, 11 and 11, 1 would read the same.
         let comma = if self.state.len() > 18 { "," } else { "" };
         format!("{id}-E{}{comma}{}", row + 1, column + 1)
     }
@@ -273,8 +273,8 @@ impl Listing {
 }
 
 impl Entry {
-    /// The ids of everything that gets a verdict of its own: the entry's id, or those of the rows and entries of a
-    /// system or listing.
+    /// Ids of all parts of the entry that get a verdict of their own. These are the entry's id, or those of the rows
+    /// and entries of a system or listing.
     #[must_use]
     pub fn ids(&self) -> Vec<String> {
         match &self.kind {

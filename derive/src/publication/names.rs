@@ -5,16 +5,16 @@ use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
 use crate::mechanics::Quantities;
 
-/// Symbols of the text with the derived values that they stand for; a symbol without a value has a reason.
+/// Symbols of a publication with the derived values for which they stand; a symbol without a value has a reason.
 pub struct Names {
-    /// (symbol, value in q and u)
+    /// Symbols, each with its value in q and u.
     values: Vec<(Expr, Expr)>,
-    /// (symbol, reason)
+    /// Symbols without a value, each with the reason.
     missing: Vec<(Expr, String)>,
 }
 
 impl Names {
-    /// The derived values of a publication's `[names]`.
+    /// Derived values of the symbols of a publication's `[names]`.
     #[must_use]
     pub fn new(publication: &Publication, quantities: &mut Quantities<'_>) -> Self {
         let (mut values, mut missing) = (Vec::new(), Vec::new());
@@ -27,10 +27,10 @@ impl Names {
         Self { values, missing }
     }
 
-    /// A printed term, in the arena of the derivations, with its symbols replaced.
+    /// Replaces the symbols of derived quantities in a printed term by their values, in the arena of the derivations.
     ///
     /// # Errors
-    /// Why one of its symbols has no value, or that it divides by one that is zero.
+    /// The reason why a symbol has no value, or that the term divides by a quantity that is zero.
     pub fn resolve(&self, quantities: &mut Quantities<'_>, e: Expr) -> Result<Expr, String> {
         let arena = &mut quantities.derivations.kinematics.arena;
         let parts = arena.reachable(&[e]);

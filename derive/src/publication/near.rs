@@ -1,5 +1,5 @@
-//! `about` and `order`: formulas of a publication that hold near a point only, up to an order in the deviations from
-//! it.
+//! Keys `about` and `order` of a publication file: formulas that hold near a point only, up to an order in the
+//! deviations from the point.
 
 use super::read::Loading;
 use super::{Approximation, PointValue};
@@ -8,12 +8,12 @@ use crate::diagnostic::{nearest, shown};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
-/// The highest order that a formula may be stated to.
+/// Highest order of an approximation that a publication file may state.
 const MOST: u32 = 4;
 
 impl<'a> Loading<'a, '_> {
-    /// Reads the point and the order that a table states. Returns those of the file if the table states none, and
-    /// `None` if it states an empty point.
+    /// Reads the point and the order that a table states. If the table states none, those of the publication file are
+    /// returned. `None` if the table states an empty point.
     pub fn near(&mut self, table: &'a DeTable<'a>) -> Option<Approximation> {
         let order = self.order(table);
         let Some(value) = self.reader.get(table, "about") else {
@@ -56,7 +56,7 @@ impl<'a> Loading<'a, '_> {
         order
     }
 
-    /// A coordinate, a time derivative, a speed or a reaction.
+    /// Symbol of a coordinate, a time derivative, a speed or a reaction by its name; reports another name.
     fn stays(&mut self, name: &Located) -> Option<crate::algebra::Expr> {
         let model = &self.model;
         let mut known = Vec::new();
@@ -73,7 +73,7 @@ impl<'a> Loading<'a, '_> {
         None
     }
 
-    /// A formula in parameters, in the language of model files.
+    /// Reads a formula in parameters, in the language of model files; reports other symbols.
     fn of_parameters(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
         let e = self.formula(formula, Notation::default())?;
         let (arena, parameters) = (&self.model.arena, self.model.p());

@@ -1,4 +1,4 @@
-//! From the text of a publication file to a [`Publication`]: the file as a whole, and the names it declares.
+//! Reads the text of a publication file as a [`Publication`]: the file as a whole, and the names that it declares.
 //!
 //! Every error is reported once, at its cause; `None` always means that an error stands in the reader.
 
@@ -16,7 +16,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Keys of the file.
+/// Keys at the top of a publication file.
 pub const KEYS: [&str; 14] = [
     "schema",
     "equation",
@@ -33,15 +33,15 @@ pub const KEYS: [&str; 14] = [
     "abbreviations",
     "names",
 ];
-/// The most names of one kind that a file declares.
+/// Largest number of names in one section of a publication file.
 const MAX_NAMES: usize = 1000;
-/// Errors after which no formula is read any more: nobody mends that many at once.
+/// Number of errors after which no further formula is read.
 const MAX_ERRORS: usize = 1000;
 
-/// Reads a publication for its model; formulas go to the model's arena.
+/// Reads a publication for its model; its formulas go to the model's arena.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the file.
+/// [`Diagnostics`] with every error of the publication file.
 pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     let table = table.get_ref();
@@ -75,23 +75,23 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Publication, Diagnosti
     Ok(Publication { source: source.clone(), title, reference, abbreviations, names, entries })
 }
 
-/// State of reading a publication: the file, the model, and the names and entries read so far.
+/// State of reading a publication file: the file, the model, and the names and entries read so far.
 pub struct Loading<'a, 'm> {
     pub reader: Reader<'a>,
     pub model: &'m mut Model,
     pub words: Words,
-    /// Notation of formulas whose entry states none.
+    /// Notation of the formulas of entries that state none.
     pub notation: Notation,
-    /// Point near which formulas hold whose entry states none.
+    /// Point and order of approximation of entries that state none; `None` if formulas hold everywhere.
     pub near: Option<Approximation>,
-    /// Place of each id in the file.
+    /// Byte range in the publication file of each id.
     pub ids: FxHashMap<String, Range<usize>>,
-    /// Place where each set states a quantity.
+    /// Byte range at which each set states a value of a quantity.
     pub values: FxHashMap<(String, Expr), Range<usize>>,
 }
 
 impl<'a> Loading<'a, '_> {
-    /// The notation that a table states, or that of the file.
+    /// Notation that a table states; without one, that of the publication file.
     pub fn notation(&mut self, table: &'a DeTable<'a>) -> Notation {
         let Some(value) = self.reader.get(table, "notation") else { return self.notation };
         let Some(name) = self.reader.string(value, "`notation`") else { return self.notation };
@@ -102,7 +102,7 @@ impl<'a> Loading<'a, '_> {
         })
     }
 
-    /// A formula in the names of the model and of the file.
+    /// Reads a formula in the names of the model and of the publication file.
     pub fn formula(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         if self.reader.errors.len() > MAX_ERRORS {
             return None;
@@ -110,7 +110,7 @@ impl<'a> Loading<'a, '_> {
         self.words.formula(&mut self.reader, &mut self.model.arena, formula, notation)
     }
 
-    /// The name of a derived quantity.
+    /// Reads the name of a derived quantity; reports a name that is none.
     pub fn quantity(&mut self, name: &Located) -> Option<Quantity> {
         match Quantity::parse(&name.text, self.model) {
             Ok(quantity) => Some(quantity),
@@ -121,12 +121,12 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// A string that may be absent.
+    /// Text under a key; `None` if the key is absent.
     pub fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         self.reader.prose(table, key)
     }
 
-    /// The values of an array.
+    /// Values of an array; reports a value that is no array.
     pub fn array(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
@@ -142,7 +142,7 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// The fields of a section that declares names.
+    /// Fields of a section that declares names; reports too many.
     fn section(&mut self, table: &'a DeTable<'a>, key: &str, example: &str) -> Vec<Field<'a>> {
         let Some(value) = self.reader.get(table, key) else { return Vec::new() };
         let example = format!("[{key}] with lines such as {example}");
@@ -156,13 +156,13 @@ impl<'a> Loading<'a, '_> {
         fields
     }
 
-    /// `[names]`: symbols for derived quantities.
+    /// Reads `[names]`: symbols for derived quantities. Each has its name, quantity and symbol.
     fn names(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Quantity, Expr)> {
         let mut names = Vec::new();
         for (name, value) in self.section(table, "names", "a1 = \"a(P) @ B [1]\"") {
             let text = self.reader.string(value, "the name of a quantity");
             let quantity = text.and_then(|text| self.quantity(&text));
-            // A space: no file can declare such a symbol.
+            // The name contains a space, so that no file can declare such a symbol.
             let symbol = quantity.as_ref().map(|q| self.model.arena.symbol(&format!("derived {q}")));
             let declared = self.words.declare(&mut self.reader, &name, symbol);
             if let (true, Some(quantity), Some(symbol)) = (declared, quantity, symbol) {
@@ -172,7 +172,7 @@ impl<'a> Loading<'a, '_> {
         names
     }
 
-    /// `[symbols]`: how the publication writes names of the model and of the file.
+    /// Reads `[symbols]`: the publication's spelling of names of the model and of the publication file.
     fn symbols(&mut self, table: &'a DeTable<'a>) {
         for (symbol, value) in self.section(table, "symbols", "'I_{xx}' = \"I1\"") {
             if let Some(name) = self.reader.string(value, "the name of a symbol") {
@@ -181,7 +181,7 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
-    /// `[abbreviations]`: formulas in the names of the model and in earlier abbreviations.
+    /// Reads `[abbreviations]`: names of formulas in the model's names and earlier abbreviations.
     fn abbreviations(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Expr)> {
         let section = self.section(table, "abbreviations", "s1 = \"sin(q1)\"");
         for (name, _) in &section {

@@ -1,14 +1,15 @@
-//! Symbols of a publication for the names of a model: those of `[symbols]`, and the usual LaTeX form of a name.
+//! Symbols that a publication writes for the names of a model: those of `[symbols]`, and the usual LaTeX form of a
+//! name.
 
 use crate::algebra::text::notation::{Notation, Spell, Symbol, Unknown, read_symbol};
 use crate::algebra::text::print::latex_name;
 use crate::diagnostic::shown;
 use rustc_hash::FxHashMap;
 
-/// Symbols of a publication and the names that they stand for.
+/// Symbols of a publication, and the names for which they stand.
 #[derive(Default)]
 pub struct Spellings {
-    /// Names by LaTeX symbols of `[symbols]`; the key is the symbol without its dots, and the number of its dots.
+    /// Names by LaTeX symbols of `[symbols]`. The key is the symbol without its dots, and the number of its dots.
     latex: FxHashMap<(String, usize), String>,
     /// Names by program variables of `[symbols]`.
     variables: FxHashMap<String, String>,
@@ -22,14 +23,15 @@ pub struct Spellings {
 pub enum Stated {
     /// The symbol was free and now stands for its name.
     New,
-    /// The symbol already stands for this other name.
+    /// The symbol already stands for the other name given here.
     Taken(String),
     /// The text is no symbol in any notation.
     NoSymbol,
 }
 
 impl Spellings {
-    /// Enters a name of the model or of the file, without primes.
+    /// Enters a name of the model or of the publication file, with its usual LaTeX symbol. Names with primes are
+    /// ignored.
     pub fn enter(&mut self, name: &str) {
         if name.contains('\'') {
             return;
@@ -45,10 +47,10 @@ impl Spellings {
         }
     }
 
-    /// Enters a symbol of `[symbols]`.
+    /// Enters a symbol of `[symbols]` for a name.
     pub fn state(&mut self, symbol: &str, name: &str) -> Stated {
         let variable = variable(symbol);
-        // A name as programs write it is a symbol of LaTeX too, as names of a model are.
+        // A name in the form of a program variable is a LaTeX symbol too, as names of a model are.
         let latex = if is_name(symbol) { read_symbol(&latex_name(symbol)) } else { read_symbol(symbol) };
         if variable.is_none() && latex.is_none() {
             return Stated::NoSymbol;
@@ -66,7 +68,8 @@ impl Spellings {
         Stated::New
     }
 
-    /// The name of a variable, which may end in primes, if `[symbols]` gives it one.
+    /// Name for which a program variable stands by `[symbols]`; the variable may end in primes. `None` if it stands for
+    /// none.
     pub fn variable(&self, text: &str) -> Option<String> {
         if let Some(name) = self.variables.get(text) {
             return Some(name.clone());
@@ -75,7 +78,7 @@ impl Spellings {
         self.variables.get(stem).map(|name| format!("{name}{}", &text[stem.len()..]))
     }
 
-    /// The names of a symbol of LaTeX: none, one, or several that look alike.
+    /// Names for which a LaTeX symbol may stand: none, one, or several that look alike.
     fn latex_names(&self, symbol: &Symbol) -> Vec<String> {
         let still = symbol.still();
         for own in (0..=symbol.dots).rev() {
@@ -88,10 +91,10 @@ impl Spellings {
     }
 }
 
-/// Looks up the symbols of one formula.
+/// Replaces the symbols of one formula by names.
 pub struct Speller<'a> {
     pub spellings: &'a Spellings,
-    /// True if the last error may recur at many places.
+    /// True if the last error may occur at many places of the file.
     pub repeated: bool,
 }
 
@@ -134,7 +137,7 @@ impl Spell for Speller<'_> {
     }
 }
 
-/// A key of TOML in quotes.
+/// Text of a TOML key in quotes.
 fn quoted(text: &str) -> String {
     if text.contains('\\') { format!("'{text}'") } else { format!("\"{text}\"") }
 }
@@ -145,7 +148,7 @@ fn is_name(text: &str) -> bool {
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
-/// A variable of a program in one form: a name, members by points, an index.
+/// A program variable in one form: a name, members after points, an index. `None` if the text is no variable.
 fn variable(text: &str) -> Option<String> {
     let text = text.replace("->", ".").replace(' ', "");
     let (name, index) = match text.find(['(', '[']) {
@@ -158,7 +161,7 @@ fn variable(text: &str) -> Option<String> {
     (fits && name.split('.').all(is_name)).then_some(text)
 }
 
-/// Names that a file may give as its notation.
+/// Names of notations that a publication file may state.
 pub fn notations() -> [&'static str; 6] {
     let [a, b, c, d, e] = Notation::ALL.map(Notation::name);
     [a, b, c, "sympy", d, e]

@@ -1,4 +1,4 @@
-//! Meanings of the names in the formulas of a publication.
+//! Meanings of the names in formulas of a publication.
 
 use super::spelling::{Speller, Spellings, Stated};
 use crate::algebra::term::calculus::Differential;
@@ -11,12 +11,12 @@ use crate::read::{Located, Reader};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
-/// The longest name.
+/// Most characters of a name that a publication file declares.
 const MAX_LENGTH: usize = 60;
-/// The primes that a name may have: q̈ is `q1''`.
+/// Most primes after a name: q̈ is `q1''`.
 const PRIMES: usize = 2;
-/// Terms that abbreviations may put into the formulas of one file. They multiply: a long one, used often, fills any
-/// memory.
+/// Largest number of terms that abbreviations may add to the formulas of one file. Without a limit, a long abbreviation
+/// that is used often would fill any memory.
 const MAX_EXPANSION: usize = 200_000;
 
 /// Meaning of a name in the formulas of a publication.
@@ -24,28 +24,28 @@ const MAX_EXPANSION: usize = 200_000;
 enum Word {
     /// A quantity of the model, with the name of its kind.
     Model(&'static str, Expr),
-    /// A formula or the symbol of a derived quantity, that the file declares.
+    /// A formula, or the symbol of a derived quantity, that the publication file declares.
     Declared(Expr),
-    /// An abbreviation that stands further down.
+    /// An abbreviation that is declared further down in the file.
     Later,
-    /// A wrong declaration, which is reported: what uses it fails in silence.
+    /// A name whose declaration is wrong and reported; formulas that use it fail in silence.
     Spoiled,
 }
 
 /// All names that formulas of a publication may use.
 pub struct Words {
     known: FxHashMap<String, Word>,
-    /// Place where the file declares each name.
+    /// Byte range in the publication file of each name's declaration.
     places: FxHashMap<String, Range<usize>>,
     order: Vec<String>,
-    /// Symbols that the publication writes for the names.
+    /// Symbols that the publication writes for names.
     spellings: Spellings,
-    /// Terms that abbreviations have put into formulas so far.
+    /// Number of terms that abbreviations have added to formulas so far.
     expansion: usize,
 }
 
 impl Words {
-    /// The names of a model.
+    /// Names of a model, as words of formulas.
     pub fn new(model: &mut Model) -> Self {
         let mut words = Self {
             known: FxHashMap::default(),
@@ -73,7 +73,8 @@ impl Words {
         words
     }
 
-    /// Constrained variables stand for their values in the generalized coordinates.
+    /// Adds variables that constraints fix, with their values in the generalized coordinates, and their time
+    /// derivatives.
     fn constrained(&mut self, model: &mut Model) {
         let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
@@ -95,7 +96,7 @@ impl Words {
         self.spellings.enter(name);
     }
 
-    /// Announces an abbreviation, so that an earlier one that uses it is told so.
+    /// Announces an abbreviation, so that an earlier formula that uses it gets a fitting message.
     pub fn announce(&mut self, name: &str) {
         if !self.known.contains_key(name) {
             self.known.insert(name.to_owned(), Word::Later);
@@ -103,7 +104,8 @@ impl Words {
         self.spellings.enter(name);
     }
 
-    /// Enters a symbol of the publication for a name, which may end in primes; reports what cannot be.
+    /// Enters a symbol of the publication for a name, which may end in primes. Reports an unknown name, and a text that
+    /// cannot be a symbol.
     pub fn spell(&mut self, reader: &mut Reader<'_>, symbol: &Located, name: &Located) {
         if !self.known.contains_key(&name.text) {
             let message = format!("unknown name `{}`", shown(&name.text));
@@ -123,8 +125,8 @@ impl Words {
         }
     }
 
-    /// Declares a name of the file; without a value, its declaration is wrong and that is reported. Reports a name that
-    /// cannot be declared.
+    /// Declares a name of the publication file; returns false for a name that cannot be declared, which is reported.
+    /// Without a value, the declaration is wrong and already reported.
     pub fn declare(&mut self, reader: &mut Reader<'_>, name: &Located, value: Option<Expr>) -> bool {
         let text = &name.text;
         let valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -160,7 +162,7 @@ impl Words {
         true
     }
 
-    /// Reads a formula of a notation into the model's arena; reports what is wrong with it.
+    /// Reads a formula in a notation into the model's arena; reports its errors.
     pub fn formula(
         &mut self,
         reader: &mut Reader<'_>,
@@ -168,7 +170,7 @@ impl Words {
         formula: &Located,
         notation: Notation,
     ) -> Option<Expr> {
-        // What one cause may raise at many places is shown once.
+        // An error that one cause may raise at many places is reported once.
         let (mut spoiled, mut repeated) = (false, false);
         match self.read(arena, formula, notation, &mut spoiled, &mut repeated) {
             Ok(e) => (!spoiled && reader.is_computable(arena, formula, e)).then_some(e),
@@ -184,7 +186,8 @@ impl Words {
         }
     }
 
-    /// A formula as a term; tells whether a wrong declaration spoils it, and whether its error may come again.
+    /// Reads a formula as a term. Sets `spoiled` if a wrong declaration spoils it, and `repeated` if its error may
+    /// occur again.
     fn read(
         &mut self,
         arena: &mut Arena,
@@ -198,7 +201,7 @@ impl Words {
         let (known, spellings, expansion) = (&self.known, &self.spellings, &mut self.expansion);
         let mut unknown = None;
         let read = parse_primed(arena, plain.text(), PRIMES, &mut |arena, name| {
-            // Other notations have looked their symbols up already.
+            // Other notations have replaced their symbols already.
             let stated = spellings.variable(name).filter(|_| notation == Notation::Tripos);
             let name = stated.as_deref().unwrap_or(name);
             match known.get(name).copied() {
@@ -246,7 +249,7 @@ impl Words {
     }
 }
 
-/// Operands that a sum or product gives to one that it stands in.
+/// Number of operands that a sum or product adds to a sum or product that contains it.
 fn width(arena: &Arena, e: Expr) -> usize {
     match arena.node(e) {
         Node::Sum(_, terms) => terms.len(),

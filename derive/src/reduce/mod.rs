@@ -1,13 +1,13 @@
-//! The least system that gives the outputs of a scene: equations of motion on the level set of its momenta, without
-//! variables on which no output depends.
+//! Reduction of a scene's equations to the smallest system that gives its outputs. The equations hold on the level set
+//! of the scene's momenta, and variables on which no output depends are left out.
 //!
-//! Every step is exact. Momenta of commuting symmetries take speeds out (`level`). A variable on which nothing depends
-//! by meaning is left out and replaced by a constant where a formula mentions it (`slice`). Variables that a symmetry
-//! moves together become differences (`relative`). Quantities that follow from the rest are computed when they are
-//! requested. The result is a model and equations as any others, with the momenta among the parameters, so that every
+//! Every step is exact. Momenta of commuting symmetries remove speeds (`level`). A variable on which no needed term
+//! depends by meaning is left out. A constant replaces it in formulas that contain it (`slice`). Variables that a
+//! symmetry moves together become differences (`relative`). Quantities that follow from the states are computed when
+//! they are requested. The result is an ordinary model with equations, with the momenta among the parameters. So every
 //! program that runs, charts and emits equations accepts it.
 //!
-//! Absent on purpose: numbers of the start. A reduction holds for every start on every level set, except the distance
+//! A reduction contains no start values: it holds for every start on every level set. The exception is the distance
 //! from a singular surface, whose side the start decides.
 
 mod basis;
@@ -35,26 +35,26 @@ use std::cmp::Reverse;
 /// Derives the reduced system of a scene of this model.
 ///
 /// # Errors
-/// [`DeriveError`] if the model's own equations cannot be derived, or an output needs a reaction that they do not
-/// determine; [`DeriveError::ReductionNotProved`] if even the system without momenta cannot be proved to give the
-/// scene's outputs.
+/// [`DeriveError`] if the model's own equations cannot be derived, or if an output needs a reaction that they do not
+/// determine. [`DeriveError::ReductionNotProved`] if not even the system without momenta is proved to give the scene's
+/// outputs.
 pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
     Ground::new(model)?.reduce(scene)
 }
 
 impl Ground {
-    /// The reduced system of a scene of the model that this was made from.
+    /// Reduced system of a scene of the model that this ground was made from.
     ///
     /// # Errors
-    /// As [`reduce`].
+    /// [`DeriveError`], for the same reasons as [`reduce`].
     pub fn reduce(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
         self.reduce_with(scene, true)
     }
 
-    /// The reduced system of a scene in no moving frame: its variables are functions of the model's.
+    /// Reduced system of a scene without a moving frame; its variables are functions of the model's variables.
     ///
     /// # Errors
-    /// As [`reduce`].
+    /// [`DeriveError`], for the same reasons as [`reduce`].
     pub fn reduce_without_frame(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
         self.reduce_with(scene, false)
     }
@@ -67,8 +67,8 @@ impl Ground {
         let wanted = ground.wanted(scene)?;
         let mut best: Option<(Weight, Vec<usize>)> = None;
         let choices = ground.choices();
-        // With one choice there is nothing to compare. Choices that hold most momenta come first: they are most often
-        // the best, and work is bounded.
+        // A single choice needs no comparison. Choices that hold most momenta come first: they are most often the best,
+        // and the work is limited.
         let mut compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
         compared.sort_by_key(|momenta| Reverse(momenta.len()));
         let mut work = Work::default();
@@ -88,14 +88,14 @@ impl Ground {
         let momenta = best.map(|(_, momenta)| momenta).unwrap_or_default();
         let mut framed = ground.clone();
         let framing = if may_turn { framed.framing(&wanted, &choices, &momenta, &mut work) } else { None };
-        // Without a frame nothing of the search for one stays, so that equations are written as they were.
+        // Without a frame, the terms of the search are dropped, so that the equations are written as before the search.
         match framing {
             Some(_) => ground = framed,
             None => ground.kept_by_domain = framed.kept_by_domain,
         }
         let whole = Whole { kane: ground.kane.clone(), wanted };
         let plain = |momenta| Choice { momenta, ..Choice::default() };
-        // What is not proved is not used. Without a frame, and without momenta, there is less to prove.
+        // A choice that is not proved is not used. Without a frame, and without momenta, there is less to prove.
         let tried = framing.into_iter().chain([plain(momenta), plain(Vec::new())]);
         let mut found = Err(String::new());
         for choice in tried {
@@ -107,19 +107,20 @@ impl Ground {
         found.map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
-    /// Cost of the equations on the level set of these momenta; `None` if they are not determined.
+    /// Cost of the equations on the level set of these momenta; `None` if the equations are not determined.
     fn weight_on(&mut self, momenta: &[usize], wanted: &Wanted) -> Option<Weight> {
         let wanted = self.relative(momenta, wanted.clone());
         let level = self.level(momenta, None)?;
         let (core, integrated, operations) = Flow::new(self, &level, &wanted)?.weight(self);
-        // Of equal ones the choice that holds most: then the energy, too, is a function of what is kept.
+        // Among equal costs the choice with most momenta wins: then the energy is more often a function of the kept
+        // variables.
         Some((core, integrated, operations, Reverse(momenta.len())))
     }
 
-    /// The system of a scene that holds no momenta: its only divisors are those of the model's own equations.
+    /// Reduced system of a scene that holds no momenta; its only divisors are those of the model's own equations.
     ///
     /// # Errors
-    /// As [`reduce`].
+    /// [`DeriveError`], for the same reasons as [`reduce`].
     pub fn reduce_without_momenta(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
         self.has_motion_of_its_own()?;
         let mut ground = self.clone();
@@ -137,13 +138,14 @@ impl Ground {
         }
     }
 
-    /// The reduced system on the level set of these momenta, in this frame.
+    /// Reduced system on the level set of a choice's momenta, in the choice's frame. The error is the statement that is
+    /// not proved.
     fn on_level(mut self, choice: &Choice, whole: &Whole, scene: &Scene) -> Result<Reduction, String> {
         let momenta = &choice.momenta;
         let wanted = self.differences(choice, &whole.wanted);
         let wanted = self.framed_by(choice, wanted).ok_or("that the frame is determined")?;
-        // The equations are written anew in the distance from the singular surface of this choice; those in a frame
-        // stay unchanged.
+        // The equations are rewritten in the distance from the singular surface of this choice, unless they are in a
+        // frame.
         let mut trial = self.clone();
         let place = if self.frame.is_some() { None } else { Some(()) };
         let place =
@@ -161,6 +163,6 @@ impl Ground {
     }
 }
 
-/// Criteria by which choices of momenta are compared: numbers of states, of integrated variables, of operations and of
-/// held momenta.
+/// Criteria by which choices of momenta are compared, in this order: numbers of states, of integrated variables, of
+/// operations and of held momenta.
 type Weight = (usize, usize, usize, Reverse<usize>);

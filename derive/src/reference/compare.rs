@@ -1,4 +1,4 @@
-//! A reference against what is derived, entry by entry.
+//! Comparison of a reference with the derived equations, entry by entry.
 
 use super::{Reference, ReferenceError, System};
 use crate::algebra::Expr;
@@ -12,27 +12,27 @@ use crate::mechanics::{
 use crate::model::Model;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// One entry of a reference, judged.
+/// Entry of a reference with its verdict.
 #[derive(Clone, Debug)]
 pub struct Compared {
-    /// The name of the quantity, or the place in a system, as in `kane matrix[1,2]`.
+    /// Name of the quantity, or place of the entry in a system, such as `kane matrix[1,2]`.
     pub name: String,
-    /// Value in the reference; `None` if the reference leaves the entry out.
+    /// Value in the reference; `None` if the reference lacks the entry.
     pub reference: Option<Expr>,
-    /// Value derived here; `None` if it cannot be derived.
+    /// Value derived by the program; `None` if it cannot be derived.
     pub derived: Option<Expr>,
-    /// Verdict of reference against derived. It is undecided if only one of the two is present.
+    /// Verdict of reference against derived value. It is undecided if one of the values is missing.
     pub verdict: Verdict,
 }
 
-/// Judges every entry of a reference: its quantities, then its systems in the order of the formulations. Those that it
-/// lacks are judged too.
+/// Judges every entry of a reference: its quantities, then its systems in the order of the formulations. Entries that
+/// the reference lacks are judged too.
 ///
-/// Kane's and Lagrange's equations have to agree entry by entry, signs and factors included; a row of Newton–Euler may
-/// stand at another place or carry a factor. The terms of the result are in the arena of the derivations.
+/// Kane's and Lagrange's equations must agree entry by entry, including signs and factors. A row of Newton–Euler may be
+/// at another place or have a factor. The terms of the result are in the store of the derivations.
 ///
 /// # Errors
-/// [`ReferenceError`] if the reference is of another model text, or is not written in the names of the model.
+/// [`ReferenceError`] if the reference belongs to another model text, or uses names that the model lacks.
 pub fn compare(
     model: &Model,
     derivations: &mut Derivations,
@@ -102,7 +102,7 @@ impl Judge<'_, '_> {
         self.found.push(Compared { name, reference: Some(stated), derived: Some(derived), verdict });
     }
 
-    /// Both sides in q and q̇, or both in q and u.
+    /// Rewrites a term in q and q̇ if `in_rates`, else in q and u.
     fn rewrite(&mut self, e: Expr, in_rates: bool) -> Expr {
         if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) }
     }
@@ -123,7 +123,7 @@ impl Judge<'_, '_> {
                 self.system(system, &rows)?;
             }
             (Some(_), Some(Err(why))) => self.missing(formulation.name(), &format!("not derived here: {why}")),
-            // Of reactions that were found, another program knows nothing.
+            // Another program does not know reactions that Tripos found itself.
             (None, Some(Ok(_))) if self.quantities.model.reactions.iter().all(|r| r.is_stated) => {
                 self.missing(formulation.name(), "the reference leaves it out");
             }
@@ -132,7 +132,7 @@ impl Judge<'_, '_> {
         Ok(())
     }
 
-    /// Entry by entry; `derived` are rows with the right-hand side at their end.
+    /// Judges a system entry by entry. The rows of `derived` have the right-hand side at their end.
     fn system(&mut self, system: &System, derived: &[Entries]) -> Result<(), ReferenceError> {
         let (name, in_rates) = (system.formulation.name(), system.formulation.is_in_rates());
         let unknowns = system.formulation.unknowns(self.quantities.model);
@@ -157,15 +157,15 @@ impl Judge<'_, '_> {
             }
             stated.push(row);
         }
-        // Of what states balances, rows may stand in another order.
+        // The order of balances is free, so the rows of such a system may be in another order.
         if system.formulation.carries_reactions() {
             self.match_rows(first, &stated, derived);
         }
         Ok(())
     }
 
-    /// Rows that differ from the derived one of the same number may be another one, or carry a factor; no two of them
-    /// the same.
+    /// Matches rows that differ from the derived row of equal number with other derived rows, up to a factor. No two
+    /// rows are matched with one derived row.
     fn match_rows(&mut self, first: usize, stated: &[Entries], derived: &[Entries]) {
         let width = stated.len() + 1;
         let place = |i: usize| first + i * width..first + (i + 1) * width;
@@ -191,7 +191,7 @@ impl Judge<'_, '_> {
     }
 }
 
-/// Every name that a formula of a reference may use.
+/// Symbols of all names that a formula of a reference may use.
 fn names(model: &Model) -> FxHashMap<String, Expr> {
     let mut names = FxHashMap::default();
     names.extend(model.parameters.iter().map(|p| (p.name.clone(), p.symbol)));

@@ -13,24 +13,24 @@ mod scene;
 use crate::read::SCHEMA;
 use serde_json::{Map, Value, json};
 
-/// A format of files.
+/// Format of the files that people write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// A mechanism, `model.toml`.
     Model,
     /// A run of a mechanism.
     Scene,
-    /// One instant, given or sought.
+    /// A state: one instant, given or sought.
     State,
     /// A published derivation, `publication.toml`.
     Publication,
 }
 
 impl Format {
-    /// All, in the order in which they are always listed.
+    /// All formats, in the order of every list of them.
     pub const ALL: [Self; 4] = [Self::Model, Self::Scene, Self::State, Self::Publication];
 
-    /// Its name on the command line.
+    /// Name of the format on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -70,7 +70,7 @@ impl Format {
     }
 }
 
-/// A key of a table, and its meaning.
+/// Key of a TOML table, with the kind of its value and its meaning.
 pub(crate) struct Key {
     name: &'static str,
     kind: Kind,
@@ -91,15 +91,15 @@ pub(crate) enum Kind {
     Flag,
     /// A whole number that is at least this.
     Whole(u32),
-    /// 1, 2 or 3.
+    /// The number of an axis: 1, 2 or 3.
     Axis,
     /// A text that is one of these words.
     Word(&'static [&'static str]),
-    /// The version of the format.
+    /// The version number of the format.
     Version,
     /// A list of values of this kind.
     List(&'static Kind),
-    /// A table whose keys are names, of things of this kind.
+    /// A table whose keys are names, and whose values are of this kind.
     Named(&'static Kind),
     /// A table with these keys.
     Table(&'static [Key]),
@@ -107,12 +107,12 @@ pub(crate) enum Kind {
     Either(&'static [Kind]),
 }
 
-/// A key that may be absent.
+/// Creates a key that may be absent.
 pub(crate) const fn key(name: &'static str, kind: Kind, about: &'static str) -> Key {
     Key { name, kind, is_needed: false, about }
 }
 
-/// A key that must be there.
+/// Creates a key that must be there.
 pub(crate) const fn needed(name: &'static str, kind: Kind, about: &'static str) -> Key {
     Key { name, kind, is_needed: true, about }
 }
@@ -120,7 +120,7 @@ pub(crate) const fn needed(name: &'static str, kind: Kind, about: &'static str) 
 /// Key that states the version of the format, which every format may have.
 pub(crate) const VERSION: Key = key("schema", Kind::Version, "the version of the format");
 
-/// The line of text that every entry may have.
+/// Key for a line of text, which every entry may have.
 pub(crate) const ABOUT: Key = key("about", Kind::Text, "a line of text for the reader");
 
 fn table(keys: &[Key]) -> Value {

@@ -4,7 +4,7 @@ use super::Kind::{Axis, Either, Flag, Formula, List, Named, Table, Text, Vector,
 use super::{ABOUT, Key, Kind, VERSION, key, needed};
 use crate::model::{JOINT_KINDS, SHAPE_KINDS};
 
-/// Keys of the file.
+/// Keys of a model file at its top level.
 pub(crate) const KEYS: &[Key] = &[
     VERSION,
     needed("name", Text, "the title of the model"),

@@ -1,4 +1,4 @@
-//! The keys of the file of a printed derivation.
+//! The keys of a publication file, which states a printed derivation.
 
 use super::Kind::{Formula, List, Named, Table, Text, Whole, Word};
 use super::{Key, Kind, VERSION, key, needed};
@@ -21,7 +21,7 @@ const ABOUT: Key =
     key("about", Named(&Formula), "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere");
 const ORDER: Key = key("order", Whole(1), "up to which order in the deviations from that point: 1 if nothing is said");
 
-/// Keys of the file.
+/// Keys of a publication file at its top level.
 pub(crate) const KEYS: &[Key] = &[
     VERSION,
     key("title", Text, "the title of the publication"),

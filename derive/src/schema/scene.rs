@@ -18,7 +18,7 @@ const IMPACTS: Key = key("impacts", Named(&Table(IMPACT)), "contacts, where bodi
 const FIGURE_LIST: Key = key("figures", List(&Table(FIGURE)), "figures of the page");
 const NUMBERS: Kind = Named(&Formula);
 
-/// Keys of a scene file.
+/// Keys of a scene file at its top level.
 pub(crate) const KEYS: &[Key] = &[
     VERSION,
     MODEL,
@@ -38,7 +38,7 @@ pub(crate) const KEYS: &[Key] = &[
     FIGURE_LIST,
 ];
 
-/// Keys of a state file, in whose place a scene may be.
+/// Keys of a state file at its top level. They include those of a scene file, which may stand in its place.
 pub(crate) const STATE_KEYS: &[Key] = &[
     VERSION,
     MODEL,

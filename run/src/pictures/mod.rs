@@ -1,4 +1,4 @@
-//! Poses of a mechanism during a motion, and its sketch.
+//! Poses of a mechanism during a motion for moving pictures, and its sketch.
 
 pub mod sketch;
 pub mod view;

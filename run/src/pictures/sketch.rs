@@ -44,14 +44,14 @@ use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, State};
 use words::Shown;
 
-/// Greatest width and height of the solids on the sheet, px.
+/// Greatest width and height of the solids on a sketch's sheet, px.
 const ROOM: (f64, f64) = (340.0, 280.0);
-/// The margin of a sheet, px.
+/// Width of the empty margin of a sheet, px.
 const MARGIN: f64 = 8.0;
-/// Number of poses that decide which points are fixed.
+/// Number of poses by which fixed points are found.
 const FAR: usize = 5;
 
-/// A sketch of a mechanism.
+/// Sketch of a mechanism in one pose: marks and labels on a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sketch {
     /// Title of the mechanism.
@@ -62,26 +62,27 @@ pub struct Sketch {
     pub drawn: String,
     /// Width and height of the sheet, px. All marks and labels lie within it.
     pub size: Spot,
-    /// Lines and areas, from back to front.
+    /// Lines and areas of the sketch, from back to front.
     pub marks: Vec<Mark>,
-    /// Labels in front of the marks, none on another.
+    /// Labels in front of the marks. No label covers another.
     pub labels: Vec<Label>,
-    /// Coordinates that are drawn at other values than at the start, since they could not be seen there.
+    /// Coordinates that are drawn at other values than at the start, since their marks could not be seen at the start.
     pub changed: Vec<Changed>,
 }
 
-/// Parameters and coordinates that are drawn.
+/// Values of the parameters and coordinates that are drawn.
 struct Given<'a> {
     parameters: &'a [f64],
     q: Vec<f64>,
+    /// Coordinates whose values were changed so that their marks are visible.
     changed: Vec<Changed>,
     /// Name of the pose, such as `the start of swing.toml`.
     of: String,
 }
 
 impl Sketch {
-    /// Sketch of a mechanism at the start of a scene. Angles and lengths that could not be seen there are drawn at
-    /// other values, unless the mechanism has loops.
+    /// Draws a mechanism at the start of a scene. Angles and lengths that could not be seen there are drawn at other
+    /// values, unless the mechanism has loops.
     ///
     /// # Errors
     /// [`Error::Request`] if a shape has a length that is not positive, or a frame or point has no place at this start.
@@ -92,19 +93,19 @@ impl Sketch {
         Self::seen(mechanism, (&scene.parameters, &scene.q), of)
     }
 
-    /// Sketch of a mechanism without a scene, at the values of its file and in a pose that shows everything.
+    /// Draws a mechanism without a scene, at the values of its file and in a pose that shows everything.
     ///
     /// # Errors
-    /// As [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no pose closes the loops.
+    /// Errors of [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no pose closes the loops.
     pub fn of_model(mechanism: &Mechanism) -> Result<Self, Error> {
         let (parameters, q) = without_scene(mechanism)?;
         Self::seen(mechanism, (&parameters, &q), "the model by itself".to_owned())
     }
 
-    /// Sketch of a mechanism in exactly this state.
+    /// Draws a mechanism in exactly the given state.
     ///
     /// # Errors
-    /// As [`Self::of_scene`].
+    /// Errors of [`Self::of_scene`].
     pub fn at_state(mechanism: &Mechanism, state: &State) -> Result<Self, Error> {
         let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
         let of = "the state that was asked for".to_owned();
@@ -112,6 +113,7 @@ impl Sketch {
         Self::new(mechanism, &terms, &poses, given)
     }
 
+    /// Draws a mechanism after coordinates whose marks could not be seen were changed. `of` names the pose.
     fn seen(mechanism: &Mechanism, (parameters, q): (&[f64], &[f64]), of: String) -> Result<Self, Error> {
         let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
         let (q, changed) = shown::shown(mechanism, &terms, &poses, Configuration { parameters, q })?;
@@ -161,10 +163,10 @@ fn file(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
-/// Poses far from a configuration. A point that has the same place in all of them does not move.
+/// Poses far from a configuration. A point that has the same place in all of them is fixed.
 fn far(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
     let moved = |step: usize| {
-        // Multiples of irrational numbers, the same on every machine.
+        // Multiples of irrational numbers, which are the same on every machine.
         let share = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (step + 1) as f64 * 0.569_840_291).fract();
         at.q.iter().enumerate().map(|(k, q)| q + 0.15 + 0.9 * share(k)).collect::<Vec<f64>>()
     };
@@ -172,7 +174,7 @@ fn far(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
     all.filter(is_somewhere).collect()
 }
 
-/// Chooses the camera and its scale.
+/// Chooses the camera of a sketch and its scale.
 fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     let moving: Vec<Pose> = std::iter::once(subject.pose.clone()).chain(subject.far.iter().cloned()).collect();
     let plane = View::of_poses(subject.mechanism, at, &[&moving])?.plane;
@@ -188,7 +190,7 @@ fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     let (low, high) = bodies::extent(subject);
     let fits = |room: f64, i: usize| if high[i] - low[i] > 1e-9 { room / (high[i] - low[i]) } else { f64::MAX };
     let scale = fits(ROOM.0, 0).min(fits(ROOM.1, 1));
-    // A mechanism that is a single point has the size that its view gives.
+    // A mechanism that is a single point is scaled by the size that its view gives.
     subject.camera.scale = if scale < f64::MAX { scale } else { 0.5 * ROOM.1 / subject.view.size };
     Ok(())
 }
@@ -224,7 +226,7 @@ fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Puts every coordinate on the sheet. Returns the mark that shows each.
+/// Puts a mark of every coordinate on the sheet. Returns the index of each coordinate with the mark that shows it.
 fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> {
     let mut arcs = Arcs::default();
     let (mut shown, mut alone) = (Vec::new(), Vec::new());
@@ -264,7 +266,7 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
         angles::draw_together(subject, sheet, &mut arcs, (frame, names));
     }
     if let (false, Some((low, high))) = (alone.is_empty(), drawing::extent(&sheet.marks, &[])) {
-        // Below all else.
+        // These names are placed below all marks.
         for c in &alone {
             sheet.name(Role::Coordinate, vec![named(*c)], [low[0], high[1]], Some([0.0, 1.0]), 12.0);
         }
@@ -272,7 +274,7 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
     shown
 }
 
-/// Names of bodies beside them, where there is room.
+/// Puts the names of bodies beside them, if there is room.
 fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
     for (at, body) in subject.mechanism.bodies.iter().enumerate() {
         let own = subject.view.solids.iter().filter(|solid| solid.body == Some(at));
@@ -282,7 +284,7 @@ fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
             Form::Rod { ends, .. } if is_rigid => Some(ends.map(|end| subject.spot(end))),
             _ => None,
         });
-        // Takes the longest of the rods, compared in steps of 4 px; the first of equal ones.
+        // The longest of the rods is taken, compared in steps of 4 px; the first of equal ones.
         let long = |[a, b]: &[Spot; 2]| ((b[0] - a[0]).hypot(b[1] - a[1]) / 4.0).round();
         let longest = rods.fold(None, |best: Option<[Spot; 2]>, rod| match best {
             Some(best) if long(&best) >= long(&rod) => Some(best),
@@ -297,7 +299,8 @@ fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// The sheet with its labels placed, moved so that all marks and labels lie on it.
+/// Places the labels of a sheet, and moves it so that all marks and labels lie on it. Returns the size of the sheet,
+/// px, its marks and its labels.
 fn finish(sheet: Sheet) -> (Spot, Vec<Mark>, Vec<Label>) {
     let (mut labels, leaders) = place::placed(&sheet.wishes, &sheet.marks);
     let mut marks = sheet.marks;

@@ -1,4 +1,4 @@
-//! Solids of a mechanism and their poses during a motion. Rendering is left out on purpose.
+//! Solids of a mechanism and their poses during a motion. Code that draws them is elsewhere on purpose.
 //!
 //! ```
 //! use tripos::Scene;
@@ -41,24 +41,25 @@ use tripos_derive::scene::Scene;
 /// Solids of a mechanism at the parameters of a scene, with size and directions for drawing.
 #[derive(Clone, Debug)]
 pub struct View {
-    /// All solids; their order has no meaning.
+    /// All solids of the mechanism; their order has no meaning.
     pub solids: Vec<Solid>,
-    /// True if the model file gives the shapes. Else they are guessed from bodies, points and joints.
+    /// True if the model file states the shapes. Otherwise they are guessed from bodies, points and joints.
     pub is_stated: bool,
-    /// Upward direction of length 1 in the inertial frame: against gravity, else the third inertial axis.
+    /// Upward direction of length 1 in the inertial frame: against gravity, or the third inertial axis without gravity.
     pub up: Triple,
     /// Normal of the plane in which all points stay, of length 1; `None` if there is no such plane.
     pub plane: Option<Triple>,
-    /// Size of the mechanism, m: the greatest distance of two seen points at one instant.
+    /// Size of the mechanism, m: the greatest distance of two visible points at one instant.
     pub size: f64,
-    /// Points whose paths are worth tracing: points of contact, else particles, else a mass centre.
+    /// Indices of the points whose paths are worth tracing: points of contact, otherwise particles, otherwise one mass
+    /// centre.
     pub traced: Vec<usize>,
-    /// Axes of each rigid body: its frame, and the point of its mass centre.
+    /// Index of the frame and of the mass centre of each rigid body, where its axes can be drawn.
     pub triads: Vec<(usize, usize)>,
 }
 
 impl View {
-    /// View of these motions of one mechanism. The first motion gives the size and the plane.
+    /// Makes the view of several motions of one mechanism. The first motion determines the size and the plane.
     ///
     /// # Errors
     /// [`Error::Request`] if a shape has a length that is not positive at the parameters of the scene.
@@ -68,11 +69,11 @@ impl View {
         Self::of_poses(mechanism, at, &motions)
     }
 
-    /// View of a mechanism that moves through these poses from a configuration. The first motion gives the size and the
-    /// plane.
+    /// Makes the view of a mechanism that moves through given poses from a configuration. The first motion determines
+    /// the size and the plane.
     ///
     /// # Errors
-    /// [`Error::Request`] if a shape has a length that is not positive at these parameters.
+    /// [`Error::Request`] if a shape has a length that is not positive at the given parameters.
     pub fn of_poses(mechanism: &Mechanism, at: Configuration<'_>, motions: &[&[Pose]]) -> Result<Self, Error> {
         let poses = Poses::new(mechanism)?;
         let stated = stated::solids(mechanism, at.parameters)?;
@@ -99,7 +100,7 @@ impl View {
     }
 }
 
-/// Direction against gravity at the start, of length 1; the third inertial axis without gravity.
+/// Direction against gravity at the start of a motion, of length 1; the third inertial axis without gravity.
 fn up(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Triple, Error> {
     let third = [0.0, 0.0, 1.0];
     let (Some(gravity), Some(pose)) = (&mechanism.gravity, poses.first()) else { return Ok(third) };
@@ -108,7 +109,7 @@ fn up(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Tripl
     Ok(space::unit(fall).map_or(third, |down| down.map(|x| 0.0 - x)))
 }
 
-/// Evaluates terms that depend only on parameters.
+/// Evaluates terms that depend only on parameters; `what` names them in an error.
 fn values(
     mechanism: &Mechanism,
     parameters: &[f64],

@@ -1,7 +1,8 @@
 //! Moves a start along symmetries to the section of a scene's moving frame, to 32 digits.
 //!
 //! A motion along symmetries changes nothing that the scene shows, however far it goes. So Newton's method may choose
-//! its lengths in doubles, as long as each motion is exact and the pins end at zero.
+//! the lengths of motions in doubles, as long as each motion is exact and the pins end at zero. Pins are functions of
+//! the state that are zero on the section.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -11,22 +12,22 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::reduce::Turned;
 use tripos_traits::DoubleDouble;
 
-/// Greatest number of Newton steps.
+/// Greatest number of Newton steps towards the section of a moving frame.
 const STEPS: usize = 60;
-/// Greatest length of one step along a symmetry.
+/// Greatest length of one Newton step along a symmetry, in the parameter of the symmetry.
 const FARTHEST: f64 = 0.5;
-/// Greatest number of columns of an extrapolation. Below, the accepted difference of two columns, relative to the size
-/// of the state.
+/// Greatest number of columns of an extrapolation to step length zero.
 const COLUMNS: usize = 16;
+/// Accepted difference of the last two columns of an extrapolation, relative to the size of the state.
 const EXACT: f64 = 1e-31;
-/// Greatest number of halvings of a motion that does not converge.
+/// Greatest number of times that a motion along symmetries is halved because its extrapolation does not converge.
 const HALVINGS: usize = 6;
-/// Accepted residual of a pin, relative to the size of the state.
+/// Accepted residual of a pin, a function that is zero on the section, relative to the size of the state.
 const PINNED: f64 = 1e-29;
 /// Lengths by which a start is first moved along each symmetry, since it may be singular for the frame: zero, then
 /// unrelated numbers.
 const DETOURS: [f64; 5] = [0.0, 0.7, -1.1, 1.9, -2.3];
-/// Ratio to the largest singular value below which a singular value counts as zero.
+/// Ratio to the largest singular value of the pins' slopes below which a singular value counts as zero.
 const NOTHING: f64 = 1e-9;
 
 /// Moves coordinates and speeds of the whole model along the symmetries of a frame until its pins are zero.
@@ -55,15 +56,20 @@ pub fn turned(
     })
 }
 
+/// Symmetries and pins of a moving frame as tapes of 32 digits, with the values of the parameters.
 struct Turning<'a> {
     parameters: &'a [DoubleDouble],
+    /// Directions of the symmetries, one after the other, each with one component for each state.
     fields: Tape<DoubleDouble>,
+    /// Values of all pins, then their slopes along the symmetries, row by row.
     pins: Tape<DoubleDouble>,
+    /// Number of pins, which is also the number of symmetries.
     count: usize,
 }
 
 impl Turning<'_> {
-    /// Solves for zero pins by Newton's method, from a start that is first moved this far along each symmetry.
+    /// Solves for zero pins by Newton's method, from a start that is first moved by about `detour` along each symmetry.
+    /// `None` if the slopes of the pins are singular or the method does not converge.
     fn to_section(&self, start: &[DoubleDouble], detour: f64) -> Option<Vec<DoubleDouble>> {
         let count = self.count;
         let detours: Vec<f64> = (0..count).map(|at| detour / (1.0 + 0.3 * at as f64)).collect();
@@ -91,7 +97,8 @@ impl Turning<'_> {
         None
     }
 
-    /// The state after a motion of these lengths along all symmetries together.
+    /// Moves a state by the lengths `far` along all symmetries together. Halves the motion up to `halvings` times if
+    /// the extrapolation does not converge; `None` if that does not help.
     fn moved(&self, start: &[DoubleDouble], far: &[f64], halvings: usize) -> Option<Vec<DoubleDouble>> {
         if let Some(end) = self.extrapolated(start, far) {
             return Some(end);
@@ -101,8 +108,8 @@ impl Turning<'_> {
         self.moved(&middle, &half, halvings - 1)
     }
 
-    /// The moved state by W. B. Gragg's modified midpoint rule with 2, 4, 6, … steps and extrapolation in their
-    /// squares. `None` if it does not converge.
+    /// Moves a state along the symmetries by W. B. Gragg's modified midpoint rule with 2, 4, 6, … steps and
+    /// extrapolation in the squares of the step length. `None` if the extrapolation does not converge.
     fn extrapolated(&self, start: &[DoubleDouble], far: &[f64]) -> Option<Vec<DoubleDouble>> {
         let mut columns: Vec<Vec<DoubleDouble>> = Vec::new();
         for k in 0..COLUMNS {
@@ -129,6 +136,7 @@ impl Turning<'_> {
         None
     }
 
+    /// Moves a state along the symmetries by the modified midpoint rule with an even number of steps.
     fn midpoint(&self, start: &[DoubleDouble], far: &[f64], steps: usize) -> Vec<DoubleDouble> {
         let h = DoubleDouble::from(1.0) / DoubleDouble::from(steps as f64);
         let along = |from: &[DoubleDouble], at: &[DoubleDouble], h: DoubleDouble| -> Vec<DoubleDouble> {
@@ -144,7 +152,7 @@ impl Turning<'_> {
         now
     }
 
-    /// Σ far ζ(x).
+    /// Rate of the state along all symmetries together: Σ farᵢ ζᵢ(x) with the directions ζᵢ of the symmetries.
     fn rate(&self, x: &[DoubleDouble], far: &[f64]) -> Vec<DoubleDouble> {
         let values = self.fields.evaluate(&[self.parameters, x].concat());
         let mut rate = vec![DoubleDouble::from(0.0); x.len()];

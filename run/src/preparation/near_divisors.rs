@@ -1,4 +1,4 @@
-//! Divisors of the equations that are nearly zero at a configuration, in words.
+//! Text that names divisors of the equations that are nearly zero at a configuration.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -11,17 +11,18 @@ use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 use tripos_derive::mechanics::load_divisors;
 use tripos_derive::model::{Coordinate, Unit};
 
-/// Share of the size that a divisor's terms have elsewhere, below which it counts as nearly zero, in any unit.
+/// Share of the typical size of a divisor's terms below which the divisor counts as nearly zero, in any unit.
 const NEAR: f64 = 1e-6;
 
-/// Divisors of the equations that are nearly zero at a configuration, as the end of a sentence: ", where sin(theta) =
-/// 1.2e-16", with the meaning for a load. Empty if there are none.
+/// Names the divisors of the equations that are nearly zero at a configuration, as the end of a sentence: ", where
+/// sin(theta) = 1.2e-16". The meaning of a divisor of loads is added. Empty if no divisor is nearly zero.
 ///
 /// # Errors
 /// [`Error::Request`] if a divisor mentions a symbol that has no value during a run.
 pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<String, Error> {
     let inputs = [model.p(), model.q()].concat();
-    // A reduced system may divide by symbols that its steps define. A reader could not find such a place.
+    // A reduced system may divide by symbols that its steps define. A reader could not find a place where these are
+    // zero.
     let is_place = |arena: &Arena, e: Expr| {
         let symbols = arena.reachable(&[e]).into_iter();
         symbols.filter(|e| matches!(arena.node(*e), Node::Symbol(_))).all(|e| inputs.contains(&e))
@@ -47,8 +48,8 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
 }
 
-/// Typical size of each parameter and each coordinate. A coordinate that happens to be small counts as large as the
-/// largest parameter of its unit, an angle as a radian.
+/// Typical size of each parameter, then of each coordinate. A coordinate that happens to be small counts as large as
+/// the largest parameter of its unit, an angle as a radian.
 fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     let alike = |coordinate: &Coordinate| {
         let of = model.parameters.iter().zip(parameters).filter(|(p, _)| p.unit == coordinate.unit);
@@ -58,7 +59,7 @@ fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     parameters.iter().map(|value| value.abs()).chain(coordinates).collect()
 }
 
-/// Sizes of terms from the sizes of symbols, with sines and cosines at 1 and without cancellation.
+/// Typical sizes of terms, computed from the sizes of symbols, with sines and cosines at 1 and without cancellation.
 struct Sizes<'a>(&'a FxHashMap<Expr, f64>);
 
 impl Fold for Sizes<'_> {
@@ -83,7 +84,7 @@ impl Fold for Sizes<'_> {
     }
 }
 
-/// Formats a small number in a few digits.
+/// Formats a divisor that is nearly zero in two digits.
 fn said(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
 }
@@ -93,8 +94,8 @@ mod tests {
     use super::*;
     use tripos_derive::diagnostic::Source;
 
-    /// Model of a bead on the end of a massless arm, in polar coordinates with speeds along and across. Only the
-    /// divisors matter.
+    /// Model of a bead on the end of a massless arm, in polar coordinates with speeds along and across the arm. Only
+    /// the divisors matter.
     const BEAD: &str = r#"
 name = "bead"
 [parameters]

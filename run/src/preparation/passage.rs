@@ -1,11 +1,11 @@
 //! Runs of constrained mechanisms that change their independent speeds on the way.
 //!
 //! Chosen speeds u fail where they do not distinguish the motions that the constraints allow. The speed of a rocker
-//! fails in the dead points of its linkage. Near such a place the run goes on in all rates, by Lagrange's equations
-//! with multipliers, solved whatever their rank ([`tripos_sim::Multipliers`]). It returns to the chosen speeds where
-//! these hold again. Each change is a restart at the end of a step. A step in chosen speeds that ends where these
-//! hardly hold is made in all rates instead. The whole solution is given in (q, q̇), from which the shown quantities
-//! are computed; u keeps its meaning.
+//! fails in the dead points of its linkage. Near such a place the run goes on in the rates of all coordinates, in short
+//! all rates. It uses Lagrange's equations with multipliers, solved whatever their rank ([`tripos_sim::Multipliers`]).
+//! It returns to the chosen speeds where these hold again. Each change is a restart at the end of a step. A step in
+//! chosen speeds is made in all rates instead if the chosen speeds hardly hold at its end. The whole solution is given
+//! in (q, q̇), from which the shown quantities are computed; u keeps its meaning.
 
 mod changes;
 mod parts;
@@ -28,62 +28,70 @@ use tripos_traits::System;
 /// Equations in all rates, equations in the chosen speeds, and the parameters of both.
 type Systems<'a> = (&'a dyn System<f64>, &'a dyn System<f64>, &'a [f64]);
 
-/// Power at a state (q, q̇), W.
+/// Function that gives the power at an instant and a state (q, q̇), W.
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Share of the best standing so far below which the chosen speeds are left; above the next one they are taken again.
+/// Share of the best standing so far below which a run leaves the chosen speeds. The standing tells how well these
+/// speeds determine the motion.
 const LEAVES: f64 = 0.3;
+/// Share of the best standing so far above which a run returns to the chosen speeds.
 const RETURNS: f64 = 0.5;
-/// Standing below which a run does not begin in the chosen speeds.
+/// Standing of the chosen speeds below which a run does not begin in them.
 const BEGINS: f64 = 0.05;
-/// Relative change of a state that a mere correction stays below; nearer states count as the same.
+/// Relative change of a state below which it counts as the same state: a correction by constraints changes less.
 const SAME: f64 = 1e-9;
-/// Share of the best standing below which constraints count as nearly dependent.
+/// Share of the best standing of the constraints below which they count as nearly dependent.
 const SINGULAR: f64 = 0.1;
-/// Factors by which tolerances are widened near dependent constraints, and the steps after which the next is tried.
+/// Factors by which tolerances are widened near dependent constraints, in the order in which they are tried.
 const COARSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+/// Number of steps after which the next factor of `COARSER` is tried.
 const FEW: u64 = 2000;
-/// Share of the energy that may be lost near dependent constraints.
+/// Share of the energy that a run may lose near dependent constraints.
 const LOST: f64 = 1e-3;
 
-/// Equations in chosen speeds that run as far as they hold, within a problem in all rates.
+/// Equations in chosen speeds that run as far as these speeds determine the motion, beside a problem in all rates.
 #[derive(Clone, Copy)]
 pub struct Chosen<'a> {
     /// The formulation in chosen speeds.
     pub by: &'a By,
     /// Compiled equations in chosen speeds.
     pub code: &'a Code,
-    /// Way in which their accelerations are found.
+    /// Way in which the accelerations of the equations in chosen speeds are found.
     pub solve: Solve,
-    /// Parts of the last run that were made in all rates.
+    /// Parts of the last run that were computed in the rates of all coordinates.
     pub changes: &'a Mutex<Vec<Change>>,
 }
 
-/// A run under way that may change its speeds.
+/// A run under way that may change between its chosen speeds and all rates.
 struct Passage<'r> {
-    /// Equations in all rates; below, those in the chosen speeds.
+    /// Equations of motion in the rates of all coordinates.
     rates: &'r dyn System<f64>,
+    /// Equations of motion in the chosen speeds.
     speeds: &'r dyn System<f64>,
     parameters: &'r [f64],
+    /// Right-hand side in all rates, with multipliers. It also computes the standing of the chosen speeds.
     multipliers: RefCell<Multipliers<'r>>,
-    /// Best standing so far. It is not known as the best while a run that began where the choice fails has only moved
-    /// away from there.
+    /// Best standing of the chosen speeds and of the constraints so far.
     best: RefCell<Standing>,
+    /// False while a run that began where the chosen speeds fail has only moved away from that place.
     is_best_known: Cell<bool>,
-    /// Last requested state and the standing of the choice there; below, the last state converted to all rates.
+    /// Last state (q, q̇) whose standing was computed, and the standing there; `None` if it has no value.
     asked: RefCell<(Vec<f64>, Option<Standing>)>,
+    /// Last state that was converted to (q, q̇); kept to reuse its memory.
     told: RefCell<Vec<f64>>,
-    /// Least duration of the next part in all rates, s.
+    /// Least duration of the next part of the run in all rates, s.
     dwell: f64,
-    /// Duration of the last part in all rates, s.
+    /// Duration of the last part of the run in all rates, s.
     lasted: f64,
+    /// Parts of the run so far that were computed in all rates.
     changes: Vec<Change>,
     /// True if T + V minus the work of the power is constant in every motion.
     keeps_energy: bool,
 }
 
 /// Integrates from y0 = (q, q̇) over a span. It uses the equations in chosen speeds, whose right-hand side is given, as
-/// far as they hold, and those in all rates elsewhere. Returns the solution in (q, q̇), and the parts in all rates.
+/// far as these speeds determine the motion. Elsewhere it uses the equations in all rates. Returns the solution in (q,
+/// q̇), and the parts that were computed in all rates.
 ///
 /// # Errors
 /// [`SimError`] if the request is invalid.
@@ -120,11 +128,11 @@ pub fn solve(
     Ok((whole, passage.changes))
 }
 
-/// Runs from `y0` = (q, v) in the chosen speeds alone. `None` if they fail on the way, or hardly determine the motion;
-/// [`solve`] makes such runs.
+/// Runs from `y0` = (q, v) in the chosen speeds alone. `None` if these speeds fail on the way, or hardly determine the
+/// motion: such runs need [`solve`].
 ///
 /// # Errors
-/// As [`solve`].
+/// Errors of [`solve`].
 pub fn in_speeds_alone(
     systems: Systems<'_>,
     rhs: &mut dyn RightHandSide<f64>,
@@ -172,7 +180,8 @@ impl<'r> Passage<'r> {
         stands
     }
 
-    /// True if the standing of the choice at (q, q̇) is above a share of the best so far. `None` where it has no value.
+    /// True if the standing of the chosen speeds at (q, q̇) is above the share `part` of the best standing so far.
+    /// `None` where the standing has no value.
     fn stands(&self, y: &[f64], part: f64) -> Option<bool> {
         let now = self.standing(y)?;
         let mut best = self.best.borrow_mut();
@@ -183,8 +192,8 @@ impl<'r> Passage<'r> {
         Some(now.speeds > part * best.speeds && now.constraints > part * best.constraints)
     }
 
-    /// Standing of the chosen speeds at (q, q̇). A state that differs from the last one only by a correction has its
-    /// value.
+    /// Standing of the chosen speeds at (q, q̇); `None` where it has no value. A state that differs from the last
+    /// requested one only by a correction has the standing of that state.
     fn standing(&self, y: &[f64]) -> Option<Standing> {
         let mut asked = self.asked.borrow_mut();
         let (before, stood) = &mut *asked;
@@ -198,15 +207,16 @@ impl<'r> Passage<'r> {
         *stood
     }
 
-    /// True if the choice stands at a state in the chosen speeds, as [`Self::stands`] tells.
+    /// True if the standing of the chosen speeds at a state in these speeds is above the share `part` of the best; see
+    /// [`Self::stands`].
     fn stands_in_speeds(&self, y: &[f64], part: f64) -> Option<bool> {
         let mut told = self.told.borrow_mut();
         tell_in_rates(self.speeds, self.parameters, y, &mut told);
         self.stands(&told, part)
     }
 
-    /// Runs a part in the chosen speeds, up to where they hardly determine the motion. Also returns the end of the last
-    /// attempted step, s.
+    /// Runs a part in the chosen speeds, up to a place where they hardly determine the motion. Also returns the end of
+    /// the last attempted step, s.
     fn leg(
         &self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -230,7 +240,7 @@ impl<'r> Passage<'r> {
         Ok((leg, beyond.get()))
     }
 
-    /// Runs a part in the chosen speeds, with its solution converted to all rates.
+    /// Runs a part in the chosen speeds, and converts its solution to (q, q̇).
     fn by_speeds(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -251,13 +261,14 @@ impl<'r> Passage<'r> {
             *y = to_rates(y);
         }
         leg.projection = leg.projection.map(|publication| widened(&publication, self.rates));
-        // The next part leads at least as far as the step that began before the failure would have led.
+        // The next part lasts at least as long as the step whose failure ended this part.
         let beyond = (beyond - leg.t_end).abs();
         self.dwell = if leg.t_end.total_cmp(&span.0).is_eq() { beyond.max(2.0 * self.lasted) } else { beyond };
         Ok(leg)
     }
 
-    /// Runs a part in all rates.
+    /// Runs a part in the rates of all coordinates, with wider tolerances near a singular pose if the run gets stuck
+    /// there.
     fn in_rates(
         &mut self,
         span: (f64, f64),
@@ -268,7 +279,7 @@ impl<'r> Passage<'r> {
     ) -> Result<Solution, SimError> {
         let options = options_in_rates(options, y.len() / 2);
         let mut power = power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
-        // Near a singular pose rounding may exceed the tolerances, and steps creep. Wider tolerances lead across.
+        // Near a singular pose rounding may exceed the tolerances, and steps become tiny. Wider tolerances lead across.
         let (mut leg, mut is_singular, mut coarser) = (None, false, 1.0);
         for times in COARSER {
             let few = Options { step_limit: options.step_limit.min(FEW), ..coarsened(&options, times) };
@@ -299,7 +310,7 @@ impl<'r> Passage<'r> {
         }
         let to = (leg.stop == Stop::HandedOver).then_some(leg.t_end);
         match self.changes.last_mut() {
-            // No step was made in between.
+            // No step in chosen speeds was made since the last part in all rates.
             Some(last) if last.to == Some(span.0) => {
                 (last.to, last.is_singular) = (to, last.is_singular || is_singular);
                 last.coarser = last.coarser.max(coarser);
@@ -309,7 +320,8 @@ impl<'r> Passage<'r> {
         Ok(leg)
     }
 
-    /// Attempts a part in all rates. Also returns the least distance of the constraints from dependence.
+    /// Attempts a part in all rates. Also returns the least distance of the constraints from dependence during this
+    /// part.
     fn leg_in_rates(
         &self,
         (span, y): ((f64, f64), &[f64]),
@@ -330,7 +342,7 @@ impl<'r> Passage<'r> {
     }
 
     /// Relative change of the energy, less the work done, from a state to the end of a part. `None` if it is below the
-    /// limit, or energy is not conserved.
+    /// limit [`LOST`], or energy is not conserved.
     fn lost(&self, y: &[f64], leg: &Solution) -> Option<f64> {
         if !self.keeps_energy {
             return None;
@@ -346,7 +358,7 @@ impl<'r> Passage<'r> {
         (part > LOST).then_some(part)
     }
 
-    /// Converts (q, q̇) to the variables of the chosen speeds.
+    /// Converts a state (q, q̇) to the variables (q, v) of the equations in chosen speeds.
     fn told_in_speeds(&self, y: &[f64]) -> Vec<f64> {
         let (q, q_dot) = y.split_at(y.len() / 2);
         let mut u = vec![0.0; self.rates.lengths().speeds];
@@ -357,12 +369,12 @@ impl<'r> Passage<'r> {
     }
 }
 
-/// True if steps became too small or too many.
+/// True if a run stopped because its steps became too small or too many.
 fn is_stuck(stop: &Stop) -> bool {
     matches!(stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::StepLimit { .. })
 }
 
-/// Converts an event of (q, q̇) to one of other variables.
+/// Converts an event that is a function of (q, q̇) to an event in other variables; `to_rates` converts these to (q, q̇).
 fn told_by<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64>) -> Event<'e> {
     let function = &mut event.function;
     let told = move |t: f64, y: &[f64]| function(t, &to_rates(y));
@@ -375,6 +387,7 @@ fn told_by<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64
     }
 }
 
+/// Integrates equations whose steps are watched.
 fn run(
     mut rhs: Accompanied<'_>,
     span: (f64, f64),
@@ -385,14 +398,14 @@ fn run(
     integrate(Lent(&mut rhs as &mut dyn RightHandSide<f64>), span, y0, options, events)
 }
 
-/// Converts an integrated state to (q, q̇).
+/// Converts an integrated state (q, v) to (q, q̇).
 fn told_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
     let mut told = Vec::new();
     tell_in_rates(system, p, y, &mut told);
     told
 }
 
-/// Writes the state converted to (q, q̇) into `told`.
+/// Converts an integrated state (q, v) to (q, q̇), which is written into `told`.
 fn tell_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], told: &mut Vec<f64>) {
     let n = system.lengths().coordinates;
     let (q, v) = y.split_at(n);

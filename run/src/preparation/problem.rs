@@ -1,7 +1,7 @@
 //! A scene made ready to be integrated by one set of equations.
 //!
-//! Equations may be written in the distance from a singular surface. The integrated state holds that distance; states
-//! that people see hold the coordinate.
+//! Equations may be written in the distance of a coordinate from a singular surface. The integrated state then holds
+//! that distance; states that people see hold the coordinate.
 
 mod bouncing;
 mod changing;
@@ -27,45 +27,51 @@ use tripos_traits::{DoubleDouble, Real, Scalar, System};
 /// Power at an integrated state, W, as a function of t and y.
 pub type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Scene with the equations that run it and the way in which accelerations are found.
+/// Scene with the equations that run it and the way in which their accelerations are found.
 pub struct Problem<'a> {
     /// The scene's mechanism.
     pub mechanism: &'a Mechanism,
-    /// The model of the equations: the mechanism's, or the reduced one.
+    /// Model that the equations belong to: the mechanism's, or the reduced one.
     pub model: &'a Model,
     /// The scene, in the variables of the equations.
     pub scene: &'a Scene,
     /// The scene as its file gives it.
     pub shown: &'a Scene,
-    /// Equations of motion that run.
+    /// Name of the equations of motion that run.
     pub by: &'a By,
-    /// The equations, in the scene's distance if it has one.
+    /// The equations ready to run, in the scene's distance from a singular surface if it has one.
     pub code: &'a Code,
     /// Way in which accelerations are found.
     pub solve: Solve,
-    /// Equations in chosen speeds that run as far as they hold. `None` unless the problem's own equations are in all
-    /// rates.
+    /// Equations in chosen speeds that run as far as these speeds determine the motion. `None` unless the problem's own
+    /// equations are in all rates.
     pub chosen: Option<Chosen<'a>>,
+    /// Offset of the coordinate that is integrated as a distance from a singular surface; `None` if there is no such
+    /// coordinate.
     origin: Option<Origin>,
 }
 
-/// Convolutions for each component of a state up to which a run by Taylor's method costs no more than one by DOP853:
-/// 2.4 of the disk cost 0.9 to 1.1 of it, 6.5 of a cart with three pendulums 2.3.
+/// Number of convolutions per component of a state up to which a run by Taylor's method costs no more than one by
+/// DOP853. Measured: 2.4 convolutions (a disk) cost 0.9 to 1.1 times as much, 6.5 (a cart with three pendulums) 2.3
+/// times.
 const MOST_CONVOLUTIONS: usize = 4;
 
 /// Parameters and the integrated state, to 32 digits.
 pub type ExtendedStart = (Vec<DoubleDouble>, Vec<DoubleDouble>);
 
-/// Offset of one integrated variable, which is the coordinate minus this value.
+/// Offset of an integrated variable, which is the coordinate minus this value.
 #[derive(Clone, Copy)]
 struct Origin {
+    /// Index of the coordinate.
     at: usize,
+    /// Value of the coordinate on the singular surface, rad.
     value: DoubleDouble,
 }
 
 impl<'a> Problem<'a> {
-    /// Problem with these equations, which are in the scene's distance if it has one. Without `solve` the scene decides
-    /// how accelerations are found. If it does not say, they are eliminated where the equations allow it.
+    /// Makes a problem from a scene and equations, which are in the scene's distance if it has one. Without `solve` the
+    /// scene decides how accelerations are found. If the scene does not say, they are eliminated where the equations
+    /// allow it.
     ///
     /// # Errors
     /// [`Error::Request`] if accelerations are to be eliminated and cannot be; [`Error::Input`] if a moving body has no
@@ -80,10 +86,10 @@ impl<'a> Problem<'a> {
         Self::among(&InertiaCheck::new(mechanism), mechanism, scene, by, code, solve)
     }
 
-    /// Problem with these equations for one of many scenes of a mechanism, with one inertia check for all.
+    /// Makes a problem for one of many scenes of a mechanism, with one inertia check for all of them.
     ///
     /// # Errors
-    /// As [`Problem::new`].
+    /// Errors of [`Problem::new`].
     pub fn among(
         inertia: &InertiaCheck<'_>,
         mechanism: &'a Mechanism,
@@ -97,10 +103,10 @@ impl<'a> Problem<'a> {
         Self::with(mechanism, &mechanism.model, scene, (by, code), solve)
     }
 
-    /// Problem with a scene's own reduced equations. Their reduction has already checked the inertia.
+    /// Makes a problem from a scene and its own reduced equations. Their reduction has already checked the inertia.
     ///
     /// # Errors
-    /// As [`Problem::new`].
+    /// Errors of [`Problem::new`].
     pub fn reduced(
         mechanism: &'a Mechanism,
         reduced: &'a Reduced,
@@ -144,7 +150,7 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// Problem with these equations and another scene that differs only in its numbers.
+    /// Makes a problem with the same equations and another scene that differs only in its numbers.
     #[must_use]
     pub fn with_scene<'b>(&self, scene: &'b Scene) -> Problem<'b>
     where
@@ -154,8 +160,8 @@ impl<'a> Problem<'a> {
         Problem { mechanism, model, scene, shown, by, code, solve, chosen, origin }
     }
 
-    /// True if the run can use Taylor coefficients with few convolutions. In larger systems they cost more than a step
-    /// of a Runge–Kutta method. Convolutions of interpreted equations are not counted.
+    /// True if the run can use Taylor coefficients with few convolutions. Larger systems need more, which cost more
+    /// than a step of a Runge–Kutta method. Convolutions of interpreted equations are not counted.
     #[must_use]
     pub fn has_short_series(&self) -> bool {
         let system = self.system();
@@ -165,13 +171,13 @@ impl<'a> Problem<'a> {
         self.solve == Solve::Eliminated && system.has_taylor() && is_short
     }
 
-    /// The equations in doubles.
+    /// The equations of motion in double precision.
     #[must_use]
     pub fn system(&self) -> &'a dyn System<f64> {
         self.code.system()
     }
 
-    /// Coordinates of an integrated state, or of its leading components.
+    /// Coordinates of an integrated state, or of its leading components. A distance is converted to its coordinate.
     #[must_use]
     pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
         let mut q = y[..self.system().lengths().coordinates].to_vec();
@@ -198,15 +204,16 @@ impl<'a> Problem<'a> {
         [self.coordinates(y), u].concat()
     }
 
-    /// Integrated state at the start.
+    /// Integrated state at the start of the run.
     ///
     /// # Errors
-    /// [`Error::Stopped`] if the generalized speeds do not determine the motion variables there.
+    /// [`Error::Stopped`] if the generalized speeds do not determine the motion variables at the start.
     pub fn start(&self) -> Result<Vec<f64>, Error> {
         let (system, scene) = (self.system(), self.scene);
         let mut q = scene.q.clone();
         if let Some(Origin { at, value }) = self.origin {
-            // The file's exact number is used. The double nearest to it has lost digits that the distance keeps.
+            // The exact number of the scene file is used. The double nearest to it has lost digits that the distance
+            // keeps.
             q[at] = (scene.exact.q[at] - value).to_f64();
         }
         let mut v = vec![0.0; system.lengths().variables];
@@ -232,7 +239,7 @@ impl<'a> Problem<'a> {
         !self.model.motion_constraints.is_empty() && self.by.formulation().is_some_and(Formulation::is_in_rates)
     }
 
-    /// Names of the components of the integrated state.
+    /// Names of the components of the integrated state: coordinates, then speeds or rates.
     #[must_use]
     pub fn variables(&self) -> Vec<String> {
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
@@ -243,7 +250,7 @@ impl<'a> Problem<'a> {
         coordinates.chain(speeds).collect()
     }
 
-    /// Divisors of the equations that are nearly zero at an integrated state, as text; see [`near_divisors`].
+    /// Names the divisors of the equations that are nearly zero at an integrated state; see [`near_divisors`].
     ///
     /// # Errors
     /// [`Error::Request`] if a divisor mentions a symbol without a value during a run.
@@ -251,7 +258,7 @@ impl<'a> Problem<'a> {
         near_divisors(self.model, &self.scene.parameters, &self.coordinates(y))
     }
 
-    /// Reason why the equations have no value at the start; `None` if they have one.
+    /// Reason why the equations or the outputs have no value at the start; `None` if they have one.
     ///
     /// # Errors
     /// [`Error`] if the start does not determine the motion variables.
@@ -300,8 +307,8 @@ impl<'a> Problem<'a> {
         integrate(Lent(rhs.as_mut()), span, y0, &self.options(options), events)
     }
 
-    /// Options of a run that can be followed and interrupted. Its steps end at the corners of prescribed motions and
-    /// forces.
+    /// Adds to given options what a run needs to be followed and interrupted. The steps of the run end at the corners
+    /// of prescribed motions and forces.
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         let corners = self.model.corners(&self.scene.parameters).into_iter();
@@ -309,6 +316,8 @@ impl<'a> Problem<'a> {
         Options { corners, clock: self.model.time(), ..self.mechanism.follow.options(options) }
     }
 
+    /// Right-hand side of the equations, in the way in which accelerations are found.
+    /// # Errors [`SimError`] if the parameters do not fit the equations.
     pub(crate) fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
         Ok(match Eliminated::new(self.system(), &self.scene.parameters) {
             Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
@@ -385,7 +394,7 @@ impl<'a> Problem<'a> {
         run.map_err(|error| refused(self.scene, &error))
     }
 
-    /// Help that names the condition for a motion by quadrature that these equations do not meet.
+    /// Advice that names the condition for a motion by quadrature that these equations do not meet.
     fn no_quadrature(&self) -> &'static str {
         let system = self.system();
         if !self.by.is_reduced() {
@@ -402,7 +411,7 @@ impl<'a> Problem<'a> {
     /// Linear system for the accelerations at each state.
     ///
     /// # Errors
-    /// [`SimError`] if the parameters do not fit.
+    /// [`SimError`] if the number of parameters does not fit the equations.
     pub fn dynamics(&self) -> Result<Dynamics<'a>, SimError> {
         let label = format!("{}, {}", self.model.title, self.by.name());
         Ok(Dynamics::new(self.system(), &self.scene.parameters)?.labelled(label))

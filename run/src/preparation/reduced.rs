@@ -17,14 +17,14 @@ use tripos_traits::{AbsoluteTolerance, DoubleDouble};
 pub struct Reduced {
     /// Derived equations of the reduced system.
     pub reduction: Reduction,
-    /// The scene in the variables of the reduced model, the momenta among its parameters.
+    /// Scene in the variables of the reduced model, with the constant momenta among its parameters.
     pub scene: Scene,
-    /// Name of the equations.
+    /// Name of the reduced equations, always [`By::Reduced`].
     pub by: By,
 }
 
 impl Reduced {
-    /// The reduced equations of a scene of this model.
+    /// Derives the reduced equations of a scene of a model.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived, or does not determine an output of the scene.
@@ -33,7 +33,7 @@ impl Reduced {
         Self::of_ground(&ground, model, scene)
     }
 
-    /// The reduced equations of a scene of the model that `ground` was derived from.
+    /// Derives the reduced equations of a scene of the model that `ground` was derived from.
     ///
     /// # Errors
     /// [`Error`] if the model does not determine an output of the scene.
@@ -50,18 +50,19 @@ impl Reduced {
         }
     }
 
-    /// The equations without constant momenta. They are singular only where the model's own equations are.
+    /// Derives reduced equations that use no constant momenta. They are singular only where the model's own equations
+    /// are.
     ///
     /// # Errors
-    /// As [`Reduced::of_ground`].
+    /// Errors of [`Reduced::of_ground`].
     pub fn without_momenta(ground: &Ground, model: &Model, scene: &Scene) -> Result<Self, Error> {
         let reduction = ground.reduce_without_momenta(scene).map_err(|error| model.diagnose(&error))?;
         Self::with(reduction, model, scene)
     }
 
-    /// The equations from the start of another scene that differs only in its numbers.
+    /// Makes the reduced equations of a scene from the reduction of another scene that differs only in its numbers.
     ///
-    /// The scene must have the same model, outputs, events and parameters as the one that was reduced.
+    /// Both scenes must have the same model, outputs, events and names of parameters.
     ///
     /// # Errors
     /// [`Error::Request`] if a variable depends on a symbol that has no value at the start; [`Error::Stopped`] if the
@@ -88,10 +89,10 @@ impl Reduced {
         Ok(Self { reduction, scene: own, by: By::Reduced })
     }
 
-    /// The equations, ready to run. They are compiled in if they were generated from this scene's reduction.
+    /// Makes the reduced equations ready to run. Compiled code is used if it was generated from the same reduction.
     ///
     /// # Errors
-    /// [`Error`] if they cannot be interpreted.
+    /// [`Error`] if the equations cannot be interpreted.
     pub fn code(&self, mechanism: &Mechanism) -> Result<Code, Error> {
         match compiled_scene(mechanism, &self.reduction, Ready::for_runs(&self.scene)) {
             Some(code) => Ok(code),
@@ -99,8 +100,8 @@ impl Reduced {
         }
     }
 
-    /// Reason why these equations are no gain over the whole ones: they have as many variables, and a call costs at
-    /// least as much. `None` if they are a gain.
+    /// Reason why the reduced equations are no gain over the whole ones: they have as many variables, and a call costs
+    /// at least as much. `None` if they are a gain.
     ///
     /// # Errors
     /// [`Error`] if the model has no Kane's equations.
@@ -120,7 +121,7 @@ impl Reduced {
         }))
     }
 
-    /// The constants of the motion, with their values.
+    /// Constants of the motion that the reduction uses, with their values in this scene.
     pub fn constants(&self) -> impl Iterator<Item = (&Quantity, f64)> {
         let first = self.scene.parameters.len() - self.reduction.constants.len();
         self.reduction.constants.iter().zip(self.scene.parameters[first..].iter().copied())
@@ -132,7 +133,7 @@ fn start(reduction: &Reduction, model: &Model, exact: &Exact) -> Result<[Vec<Dou
     let (mut symbols, mut values) = known(model, exact)?;
     if let Some(frame) = &reduction.frame {
         let count = model.parameters.len() + model.coordinates.len() + model.speeds.len();
-        // Rates in the file belong to the state before the turn; the speeds give the same information.
+        // Rates in the scene file belong to the state before the turn; the speeds give the same information.
         symbols.truncate(count);
         values.truncate(count);
         let states = values.split_off(model.parameters.len());
@@ -153,7 +154,8 @@ fn start(reduction: &Reduction, model: &Model, exact: &Exact) -> Result<[Vec<Dou
     Ok([parameters, q, v])
 }
 
-/// Tolerance of each reduced variable: the one of the whole model's variable that it is or replaces.
+/// Absolute tolerance of each reduced variable: the one of the whole model's variable that it is or replaces. `each`
+/// holds those of the whole model's coordinates and speeds.
 fn tolerances(reduction: &Reduction, model: &Model, each: &[f64]) -> Vec<f64> {
     let arena = reduction.terms();
     let own: Vec<_> = model.q().into_iter().chain(model.u()).collect();

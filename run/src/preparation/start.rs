@@ -1,7 +1,7 @@
 //! The start of a scene to 32 digits.
 //!
-//! Invariant: no number of the file is rounded to a double on the way. Momenta and angles near a singular surface are
-//! small differences, which rounding would destroy.
+//! Invariant: no number of the scene file is rounded to a double on the way. Momenta and angles near a singular surface
+//! are small differences, which rounding would destroy.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -10,7 +10,7 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::scene::{Exact, Stated};
 use tripos_traits::DoubleDouble;
 
-/// The generalized speeds at a start, in the order of the model.
+/// Generalized speeds at the start of a scene, in the order of the model.
 ///
 /// # Errors
 /// [`Error::Request`] if the definition of a speed mentions a symbol that has no value at the start.
@@ -26,11 +26,11 @@ pub fn speeds(model: &Model, exact: &Exact) -> Result<Vec<DoubleDouble>, Error> 
     }
 }
 
-/// Symbols that have a value at a start, with their values: parameters, coordinates, generalized speeds, and rates
-/// where the file states them.
+/// Symbols that have a value at the start of a scene, with their values: parameters, coordinates, generalized speeds,
+/// and rates if the scene file states them.
 ///
 /// # Errors
-/// As [`speeds`].
+/// Errors of [`speeds`].
 pub fn known(model: &Model, exact: &Exact) -> Result<(Vec<Expr>, Vec<DoubleDouble>), Error> {
     let mut symbols = [model.p(), model.q(), model.u()].concat();
     let mut values = [&exact.parameters[..], &exact.q, &speeds(model, exact)?].concat();

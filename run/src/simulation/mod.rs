@@ -1,4 +1,4 @@
-//! A run, and what it returns.
+//! Runs of scenes, and the results that they return.
 
 pub(super) mod outputs;
 pub(super) mod run;

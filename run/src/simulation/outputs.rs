@@ -1,8 +1,8 @@
-//! Shown quantities of states of whole equations, by any formulation, with any solve: every coordinate and speed, and
+//! Shown quantities at states of whole equations, by any formulation, with any solve: every coordinate and speed, and
 //! the other outputs of a scene.
 //!
-//! Invariant: an output that has no value at a state is not a number; no other number ever replaces it. Reduced
-//! equations have outputs of their own ([`tripos_traits::System::outputs`]).
+//! Invariant: an output that has no value at a state is NaN; no other number ever replaces it. Reduced equations have
+//! outputs of their own ([`tripos_traits::System::outputs`]).
 
 use crate::code::{Code, Ready, code, tape};
 use crate::error::{Error, refused};
@@ -15,30 +15,30 @@ use tripos_derive::{Formulation, Model};
 use tripos_sim::{Dynamics, Eliminated, RightHandSide};
 use tripos_traits::Lengths;
 
-/// The names of the states: coordinates, then generalized speeds.
+/// Names of the states of a model: coordinates, then generalized speeds.
 #[must_use]
 pub fn state_names(model: &Model) -> Vec<String> {
     let coordinates = model.coordinates.iter().map(|c| c.name.clone());
     coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
 }
 
-/// Computes the shown quantities of a state.
+/// Computes the quantities that a scene shows from a state of whole equations.
 #[derive(Clone)]
 pub struct Shown {
-    /// Names of coordinates and generalized speeds, then of the other outputs.
+    /// Names of coordinates and generalized speeds, then of the other outputs of the scene.
     pub names: Vec<String>,
     /// Outputs that are not states; `None` if the scene asks only for states.
     outputs: Option<Outputs>,
 }
 
-/// Outputs as functions of p, q, q̇, u, u̇, reactions and energies.
+/// Outputs of a scene as functions of p, q, q̇, u, u̇, reactions and energies.
 #[derive(Clone)]
 struct Outputs {
     tape: Tape,
     needs_accelerations: bool,
     /// Equations of the force balance; `None` if no output needs a reaction.
     balance: Option<Code>,
-    /// Indices of the energies that the scene names: kinetic, potential, total.
+    /// Indices of the energies that the scene names, in [`ENERGIES`]: 0 kinetic, 1 potential, 2 total.
     energies: Vec<usize>,
 }
 
@@ -82,7 +82,7 @@ impl Shown {
     /// Computes the shown quantities of an integrated state of whole equations.
     ///
     /// # Errors
-    /// [`Error::Request`] if the parameters are not those of the equations.
+    /// [`Error::Request`] if the number of parameters does not fit the equations.
     pub fn of(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let state = problem.state(t, y);
         match &self.outputs {
@@ -96,6 +96,7 @@ impl Shown {
 }
 
 impl Outputs {
+    /// Computes the outputs at an integrated state `y`, whose coordinates and generalized speeds are `state`.
     fn of(&self, problem: &Problem<'_>, state: &[f64], t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
         let (variables, v) = y.split_at(system.lengths().coordinates);
@@ -110,7 +111,7 @@ impl Outputs {
         Ok(self.tape.evaluate(&[p, q, &q_dot, u, &u_dot, &reactions, &energies].concat()))
     }
 
-    /// Accelerations u̇ as the run finds them; NaN where no output needs them, or where they have no value.
+    /// Accelerations u̇ in the way in which the run finds them; NaN if no output needs them, or they have no value.
     fn accelerations(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
         let Lengths { coordinates: n, speeds, .. } = system.lengths();
@@ -123,14 +124,14 @@ impl Outputs {
             _ => Box::new(problem.dynamics().map_err(|error| refused(problem.scene, &error))?),
         };
         let mut rates = vec![0.0; y.len()];
-        // A state without accelerations shows none; the run says why it stops there.
+        // A state without accelerations shows NaN; the run reports why it stops there.
         if rhs.rhs(t, y, &mut rates).is_ok() {
             system.generalized_speed_rates(p, &y[..n], &y[n..], &rates[n..], &mut u_dot);
         }
         Ok(u_dot)
     }
 
-    /// Values of all reactions; NaN where no output needs them, or where they have no value.
+    /// Values of all reactions of the model; NaN if no output needs them, or they have no value.
     fn reactions(&self, problem: &Problem<'_>, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Error> {
         let count = problem.model.reactions.len();
         let Some(balance) = &self.balance else { return Ok(vec![f64::NAN; count]) };

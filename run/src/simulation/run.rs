@@ -18,13 +18,14 @@ pub struct Run {
     pub code: Form,
     /// Way in which accelerations were found.
     pub solve: Solve,
-    /// The integrator's result.
+    /// Solution that the integrator returned.
     pub solution: Solution,
-    /// Reason of its end, with the names of its variables.
+    /// Reason why the run ended, with the names of its variables.
     pub why: String,
-    /// Sentence that says when, after how many steps and why it ended.
+    /// Sentence that says when, after how many steps and why the run ended.
     pub ending: String,
-    /// Shown quantity without a value, and the first instant of that; set by [`Run::look_for_missing`].
+    /// Sentence that names the first shown quantity without a value and its instant; `None` if all have values. Set by
+    /// [`Run::look_for_missing`].
     pub(crate) missing: Option<String>,
     /// Names of the shown quantities: coordinates and generalized speeds, or the outputs of a scene.
     pub names: Vec<String>,
@@ -32,9 +33,9 @@ pub struct Run {
     pub states: Vec<Vec<f64>>,
     /// Kinetic and potential energy at each sample, J; empty where a scene shows outputs of its own.
     pub energies: Vec<(f64, f64)>,
-    /// Values of the shown quantities at the end.
+    /// Values of the shown quantities at the end of the run.
     pub end: Vec<f64>,
-    /// Digits of the shown quantities that are correct; `None` if the run took no step or was interrupted.
+    /// Correct digits of the shown quantities; `None` if the run took no step or was interrupted.
     pub digits: Option<Digits>,
     /// Largest change of total energy over the samples, J; `None` if it is not known.
     pub energy_drift: Option<f64>,
@@ -42,17 +43,17 @@ pub struct Run {
     pub drifts: Vec<Drift>,
     /// Residuals of the constraints onto which the run is kept.
     pub residuals: Vec<Residual>,
-    /// Notes on the way in which the run was made. They are no reason to distrust it.
+    /// Notes on the way in which the run was made. They are not reasons to distrust it.
     pub notes: Vec<String>,
-    /// Warnings to read before trusting the numbers.
+    /// Warnings to read before trusting the numbers of the run.
     pub warnings: Vec<String>,
 }
 
 impl Run {
-    /// Values of the quantity of this name, at each sample.
+    /// Values of the shown quantity with the given name, at each sample.
     ///
     /// # Errors
-    /// [`Error::Request`] if the run does not show it.
+    /// [`Error::Request`] if the run does not show this quantity.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
         let at = self.names.iter().position(|shown| shown == name).ok_or_else(|| {
             let known = self.names.iter().map(String::as_str);
@@ -61,7 +62,7 @@ impl Run {
         Ok(self.states.iter().map(|values| values[at]).collect())
     }
 
-    /// Samples in order: the time, s, and the shown values in the order of [`Run::names`].
+    /// Samples in order: the instant, s, and the shown values in the order of [`Run::names`].
     pub fn samples(&self) -> impl Iterator<Item = (f64, &[f64])> {
         self.solution.t.iter().copied().zip(self.states.iter().map(Vec::as_slice))
     }
@@ -90,7 +91,7 @@ impl Run {
         self.digits.as_ref().and_then(|digits| digits.events[at])
     }
 
-    /// Reasons not to trust the run to the requested end, one a line; empty if it can be trusted.
+    /// Reasons not to trust the run to the requested end, one in each string; empty if it can be trusted.
     #[must_use]
     pub fn objections(&self) -> Vec<String> {
         self.failure().into_iter().chain(self.warnings.iter().cloned()).collect()
@@ -102,16 +103,16 @@ impl Run {
         self.objections().is_empty() && self.digits.as_ref().is_none_or(Digits::is_complete)
     }
 
-    /// Reason why the run could not go on, or the quantity that it does not give; `None` if it is complete.
+    /// Sentence that says why the run could not go on, or which quantity has no value; `None` if the run is complete.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
         if self.solution.stop.is_failure() { Some(self.ending.clone()) } else { self.missing.clone() }
     }
 
-    /// Checks that all shown quantities have a value, as they are shown now.
+    /// Checks that all shown quantities have a value, as they are shown now, and sets `missing`.
     ///
     /// # Errors
-    /// As [`Problem::near_divisors`].
+    /// Errors of [`Problem::near_divisors`].
     pub(crate) fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
         self.missing = None;
         let Solution { t, y, t_end, y_end, .. } = &self.solution;
@@ -132,10 +133,10 @@ impl Run {
         Ok(())
     }
 
-    /// Computes all watched quantities along the run; `code` is the code that made it.
+    /// Computes all watched quantities along the run; `code` is the code that made the run.
     ///
     /// # Errors
-    /// [`Error::Request`] if the parameters are not those of the equations.
+    /// [`Error::Request`] if the number of parameters does not fit the equations.
     pub fn course(&self, watch: &Watch, scene: &Scene, code: &Code) -> Result<Course, Error> {
         let (integrals, divisors) = watch.along(&scene.parameters, &self.states);
         let (mut determinant, mut condition) = (Vec::new(), Vec::new());

@@ -2,12 +2,12 @@
 //! state.
 //!
 //! The run is made in windows, one from each instant to the next. An input is a parameter of the equations in each
-//! window. A window ends exactly at its instant and the next begins there, so no step and no stage sees two values of
+//! window. A window ends exactly at its instant and the next begins there, so no step and no stage uses two values of
 //! an input. This holds for every method and every kind of code, and the same controller gives the same bits.
 //!
-//! A second run gives the errors. It takes finer steps and asks a new controller of its own. The controller decides
-//! from the states of that run, so the difference of the two runs contains the errors that the decisions amplify. K. J.
-//! Åström & B. Wittenmark, *Computer-Controlled Systems*, 3rd edition (1997), § 2.3 (zero-order hold).
+//! A second run gives the errors. It takes finer steps and uses a new controller of its own. The controller decides
+//! from the states of the second run, so the difference of the two runs contains the errors that the decisions amplify.
+//! Source: K. J. Åström & B. Wittenmark, *Computer-Controlled Systems*, 3rd edition (1997), § 2.3 (zero-order hold).
 
 mod windows;
 
@@ -28,18 +28,18 @@ use windows::{Loop, finer};
 /// State of a run at an instant, as a controller sees it.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a> {
-    /// The instant, s.
+    /// Instant at which the controller is called, s.
     pub t: f64,
-    /// Index of the instant, from 0.
+    /// Index of the instant among all instants of decisions, from 0.
     pub index: usize,
-    /// The names of coordinates, then of generalized speeds.
+    /// Names of coordinates, then of generalized speeds.
     pub names: &'a [String],
-    /// Values of coordinates and generalized speeds, in SI units.
+    /// Values of coordinates and generalized speeds, in SI units, in the order of `names`.
     pub state: &'a [f64],
 }
 
 impl Sample<'_> {
-    /// The value of a coordinate or a generalized speed; `None` if the name is unknown.
+    /// Value of a coordinate or a generalized speed at the instant, in its SI unit; `None` if the name is unknown.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<f64> {
         self.names.iter().position(|known| known == name).map(|at| self.state[at])
@@ -49,24 +49,25 @@ impl Sample<'_> {
 /// Recorded signal of an input. From each instant on, the input has the value of the same index.
 #[derive(Clone, Copy, Debug)]
 pub struct Held<'a> {
-    /// The name of the input.
+    /// Name of the input that the signal sets.
     pub input: &'a str,
-    /// Instants in increasing order, s. Before the first the input has the value of the scene.
+    /// Instants at which the value changes, in increasing order, s. Before the first instant the input has the value of
+    /// the scene.
     pub instants: &'a [f64],
-    /// Values at the instants, in the SI unit of the input; one for each.
+    /// Values of the input from each instant on, in its SI unit; one for each instant.
     pub values: &'a [f64],
 }
 
-/// The values of inputs from an instant on.
+/// Values of the inputs from an instant on, with the state and its errors at that instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decision {
-    /// The instant, s.
+    /// Instant from which the values hold, s.
     pub t: f64,
     /// A value for each input, in the order of [`SampledRun::inputs`].
     pub values: Vec<f64>,
-    /// State there, in the order of [`SampledRun::names`].
+    /// State at the instant, in the order of [`SampledRun::names`].
     pub state: Vec<f64>,
-    /// Estimated error of each of these, in its unit; `None` where the second run did not get there.
+    /// Estimated error of each value of the state, in its unit; `None` if the second run did not reach the instant.
     pub errors: Option<Vec<f64>>,
 }
 
@@ -85,29 +86,29 @@ pub struct SampledRun {
     pub t: Vec<f64>,
     /// State at each sample.
     pub states: Vec<Vec<f64>>,
-    /// Values of the inputs from each instant on, in order.
+    /// Values of the inputs from each instant on, in the order of time.
     pub decisions: Vec<Decision>,
     /// Events and conditions of the domain that the run met, in order.
     pub events: Vec<EventRecord>,
-    /// The end of the run, s.
+    /// Instant at which the run ends, s.
     pub t_end: f64,
     /// State at the end of the run.
     pub end: Vec<f64>,
-    /// The estimated error of each value at the end, in its unit; `None` where the second run did not get there.
+    /// Estimated error of each value of `end`, in its unit; `None` if the second run did not reach the end.
     pub errors_at_end: Option<Vec<f64>>,
     /// Numbers of accepted and of rejected steps.
     pub steps: (u64, u64),
-    /// Reason of the end of the run.
+    /// Reason why the run ended.
     pub stop: Stop,
-    /// Warnings to read before trusting the numbers.
+    /// Warnings to read before trusting the numbers of the run.
     pub warnings: Vec<String>,
 }
 
 impl SampledRun {
-    /// Values of the coordinate or speed of this name, at each sample.
+    /// Values of the coordinate or generalized speed with the given name, at each sample.
     ///
     /// # Errors
-    /// [`Error::Request`] if there is none of this name.
+    /// [`Error::Request`] if the model has no coordinate or speed of this name.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
         let at = self.names.iter().position(|shown| shown == name).ok_or_else(|| {
             let help = nearest(name, self.names.iter().map(String::as_str));
@@ -117,10 +118,10 @@ impl SampledRun {
     }
 }
 
-/// Runs a scene with recorded signals for some of its inputs.
+/// Runs a scene with recorded signals for some of its inputs, and estimates the errors by a second run.
 ///
 /// # Errors
-/// As [`simulate_sampled`]; [`Error::Request`] for signals without as many values as instants.
+/// Errors of [`simulate_sampled`]; [`Error::Request`] for signals without as many values as instants.
 pub fn simulate_held(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -149,15 +150,15 @@ pub fn simulate_held(
     simulate_sampled(mechanism, scene, (&inputs, &all), decide, by)
 }
 
-/// Runs a scene whose inputs of these names are set at these instants by a controller, and held until the next instant.
+/// Runs a scene whose inputs `inputs` are set by a controller at the given instants, and held until the next instant.
 /// Two runs are made, each with a new controller. A controller returns a value for each input, in its SI unit.
 ///
-/// An instant at the end of the span gives no decision.
+/// No decision is asked for at an instant at the end of the span.
 ///
 /// # Errors
-/// [`Error::Request`] for unknown inputs or inputs with formulas; instants that are not in order or outside the span; a
-/// decision with a wrong number of values or a value that is not finite; a run backwards, by quadrature, projected or
-/// with impacts. Otherwise as [`simulate`](crate::simulate()).
+/// [`Error::Request`] for unknown inputs or inputs with formulas; for instants that are not in order or outside the
+/// span; for a decision with a wrong number of values or a value that is not finite; for a run backwards, by
+/// quadrature, projected or with impacts. Otherwise the errors of [`simulate`](crate::simulate()).
 pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -186,7 +187,8 @@ pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
     Ok(loop_.told(first, second.as_ref(), code.form()))
 }
 
-/// Indices of inputs among the parameters.
+/// Indices of the named inputs among the parameters of a mechanism.
+/// # Errors [`Error::Request`] if an input is unknown, has a formula, or is named twice.
 fn places(mechanism: &Mechanism, inputs: &[&str]) -> Result<Vec<usize>, Error> {
     let mut places = Vec::new();
     for name in inputs {
@@ -210,9 +212,10 @@ fn places(mechanism: &Mechanism, inputs: &[&str]) -> Result<Vec<usize>, Error> {
     Ok(places)
 }
 
-/// Least distance of two instants, in roundings of them; nearer ones leave no room for a step.
+/// Least distance of two instants, in roundings of the later one; nearer instants leave no room for a step.
 const ROUNDINGS: f64 = 64.0;
 
+/// Refuses instants that are outside the span, not in order or too close to each other, and a span backwards in time.
 fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
     let (from, to) = scene.span;
     if to < from {
@@ -238,6 +241,7 @@ fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
     Ok(())
 }
 
+/// Refuses a scene whose way of integration does not allow inputs that are set from outside.
 fn check_integration(scene: &Scene) -> Result<(), Error> {
     let how = &scene.integration;
     if how.method == Integrator::Quadrature || how.project.is_some() {

@@ -1,4 +1,4 @@
-//! Runs of scenes by their own reduced equations or by whole ones, with checks of the results.
+//! Runs of scenes by their own reduced equations or by whole equations, with checks of the results.
 
 use super::outputs::{Shown, state_names};
 use super::run::Run;
@@ -25,11 +25,12 @@ use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Event, Options, Solution, Stop};
 
-/// Runs a scene by the equations of this name; `reduced` names its own. Without a name the scene's own reduced
-/// equations run if they are a gain and reach the end. Else whole equations run, as they do for a numeric solve.
+/// Runs a scene by the equations named `by`, such as `kane`; `reduced` names the scene's own. Without a name the
+/// scene's own reduced equations run if they are a gain and reach the end. Otherwise, and for a numeric solve, whole
+/// equations run.
 ///
 /// # Errors
-/// [`Error`] if there are no such equations, or they cannot be run.
+/// [`Error`] if there are no equations of this name, or they cannot be run.
 pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Run, Error> {
     if let Some(by) = by.filter(|by| *by != By::Reduced.name()) {
         return run(mechanism, scene, &by_or_first(mechanism, Some(by))?);
@@ -44,7 +45,7 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
     }
 }
 
-/// Reason why whole equations run and a scene's own are not tried; `None` if these are tried.
+/// Reason why whole equations run and a scene's own equations are not tried; `None` if these are tried.
 fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option<&'static str> {
     if scene.integration.solve == Some(Solve::Numeric) {
         return Some(
@@ -68,8 +69,8 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option
     })
 }
 
-/// Runs a scene by its own equations. If the caller did not ask for them, whole ones run where the own ones do not
-/// exist, are no gain, or do not reach the end.
+/// Runs a scene by its own reduced equations. If the caller did not ask for these and they do not exist, are no gain,
+/// or do not reach the end, whole equations run.
 fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Result<Run, Error> {
     let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
     let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
@@ -92,15 +93,15 @@ fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Resul
     }
 }
 
-/// Result of trying a scene's own equations.
+/// Result of trying to run a scene by its own reduced equations.
 enum Own {
-    /// A run by these equations.
+    /// A run by the scene's own reduced equations.
     Run(Box<Run>),
-    /// The reason why they are no gain over whole ones.
+    /// Reason why the scene's own equations are no gain over whole ones.
     NoGain(String),
 }
 
-/// Runs a scene by its own equations where these are a gain.
+/// Runs a scene by its own reduced equations if these are a gain over whole equations.
 fn run_gain(mechanism: &Mechanism, scene: &Scene, ground: &Ground, watch: Option<&Watch>) -> Result<Own, Error> {
     let reduced = Reduced::of_ground(ground, mechanism, scene)?;
     match reduced.no_gain(mechanism)? {
@@ -109,11 +110,12 @@ fn run_gain(mechanism: &Mechanism, scene: &Scene, ground: &Ground, watch: Option
     }
 }
 
-/// Replaces a run that could not go on by one of other equations of the same motion, if there are such: Kane's, or
-/// Lagrange's, whose motion variables are the rates. They start again and show all that the scene shows.
+/// Replaces a run that could not go on by a run of other equations of the same motion, if one goes on: Kane's, or
+/// Lagrange's, whose motion variables are the rates. The new run starts again and shows all that the scene shows.
 ///
-/// A scene's own equations contain momenta and may stand in a moving frame. The motion may be regular at a pole of that
-/// frame, so they are replaced for any reason. Whole ones are replaced only where they divide by zero.
+/// A scene's own equations contain momenta and may be in a moving frame. The motion may be regular at a pole of that
+/// frame, so a failed run by them is replaced for any reason. A run by whole equations is replaced only if these divide
+/// by zero.
 fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, run: Run) -> Result<Run, Error> {
     let Some(why) = left_for(&run) else { return Ok(run) };
     let mut doubtful = None;
@@ -144,7 +146,7 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
     Ok(doubtful.unwrap_or(run))
 }
 
-/// Reason why a run must be replaced, as the end of a sentence about its equations; `None` if it stands.
+/// Reason why a run must be replaced, as the end of a sentence about its equations; `None` if the run is kept.
 fn left_for(run: &Run) -> Option<String> {
     let t = run.solution.t_end;
     match &run.solution.stop {
@@ -156,25 +158,25 @@ fn left_for(run: &Run) -> Option<String> {
     }
 }
 
-/// True if a run comes at least as far as another.
+/// True if a run of a scene comes at least as far as another run.
 fn comes_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
     (run.solution.t_end - other.solution.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
 
-/// Runs a scene by one set of equations, and shows the requested quantities.
+/// Runs a scene by one set of whole equations, and shows the requested quantities.
 ///
 /// # Errors
-/// [`Error`] if the model does not have the formulation, or it cannot give a requested quantity.
+/// [`Error`] if the model does not have the formulation, or the equations cannot give a requested quantity.
 pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
     // Impacts change the conserved quantities, so no proof is tried.
     let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
     run_whole(model, scene, by, watch.as_ref())
 }
 
-/// Runs a scene by one set of equations with known first integrals.
+/// Runs a scene by one set of whole equations with known first integrals.
 ///
 /// # Errors
-/// As [`run`].
+/// Errors of [`run`].
 pub fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -> Result<Run, Error> {
     let code = code(model, by, scene.integration.distance, Ready::for_runs(scene))?;
     let problem = Problem::new(model, scene, by, &code, None)?;
@@ -190,17 +192,17 @@ pub fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch
     }
 }
 
-/// Runs by the chosen speeds alone; `None` if the run has to change them.
+/// Runs a problem by its chosen speeds alone; `None` if the run has to change them.
 fn alone(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error> {
     let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
     let mut events = events(problem, &balance);
     problem.in_speeds_alone(rates, &options(problem.scene), &mut events, accounted(problem)?)
 }
 
-/// Runs a scene by whole equations. `None` unless the run changes its speeds and reaches an end.
+/// Runs a scene by whole equations. `None` unless the run changes its speeds and does not fail.
 ///
 /// # Errors
-/// As [`run`].
+/// Errors of [`run`].
 pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &By) -> Result<Option<Run>, Error> {
     if !model.ties_rates() {
         return Ok(None);
@@ -215,8 +217,8 @@ pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &By) -> Result<Optio
     Ok((!run.solution.stop.is_failure()).then_some(run))
 }
 
-/// Equations in all rates, for places where the speeds of a run do not determine the motion. `None` if no constraint
-/// makes such places, or the model has no such equations.
+/// Equations in the rates of all coordinates, for places where the speeds of a run do not determine the motion. `None`
+/// if no constraint makes such places, or the model has no equations in all rates.
 ///
 /// # Errors
 /// [`Error::Input`] if the model cannot be derived.
@@ -233,11 +235,11 @@ pub fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
     }
 }
 
-/// Runs a problem in its speeds as far as these determine the motion, and elsewhere in all rates by this code. Returns
-/// the result of `run`.
+/// Runs a problem in its chosen speeds as far as these determine the motion, and elsewhere in all rates by `code`.
+/// Returns the result of `run`.
 ///
 /// # Errors
-/// As [`Problem::new`], and the errors of `run`.
+/// Errors of [`Problem::new`], and the errors of `run`.
 pub fn changing_speeds<T>(
     problem: &Problem<'_>,
     code: &Code,
@@ -249,8 +251,8 @@ pub fn changing_speeds<T>(
     run(&rates)
 }
 
-/// Runs a scene by its own reduced equations. No momentum is held constant if the equations have no value at the start,
-/// where a speed cannot be determined from a momentum.
+/// Runs a scene by its own reduced equations. If these have no value at the start, the run uses reduced equations
+/// without constant momenta: a speed may not be determined by a momentum there.
 ///
 /// # Errors
 /// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
@@ -279,7 +281,7 @@ fn run_reduced(
     Ok(run)
 }
 
-/// Runs a scene by the given equations of its own.
+/// Runs a scene by the given reduced equations of its own.
 fn run_own(
     model: &Mechanism,
     scene: &Scene,
@@ -293,9 +295,9 @@ fn run_own(
 }
 
 /// Replaces the energies of a run by those of the whole model, computed from the shown states. A run that shows outputs
-/// of its own has none, but keeps the drift of its own energy if it has one.
+/// of its scene has no such energies, but keeps the drift of its own energy if it has one.
 ///
-/// The energies of reduced equations differ: motion due to constant momenta counts as potential energy.
+/// The energies of reduced equations differ from these: motion due to constant momenta counts as potential energy.
 ///
 /// # Errors
 /// [`Error`] if the model has no Kane's equations.
@@ -326,8 +328,8 @@ fn shown_names(problem: &Problem<'_>) -> Vec<String> {
     }
 }
 
-/// Proved first integrals of a model. `None` for a large model, whose proof may take longer than the run; then only
-/// energy is watched.
+/// Proves the first integrals of a model, to watch them in runs. `None` for a large model, whose proof may take longer
+/// than the run; then only energy is watched.
 ///
 /// # Errors
 /// [`Error`] if the model cannot be derived.
@@ -344,7 +346,7 @@ fn is_proved(model: &Mechanism) -> bool {
 /// Greatest number of coordinates for which a run proves the first integrals before it watches them.
 const MOST_PROVED: usize = 8;
 
-/// Runs a scene by one set of equations that is ready, in the scene's distance if it has one.
+/// Runs a scene by one set of equations that is ready to run, in the scene's distance if it has one.
 ///
 /// # Errors
 /// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
@@ -360,7 +362,8 @@ pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, 
     run_shown(problem, watch, None)
 }
 
-/// Runs a problem, and shows these quantities of its states.
+/// Runs a problem, and shows the quantities `shown` of its states. Without `shown` it shows the states, or the outputs
+/// of a reduced scene.
 fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>) -> Result<Run, Error> {
     run_by(problem, watch, shown, |y0, options, events| problem.solve(y0, options, events, accounted(problem)?))
 }
@@ -368,7 +371,7 @@ fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>
 /// Runs a problem by `solve`, which gets the integrated state at the start, the options and the watched events.
 ///
 /// # Errors
-/// As [`run_problem`], and the errors of `solve`.
+/// Errors of [`run_problem`], and the errors of `solve`.
 pub fn run_by(
     problem: &Problem<'_>,
     watch: Option<&Watch>,
@@ -395,12 +398,13 @@ pub fn run_by(
     Ok(run)
 }
 
-/// Notes on the instants at which the last run changed its speeds.
+/// Notes on the instants at which the last run changed between its chosen speeds and all rates.
 fn changes(model: &Model, chosen: Chosen<'_>) -> Vec<String> {
     let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
     chosen.changes.lock().map_or_else(|_| Vec::new(), |list| passage::said(&list, &speeds, chosen.by))
 }
 
+/// Makes the result of a run from its solution: shown values, energies, notes and objections.
 fn finish(
     problem: &Problem<'_>,
     solution: Solution,
@@ -417,7 +421,7 @@ fn finish(
         (system.kinetic_energy(p, q, v), system.potential_energy(p, q))
     };
     let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
-    // Reduced equations without an energy of their own give none, and the work of a drive is unknown.
+    // Reduced equations may have no energy of their own, and the work of a drive is unknown.
     let has_energy = (!problem.by.is_reduced() || system.has_energy_gradient()) && !problem.mechanism.is_driven();
     let energy_drift = has_energy.then(|| dynamics.energy_drift(&solution));
     let warnings = trust::objections(problem, &solution, watch, energy_drift, (digits.as_ref(), &names))?;
@@ -457,7 +461,7 @@ fn finish(
     Ok(run)
 }
 
-/// Consequence for a load of a zero divisor of this name, as the end of a sentence.
+/// Consequence for a load of the zero divisor with the given name, as the end of a sentence; empty if no load has it.
 fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
     let mut arena = problem.mechanism.arena.clone();
     let loads = load_divisors(&mut arena, problem.mechanism);
@@ -465,7 +469,7 @@ fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
     of_load.map_or_else(String::new, |load| format!(": {}", load.meaning()))
 }
 
-/// Note that the energy of a driven mechanism is no measure of a run.
+/// Note that the energy of a driven mechanism is no measure of a run; `None` if constraints do not drive it.
 fn driven(problem: &Problem<'_>) -> Option<String> {
     problem.mechanism.is_driven().then(|| {
         "constraints drive the mechanism: its energy changes by what their forces work, and no drift of it is stated"
@@ -473,7 +477,8 @@ fn driven(problem: &Problem<'_>) -> Option<String> {
     })
 }
 
-/// Notes on the values that were solved for at the start.
+/// Notes on the coordinates and rates that were solved for at the start, to close the loops and satisfy the
+/// constraints.
 fn closed(scene: &Scene) -> impl Iterator<Item = String> {
     let solved = |is_rate: bool| -> Option<String> {
         let list = scene.closed.iter().filter(|c| c.is_rate == is_rate);

@@ -1,4 +1,4 @@
-//! Cases of a chart: equations of motion, the way in which accelerations are found, and the methods of the runs.
+//! Cases of a chart: equations of motion, ways in which accelerations are found, and methods of the runs.
 
 use crate::code::{Code, Ready, code};
 use crate::error::{Error, refused};
@@ -12,13 +12,13 @@ use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_sim::work_precision::options;
 use tripos_sim::{Method, Options, Solution, quadrature};
 
-/// Methods that also run a scene's own equations with absolute tolerances alone. Their errors are so small that
+/// Methods that also run a scene's own equations with an absolute tolerance alone. Their errors are so small that
 /// relative tolerances cannot be fine enough.
 const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
 
-/// Equations of motion with the way in which their accelerations are found.
+/// Equations of motion with the way in which their accelerations are found, as one case of a chart.
 pub struct Case {
-    /// Name of the equations.
+    /// Name of the equations of motion.
     pub by: By,
     /// Compiled or interpreted equations, in the scene's distance if it has one.
     pub code: Code,
@@ -38,7 +38,7 @@ impl Case {
         (!method.needs_jacobian() || system.has_accelerations()) && (!method.needs_series() || series)
     }
 
-    /// The methods that can run the case, at each of these tolerances, and quadrature where it gives the motion.
+    /// Lists the methods that can run the case, at each of the given tolerances, and quadrature if it gives the motion.
     #[must_use]
     pub fn ways(&self, tolerances: &[f64]) -> Vec<Way> {
         let mut list = Vec::new();
@@ -54,7 +54,7 @@ impl Case {
         list
     }
 
-    /// True if the motion can be computed by quadrature.
+    /// True if the motion of the case can be computed by quadrature.
     #[must_use]
     pub fn has_quadrature(&self) -> bool {
         self.reduction.is_some() && self.code.system().has_potential_slope()
@@ -63,7 +63,7 @@ impl Case {
     /// Prepares the case for the start of a scene. The scene must have the model and the outputs of the case.
     ///
     /// # Errors
-    /// As [`Reduced::with`].
+    /// Errors of [`Reduced::with`].
     pub fn prepare<'a>(&'a self, model: &'a Mechanism, scene: &'a Scene) -> Result<Prepared<'a>, Error> {
         let reduction = self.reduction.clone();
         let mut reduced = reduction.map(|reduction| Reduced::with(reduction, model, scene)).transpose()?;
@@ -75,19 +75,20 @@ impl Case {
     }
 }
 
-/// A case with the start of a scene.
+/// A case of a chart that is prepared for the start of a scene.
 pub struct Prepared<'a> {
     case: &'a Case,
     model: &'a Mechanism,
     scene: &'a Scene,
+    /// Reduced equations from the start of the scene; `None` for equations of the whole model.
     reduced: Option<Reduced>,
 }
 
 impl Prepared<'_> {
-    /// The problem, ready to be integrated.
+    /// Makes the problem of the case, ready to be integrated.
     ///
     /// # Errors
-    /// As [`Problem::new`].
+    /// Errors of [`Problem::new`].
     pub fn problem(&self) -> Result<Problem<'_>, Error> {
         let Self { case, model, scene, reduced } = self;
         match reduced {
@@ -100,17 +101,17 @@ impl Prepared<'_> {
 /// Method and tolerance of a run of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
-    /// Steps of a method at a tolerance.
+    /// Steps of a method, with one number for relative and absolute tolerance.
     Steps(Method, f64),
-    /// Steps of a method at an absolute tolerance alone. It can be finer than a relative one, which is at least several
-    /// roundings.
+    /// Steps of a method at an absolute tolerance alone. It can be finer than a relative tolerance, which is at least
+    /// several roundings.
     Absolute(Method, f64),
     /// Integrals over the coordinate, exact to rounding.
     Quadrature,
 }
 
 impl Way {
-    /// The method of the steps; `None` for quadrature.
+    /// Method of the steps; `None` for quadrature.
     #[must_use]
     pub fn method(self) -> Option<Method> {
         match self {
@@ -119,13 +120,13 @@ impl Way {
         }
     }
 
-    /// The name of the method.
+    /// Name of the method, or of quadrature.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.method().map_or(Integrator::Quadrature, Integrator::Steps).name()
     }
 
-    /// The tolerance of the steps; `None` for quadrature.
+    /// Tolerance of the steps; `None` for quadrature.
     #[must_use]
     pub fn tolerance(self) -> Option<f64> {
         match self {
@@ -143,7 +144,7 @@ impl Way {
         }
     }
 
-    /// Tolerances and limits for a span of this length, s.
+    /// Integration options for a span of the given length, s.
     #[must_use]
     pub fn options(self, length: f64, step_limit: u64) -> Options {
         match self {
@@ -151,12 +152,12 @@ impl Way {
             Self::Absolute(method, tolerance) => {
                 Options { rtol: 0.0, ..options(method, tolerance, length, step_limit) }
             }
-            // Only the step limit matters here.
+            // Only the step limit matters for quadrature.
             Self::Quadrature => options(Method::Dop853, 1e-12, length, step_limit),
         }
     }
 
-    /// Runs over a span from the integrated state `y0`.
+    /// Integrates a problem over a span from the integrated state `y0`.
     ///
     /// # Errors
     /// [`Error::Request`] if the request is invalid, or quadrature does not give the motion.
@@ -182,8 +183,8 @@ impl Way {
     }
 }
 
-/// Lists every formulation of the model with each way to find its accelerations. Printed equations follow if wanted, as
-/// they stand, and then the scene's own equations. Also returns the reasons why cases are missing.
+/// Lists every formulation of the model with each way to find its accelerations. Printed equations follow, as they
+/// stand, if `printed` is true, and then the scene's own equations. Also returns the reasons why cases are missing.
 ///
 /// # Errors
 /// [`Error`] if no equations can be run.
@@ -196,10 +197,10 @@ pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
     Ok((list, left_out))
 }
 
-/// Lists the cases of the whole model.
+/// Lists the cases with equations of the whole model. Also returns the reasons why cases are missing.
 ///
 /// # Errors
-/// As [`cases`].
+/// Errors of [`cases`].
 pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = (Vec::new(), Vec::new());
     let mut why = None;
@@ -226,10 +227,10 @@ pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
     }
 }
 
-/// Case of a scene's own equations.
+/// Makes the case of a scene's own reduced equations.
 ///
 /// # Errors
-/// [`Error`] if the scene has none; the other cases can still be charted.
+/// [`Error`] if the scene has no reduced equations; the other cases can still be charted.
 pub fn own(model: &Mechanism, scene: &Scene) -> Result<Case, Error> {
     let reduced = Reduced::new(model, scene)?;
     let code = reduced.code(model)?;

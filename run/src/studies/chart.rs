@@ -19,20 +19,20 @@ use tripos_traits::larger;
 
 /// Extent of the measurements of a chart.
 pub struct Plan {
-    /// The tolerances, loosest first.
+    /// Tolerances of the runs, the loosest first.
     pub tolerances: Vec<f64>,
-    /// Number of runs for each measurement.
+    /// Number of timed runs for each measurement.
     pub repeats: usize,
     /// Number of steps after which a run is given up.
     pub step_limit: u64,
-    /// True if tolerances finer than one that used up the steps are left out.
+    /// True if a method is not tried at finer tolerances after one used up its steps.
     pub quick: bool,
     /// Duration above which a run is not repeated, s.
     pub patience: f64,
 }
 
 impl Plan {
-    /// The full plan, or a quick one that takes less than two minutes.
+    /// Makes the full plan, or a quick one whose measurements take less than two minutes.
     #[must_use]
     pub fn new(quick: bool) -> Self {
         let powers: Vec<i32> = if quick { vec![3, 5, 7, 9, 11, 13] } else { (2..=14).collect() };
@@ -46,7 +46,7 @@ impl Plan {
     }
 }
 
-/// Measured point of a chart.
+/// Measured point of a chart: one case, one method and one tolerance.
 pub struct Measurement {
     /// Equations of motion that ran.
     pub by: By,
@@ -54,17 +54,17 @@ pub struct Measurement {
     pub solve: Solve,
     /// Method and tolerance of the run.
     pub way: Way,
-    /// Times of the repeated runs, s.
+    /// Durations of the repeated runs, s.
     pub seconds: Spread,
-    /// Error against the reference; `None` if the run did not reach the end.
+    /// Error of the run against the reference; `None` if the run did not reach the end.
     pub error: Option<f64>,
-    /// Number of accepted steps.
+    /// Number of accepted steps of the run.
     pub steps: u64,
-    /// Number of calls of the right-hand side.
+    /// Number of calls of the right-hand side in the run.
     pub evaluations: u64,
-    /// Reason of the end of the run.
+    /// Reason why the run ended.
     pub stop: Stop,
-    /// Largest change of each first integral.
+    /// Largest change of each first integral along the run; empty if the first integrals were not computed.
     pub drifts: Vec<f64>,
 }
 
@@ -74,12 +74,12 @@ pub struct Truth<'a> {
     pub reference: &'a Reference,
     /// Quantities in which runs are compared.
     pub compared: &'a Compared,
-    /// First integrals of the motion.
+    /// First integrals of the motion, whose drift is measured.
     pub watch: &'a Watch,
 }
 
 /// Measures all cases against the reference at the end of the scene's span. An interrupted call returns the
-/// measurements so far. Cases that cannot be measured are added to the list of left-out ones, with the reason.
+/// measurements so far. Cases that cannot be measured are added to `left_out`, each with the reason.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -116,7 +116,7 @@ pub fn measure(
             }
             let measurement = match outcome {
                 Ok(measurement) => measurement,
-                // A motion that has no quadrature is still integrated.
+                // A motion without quadrature is still integrated by steps.
                 Err(failure) if *way == Way::Quadrature => {
                     left_out.push(format!("{} by {}: {}", problem.by.name(), way.name(), failure.first_line()));
                     continue;
@@ -154,7 +154,8 @@ pub fn measure(
 /// Greatest number of steps of a run whose first integrals are checked at each step.
 const MOST_WATCHED: u64 = 200_000;
 
-/// Makes the first run of a case: its error, the drift of its first integrals and a first time.
+/// Makes the first run of a case by one method. It gives the error, the drift of the first integrals and a first
+/// duration.
 fn first(problem: &Problem<'_>, y0: &[f64], way: Way, how: &Options, truth: &Truth<'_>) -> Result<Measurement, Error> {
     let Truth { reference, compared, watch } = truth;
     let start = std::time::Instant::now();

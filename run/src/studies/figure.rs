@@ -1,10 +1,10 @@
-//! Contents of figures as data: curves in panels, and tables of sizes. Rendering is left out on purpose.
+//! Contents of figures as data: curves in panels, and tables of sizes. Code that draws them is elsewhere on purpose.
 
 /// Figure that is made of panels or of a table.
 pub enum Figure {
-    /// Panels in a grid with this number of columns.
+    /// Panels in a grid, with the number of its columns.
     Panels(Vec<Panel>, usize),
-    /// A table of sizes.
+    /// A table of numbers on a logarithmic scale.
     HeatMap(HeatMap),
 }
 
@@ -18,23 +18,24 @@ pub enum Scale {
 }
 
 impl Scale {
-    /// True if a point (other, value) can be drawn on this axis. Beyond 1e300 a range could overflow.
+    /// True if a point (coordinate on the other axis, coordinate on this axis) can be drawn. Beyond 1e300 a range could
+    /// overflow.
     #[must_use]
     pub fn shows(self, (x, y): (f64, f64)) -> bool {
         x.abs() < 1e300 && y.abs() < 1e300 && (self == Self::Linear || y >= 1e-300)
     }
 }
 
-/// One curve.
+/// Curve of a panel, with its name, style and points.
 pub struct Series {
-    /// Name in the legend.
+    /// Name of the curve in the legend.
     pub label: String,
-    /// Index of colour, dashes and marker: 0 Kane, 1 Lagrange, 2 Newton–Euler, then printed equations.
+    /// Index of colour, dashes and marker: 0 Kane, 1 Lagrange, 2 Newton–Euler, 3 and more for printed equations.
     pub style: usize,
     /// Points (x, y); the curve breaks where a value is not finite.
     pub points: Vec<(f64, f64)>,
-    /// Range of the x values of each measured point, drawn as a bar. Each measurement has a marker; a curve has only a
-    /// few.
+    /// Range (lowest x, highest x) of each measured point, drawn as a bar. Curves of measurements have a marker at each
+    /// point; others have only a few markers.
     pub spread: Vec<(f64, f64)>,
     /// Band (x, lowest, highest) in which the true value lies, as far as is known; in the order of the points.
     pub band: Vec<(f64, f64, f64)>,
@@ -48,26 +49,26 @@ impl Series {
     }
 }
 
-/// Coordinate system with its curves.
+/// Panel of a figure: axes with their curves.
 pub struct Panel {
-    /// The title; left out where `y_label` begins with it.
+    /// Title of the panel; not drawn if `y_label` begins with it.
     pub title: String,
     /// Label of the horizontal axis, such as `t [s]`.
     pub x_label: String,
     /// Label of the vertical axis, such as `T + V [J]`.
     pub y_label: String,
-    /// Scale of the vertical axis. On a logarithmic axis a curve breaks where it is not positive.
+    /// Scale of the vertical axis. On a logarithmic axis a curve breaks where its values are not positive.
     pub scale: Scale,
     /// Scale of the horizontal axis.
     pub x_scale: Scale,
-    /// Curves; later ones are drawn over earlier ones.
+    /// Curves of the panel; later ones are drawn over earlier ones.
     pub series: Vec<Series>,
-    /// Note on the curves, such as where one ends early.
+    /// Note on the curves, such as the instant at which one ends early.
     pub note: Option<String>,
 }
 
 impl Panel {
-    /// True if a point can be drawn.
+    /// True if a point (x, y) can be drawn in the panel.
     #[must_use]
     pub fn shows(&self, (x, y): (f64, f64)) -> bool {
         self.scale.shows((x, y)) && self.x_scale.shows((y, x))
@@ -79,25 +80,26 @@ impl Panel {
 pub enum Cell {
     /// A number on a logarithmic scale, such as an error.
     Value(f64),
-    /// No number, but a short text on where and why the run stopped.
+    /// A short text that says when and why the run stopped, in place of a number.
     Stopped(String),
 }
 
 /// A table of numbers on a logarithmic scale.
 pub struct HeatMap {
-    /// Description of the numbers.
+    /// Title of the table, which describes its numbers.
     pub title: String,
     /// Heading of each column.
     pub columns: Vec<String>,
-    /// Heading of each row, and its cells.
+    /// Heading and cells of each row.
     pub rows: Vec<(String, Vec<Cell>)>,
-    /// Numbers with the lightest and with the darkest colour.
+    /// Numbers that get the lightest and the darkest colour.
     pub range: (f64, f64),
     /// Note below the table.
     pub note: String,
 }
 
-/// Sets text as a person writes it: `q1'` as q̇₁, `cos(q2)` as cos(q₂), `m/s^2` as m/s², `kg*m` as kg·m.
+/// Converts a formula in text to mathematical symbols: `q1'` to q̇₁, `cos(q2)` to cos(q₂), `m/s^2` to m/s², `kg*m` to
+/// kg·m.
 #[must_use]
 pub fn pretty(text: &str) -> String {
     let belongs = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
@@ -113,7 +115,7 @@ pub fn pretty(text: &str) -> String {
     out.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Sets a name with its index lowered and dots for its primes; leaves other words unchanged.
+/// Converts a name such as `q1'` to q̇₁, with its index lowered and dots for its primes; leaves other words unchanged.
 fn name(word: &str) -> String {
     let stem = word.trim_end_matches('\'');
     let dots = ["", "\u{307}", "\u{308}"][(word.len() - stem.len()).min(2)];

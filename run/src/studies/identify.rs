@@ -1,7 +1,7 @@
-//! Identification in numbers: values of the base parameters, and the regressor at given states.
+//! Numerical identification: values of the base parameters, and the regressor at given states.
 //!
-//! [`tripos_derive::identify`] finds the base parameters. Row by row Y_b π_b + rest = tau, where tau = B r is the
-//! generalized force of the inputs r ([`super::inverse`]).
+//! [`tripos_derive::identify`] finds the base parameters. The rows of the regressor are the equations Y_b π_b + rest =
+//! tau. tau = B r is the generalized force of the inputs r ([`super::inverse`]).
 
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
@@ -19,7 +19,8 @@ pub fn identify(model: &Mechanism, varied: Varied) -> Result<Identification, Err
     Identification::new(model, varied).map_err(|error| Error::Input(model.diagnose(&error)))
 }
 
-/// Values of the base parameters for the model's bodies and these parameters; `None` where a factor has no closed form.
+/// Computes the values of the base parameters for the model's bodies and the given parameters; `None` for a base
+/// parameter with a factor that has no closed form.
 ///
 /// # Errors
 /// [`Error::Request`] if a formula mentions a symbol without a value.
@@ -48,7 +49,7 @@ pub fn values(
         };
         of_groups.push(base.with.iter().map(|(at, factor)| (*at, value(factor, &mut factors))).collect());
     }
-    // With closed loops, a column that stands for its own combination has the value of that combination.
+    // With closed loops, a column may represent a combination of columns, and has the value of that combination.
     let whole: Vec<(usize, usize)> =
         found.grouped.iter().enumerate().map(|(k, base)| (base.column, found.base.len() + k)).collect();
     let own = |at: usize, with: &[(usize, Option<DoubleDouble>)]| {
@@ -64,20 +65,20 @@ pub fn values(
     Ok(of_base.collect())
 }
 
-/// Row of the regressor: the force along a speed at a state.
+/// Row of the regressor: the force along one generalized speed at one state.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Index of the state.
+    /// Index of the state among the given states.
     pub state: usize,
-    /// Index of the speed.
+    /// Index of the generalized speed.
     pub speed: usize,
-    /// Factor of each base parameter.
+    /// Factor of each base parameter in the force.
     pub factors: Vec<DoubleDouble>,
-    /// Known part of the force, which is Σ factor π + rest, with all inputs 0.
+    /// Known part of the force with all inputs 0: the force is Σ factor π + rest.
     pub rest: DoubleDouble,
 }
 
-/// Rows of the regressor of the base parameters at states.
+/// Computes the rows of the regressor of the base parameters at the given states.
 ///
 /// # Errors
 /// [`Error::Request`] if a column mentions a symbol without a value; [`Error::Stopped`] where a column has no value at

@@ -1,4 +1,4 @@
-//! Many runs, or none: charts, sweeps, slopes, steady motions, inverse dynamics, identification.
+//! Studies that need many runs, or none: charts, sweeps, derivatives, steady motions, inverse dynamics, identification.
 
 pub mod case;
 #[cfg(feature = "clock")]

@@ -1,8 +1,8 @@
-//! Limits of the runs of a scene: passages near a singular surface, ill-conditioned matrices, unstable motions, domains
-//! that are left unseen, drifts, and tolerances finer than rounding.
+//! Limits of the runs of a scene: passages near a singular surface, ill-conditioned matrices, unstable motions, limits
+//! of domains that are not watched, drifts, and tolerances finer than rounding.
 //!
-//! Each study finds out by itself whether it applies to the scene. Every number that is plotted or stated is a row of
-//! the table.
+//! Each study decides by itself whether it applies to the scene. Every number that is plotted or stated is a row of the
+//! table.
 
 pub mod conditioning;
 pub mod domain;
@@ -15,10 +15,10 @@ pub use findings::{Findings, Looked, Passed, Row, Statement, Study, Topic, Varia
 
 use crate::error::Error;
 
-/// Function of a study: adds what it finds to the findings.
+/// Function that runs one study and adds its results to the findings.
 pub type Run = fn(&Study<'_>, &mut Findings) -> Result<(), Error>;
 
-/// Runs every study that applies.
+/// Runs every study that applies to a scene, and collects the findings.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.

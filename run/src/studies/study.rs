@@ -1,7 +1,7 @@
-//! Derivation, proofs and judgement of a model for its page.
+//! Derivation and proofs of a model, and judgement of its publication, for its page.
 //!
-//! The terms of proofs and verdicts live in one store, apart from the terms of the equations that are shown and run. So
-//! the contents of a publication can never change the derivation.
+//! The terms of proofs and verdicts are held in one store, apart from the terms of the equations that are shown and
+//! run. So the contents of a publication can never change the derivation.
 
 use crate::code::{Code, Ready, code_of, compiled_code};
 use crate::error::Error;
@@ -13,37 +13,38 @@ use tripos_derive::prove::{Proof, Singularity, prove, singularity, zeros};
 use tripos_derive::publication::{Publication, load_beside};
 use tripos_derive::{Equations, Formulation, Model};
 
-/// Results of the analysis of a model, without running it.
+/// Results of the analysis of a model that need no run.
 pub struct Study {
-    /// The store of all terms below.
+    /// Derived equations, with the store of all terms of the study.
     pub derivations: Derivations,
     /// Proved statements on the model.
     pub proof: Proof,
-    /// Singular configurations of each formulation's matrix; missing if the matrix is too large.
+    /// Singular configurations of the matrix of each formulation; a formulation with a too large matrix is left out.
     pub singular: Vec<(Formulation, Singularity)>,
-    /// Judged publication beside the model; `None` if there is none.
+    /// Publication file beside the model, with its judgement; `None` if there is none.
     pub published: Option<Published>,
 }
 
-/// Printed system with its code, or the reason why it cannot run.
+/// Name of a printed system, with its code or the reason why it cannot run.
 pub type Printed = (By, Result<Code, Error>);
 
-/// Published derivation with its judgement.
+/// Publication with the judgement of its printed equations.
 pub struct Published {
-    /// The publication with the printed equations.
+    /// Publication file with the printed equations.
     pub publication: Publication,
     /// Comparison of the printed equations with the derived ones.
     pub difference: Difference,
-    /// Singular configurations of the matrix of each printed system, in the order of `difference.consequences`.
+    /// Singular configurations of the matrix of each printed system, in the order of `difference.consequences`; `None`
+    /// if the matrix is too large.
     pub singular: Vec<Option<Singularity>>,
-    /// The printed systems as equations of motion.
+    /// Printed systems as equations of motion, in the order of the publication.
     pub printed: Vec<Equations>,
 }
 
 impl Study {
     /// Derives the model, proves statements on it, and judges the publication beside it, if there is one.
     ///
-    /// A publication with errors is left out; its errors are returned beside the study.
+    /// A publication file with errors is left out; its errors are returned beside the study.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
@@ -70,12 +71,12 @@ impl Study {
         Ok((Self { derivations, proof, singular, published }, broken))
     }
 
-    /// The printed systems of the publication ready to be run, or why one cannot be.
+    /// Makes the printed systems of the publication ready to run; an error says why one cannot run.
     #[must_use]
     pub fn printed(&self, model: &Mechanism) -> Vec<Printed> {
         let Some(published) = &self.published else { return Vec::new() };
         let mut list = Vec::new();
-        // The store is copied once, and only if something has to be interpreted.
+        // The store of terms is copied once, and only if equations have to be interpreted.
         let mut derivation: Option<Derivation> = None;
         for equations in &published.printed {
             let by = equations.by.clone();
@@ -108,8 +109,8 @@ impl Published {
         Self { publication, difference, singular, printed: equations }
     }
 
-    /// The id of the first printed system that is proved to give the same motion as this one: itself, if there is none
-    /// before it.
+    /// Id of the first printed system that is proved to give the same motion as the system `id`; `id` itself if no
+    /// system before it does.
     #[must_use]
     pub fn first_alike<'a>(&'a self, id: &'a str) -> &'a str {
         let agreements = &self.difference.agreements;
@@ -117,7 +118,7 @@ impl Published {
     }
 }
 
-/// The printed equations of a system, by its id.
+/// Printed equations of the system with the given id.
 fn printed_of<'a>(list: &'a [Equations], id: &str) -> Option<&'a Equations> {
     list.iter().find(|equations| equations.by.printed_id() == Some(id))
 }

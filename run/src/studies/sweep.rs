@@ -1,4 +1,4 @@
-//! Sweeps: runs of a scene from many starts or with many parameters, each giving a row of a table.
+//! Sweeps: runs of a scene from many starts or with many parameters, each of which gives a row of a table.
 //!
 //! Invariants:
 //! - A row equals the result of `tripos simulate` for the scene with the values of its point, to the bit, or to

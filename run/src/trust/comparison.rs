@@ -16,18 +16,20 @@ use tripos_traits::DoubleDouble;
 
 /// Quantities that are compared in the runs of a scene.
 pub struct Compared {
-    /// Outputs of the scene; `None` if it asks for none, so that states are compared.
+    /// Outputs of the scene; `None` if the scene asks for none, so that states are compared.
     outputs: Option<Outputs>,
 }
 
-/// Outputs of a scene as functions of the whole state.
+/// Outputs of a scene as functions of the state of the whole model.
 struct Outputs {
     parameters: Vec<DoubleDouble>,
-    /// Computes the known outputs from parameters, coordinates and speeds.
+    /// Computes the known outputs from parameters, coordinates and generalized speeds.
     tape: Tape<DoubleDouble>,
+    /// All outputs of the scene, known or not, in the order of the scene.
     list: Vec<Shown>,
 }
 
+/// Name of an output of a scene, and a flag that is true if the output is a function of the state.
 struct Shown {
     name: String,
     is_known: bool,
@@ -43,7 +45,8 @@ impl Compared {
         Ok(Self { outputs })
     }
 
-    /// Outputs at a state of the whole model, NaN for those that are left out; the state itself if states are compared.
+    /// Outputs of the scene at a state of the whole model, NaN for outputs that are not compared. Without outputs it
+    /// returns the state itself.
     #[must_use]
     pub fn of_state(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
         match &self.outputs {
@@ -63,20 +66,20 @@ impl Compared {
         }
     }
 
-    /// The compared quantities of an integrated state of any equations.
+    /// Compared quantities at an integrated state of any equations.
     #[must_use]
     pub fn of_run(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let shown = problem.precise_state(t, y);
         self.kept(if problem.by.is_reduced() { shown } else { self.of_state(&shown) })
     }
 
-    /// True if there is nothing to compare.
+    /// True if the scene asks for outputs and none of them can be compared.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.outputs.as_ref().is_some_and(|outputs| outputs.list.iter().all(|o| !o.is_known))
     }
 
-    /// Sentence that names the compared quantities; `None` if all states are compared.
+    /// Sentence that names the compared outputs and those left out; `None` if all states are compared.
     #[must_use]
     pub fn said(&self) -> Option<String> {
         let list = &self.outputs.as_ref()?.list;

@@ -1,13 +1,13 @@
 //! Number of correct digits of a run, estimated by a second run.
 //!
 //! The second run follows the same motion with other steps ([`tripos_sim::seconds`]). Its start and its parameters are
-//! one rounding away. So the difference of the two contains the errors of the steps, of rounding, and of numbers that
-//! doubles cannot hold, each as far as the motion has amplified it.
+//! one rounding away. So the difference of the two runs contains the errors of the steps, of rounding, and of numbers
+//! that doubles cannot hold. Each error counts as far as the motion has amplified it.
 //!
 //! During the run an error is measured relative to the largest size s of its value along the run. s is at least the
-//! quotient of absolute and relative tolerance, since these two say below which size nothing matters. A curve through
-//! zero has no digits of its own there. At the end, where the number itself is wanted, the error is measured relative
-//! to |value| + s, with s at most 1 in its SI unit.
+//! quotient of absolute and relative tolerance, since a smaller size does not matter by these tolerances. A curve
+//! through zero has no digits of its own at the zero. At the end, where the number itself is wanted, the error is
+//! measured relative to |value| + s, with s at most 1 in its SI unit.
 
 use super::events::{Balance, events};
 use crate::error::Error;
@@ -17,41 +17,43 @@ use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{Effect, Event, EventRecord, Kind, Options, Output, Second, Solution, Stop, seconds};
 use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
 
-/// Greatest number of instants at which the two runs are compared.
+/// Greatest number of instants at which the run and the second run are compared.
 const INSTANTS: usize = 400;
-/// Number of parts of a run. The last part before an instant counts for its error, and at least the next number of
-/// instants.
+/// Number of parts that the compared instants of a run are divided into. The differences in the part before an instant
+/// count for the error of that instant.
 const NEAR: usize = 40;
+/// Least number of instants before an instant whose differences count for its error.
 const NEAREST: usize = 2;
-/// Number of digits below which a warning is given.
+/// Number of correct digits below which a warning is given.
 pub const FEW: f64 = 3.0;
-/// Least relative error of a value: some roundings of its terms.
+/// Least relative error of a value, which allows for eight roundings of its terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Size below which a value does not matter, where no relative tolerance gives it: that of the default tolerances.
+/// Size below which a value does not matter, where no relative tolerance defines that size. It is the quotient of the
+/// default tolerances.
 const SMALL: f64 = 1e-3;
-/// Factor from the difference of two motions by quadrature to the error. Both share all errors except those of the
-/// start.
+/// Factor from the difference of two motions by quadrature to the error of each. Both share all errors except those of
+/// the start.
 const QUADRATURE_PART: f64 = 4.0;
 
 /// Estimated errors and correct digits of the values of a run.
 #[derive(Clone, Debug)]
 pub struct Digits {
-    /// Compared instants in the order of the run, s. The last is the run's end, if it was assessed to its end.
+    /// Compared instants in the order of the run, s. The last one is the end of the run, if it was assessed to its end.
     pub t: Vec<f64>,
-    /// Estimated error of each shown value at each of these instants, in its unit.
+    /// Estimated error of each shown value at each instant of `t`, in the unit of the value.
     pub errors: Vec<Vec<f64>>,
-    /// Digits of each shown value at each of these instants: −log₁₀ of its error relative to its largest size.
+    /// Digits of each shown value at each instant of `t`: −log₁₀ of its error relative to its largest size.
     pub digits: Vec<Vec<f64>>,
-    /// Digits of each value at the last of these instants: −log₁₀ of its error relative to the value itself.
+    /// Digits of each shown value at the last compared instant: −log₁₀ of its error relative to the value itself.
     last: Vec<f64>,
     /// Estimated error of the instant of each event of the run, s; `None` for an event that the second run does not
     /// have.
     pub events: Vec<Option<f64>>,
     /// Description of the second run in words.
     pub by: String,
-    /// The end of the run, s.
+    /// Instant at which the run ends, s.
     pub t_end: f64,
-    /// End of the second run, s, its reason, and true if it was the finer run.
+    /// End of the second run, s, the reason why it ended, and true if the second run was the finer one.
     pub(crate) second: (f64, Stop, bool),
 }
 
@@ -62,44 +64,47 @@ impl Digits {
         self.assessed() == Some(self.t_end)
     }
 
-    /// The last assessed instant, s; `None` if there is none.
+    /// Last instant at which the digits were assessed, s; `None` if they were assessed at no instant.
     #[must_use]
     pub fn assessed(&self) -> Option<f64> {
         self.t.last().copied()
     }
 
-    /// Digits of each value at the end; `None` if the run was not assessed to its end.
+    /// Digits of each shown value at the end of the run; `None` if the run was not assessed to its end.
     #[must_use]
     pub fn at_end(&self) -> Option<&[f64]> {
         self.is_complete().then_some(self.last.as_slice())
     }
 
-    /// Least number of digits of all values at the end; `None` if the run was not assessed to its end.
+    /// Least number of digits of all shown values at the end of the run; `None` if the run was not assessed to its end.
     #[must_use]
     pub fn end(&self) -> Option<f64> {
         self.at_end()?.iter().copied().reduce(f64::min)
     }
 
-    /// Estimated error of each value at the end, in its unit; `None` if the run was not assessed to its end.
+    /// Estimated error of each shown value at the end of the run, in its unit; `None` if the run was not assessed to
+    /// its end.
     #[must_use]
     pub fn errors_at_end(&self) -> Option<&[f64]> {
         self.errors.last().filter(|_| self.is_complete()).map(Vec::as_slice)
     }
 
-    /// The value with the fewest digits at an instant, as its index and its digits.
+    /// Index and digits of the shown value that has the fewest digits at an instant, which is given by its index.
     #[must_use]
     pub fn fewest(&self, instant: usize) -> Option<(usize, f64)> {
         self.digits[instant].iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// The fewest digits of all values and instants, as instant, value and digits; the first if several are equal.
+    /// Fewest digits of all shown values and instants: the index of the instant, the index of the value, and the
+    /// digits. The first such instant if several are equal.
     #[must_use]
     pub fn fewest_of_all(&self) -> Option<(usize, usize, f64)> {
         let all = (0..self.t.len()).filter_map(|at| self.fewest(at).map(|(which, digits)| (at, which, digits)));
         all.min_by(|a, b| a.2.total_cmp(&b.2))
     }
 
-    /// The first instant at which a value has too few digits, as the indices of instant and value.
+    /// First instant at which a shown value has too few digits, as the indices of instant and value; `None` if all have
+    /// enough.
     #[must_use]
     pub fn first_with_few(&self) -> Option<(usize, usize)> {
         let few = |at: usize| self.fewest(at).filter(|(_, digits)| *digits < FEW).map(|(which, _)| (at, which));
@@ -108,10 +113,10 @@ impl Digits {
     }
 }
 
-/// Function that gives the shown values of a state at an instant of a run.
+/// Function that gives the shown values at an instant and an integrated state of a run.
 pub type Values<'a> = dyn Fn(&Problem<'_>, f64, &[f64]) -> Result<Vec<f64>, Error> + 'a;
 
-/// Compares a run from `y0` with a second one. `None` if the run has no step or was interrupted.
+/// Estimates the correct digits of a run from `y0` by a second run. `None` if the run has no step or was interrupted.
 ///
 /// # Errors
 /// [`Error`] if the second run is invalid although the first was not, or a value cannot be computed.
@@ -174,16 +179,17 @@ pub fn assess(
     Ok(Some(Digits { t: run.t, errors, digits, last, events, by: words, t_end: solution.t_end, second }))
 }
 
+/// Sizes of the differences of two lists of values.
 fn differences(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
 }
 
-/// Longest time between the instants that two runs have for one impact, relative to the span.
+/// Longest time between the instants that two runs have for one impact, relative to the length of the span.
 const ONE_IMPACT: f64 = 1e-3;
 
-/// Replaces differences between the instants that two runs have for one impact. There one run has jumped and the other
-/// has not, so they differ by the jump; the uncertainty of the instant is given separately. Such samples get the errors
-/// of the instant before.
+/// Replaces differences of two runs at samples between the instants that the runs have for one impact. There one run
+/// has jumped and the other has not, so they differ by the jump; the uncertainty of the instant is given separately.
+/// Such samples get the differences at the sample before.
 fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], (first, second): (&Solution, &Solution), span: (f64, f64)) {
     let between: Vec<(f64, f64)> = first
         .impacts
@@ -204,16 +210,18 @@ fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], (first, second): (&Sol
     }
 }
 
-/// The differences just before an instant and at it. Two motions that oscillate about each other meet now and then,
-/// although the errors of both are as large as elsewhere. So the differences shortly before count too.
+/// Differences of two runs at an instant and at the compared instants shortly before it. Two motions that oscillate
+/// about each other meet now and then, although the errors of both are as large as elsewhere. So the differences
+/// shortly before count too.
 fn up_to(apart: &[Vec<f64>], instant: usize) -> &[Vec<f64>] {
     let near = (apart.len() / NEAR).max(NEAREST);
     &apart[instant.saturating_sub(near)..=instant]
 }
 
-/// Errors of the instants of events, by comparison with another run. The counterpart is the event that happened as
-/// often before. Of a repeated event the largest of several neighbouring errors is taken, since two runs that oscillate
-/// about each other may meet at one of them.
+/// Errors of the instants of events of a run, s, by comparison with another run. The counterpart of an event is the
+/// event of the other run that has as many of its kind before it; `None` without counterpart. For a repeated event the
+/// largest of several neighbouring errors is taken, since two runs that oscillate about each other may meet at one of
+/// the events.
 fn of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Option<f64>> {
     let mut errors = vec![None; list.len()];
     for (own, its) in by_event(list).iter().zip(by_event(others)) {
@@ -232,7 +240,7 @@ fn of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Opt
     errors
 }
 
-/// Indices of the records of each event, in order.
+/// Indices of the records of each event, in the order of the list.
 fn by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
     let mut places = Vec::new();
     for (at, record) in list.iter().enumerate() {
@@ -249,7 +257,7 @@ fn told(relative: f64) -> f64 {
     if relative < 1.0 { -relative.log10() } else { 0.0 }
 }
 
-/// Possible second runs in the order of preference.
+/// Possible second runs to assess a run by, in the order of preference.
 fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec<Second> {
     if problem.scene.integration.method == Integrator::Quadrature {
         let words = "quadrature from numbers one rounding away".to_owned();
@@ -258,7 +266,7 @@ fn choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec
     seconds(options, solution, problem.scene.span, problem.has_short_series())
 }
 
-/// Samples spread evenly over a run, at most as many as are compared, and its end.
+/// Samples (t, y) spread evenly over a run, at most [`INSTANTS`], and the end of the run.
 fn samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
     let every = solution.y.len().div_ceil(INSTANTS).max(1);
     let mut list: Vec<_> = solution.t.iter().copied().zip(&solution.y).step_by(every).collect();
@@ -268,12 +276,12 @@ fn samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
     list
 }
 
-/// Length by which the second run goes beyond the end of the first, relative to it. An event of that end may be later
-/// there.
+/// Time by which the second run goes beyond the end of the first, relative to the duration of the first. An event at
+/// that end may happen later in the second run.
 const BEYOND: f64 = 0.02;
 
-/// The scene for the second run, from the first run's start to a little beyond its end. Its parameters are on the other
-/// side of numbers that doubles cannot hold.
+/// Scene for the second run, from the start of the first run to a little beyond its end. A parameter that doubles
+/// cannot hold has the neighbouring double on the other side of its exact number.
 fn beside(scene: &Scene, t_end: f64) -> Scene {
     let (start, end) = scene.span;
     let beyond = t_end + BEYOND * (t_end - start);
@@ -281,7 +289,8 @@ fn beside(scene: &Scene, t_end: f64) -> Scene {
     Scene { parameters: other_side(scene), span: (start, if is_inside { beyond } else { end }), ..scene.clone() }
 }
 
-/// Parameters of a scene, rounded to the other side of numbers that doubles cannot hold.
+/// Parameters of a scene. One that doubles cannot hold is replaced by the neighbouring double on the other side of its
+/// exact number.
 pub fn other_side(scene: &Scene) -> Vec<f64> {
     let other = |(x, exact): (&f64, &DoubleDouble)| {
         let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();
@@ -296,7 +305,7 @@ pub fn other_side(scene: &Scene) -> Vec<f64> {
     scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect()
 }
 
-/// Largest size of each value, or the size below which it does not matter if that is larger.
+/// Largest size of each shown value along a run, or the size below which it does not matter if that is larger.
 fn sizes(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
     let how = &scene.integration;
     let adaptive = how.step.is_none() && how.method != Integrator::Quadrature;

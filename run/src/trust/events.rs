@@ -1,5 +1,5 @@
-//! Watched functions of a scene's runs: the domain's conditions and the scene's events, compiled once and bound to a
-//! problem.
+//! Functions that a run of a scene watches: the conditions of the model's domain and the events of the scene. They are
+//! compiled once and bound to each problem.
 
 use crate::code::{Code, Ready, code, tape};
 use crate::error::Error;
@@ -14,16 +14,17 @@ use tripos_derive::{Formulation, Model};
 use tripos_sim::{Direction, Dynamics, Effect, Event, EventFunction, InRanges};
 use tripos_traits::{Enclosure, Lengths, Scalar};
 
-/// Watched functions of a scene's runs, compiled once. If one of them mentions a reaction, the force balance gives it
-/// for any formulation.
+/// Functions that the runs of a scene watch, compiled once. If one of them mentions a reaction, the force balance gives
+/// it for any formulation.
 #[derive(Clone)]
 pub struct Balance {
+    /// Equations of the force balance; `None` if no watched function needs a reaction.
     code: Option<Code>,
-    /// Conditions of the domain, then the scene's events.
+    /// Conditions of the model's domain, then the events of the scene.
     watched: Vec<Watched>,
 }
 
-/// An expression in parameters, q, q̇, u and reactions, as it is computed.
+/// A watched expression in parameters, q, q̇, u and reactions, in the form in which it is computed.
 #[derive(Clone)]
 enum Watched {
     /// Function of parameters and the integrated state, in numbers and in ranges.
@@ -33,8 +34,8 @@ enum Watched {
 }
 
 impl Balance {
-    /// Prepares the watched functions of a scene of this model: the mechanism's own, or a reduced one, which has no
-    /// reactions.
+    /// Prepares the watched functions of a scene of `model`. This is the mechanism's own model, or a reduced one, which
+    /// has no reactions.
     ///
     /// # Errors
     /// [`Error::Request`] if a watched reaction is not determined, or a symbol has no value during a run.
@@ -64,7 +65,7 @@ impl Balance {
             }
             list.push(match of_state(model, scene, by, e) {
                 Ok(tape) => Watched::OfState { ranges: tape.to(), tape },
-                // The other way to the value also says which symbol is unknown there.
+                // The form with the whole motion also names the unknown symbol in its error.
                 Err(UnknownSymbol(_)) => of_motion(model, e, name)?,
             });
         }
@@ -72,8 +73,8 @@ impl Balance {
     }
 }
 
-/// The expression as a function of parameters and the integrated state. It may not mention reactions, nor rates if the
-/// running equations have rates of their own, as printed ones do.
+/// Compiles an expression as a function of parameters and the integrated state. It may not mention reactions, nor rates
+/// if the running equations have rates of their own, as printed ones do.
 fn of_state(model: &Model, scene: &Scene, by: &By, e: Expr) -> Result<Tape, UnknownSymbol> {
     let mut arena = model.arena.clone();
     let (mut variables, mut steps) = (model.q(), Vec::new());
@@ -101,6 +102,7 @@ fn of_state(model: &Model, scene: &Scene, by: &By, e: Expr) -> Result<Tape, Unkn
     Tape::stepwise(&arena, &[model.p(), variables, v].concat(), &steps, &[e])
 }
 
+/// Compiles an expression as a function of parameters, q, q̇, u and reactions; `name` names it in errors.
 fn of_motion(model: &Model, e: Expr, name: &str) -> Result<Watched, Error> {
     let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
     let needs_reactions = reactions.iter().any(|r| model.arena.mentions(e, *r));
@@ -108,8 +110,9 @@ fn of_motion(model: &Model, e: Expr, name: &str) -> Result<Watched, Error> {
     Ok(Watched::OfMotion { tape: tape(&model.arena, &inputs, &[e], &format!("`{name}`"))?, needs_reactions })
 }
 
-/// The domain's conditions and the scene's events as functions of the integrated state, in ranges where no reaction is
-/// watched. The scene must have the same ones as the scene that `balance` was made for.
+/// Makes the conditions of the domain and the events of the scene as functions of the integrated state. Functions that
+/// watch no reaction also come in ranges. The scene must have the same conditions and events as the scene that
+/// `balance` was made for.
 #[must_use]
 pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'a>> {
     let Problem { model, scene, .. } = *problem;
@@ -129,7 +132,7 @@ pub fn events<'a>(problem: &'a Problem<'_>, balance: &'a Balance) -> Vec<Event<'
     watched.map(event).collect()
 }
 
-/// A watched expression as a function of (t, y), and in ranges of them.
+/// Makes the function of (t, y) for a watched expression, and the same function in ranges if there is one.
 fn watch<'a>(
     problem: &'a Problem<'_>,
     balance: &'a Balance,
@@ -151,7 +154,7 @@ fn watch<'a>(
     }
 }
 
-/// Function of a tape's last inputs, with the first ones given.
+/// Makes a function of the last inputs of a tape; its first inputs are given.
 fn of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S]) -> S + '_ {
     let (given, mut scratch) = (inputs.len(), Vec::new());
     move |rest: &[S]| {
@@ -163,7 +166,8 @@ fn of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S])
     }
 }
 
-/// A tape of parameters, q, q̇, u and reactions as a function of (t, y).
+/// Makes the function of (t, y) for a tape of parameters, q, q̇, u and reactions. `code` is the force balance that gives
+/// the reactions.
 fn along_motion<'a>(
     problem: &'a Problem<'_>,
     code: Option<&'a Code>,
@@ -182,7 +186,8 @@ fn along_motion<'a>(
         let q = problem.coordinates(y);
         let mut values = [p.as_slice(), &q, &q_dot, &u].concat();
         match &mut dynamics {
-            // The state has no reaction where the balance is singular: not a number, said by the integrator.
+            // The state has no reaction where the balance is singular. The value is then NaN, which the integrator
+            // reports.
             Some(balance) => match balance.unknowns(&q, &u) {
                 Ok(x) => values.extend_from_slice(&x[speeds..]),
                 Err(_) => return f64::NAN,

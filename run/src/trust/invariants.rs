@@ -1,8 +1,7 @@
 //! Quantities that are watched along a run beside its state: first integrals, determinants, condition numbers and the
 //! divisors of the kinematic equations.
 //!
-//! Invariant: nothing here can stop a run or a page. A value that does not exist is not a number, and extremes pass
-//! it over.
+//! Invariant: no watched quantity can stop a run or a page. A value that does not exist is NaN, and extremes ignore it.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -18,16 +17,16 @@ use tripos_derive::reduce::Ground;
 use tripos_sim::Solution;
 use tripos_traits::larger;
 
-/// A first integral that is watched.
+/// Description of a first integral that is watched along a run.
 #[derive(Clone, Debug)]
 pub struct Conserved {
     /// Kind of the integral, such as energy or a momentum.
     pub kind: IntegralKind,
     /// Short title, such as `momentum p_q3`.
     pub title: String,
-    /// Full names of the function: one function, or it and its negative, may be several quantities.
+    /// Full names of the first integral: one function, or it and its negative, may be several quantities.
     pub names: Vec<String>,
-    /// Its unit.
+    /// Unit of the first integral.
     pub unit: String,
 }
 
@@ -42,7 +41,7 @@ impl Conserved {
         Self { kind, title: integral.title(model, arena), names: integral.names(model, arena), unit }
     }
 
-    /// First of the full names.
+    /// First of the full names of the first integral.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.names[0]
@@ -58,55 +57,58 @@ impl fmt::Display for Conserved {
 /// Largest change of a first integral along a run.
 #[derive(Clone, Debug)]
 pub struct Drift {
-    /// The integral.
+    /// First integral whose change is given.
     pub integral: Conserved,
-    /// Its largest change over the samples, in its unit.
+    /// Largest change of the first integral over the samples of the run, in its unit.
     pub change: f64,
 }
 
-/// Functions of the state that are watched, as tapes.
+/// Functions of the state that are watched along a run, as tapes.
 pub struct Watch {
-    /// The first integrals.
+    /// Descriptions of the watched first integrals.
     pub integrals: Vec<Conserved>,
     /// Divisors of the kinematic equations, as text.
     pub divisors: Vec<String>,
+    /// Computes the first integrals, then the divisors, from parameters, coordinates and generalized speeds.
     tape: Tape,
+    /// Computes for each first integral the product of its divisors that depend on parameters alone.
     divided: Tape,
 }
 
-/// Units in the last place of a first integral that its evaluation may be off by.
+/// Number of roundings by which the evaluation of a first integral may be off.
 const ROUNDINGS: f64 = 64.0;
 
 /// Difference of a first integral from its start, at one instant.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Excursion {
-    /// Time of the difference, s.
+    /// Instant of the difference, s.
     pub t: f64,
-    /// Absolute change, in the unit of the integral.
+    /// Absolute change of the integral since the start, in its unit.
     pub change: f64,
-    /// Change divided by the largest change that the allowed error of one step can cause there.
+    /// Change divided by the largest change that the allowed error of one step can cause at that state.
     pub ratio: f64,
 }
 
-/// Watched quantities, sample by sample.
+/// Values of the watched quantities at each sample of a run.
 pub struct Course {
-    /// The times, s.
+    /// Instants of the samples, s.
     pub t: Vec<f64>,
-    /// The values of each first integral.
+    /// Values of each first integral at all samples.
     pub integrals: Vec<Vec<f64>>,
-    /// det A of the system A x = b that is solved.
+    /// Determinant of the matrix A at each sample, in the system A x = b that is solved for the accelerations.
     pub determinant: Vec<f64>,
-    /// Reciprocal condition number of A with its rows and columns scaled.
+    /// Reciprocal condition number at each sample of the matrix A with its rows and columns scaled.
     pub condition: Vec<f64>,
-    /// The absolute value of each divisor of the kinematic equations.
+    /// Absolute value of each divisor of the kinematic equations at all samples.
     pub divisors: Vec<Vec<f64>>,
 }
 
 impl Watch {
-    /// The first integrals of a model, whose terms are in `arena`, and the divisors of its kinematic equations.
+    /// Compiles the first integrals of a model, whose terms are in `arena`, and the divisors of its kinematic
+    /// equations.
     ///
     /// # Errors
-    /// [`Error::Request`] if one of them mentions a symbol without a value during a run.
+    /// [`Error::Request`] if an integral or a divisor mentions a symbol without a value during a run.
     pub fn new(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Self, Error> {
         let divisors = &model.kinematic_equations.divisors;
         let outputs: Vec<_> = integrals.iter().map(|i| i.expression).chain(divisors.iter().copied()).collect();
@@ -119,7 +121,7 @@ impl Watch {
         })
     }
 
-    /// Tape of one product for each integral: its divisors that depend on parameters alone.
+    /// Tape that gives one product for each integral: its divisors that depend on parameters alone.
     fn divided(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Tape, Error> {
         let mut arena = arena.clone();
         let parameters = model.p();
@@ -135,14 +137,14 @@ impl Watch {
         tape(&arena, &parameters, &products, "what a first integral divides by")
     }
 
-    /// True for each integral that exists at these parameters. An integral that divides by a parameter with value 0
-    /// does not.
+    /// True for each first integral that exists at the given parameters. An integral that divides by a parameter with
+    /// value 0 does not exist.
     #[must_use]
     pub fn exist(&self, parameters: &[f64]) -> Vec<bool> {
         self.divided.evaluate(parameters).into_iter().map(|divisor| divisor != 0.0).collect()
     }
 
-    /// Watch of a model. Its first integrals are found and proved first.
+    /// Makes the watch of a model, after its first integrals are found and proved.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
@@ -150,10 +152,10 @@ impl Watch {
         Self::of_ground(model, &Ground::new(model).map_err(|error| model.diagnose(&error))?)
     }
 
-    /// Watch of a model whose first integrals are known.
+    /// Makes the watch of a model whose first integrals are known from `ground`.
     ///
     /// # Errors
-    /// As [`Watch::new`].
+    /// Errors of [`Watch::new`].
     pub fn of_ground(model: &Model, ground: &Ground) -> Result<Self, Error> {
         Self::new(model, &ground.arena, &ground.integrals)
     }
@@ -167,7 +169,7 @@ impl Watch {
         changes.filter(|(_, exists)| *exists).map(|(found, _)| drift(found)).collect()
     }
 
-    /// The largest change of each first integral over the samples of a solution.
+    /// Largest change of each first integral from its first value over the samples of a solution, in its unit.
     #[must_use]
     pub fn changes(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<f64> {
         let n = self.integrals.len();
@@ -185,7 +187,7 @@ impl Watch {
         largest
     }
 
-    /// The change of one first integral at each sample of a solution.
+    /// Change of one first integral from its first value at each sample of a solution, in its unit.
     #[must_use]
     pub fn course(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; self.integrals.len() + self.divisors.len()]);
@@ -198,9 +200,9 @@ impl Watch {
         values.iter().map(|x| x - values[0]).collect()
     }
 
-    /// For each first integral the instant at which it is furthest from its start by what allowed errors can move it
-    /// there. `allowance` tells the allowed error of a component of (q, u) with its value; at most `samples` states are
-    /// looked at.
+    /// Finds the worst instant of each first integral: its change from the start is largest there, relative to the
+    /// change that allowed errors can cause. `allowance` gives the allowed error of a component of (q, u) from its
+    /// index and its value. At most `samples` states are examined.
     pub fn worst(
         &self,
         problem: &Problem<'_>,
@@ -236,10 +238,10 @@ impl Watch {
             }
             for (at, worst) in worst.iter_mut().enumerate() {
                 let change = (here[at] - start[at]).abs();
-                // A value is not known better than to the rounding of what it is the sum of.
+                // No value is known better than to the rounding of the terms of its sum.
                 let rounding = ROUNDINGS * f64::EPSILON * terms[at].max(start[at].abs()).max(1e-290);
                 let ratio = change / allowed[at].max(rounding);
-                // Where an integral has no value nothing is known to be kept.
+                // An integral without a value counts as not kept.
                 let ratio = if ratio.is_nan() { f64::INFINITY } else { ratio };
                 if ratio > worst.ratio {
                     *worst = Excursion { t: *t, change, ratio };
@@ -249,7 +251,7 @@ impl Watch {
         worst
     }
 
-    /// The values of each first integral and the absolute value of each divisor, at these states.
+    /// Values of each first integral, and absolute values of each divisor, at the given states.
     #[must_use]
     pub fn along(&self, parameters: &[f64], states: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
         let mut list = vec![Vec::with_capacity(states.len()); self.integrals.len() + self.divisors.len()];
@@ -266,28 +268,28 @@ impl Watch {
 }
 
 impl Course {
-    /// (least value, its time) of what was watched; nothing if no value is a number.
+    /// Least of given values, one for each sample, and the instant of it, s; `None` if every value is NaN.
     #[must_use]
     pub fn least(&self, values: &[f64]) -> Option<(f64, f64)> {
         let pairs = values.iter().copied().zip(self.t.iter().copied()).filter(|(x, _)| !x.is_nan());
         pairs.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// |det A| in units of its value at the start, sample by sample.
+    /// Absolute determinant |det A| at each sample, relative to its value at the start.
     #[must_use]
     pub fn relative_determinant(&self) -> Vec<f64> {
         let start = self.determinant.first().copied().unwrap_or(f64::NAN);
         self.determinant.iter().map(|det| (det / start).abs()).collect()
     }
 
-    /// Absolute difference of each sample of a first integral from the first sample.
+    /// Absolute difference of a first integral at each sample from its value at the first sample, in its unit.
     #[must_use]
     pub fn changes(&self, integral: usize) -> Vec<f64> {
         let values = &self.integrals[integral];
         values.iter().map(|x| (x - values[0]).abs()).collect()
     }
 
-    /// The largest change of each first integral; not a number if a sample has no value.
+    /// Largest change of each first integral over the samples; NaN if a sample has no value.
     #[must_use]
     pub fn largest_changes(&self) -> Vec<f64> {
         (0..self.integrals.len()).map(|at| self.changes(at).into_iter().fold(0.0, larger)).collect()

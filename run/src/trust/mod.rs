@@ -1,6 +1,6 @@
 //! Objections to a run, which say why its numbers cannot be trusted.
 //!
-//! Every objection comes with its figure. None depends on a clock: the same run gives the same objections.
+//! Every objection states a number. None depends on a clock: the same run gives the same objections.
 
 pub mod comparison;
 pub(super) mod digits;
@@ -19,15 +19,15 @@ use crate::trust::residuals::{broken, opened};
 use tripos_derive::scene::Solve;
 use tripos_sim::{Solution, Stop};
 
-/// A relative error that leaves no more than three digits.
+/// Relative error that leaves no more than three digits.
 const THREE_DIGITS: f64 = 1e-3;
-/// Greatest number of samples of a run at which matrices are checked.
+/// Greatest number of samples of a run at which matrices and first integrals are checked.
 const MOST_SAMPLES: usize = 400;
 
-/// Objections to a run, each with its figure; `names` are those of the values whose digits are given.
+/// Lists the objections to a run, each with a number. `names` are the names of the values whose digits are given.
 ///
 /// # Errors
-/// [`Error::Request`] if the parameters are not those of the equations.
+/// [`Error::Request`] if the number of parameters does not fit the equations.
 pub fn objections(
     problem: &Problem<'_>,
     solution: &Solution,
@@ -55,7 +55,7 @@ pub fn objections(
     Ok(list)
 }
 
-/// Objection to a run that shows too few digits, with the instant from which on it does.
+/// Objection to a run that shows too few digits, with the instant from which there are too few.
 fn few(digits: &Digits, names: &[String]) -> Option<String> {
     let (instant, which) = digits.first_with_few()?;
     let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
@@ -70,7 +70,7 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
     ))
 }
 
-/// Part of a run that is not assessed, in words; `None` if it is assessed to its end.
+/// Text that names the part of a run that is not assessed; `None` if the run is assessed to its end.
 fn beyond(digits: &Digits) -> Option<String> {
     match digits.assessed() {
         _ if digits.is_complete() => None,
@@ -79,10 +79,12 @@ fn beyond(digits: &Digits) -> Option<String> {
     }
 }
 
-/// Distance of the ends of two runs that could not go on, relative to the run, up to which they count as one end.
+/// Distance of the ends of two runs that could not go on, up to which they count as one end. It is relative to the
+/// duration of the run.
 const ONE_END: f64 = 1e-3;
 
-/// True if the second run could not go on where the first did. Reaching the step limit does not count.
+/// True if the second run had to stop before the first. Reaching the step limit does not count, nor does a coarser
+/// second run.
 fn could_not_go_on(digits: &Digits) -> bool {
     let (t, stop, is_finer) = &digits.second;
     let start = digits.t.first().copied().unwrap_or(*t);
@@ -91,7 +93,7 @@ fn could_not_go_on(digits: &Digits) -> bool {
     *is_finer && stop.is_failure() && !matches!(stop, Stop::StepLimit { .. }) && !is_one_end
 }
 
-/// Note on a run whose second run stopped before its end, for its cost or for an error of its own.
+/// Note on a run whose second run stopped early, because of its cost or of an error of its own; `None` if it did not.
 #[must_use]
 pub fn unassessed(digits: &Digits) -> Option<String> {
     let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
@@ -110,12 +112,13 @@ fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
 }
 
 /// Objection to a run whose energy drifts. It applies where energy is not among the watched first integrals, since
-/// loads work or no integrals were looked for. T + V minus the work done is then constant.
+/// loads work or no integrals were searched. T + V minus the work done is then constant.
 fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
     let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
     let n = system.lengths().coordinates;
     let potential = |y: &Vec<f64>| system.potential_energy(p, &y[..n]).abs();
-    // The scale is the largest honest kinetic energy. A run that blows up must not raise its own allowance.
+    // The scale is the largest kinetic energy that the energy of the start allows. A run that blows up must not raise
+    // its own allowance.
     let start = solution.y.first().unwrap_or(&solution.y_end);
     let first = (system.kinetic_energy(p, &start[..n], &start[n..]) + system.potential_energy(p, &start[..n])).abs();
     let scale = solution.y.iter().fold(first, |m, y| m.max(first + potential(y)));
@@ -129,7 +132,7 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
         (system.potential_energy(p, &beside) - system.potential_energy(p, end)).abs()
     };
     let nothing = (0..n).map(reach).sum::<f64>();
-    // A run that ended where energy has no value says so by its stop.
+    // The reason of the end reports a run that ended because its energy has no value.
     (drift > (THREE_DIGITS * scale).max(nothing)).then(|| {
         format!(
             "{what}, constant in this motion, changed by {drift:.3e} J of {scale:.3e} J: fewer than three digits are left"
@@ -140,6 +143,8 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
 /// First integral with its largest excursion from its start.
 type Worst<'a> = (&'a Conserved, Excursion);
 
+/// Finds the largest excursion of each first integral that exists, relative to that of a state with three correct
+/// digits.
 fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Vec<Worst<'a>> {
     // The allowed excursion is that of a state with three correct digits.
     let worst = watch.worst(problem, solution, MOST_SAMPLES, &|_, x| THREE_DIGITS * (1.0 + x.abs()));
@@ -147,6 +152,7 @@ fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Ve
     list.filter(|(_, exists)| *exists).map(|(found, _)| found).collect()
 }
 
+/// Objection that reports the excursion of a first integral.
 fn said((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
     let (name, unit) = (integral.name(), &integral.unit);
     if change.is_nan() {
@@ -157,15 +163,16 @@ fn said((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
     )
 }
 
-/// States spread evenly over a run, at most as many as are checked closely.
+/// States (t, y) spread evenly over a run, at most about [`MOST_SAMPLES`].
 fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
     let every = solution.y.len().div_ceil(MOST_SAMPLES).max(1);
     solution.t.iter().copied().zip(&solution.y).step_by(every)
 }
 
-/// Objection to a numeric solve whose ill-conditioned matrix loses too many digits.
+/// Objection to a run whose accelerations are solved numerically from an ill-conditioned matrix, which loses too many
+/// digits.
 fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
-    // Multipliers are found whatever the rank of the constraints is.
+    // Equations with multipliers are solved whatever the rank of the constraints.
     if problem.solve == Solve::Eliminated || problem.chosen.is_some() {
         return Ok(None);
     }

@@ -1,13 +1,14 @@
-//! Power of the loads without a potential, along a run by any equations.
+//! Power of the loads without a potential, along a run by any set of equations.
 
 use crate::code::{Ready, code};
 use crate::error::Error;
 use crate::preparation::problem::{Power, Problem};
 use tripos_derive::Formulation;
 
-/// Power that changes T + V along a run, W. `None` if no load without a potential works, or the run shows no energies.
+/// Function for the power that changes T + V along a run, W. `None` if no load without a potential works, or the run
+/// shows no energies.
 ///
-/// A scene's own equations show the energies of the whole model. The power is then that of Kane's equations at the
+/// A scene's own equations show the energies of the whole model. The power is then computed by Kane's equations at the
 /// shown state.
 ///
 /// # Errors
@@ -19,7 +20,7 @@ pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
         let p = problem.scene.parameters.as_slice();
         return Ok(system.has_power().then(|| Box::new(move |_, y: &[f64]| system.power(p, &y[..n], &y[n..])) as _));
     }
-    // No such load works in a motion that keeps its energy.
+    // A motion that keeps its energy has no load without a potential that works.
     if problem.shown.states_outputs || system.has_energy_gradient() {
         return Ok(None);
     }
@@ -33,10 +34,11 @@ pub fn power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
     }))
 }
 
-/// Power whose work is accumulated. With contacts there always is one, at least zero, since impacts add to the work.
+/// Function for the power whose work a run accumulates, W. With contacts there is always one, at least zero, since
+/// impacts add to the work.
 ///
 /// # Errors
-/// As [`power`].
+/// Errors of [`power`].
 pub fn accounted<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
     let power = power(problem)?;
     Ok(if problem.scene.impacts.is_empty() { power } else { power.or_else(|| Some(Box::new(|_, _: &[f64]| 0.0))) })

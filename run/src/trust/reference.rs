@@ -1,8 +1,8 @@
 //! Reference solutions, against which other runs are measured, and their certification.
 //!
-//! Equations run in twice the precision of a double, compiled or interpreted, eliminated, by DOP853. Their tolerances
-//! are out of reach of doubles. The runs are made by two formulations and at two tolerances. The difference of the runs
-//! is the uncertainty of the reference.
+//! The equations run in twice the precision of a double, compiled or interpreted, with eliminated accelerations, by
+//! DOP853. Doubles could not reach the tolerances. The runs are made by two formulations and at two tolerances. The
+//! difference of the runs is the uncertainty of the reference.
 
 use crate::code::{Code, Ready, code, compiled_code};
 use crate::error::{Error, refused};
@@ -18,17 +18,17 @@ use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
 /// States at given instants, more accurate than any run in doubles.
 pub struct Reference {
-    /// The instants, s.
+    /// Instants of the states, s.
     pub times: Vec<f64>,
-    /// Coordinates, then generalized speeds, at each instant.
+    /// Coordinates, then generalized speeds, at each instant of `times`.
     pub states: Vec<Vec<DoubleDouble>>,
     /// Uncertainty of the states, in the measure of [`error`].
     pub uncertainty: f64,
-    /// Description of the certification.
+    /// Text that describes how the reference was certified.
     pub how: String,
 }
 
-/// Tolerances of the run that is kept and of the run that checks it.
+/// Relative tolerances of the run that is kept and of the run that checks it.
 const TOLERANCES: [f64; 2] = [1e-22, 1e-20];
 /// Number of steps after which a reference is given up.
 const MOST_STEPS: u64 = 5_000_000;
@@ -36,10 +36,10 @@ const MOST_STEPS: u64 = 5_000_000;
 const STATES: usize = 4;
 
 impl Reference {
-    /// Computes the reference of a scene without its events, at these instants in the order of the run.
+    /// Computes the reference of a scene without its events, at the given instants in the order of the run.
     ///
     /// # Errors
-    /// [`Error`] if no formulation gets to the last instant.
+    /// [`Error`] if a run does not reach the last instant, or no formulation has eliminated accelerations.
     pub fn new(model: &Mechanism, scene: &Scene, times: &[f64]) -> Result<Self, Error> {
         if !scene.impacts.is_empty() {
             let help = "take the errors that the run states, or leave the impacts out";
@@ -62,20 +62,20 @@ impl Reference {
         Ok(Self { times: times.to_vec(), states: kept, uncertainty: larger(difference, DoubleDouble::EPSILON), how })
     }
 
-    /// The last state.
+    /// State at the last instant of the reference; empty if it has no instants.
     pub fn end(&self) -> &[DoubleDouble] {
         self.states.last().map_or(&[], Vec::as_slice)
     }
 }
 
-/// Equations that a reference is computed from.
+/// Equations of one formulation that a reference is computed from.
 #[derive(Clone)]
 struct Witness {
     by: By,
     code: Code,
 }
 
-/// Two formulations, or one twice if the model has only one.
+/// Equations of two formulations, or of one formulation twice if the model has only one.
 fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
     let mut list = Vec::new();
     for formulation in [Formulation::Lagrange, Formulation::Kane] {
@@ -93,10 +93,11 @@ fn witnesses(model: &Mechanism, scene: &Scene) -> Result<[Witness; 2], Error> {
     })
 }
 
-/// Distance from the singular surface of a scene, if its equations were compiled in that distance.
+/// Distance from the singular surface of a scene, if its equations were compiled in that distance or not compiled at
+/// all.
 fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
     tripos_derive::mechanics::distances(model).first().copied().or(scene.integration.distance).filter(|distance| {
-        // In 32 digits a distance without generated code keeps enough of them.
+        // Interpreted equations in 32 digits keep enough digits of a distance.
         let is_compiled =
             |distance| compiled_code(model, &By::from(Formulation::Lagrange), distance, Ready::Solved).is_some();
         !is_compiled(None) || is_compiled(Some(*distance))
@@ -104,7 +105,7 @@ fn near(model: &Mechanism, scene: &Scene) -> Option<Distance> {
 }
 
 impl Witness {
-    /// The states of a run at these instants.
+    /// Runs the equations at a relative tolerance. Returns coordinates and generalized speeds at the given instants.
     fn run(&self, model: &Mechanism, scene: &Scene, times: &[f64], rtol: f64) -> Result<Vec<Vec<DoubleDouble>>, Error> {
         let problem = Problem::new(model, scene, &self.by, &self.code, Some(Solve::Eliminated))?;
         let (p, y0) = problem.extended_start()?;
@@ -121,8 +122,8 @@ impl Witness {
 
     /// True if two formulations have identical terms: their rates have the same bits near the start.
     ///
-    /// Different terms for equal rates differ in one of 106 bits of a rate at one of these states. The result is stated
-    /// with a reference, and decides nothing.
+    /// Different terms for the same rates give values that differ in one of 106 bits at one of the tested states. The
+    /// result is stated with a reference, and decides no other question.
     fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
         if self.code.system().lengths().state() != other.code.system().lengths().state() {
             return Ok(false);
@@ -144,12 +145,14 @@ impl Witness {
     }
 }
 
+/// Options of a run of a reference at a relative and absolute tolerance.
 fn options(rtol: f64) -> Options {
     let method = Method::Dop853;
     Options { method, step_limit: MOST_STEPS, output: Output::Ends, ..Options::tolerances(rtol, rtol) }
 }
 
-/// Walks from instant to instant. Each is the end of a run, where the solution is as accurate as the tolerance.
+/// Integrates from instant to instant by `walk`. Each instant is the end of a run, where the solution is as accurate as
+/// the tolerance.
 fn along(
     scene: &Scene,
     times: &[f64],

@@ -1,18 +1,19 @@
-//! Residuals of the constraints of a run.
+//! Residuals of the constraints along a run, and the objections to large ones.
 
 use crate::preparation::problem::Problem;
 use tripos_derive::scene::Loops;
 use tripos_sim::Solution;
 
-/// Relative gap up to which a redundant loop counts as closed. Redundant loops amplify the residuals of the others.
+/// Relative gap up to which a redundant loop counts as closed. Redundant loops amplify the residuals of the other
+/// loops.
 const MAY_OPEN: f64 = 1e-6;
-/// Relative residual of a constraint that rounding can cause, compared with the sum of its terms.
+/// Residual of a constraint that rounding can cause, relative to the sum of the sizes of the constraint's terms.
 const ROUNDING: f64 = 1e-12;
 
 /// Residual of a constraint along a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Residual {
-    /// Name of the constraint in the file, with a prime if it is the rate of a loop.
+    /// Name of the constraint in the model file, with a prime if it is the rate of a loop.
     pub name: String,
     /// Largest residual over the samples, with its sign, in the unit of the constraint.
     pub largest: f64,
@@ -28,7 +29,7 @@ pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
         let (q, v) = y.split_at(system.lengths().coordinates);
         system.constraints(&problem.scene.parameters, q, v, &mut values);
         for (most, value) in largest.iter_mut().zip(&values) {
-            // A value that is not a number stays.
+            // A NaN replaces any number and stays.
             if value.is_nan() || value.abs() > most.abs() {
                 *most = *value;
             }
@@ -39,7 +40,7 @@ pub fn residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
     largest.into_iter().enumerate().map(named).chain(following).collect()
 }
 
-/// Residuals of the redundant loops, which are not kept closed. Each has its largest gap relative to the sizes of its
+/// Residuals of the redundant loops, which are not kept closed, each with its largest gap relative to the sizes of its
 /// terms.
 fn following(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)> {
     let model = problem.model;
@@ -73,8 +74,8 @@ pub fn opened(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item 
     })
 }
 
-/// Objection to a run that could not be kept on its constraints: a residual exceeds its tolerance. Corrections that
-/// only rounding causes do not matter.
+/// Objection to a run that could not be kept on its constraints, because a residual exceeds its tolerance. Corrections
+/// that only rounding causes do not matter.
 pub fn broken(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
     let publication = solution.projection.as_ref().filter(|_| problem.system().constraint_count() > 0)?;
     let left = publication.singular + publication.not_converged;

@@ -1,19 +1,19 @@
-//! Gradient of a function of the end of a run by its start and its parameters, in one sweep backwards: a discrete
+//! Gradient of a function of a run's end state, by its start and its parameters, in one sweep backwards: a discrete
 //! adjoint.
 //!
-//! The run is a sequence of steps that were taken already. Each is differentiated as it is, its length held. Explicit
+//! The run is a sequence of steps that were taken already. Each step is differentiated with its length held. Explicit
 //! Runge–Kutta steps are swept by their transposed stages, and the correction of their ends onto constraints by its
 //! transpose. Instants at which the right-hand side jumps add a term for their motion. The result is the transpose of
 //! the slopes that [`crate::Tangents`] carry forwards along the same steps, to rounding. It costs the same for one
 //! parameter and for thousands. W. W. Hager, "Runge–Kutta methods in optimal control and the transformed adjoint
 //! system", Numer. Math. 87 (2000) 247–282.
 //!
-//! The sweep needs the states in reverse order. A few are kept, and each segment between two of them is stepped through
-//! once more. With segments that get shorter by a step each, √(2 N) states serve N steps. A. Griewank, "Achieving
-//! logarithmic growth of temporal and spatial complexity in reverse automatic differentiation", Optim. Methods Softw. 1
-//! (1992) 35–54. The number of kept states changes no bit of the result.
+//! The sweep needs the states in reverse order. Only some of them are kept, and each segment between two kept states is
+//! stepped through once more. With segments that get shorter by a step each, √(2 N) states serve N steps. A. Griewank,
+//! "Achieving logarithmic growth of temporal and spatial complexity in reverse automatic differentiation", Optim.
+//! Methods Softw. 1 (1992) 35–54. The number of kept states changes no bit of the result.
 //!
-//! Absent on purpose: implicit steps, whose transposes need linear solves; and the origin of the steps.
+//! Absent on purpose: implicit steps, whose transposes need linear solves; and the choice of the steps.
 
 mod step;
 
@@ -26,27 +26,27 @@ use std::fmt;
 use step::{Rows, Stages};
 use tripos_traits::Method;
 
-/// The steps of a run.
+/// Steps of a run, with its start and its options.
 #[derive(Clone, Copy, Debug)]
 pub struct Course<'a> {
     /// First and last instant that the run was asked for, s.
     pub span: (f64, f64),
-    /// The state at the start.
+    /// State at the start of the run.
     pub y0: &'a [f64],
     /// Ends of the steps, s, in order.
     pub ends: &'a [f64],
     /// Options of the run: its method, its corners, its tolerances.
     pub options: &'a Options,
-    /// Jumps whose instants move; all others stay.
+    /// Jumps of the right-hand side whose instants depend on parameters; all other instants are fixed.
     pub moved: &'a [Moved],
 }
 
-/// A jump of the right-hand side whose instant moves.
+/// A jump of the right-hand side in time whose instant depends on parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moved {
-    /// Instant of the jump, s: that of one of the corners.
+    /// Instant of the jump, s: that of one of the corners of the run.
     pub at: f64,
-    /// Its derivative by each parameter.
+    /// Derivative of the instant of the jump by each parameter, s per unit of the parameter.
     pub by: Vec<f64>,
 }
 
@@ -55,31 +55,31 @@ pub struct Adjoint<'a> {
     course: Course<'a>,
     rows: Rows,
     stretches: Vec<Stretch>,
-    /// The first step of each segment, and the state there.
+    /// First step of each segment that is not swept yet, and the state at the start of that step.
     kept: Vec<(usize, Vec<f64>)>,
-    /// The state at the end of the run.
+    /// State at the end of the run.
     pub end: Vec<f64>,
 }
 
-/// Result of a sweep: derivatives by the start and by the parameters.
+/// Gradient of a weighted sum of the end state: derivatives by the start and by the parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient {
-    /// Derivative by each component of the state at the start.
+    /// Derivative of the weighted sum by each component of the state at the start.
     pub state: Vec<f64>,
-    /// Derivative by each parameter.
+    /// Derivative of the weighted sum by each parameter.
     pub parameters: Vec<f64>,
-    /// The most states that were kept at once.
+    /// Largest number of states that were kept at once.
     pub states: usize,
 }
 
 /// Reason why there is no gradient of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unswept {
-    /// Steps of this method are not swept backwards.
+    /// Method of the run, whose steps cannot be swept backwards.
     Method(Method),
-    /// The segments are not as long as the run.
+    /// The lengths of the segments do not add up to the number of steps.
     Segments,
-    /// The follower of the run has ended it.
+    /// The follower of the run has interrupted it.
     Interrupted,
     /// The right-hand side has no value, or no slopes, somewhere.
     Failed(Failure),
@@ -104,15 +104,15 @@ impl fmt::Display for Unswept {
 
 impl std::error::Error for Unswept {}
 
-/// Steps between the same corners: the first of them, and the side that they see.
+/// Steps between two neighbouring corners: the first step, and the side of each corner that the steps see.
 struct Stretch {
     first: usize,
     sides: Sides,
-    /// The jump before it, by its place in [`Course::moved`].
+    /// Jump before the first step, by its place in [`Course::moved`]; `None` if no instant that moves lies there.
     jump: Option<usize>,
 }
 
-/// Companions of the steps: right-hand side, projector and stages.
+/// Tools of the steps: right-hand side, projector onto constraints, and stages.
 struct Under<'r, 'o, R> {
     rhs: Between<'r, R, f64>,
     projector: Option<Projector<'o, 'o, f64>>,
@@ -125,7 +125,7 @@ pub fn has_adjoint(method: Method) -> bool {
     Rows::of(method).is_some()
 }
 
-/// The lengths of segments for which a sweep keeps the fewest states: each a step shorter than the one before it.
+/// Lengths of segments for which a sweep keeps the fewest states: each a step shorter than the one before it.
 #[must_use]
 pub fn segments(steps: usize) -> Vec<usize> {
     let longest = (0..=steps).find(|k| k * (k + 1) / 2 >= steps).unwrap_or(steps);
@@ -166,10 +166,11 @@ impl<'a> Adjoint<'a> {
         Ok(run)
     }
 
-    /// The derivatives of Σ weightᵢ yᵢ, at the end, by the state at the start and by the parameters.
+    /// Computes the derivatives of Σ weightᵢ yᵢ, y at the end of the run, by the state at the start and by the
+    /// parameters.
     ///
     /// # Errors
-    /// As [`Adjoint::new`].
+    /// [`Unswept`] with the reason, as for [`Adjoint::new`].
     pub fn pull<R: Transposed>(mut self, rhs: &mut R, weights: &[f64]) -> Result<Gradient, Unswept> {
         let count = rhs.parameter_count();
         let mut gradient = Gradient { state: weights.to_vec(), parameters: vec![0.0; count], states: 0 };
@@ -200,7 +201,7 @@ impl<'a> Adjoint<'a> {
         Under { rhs, projector, stages: Stages::new(&self.rows, y0.len()) }
     }
 
-    /// Start and end of a step, s.
+    /// Start and end of a step, s; steps are counted from 0.
     fn times(&self, step: usize) -> (f64, f64) {
         let start = step.checked_sub(1).map_or(self.course.span.0, |before| self.course.ends[before]);
         (start, self.course.ends[step])
@@ -210,7 +211,7 @@ impl<'a> Adjoint<'a> {
         &self.stretches[self.stretches.partition_point(|stretch| stretch.first <= step).saturating_sub(1)]
     }
 
-    /// Takes a step from `y`, in its place; true if its end was moved onto the constraints.
+    /// Takes a step from `y`, and writes its end to `y`; true if the end was moved onto the constraints.
     fn step<R: Transposed>(&self, under: &mut Under<'_, '_, R>, step: usize, y: &mut [f64]) -> Result<bool, Unswept> {
         let (t, t_new) = self.times(step);
         if Poll::ends(self.course.options.poll.as_ref(), t) {
@@ -226,7 +227,7 @@ impl<'a> Adjoint<'a> {
         Ok(moved.is_some())
     }
 
-    /// Takes a step from a state again, and goes back across it.
+    /// Takes a step from a state again, and turns the gradient by its end into the gradient by its start.
     fn back<R: Transposed>(
         &self,
         under: &mut Under<'_, '_, R>,
@@ -258,7 +259,7 @@ impl<'a> Adjoint<'a> {
     }
 }
 
-/// λ·(f⁻ − f⁺) at a jump.
+/// Change λ·(f⁻ − f⁺) of the rates at a jump, weighted with λ.
 fn change<R: Transposed>(
     rhs: &mut Between<'_, R, f64>,
     (before, after): (Sides, Sides),
@@ -275,7 +276,7 @@ fn change<R: Transposed>(
     Ok(sum)
 }
 
-/// Divides the steps into stretches between corners. Equal steps take no notice of corners.
+/// Divides the steps into stretches between corners. Runs with equal steps ignore corners.
 fn stretches(course: &Course<'_>) -> Vec<Stretch> {
     let Course { span, ends, options, moved, .. } = course;
     let all: &[Corner] = if options.step.is_some() { &[] } else { &options.corners };

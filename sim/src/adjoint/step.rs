@@ -13,21 +13,21 @@ use crate::methods::tableau::Coefficients;
 use crate::rhs::{RightHandSide, Transposed};
 use tripos_traits::Method;
 
-/// The stages that a row uses, from 0, each with its coefficient.
+/// Stages that a row of a method uses, counted from 0, each with its coefficient.
 type Entries = Vec<(usize, f64)>;
 
-/// An explicit Runge–Kutta method as data.
+/// Coefficients of an explicit Runge–Kutta method.
 pub(super) struct Rows {
     /// Nodes cᵢ of the stages.
     c: Vec<f64>,
-    /// aᵢⱼ that are not 0.
+    /// Coefficients aᵢⱼ that are not 0, a row for each stage.
     a: Vec<Entries>,
-    /// bᵢ that are not 0.
+    /// Coefficients bᵢ that are not 0.
     b: Entries,
 }
 
 impl Rows {
-    /// Rows of a method; `None` if it is no explicit Runge–Kutta method.
+    /// Coefficients of a method; `None` if the method is no explicit Runge–Kutta method.
     pub(super) fn of(method: Method) -> Option<Self> {
         match method {
             Method::Rk4 => Some(Self {
@@ -50,7 +50,7 @@ impl Rows {
     }
 }
 
-/// The stages of the step made last, and room for its transpose.
+/// Stages of the last step, and the space for its transpose.
 pub(super) struct Stages {
     points: Vec<Vec<f64>>,
     rates: Vec<Vec<f64>>,
@@ -59,13 +59,13 @@ pub(super) struct Stages {
 }
 
 impl Stages {
-    /// Room for a method and a state of `n` components.
+    /// Makes space for a method and a state of `n` components.
     pub(super) fn new(rows: &Rows, n: usize) -> Self {
         let zeros = || vec![vec![0.0; n]; rows.a.len()];
         Self { points: zeros(), rates: zeros(), weights: zeros(), share: vec![0.0; n] }
     }
 
-    /// The step from `y` at `t` to `t_new`, in place of `y`.
+    /// Takes the step from `y` at `t` to `t_new`, in s, and writes the new state to `y`.
     pub(super) fn step<R: RightHandSide<f64>>(
         &mut self,
         rows: &Rows,
@@ -84,8 +84,8 @@ impl Stages {
         Ok(())
     }
 
-    /// Turns the weights of the end of the step made last into those of its start, in place. It adds the contributions
-    /// of the parameters to their weights.
+    /// Turns the weights of the end of the last step into those of its start, in place, and adds to the weights of the
+    /// parameters.
     pub(super) fn back<R: Transposed>(
         &mut self,
         rows: &Rows,
@@ -113,12 +113,12 @@ impl Stages {
     }
 }
 
-/// The instant at a part of a step, of which the end is exact.
+/// Instant of a stage, s: at the fraction `part` of a step. The end of the step is met exactly.
 fn at(t: f64, t_new: f64, part: f64) -> f64 {
     if crate::stepper::same(part, 1.0) { t_new } else { t + part * (t_new - t) }
 }
 
-/// y + h Σⱼ aⱼ kⱼ in place of y.
+/// Writes y + h Σⱼ aⱼ kⱼ to `y`.
 fn add(y: &mut [f64], h: f64, row: &Entries, rates: &[Vec<f64>]) {
     for (i, y) in y.iter_mut().enumerate() {
         let sum: f64 = row.iter().map(|(stage, a)| a * rates[*stage][i]).sum();

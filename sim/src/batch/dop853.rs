@@ -14,7 +14,7 @@ use crate::methods::dop853::{END, STAGES, USED, USED_BY_ERROR, error_of};
 use crate::methods::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
 use crate::tolerance::ErrorTest;
 
-/// The published numbers; 0 where a row has no entry.
+/// Coefficients aᵢⱼ of the stages, row by row; 0 where the published row has no entry.
 const A: [[f64; STAGES]; STAGES] = {
     let mut a = [[0.0; STAGES]; STAGES];
     let mut i = 0;
@@ -48,35 +48,35 @@ const fn full(row: Row) -> [f64; STAGES] {
     values
 }
 
-/// The stages of one component.
+/// Stages of one component of the state, in all lanes.
 type Stages<const N: usize> = [Lanes<N>; STAGES];
 
-/// The states of all lanes, and the stages of a step.
+/// States of all lanes, and the stages of a step of DOP853.
 pub(super) struct Dop853<'a, const N: usize> {
     equations: &'a (dyn Rates<Lanes<N>> + Sync),
     coordinates: usize,
     parameters: Vec<Lanes<N>>,
     y: Vec<Lanes<N>>,
     y_new: Vec<Lanes<N>>,
-    /// Last output of the equations.
+    /// Derivative that the equations gave last.
     f: Vec<Lanes<N>>,
-    /// The derivative at `y`: stage 0 of the next step.
+    /// Derivative at `y`: stage 0 of the next step.
     slope: Vec<Lanes<N>>,
-    /// The stages of each component side by side.
+    /// Stages of each component of the state, side by side.
     k: Vec<Stages<N>>,
-    /// Part of the next point, or of the new state and its errors, that is known before the stage that is evaluated
-    /// now.
+    /// Sums of the terms that are known before the last evaluation: of the next point, or of the new state and its
+    /// errors.
     before: Vec<[Lanes<N>; 3]>,
-    /// The lanes whose last step counts and is not yet moved to: all bits or none.
+    /// Mask of the lanes whose last step was accepted but is not yet copied to `y`: all bits of a lane, or none.
     accepted: [u64; N],
-    /// Differences from the solutions of order 5 and 3 over their weights. They pass through memory, since the compiler
-    /// makes whole vector instructions of what ends in stores.
+    /// Error estimates of order 5 and 3 over the weights of the error test. They pass through memory, since the
+    /// compiler makes whole vector instructions of loops that end in stores.
     quotients: Vec<[Lanes<N>; 2]>,
-    /// A point inside the step.
+    /// Point inside the step at which a stage of the dense output is evaluated.
     inner: Vec<Lanes<N>>,
-    /// The derivative there.
+    /// Derivative at the point `inner`.
     slope_inside: Vec<Lanes<N>>,
-    /// The coefficients of the solution inside the step, of each component.
+    /// Coefficients of the solution inside the step, of each component.
     dense: Vec<[Lanes<N>; 8]>,
 }
 
@@ -103,15 +103,15 @@ impl<'a, const N: usize> Dop853<'a, N> {
         }
     }
 
-    /// f = the derivative at `y_new`.
+    /// Writes the derivative at `y_new` to `f`.
     #[inline(always)]
     fn evaluate(&mut self) {
         let ((q, v), (q_dot, v_dot)) = (self.y_new.split_at(self.coordinates), self.f.split_at_mut(self.coordinates));
         self.equations.rates(&self.parameters, q, v, q_dot, v_dot);
     }
 
-    /// Stages 1 to 11; the last one is left in `f`. `look` sees each derivative before, and each point after it is
-    /// made.
+    /// Computes stages 1 to 11; the derivative of the last one is left in `f`. `look` is handed each derivative and the
+    /// next point, before the equations are evaluated there.
     #[inline(always)]
     fn stages(&mut self, h: Lanes<N>, odd: &mut Lanes<N>, mut look: impl FnMut(&[Lanes<N>], &[Lanes<N>])) {
         self.first_point(h, odd);
@@ -129,7 +129,7 @@ impl<'a, const N: usize> Dop853<'a, N> {
         stages!(2 3 4 5 6 7 8 9 10 11);
     }
 
-    /// Moves the lanes whose step counted, and puts the point of stage 1 into `y_new`.
+    /// Copies the accepted steps to `y`, and writes the point of stage 1 to `y_new`.
     #[inline(always)]
     fn first_point(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let first = h * Lanes::from_f64(A[1][0]);
@@ -145,10 +145,11 @@ impl<'a, const N: usize> Dop853<'a, N> {
         self.accepted = [0; N];
     }
 
-    /// The point of stage I in `y_new`: y + h Σⱼ aᵢⱼ kⱼ. Stage I − 1 is in `f`, and is put into its place.
+    /// Writes the point y + h Σⱼ aᵢⱼ kⱼ of stage I to `y_new`. Stage I − 1 is in `f`, and is copied to its place in
+    /// `k`.
     ///
-    /// All terms but the last were summed before that stage was evaluated, and so are those of what follows: the
-    /// processor works on them while it waits for the chain of operations that an evaluation is.
+    /// All terms except the last were summed before that stage was evaluated. The terms of the next point are summed
+    /// here too: the processor works on them while it waits for the chain of operations of an evaluation.
     #[inline(always)]
     fn point<const I: usize>(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let last = h * Lanes::from_f64(A[I][I - 1]);
@@ -167,7 +168,7 @@ impl<'a, const N: usize> Dop853<'a, N> {
         }
     }
 
-    /// The coefficients of the dense output.
+    /// Computes the coefficients of the solution inside the step.
     #[inline(always)]
     fn stages_inside(&mut self, h: Lanes<N>) {
         for (k, f) in self.k.iter_mut().zip(&self.f) {
@@ -183,13 +184,13 @@ impl<'a, const N: usize> Dop853<'a, N> {
             (r[0], r[1], r[2], r[3]) = (*y, rise, bend, rise - h * k[END] - bend);
             for (r, d) in r[4..].iter_mut().zip(&DENSE) {
                 let term = h * combination(d, &[true; STAGES], k, STAGES);
-                // Without a value at a point inside, the solution there is of order 3.
+                // Without a value at a point inside, the solution inside the step is of order 3.
                 *r = Lanes(term.0.map(|x| if x.is_finite() { x } else { 0.0 }));
             }
         }
     }
 
-    /// A stage that only the dense output needs.
+    /// Computes stage I, which only the solution inside the step needs.
     #[inline(always)]
     fn inner_stage<const I: usize>(&mut self, h: Lanes<N>) {
         for ((inner, y), k) in self.inner.iter_mut().zip(&self.y).zip(&self.k) {
@@ -203,7 +204,7 @@ impl<'a, const N: usize> Dop853<'a, N> {
         }
     }
 
-    /// The new state in `y_new`, and its errors.
+    /// Writes the new state to `y_new` and returns its error in each lane, in the norm of the error test.
     #[inline(always)]
     fn finish(&mut self, h: Lanes<N>, test: &ErrorTest, odd: &mut Lanes<N>) -> [f64; N] {
         let zero = Lanes([0.0; N]);
@@ -277,7 +278,7 @@ impl<const N: usize> Method<N> for Dop853<'_, N> {
             },
         );
         let [finite, finite_end] = [odd, odd_end].map(|odd| odd.0.map(|x| !x.is_nan()));
-        // A run by itself does not evaluate the end of a step that is not accepted.
+        // A run of one trajectory alone does not evaluate the end of a rejected step.
         let passed = |l: usize| finite[l] && error[l] <= test.tolerance;
         let evaluations = std::array::from_fn(|l| END as u64 - u64::from(!passed(l)));
         Attempt { error, finite, finite_end, evaluations }
@@ -340,7 +341,7 @@ impl<const N: usize> Method<N> for Dop853<'_, N> {
     }
 }
 
-/// Σⱼ aⱼ kⱼ over the stages before `end` that are used, stage 0 always among them.
+/// Sum Σⱼ aⱼ kⱼ over stage 0 and the used stages before `end`.
 #[inline(always)]
 fn combination<const N: usize>(a: &[f64; STAGES], used: &[bool; STAGES], k: &Stages<N>, end: usize) -> Lanes<N> {
     let mut sum = Lanes::from_f64(a[0]) * k[0];

@@ -5,8 +5,8 @@
 //! the next trajectory at once. The accepted steps of a lane are handed to the watcher of its trajectory, which looks
 //! at events and divisors.
 //!
-//! Invariant: the outcome of a trajectory has the same bits whatever the others are, in whichever order, in how many
-//! lanes and on how many cores. Absent on purpose: output on the way, corners in time, constraints.
+//! Invariant: the outcome of a trajectory has the same bits whatever the other trajectories are, in any order, in any
+//! number of lanes and on any number of cores. Absent on purpose: output during the run, corners in time, constraints.
 
 mod dop853;
 mod method;
@@ -30,7 +30,7 @@ use crate::methods::taylor::order_for;
 use crate::solution::Stop;
 use queue::Work;
 
-/// One trajectory to be integrated.
+/// A trajectory to be integrated: parameters and start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trajectory<'a> {
     /// Parameters in the order of the model file.
@@ -42,24 +42,24 @@ pub struct Trajectory<'a> {
 /// Settings by which all trajectories of a batch are integrated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// [`Method::Dop853`] or [`Method::Taylor`].
+    /// Method of integration: [`Method::Dop853`] or [`Method::Taylor`].
     pub method: Method,
-    /// The order of Taylor's method, as in [`Options::order`].
+    /// Order of Taylor's method, as in [`Options::order`].
     pub order: Option<usize>,
-    /// Start and end of the run, in s; the end may come first.
+    /// Start and end of the run, s; the end may be before the start.
     pub span: (f64, f64),
     /// Relative tolerance, as in [`Options::rtol`].
     pub rtol: f64,
     /// Absolute tolerance, as in [`Options::atol`].
     pub atol: AbsoluteTolerance,
-    /// Longest step, in s; the span unless given.
+    /// Longest step, s; `None` allows the whole span.
     pub max_step: Option<f64>,
     /// Largest number of attempted steps of one trajectory.
     pub step_limit: u64,
 }
 
 impl Plan {
-    /// Options of a run of one of the trajectories by itself.
+    /// Options of a run of one trajectory alone.
     #[must_use]
     pub fn options(&self) -> Options {
         Options {
@@ -78,29 +78,29 @@ impl Plan {
 /// Result of one trajectory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Last time of the solution, in s.
+    /// Last time of the solution, s.
     pub t_end: f64,
     /// State at `t_end`.
     pub y_end: Vec<f64>,
-    /// Reason of the end of the run.
+    /// Reason why the trajectory ended.
     pub stop: Stop,
-    /// Accepted steps.
+    /// Number of accepted steps.
     pub steps: u64,
-    /// Rejected steps.
+    /// Number of rejected steps.
     pub rejected: u64,
-    /// Evaluations of the equations made for this trajectory. A step without a finite result counts in full: the other
-    /// lanes go on to its end.
+    /// Number of evaluations of the equations for this trajectory. A step without a finite result counts in full: the
+    /// other lanes go on to its end.
     pub evaluations: u64,
-    /// Records of its events up to the end, in order of time.
+    /// Records of the trajectory's events up to its end, in order of time.
     pub events: Vec<EventRecord>,
 }
 
-/// Equations in `N` lanes.
+/// Equations of motion in `N` lanes.
 #[derive(Clone, Copy)]
 pub struct Equations<'a, const N: usize> {
-    /// Their rates.
+    /// Rates of the state.
     pub rates: &'a (dyn Rates<Lanes<N>> + Sync),
-    /// Their Taylor coefficients, if there are any in so many lanes.
+    /// Taylor coefficients of the motion; `None` if the equations have none in `N` lanes.
     pub series: Option<&'a (dyn Series<Lanes<N>> + Sync)>,
 }
 
@@ -108,7 +108,7 @@ pub struct Equations<'a, const N: usize> {
 /// order of the trajectories. A trajectory that fails ends with its reason; the others go on.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense, as for [`crate::integrate`], or the method is not had in lanes;
+/// [`SimError`] if the plan makes no sense, as for [`crate::integrate`], or if the method does not exist in lanes;
 /// [`SimError::Trajectory`] for parameters or a start of the wrong length, or not finite.
 pub fn integrate(
     equations: InLanes<'_>,
@@ -118,10 +118,10 @@ pub fn integrate(
     integrate_watched(equations, plan, trajectories, None)
 }
 
-/// Integrates as [`integrate`] does, with a watcher of the events and the divisors of each trajectory.
+/// Integrates all trajectories as [`integrate`] does, with a watcher of the events and the divisors of each.
 ///
 /// # Errors
-/// As for [`integrate`].
+/// [`SimError`], as for [`integrate`].
 pub fn integrate_watched(
     equations: InLanes<'_>,
     plan: &Plan,
@@ -138,16 +138,18 @@ fn four(equations: InLanes<'_>) -> Equations<'_, 4> {
     Equations { rates: equations.four, series: equations.series }
 }
 
-/// Eight lanes where the processor computes best in them, and the equations are had in them for this method.
+/// Equations in eight lanes; `None` if the processor computes better in four, or the equations and the method do not
+/// exist in eight.
 fn eight<'a>(equations: InLanes<'a>, plan: &Plan) -> Option<Equations<'a, 8>> {
     let rates = equations.widest().filter(|_| plan.method == Method::Dop853)?;
     Some(Equations { rates, series: None })
 }
 
-/// Integrates all trajectories on this thread in `N` lanes; outcomes are those of [`integrate_watched`], to the bit.
+/// Integrates all trajectories on this thread in `N` lanes; outcomes have the same bits as those of
+/// [`integrate_watched`].
 ///
 /// # Errors
-/// As for [`integrate`].
+/// [`SimError`], as for [`integrate`].
 pub fn integrate_in<const N: usize>(
     equations: Equations<'_, N>,
     plan: &Plan,
@@ -162,7 +164,7 @@ pub fn integrate_in<const N: usize>(
     Ok(outcomes.all())
 }
 
-/// A method with the functions of the equations that it needs.
+/// A method of integration, with the functions of the equations that it needs.
 #[derive(Clone, Copy)]
 enum Way<'a, const N: usize> {
     Dop853(&'a (dyn Rates<Lanes<N>> + Sync)),
@@ -180,7 +182,7 @@ impl<'a, const N: usize> Way<'a, N> {
         }
     }
 
-    /// Integrates the trajectories whose positions `next` hands out, and hands each outcome to `done`.
+    /// Integrates the trajectories whose positions `next` hands out, and hands the outcome of each to `done`.
     fn run(self, work: &Work<'_, '_>, next: &mut dyn FnMut() -> Option<usize>, done: &mut dyn FnMut(usize, Outcome)) {
         match self {
             Self::Dop853(rates) => queue::run(dop853::Dop853::new(rates), work, next, done),
@@ -189,7 +191,7 @@ impl<'a, const N: usize> Way<'a, N> {
     }
 }
 
-/// Outcomes by the position of their trajectory.
+/// Outcomes of trajectories, by the position of the trajectory.
 struct Outcomes(Vec<Option<Outcome>>);
 
 impl Outcomes {
@@ -209,8 +211,7 @@ impl Outcomes {
     }
 }
 
-/// Refuses plans that cannot be run. Returns the control of the steps with which every trajectory begins, and the
-/// method.
+/// Refuses plans that cannot be run. Returns the method, and the step control with which every trajectory begins.
 fn check<'a, const N: usize>(
     equations: Equations<'a, N>,
     plan: &Plan,

@@ -1,4 +1,4 @@
-//! The lanes of one thread, and the queue they take trajectories from.
+//! Lanes of one thread, and the queue from which they take trajectories.
 
 use std::collections::VecDeque;
 
@@ -11,7 +11,7 @@ use crate::driver::pace::{Pace, Verdict};
 use crate::solution::Stop;
 use crate::stepper::Trial;
 
-/// A trajectory in a lane.
+/// A trajectory that is integrated in a lane.
 struct Run<'w> {
     index: usize,
     pace: Pace,
@@ -19,7 +19,7 @@ struct Run<'w> {
     steps: u64,
     rejected: u64,
     evaluations: u64,
-    /// True if its next step is not chosen yet.
+    /// True if the next step of the trajectory is not chosen yet.
     is_fresh: bool,
     watcher: Option<Watcher<'w>>,
 }
@@ -37,12 +37,12 @@ impl Run<'_> {
         }
     }
 
-    /// The reason not to try another step, if there is one.
+    /// Reason to stop before another step; `None` below the step limit.
     fn limited(&self, limit: u64) -> Option<Stop> {
         (self.steps + self.rejected >= limit).then_some(Stop::StepLimit { limit })
     }
 
-    /// Chooses the next step, of the proposed size if there is one.
+    /// Chooses the next step, of the proposed size, s, if the method proposes one.
     fn begin(&mut self, proposed: Option<f64>) {
         if let Some(size) = proposed {
             self.pace.propose(size);
@@ -52,24 +52,24 @@ impl Run<'_> {
     }
 }
 
-/// A trajectory that waits for a lane, with the initial rows of the method.
+/// A trajectory that waits for a lane, with its initial rows from [`Method::begin`].
 struct Ready<'w> {
     run: Run<'w>,
     begun: Vec<f64>,
 }
 
-/// Outcome of the step that a lane tried.
+/// Verdict on the step that a lane tried.
 enum Judged {
-    /// It counts; `last` if it reached the end of the span.
+    /// The step is accepted; `last` is true if it reached the end of the span.
     Accepted { last: bool },
-    /// Another size is to be tried.
+    /// The step is rejected and tried again with another size.
     Again,
-    /// The trajectory ends at its start. The component of a number that is not finite is left open.
+    /// The trajectory ends at the start of the step. For [`Stop::NotFinite`] the component is filled in later.
     GivenUp(Stop),
 }
 
-/// Work of a thread: the trajectories, the step control of each in the beginning, the largest number of its attempts,
-/// and the maker of its watcher.
+/// Work of a thread: the trajectories, the first step control of each, the largest number of its steps, and the maker
+/// of its watcher.
 pub(super) struct Work<'a, 'w> {
     pub(super) trajectories: &'a [Trajectory<'a>],
     pub(super) pace: &'a Pace,
@@ -77,7 +77,7 @@ pub(super) struct Work<'a, 'w> {
     pub(super) watching: Option<&'a Watching<'w>>,
 }
 
-/// State of one thread at work.
+/// State of a thread that integrates trajectories in lanes.
 struct Worker<'a, 'w, M, const N: usize> {
     method: M,
     work: &'a Work<'a, 'w>,
@@ -87,8 +87,8 @@ struct Worker<'a, 'w, M, const N: usize> {
     done: &'a mut dyn FnMut(usize, Outcome),
 }
 
-/// Integrates the trajectories whose positions `next` hands out, until there are no more, and hands each outcome to
-/// `done`.
+/// Integrates the trajectories whose positions `next` hands out, until there are no more, and hands the outcome of each
+/// to `done`.
 pub(super) fn run<'a, const N: usize>(
     method: impl Method<N>,
     work: &'a Work<'a, '_>,
@@ -103,11 +103,11 @@ pub(super) fn run<'a, const N: usize>(
 }
 
 impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
-    /// Gives lanes without a trajectory the next ones; says whether there is anything left to do.
+    /// Loads the next trajectories into empty lanes; true if a lane has a trajectory.
     fn fill(&mut self) -> bool {
         for l in 0..N {
             while self.lanes[l].is_none() {
-                // None of those that are taken need have a first step.
+                // A batch may have no trajectory that can start: further ones are taken then.
                 while self.ready.is_empty() && self.prepare() {}
                 let Some(Ready { run, begun }) = self.ready.pop_front() else { break };
                 if let Some(stop) = run.limited(self.work.limit) {
@@ -122,8 +122,8 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         self.lanes.iter().any(Option::is_some)
     }
 
-    /// Takes up to N trajectories from the queue and chooses their first steps, all at once; says whether there were
-    /// any.
+    /// Takes up to N trajectories from the queue and chooses their first steps, all at once; true if the queue was not
+    /// empty.
     fn prepare(&mut self) -> bool {
         let taken: Vec<usize> = std::iter::from_fn(|| (self.next)()).take(N).collect();
         let Some(&first) = taken.first() else { return false };
@@ -160,7 +160,7 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         true
     }
 
-    /// Lets a trajectory wait for a lane, unless it has a reason not to start.
+    /// Lets a trajectory wait for a lane, or ends it at once if it has a reason not to start.
     fn enter(&mut self, index: usize, pace: Pace, begun: Vec<f64>) {
         let (t, n) = (pace.t0, self.method.states());
         let mut run = Run { index, pace, t, steps: 0, rejected: 0, evaluations: 1, is_fresh: true, watcher: None };
@@ -184,7 +184,7 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         (self.done)(run.index, run.ended(ending));
     }
 
-    /// Tries a step in every lane, and ends the trajectories that have a reason to.
+    /// Tries a step in every lane, and ends the trajectories that have a reason to stop.
     fn step(&mut self) {
         let Some(test) = &self.work.pace.test else { return };
         let proposals = self.method.proposals(test);
@@ -206,7 +206,7 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
             }
         }
         let mut endings = self.look_inside(h, &judged);
-        // An empty lane may go anywhere: where all go on, nothing is chosen.
+        // An empty lane may compute anything: if all lanes with a trajectory accept, no lane has to be restored.
         self.method.accept(std::array::from_fn(|l| matches!(judged[l], Judged::Accepted { .. })));
         for (l, (judged, ending)) in judged.into_iter().zip(&mut endings).enumerate() {
             let Some(run) = &mut self.lanes[l] else { continue };
@@ -220,7 +220,7 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
         }
     }
 
-    /// Finds the ends of trajectories inside the steps that count, where these have watchers.
+    /// Finds trajectories that end inside their accepted steps: those with watchers of events or divisors.
     fn look_inside(&mut self, h: [f64; N], judged: &[Judged; N]) -> [Option<Ending>; N] {
         let mut looks = [false; N];
         for (l, run) in self.lanes.iter_mut().enumerate() {
@@ -240,7 +240,7 @@ impl<M: Method<N>, const N: usize> Worker<'_, '_, M, N> {
 }
 
 impl Run<'_> {
-    /// Goes to the end of a step that counts; a reason to end there, or where the step began.
+    /// Goes to the end of an accepted step. An error is the reason to stop, at that end or at the start of the step.
     fn goes_on(&mut self, judged: Judged) -> Result<(), Stop> {
         match judged {
             Judged::Again => Ok(()),
@@ -257,7 +257,7 @@ impl Run<'_> {
     }
 }
 
-/// The values of one lane.
+/// Values of one lane.
 fn lane<const N: usize>(values: &[Lanes<N>], l: usize) -> Vec<f64> {
     values.iter().map(|x| x.0[l]).collect()
 }

@@ -2,8 +2,8 @@
 //!
 //! The order, the choice of steps, the errors and the carried roundings are those of [`crate::methods::taylor`], so
 //! that a lane takes the steps that a run by itself takes, up to rounding. Invariant: `x` has the coefficients at the
-//! start of the step, row k of order k, `next` those at its end; where a lane's highest coefficients are not finite
-//! they are zero from there on, and its `usable` is the order below.
+//! start of the step, row k of order k, and `next` those at its end. If the highest coefficients of a lane are not
+//! finite, they are zero, and `usable` of the lane is the highest order below them.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -13,14 +13,14 @@ use super::method::{Attempt, Method, chosen, mask, note};
 use crate::methods::taylor::{ALLOWED_JUMP, powi, proposed_size};
 use crate::tolerance::ErrorTest;
 
-/// Equations with their rates and their coefficients.
+/// Equations in lanes: rates and Taylor coefficients.
 #[derive(Clone, Copy)]
 pub(super) struct Equations<'a, const N: usize> {
     pub(super) rates: &'a (dyn Rates<Lanes<N>> + Sync),
     pub(super) series: &'a (dyn Series<Lanes<N>> + Sync),
 }
 
-/// The coefficients in all lanes, and the data of a step.
+/// Taylor coefficients of all lanes, and the data of a step.
 pub(super) struct Taylor<'a, const N: usize> {
     equations: Equations<'a, N>,
     lengths: Lengths,
@@ -30,12 +30,12 @@ pub(super) struct Taylor<'a, const N: usize> {
     usable: [usize; N],
     next: Vec<Lanes<N>>,
     next_usable: [usize; N],
-    /// Parts that rounding cut off the state at the start and, in `carry_new`, at the end.
+    /// Parts that rounding cut off the state at the start of the step; `carry_new` has those at its end.
     carry: Vec<Lanes<N>>,
     carry_new: Vec<Lanes<N>>,
-    /// Norms of the coefficients of the last two orders, over the allowed errors.
+    /// Norms of the coefficients of the last two orders, over the weights of the error test.
     norms: [[f64; 2]; N],
-    /// Working space of the recurrences.
+    /// Working space of the recurrences of the coefficients.
     work: Vec<Lanes<N>>,
 }
 
@@ -60,7 +60,7 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Computes y + Σ x_k hᵏ, and the rounding error of this sum.
+    /// Writes the state y + Σ x_k hᵏ at the end of the step to `next`, and its rounding error to `carry_new`.
     #[inline(always)]
     fn advance(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let n = self.lengths.state();
@@ -77,8 +77,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// The coefficients at the end of the step, whose state is there. Lanes of `odd` become not a number where those of
-    /// order 1 are not finite.
+    /// Computes the coefficients at the end of the step from the state in `next`. Lanes of `odd` become not a number if
+    /// those of order 1 are not finite.
     fn expand(&mut self, odd: &mut Lanes<N>) {
         self.equations.series.taylor(&self.parameters, self.order, &mut self.next, &mut self.work);
         let n = self.lengths.state();
@@ -99,7 +99,7 @@ impl<'a, const N: usize> Taylor<'a, N> {
     }
 
     /// Jump of the derivative at the end of the step, as [`crate::methods::taylor`] measures it, in the norm of the
-    /// test.
+    /// error test.
     #[inline(always)]
     fn jump(&self, test: &ErrorTest, h: Lanes<N>) -> [f64; N] {
         let n = self.lengths.state();
@@ -114,13 +114,14 @@ impl<'a, const N: usize> Taylor<'a, N> {
             let error = (sum - self.next[n + i]) * share;
             note(&mut odd, error);
             let magnitude = self.x[i].abs().larger_or_second(self.next[i].abs());
-            // An error of exactly 0 counts as 0 even where the weight is 0: what is not a number is passed over.
+            // An error of exactly 0 counts as 0 even if its weight is 0: the quotient, which is not a number, is
+            // ignored.
             norm = (error.abs() / test.weight_in_lanes(*absolute, magnitude)).larger_or_second(norm);
         }
         std::array::from_fn(|l| if odd.0[l].is_nan() { f64::NAN } else { norm.0[l] })
     }
 
-    /// Norms of the rows of the last two orders in each lane.
+    /// Norms of the coefficients of the last two orders in each lane, over the weights of the error test.
     #[inline(always)]
     fn last_rows(&self, test: &ErrorTest) -> [[f64; 2]; N] {
         let n = self.lengths.state();
@@ -133,7 +134,7 @@ impl<'a, const N: usize> Taylor<'a, N> {
                 if is_whole { whole } else { Lanes(std::array::from_fn(own)) }
             };
             let (y, before, last) = (self.x[i], row(1), row(0));
-            // A component without a weight is left out: the step has to show what becomes of it.
+            // A component without a weight is left out here: the error of the step itself shows if it is too large.
             let weight = test.weight_in_lanes(*absolute, y.abs());
             let inverse = Lanes(weight.0.map(|weight| if weight > 0.0 { 1.0 / weight } else { 0.0 }));
             norms[0] = (before.abs() * inverse).larger_or_second(norms[0]);
@@ -143,8 +144,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
     }
 }
 
-/// Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for one component, of which every n-th entry is a coefficient. Even and odd
-/// orders are summed apart, so that they need not wait for each other.
+/// Sum Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for one component, whose coefficients are every n-th entry of `x`. Even and
+/// odd orders are summed apart, so that they need not wait for each other.
 #[inline(always)]
 fn polynomial<const N: usize>(x: &[Lanes<N>], (n, order): (usize, usize), h: Lanes<N>, square: Lanes<N>) -> Lanes<N> {
     let (mut odd, mut even) = (Lanes([0.0; N]), Lanes([0.0; N]));
@@ -161,7 +162,8 @@ fn polynomial<const N: usize>(x: &[Lanes<N>], (n, order): (usize, usize), h: Lan
     even.mul_add(h, odd)
 }
 
-/// The highest order up to which the coefficients of a lane are finite, at least 1; those above become zero.
+/// Sets coefficients of a lane to zero above the highest order, at least 1, up to which they are finite; returns this
+/// order.
 #[cold]
 fn cut<const N: usize>(x: &mut [Lanes<N>], (n, order): (usize, usize), lane: usize) -> usize {
     let finite = |k: usize| x[k * n..(k + 1) * n].iter().all(|x| x.0[lane].is_finite());
@@ -227,7 +229,7 @@ impl<const N: usize> Method<N> for Taylor<'_, N> {
             #[inline(always)]
             || self.jump(test, Lanes(h)),
         );
-        // A run by itself makes no coefficients after a step whose own terms are too large.
+        // A run of one trajectory alone computes no coefficients after a step whose own terms are too large.
         let passed: [bool; N] = std::array::from_fn(|l| !odd.0[l].is_nan() && last_terms[l] <= test.tolerance);
         let error = |l: usize| if passed[l] { last_terms[l].max(jump[l] / ALLOWED_JUMP) } else { last_terms[l] };
         Attempt {

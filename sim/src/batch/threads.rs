@@ -1,4 +1,4 @@
-//! Batches on all cores.
+//! Integration of batches on all cores.
 
 use super::queue::Work;
 use super::{Equations, Outcome, Outcomes, Plan, Trajectory, check, eight, four};
@@ -7,13 +7,13 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tripos_traits::InLanes;
 
-/// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes are those of
-/// [`super::integrate`], to the bit, for any number of threads. `progress` is told how many trajectories are done, by
-/// whichever thread ends one, so possibly not in order.
+/// Integrates all trajectories on the threads of the current pool of `rayon`. Outcomes have the same bits as those of
+/// [`super::integrate`], for any number of threads. `progress` is called with the number of trajectories that are done,
+/// by the thread that ends one, so possibly not in order.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense; [`SimError::Trajectory`] for parameters or a start of the wrong length,
-/// or not finite.
+/// [`SimError`] if the plan makes no sense; [`SimError::Trajectory`] for parameters or a start of the wrong length, or
+/// not finite.
 pub fn integrate_on_all_cores(
     equations: InLanes<'_>,
     plan: &Plan,
@@ -35,7 +35,7 @@ fn on_all_cores<const N: usize>(
     let (pace, way) = check(equations, plan, trajectories)?;
     let outcomes = Mutex::new(Outcomes::new(trajectories.len()));
     let (taken, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    // All threads take from one queue, so that none is left with much to do when the others have done.
+    // All threads take from one queue, so that no thread has much work left when the others are done.
     let worker = || {
         let mut list = Vec::new();
         let mut next = || Some(taken.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < trajectories.len());

@@ -1,7 +1,7 @@
-//! Watcher of the steps of one trajectory: of its events, and of the divisors of its equations.
+//! Watcher of a trajectory's steps: of its events, and of the divisors of its equations.
 //!
-//! The watcher is handed the accepted step of its lane, in single numbers, and decides as [`crate::integrate`] does.
-//! Invariant: it changes no step.
+//! The watcher is handed the accepted step of its lane, as plain doubles, and decides as [`crate::integrate`] does.
+//! Invariant: the watcher changes no step.
 
 use super::method::{LaneStep, Method};
 use crate::driver::run::end_inside;
@@ -14,34 +14,34 @@ use crate::stepper::{DenseStep, Interpolant};
 
 /// Equations and events that are watched in one trajectory of a batch.
 pub struct Watched<'w> {
-    /// The equations in single numbers: their divisors are watched, and nothing else is asked of them on the way.
+    /// Equations in plain doubles. Only their divisors are evaluated during the run.
     pub equations: Box<dyn RightHandSide<f64> + 'w>,
-    /// Its events; they are recorded, or end it, as in [`crate::integrate`].
+    /// Events of the trajectory; they are recorded, or end it, as in [`crate::integrate`].
     pub events: Vec<Event<'w>>,
 }
 
-/// Function that makes the [`Watched`] of the trajectory at a position, when it begins.
+/// Function that makes the [`Watched`] of the trajectory at a position, at the start of the trajectory.
 pub type Watching<'w> = dyn Fn(usize) -> Watched<'w> + 'w;
 
-/// End of a trajectory inside a step, or at a step, with its reason.
+/// End of a trajectory, inside a step or at its end, with the reason.
 pub(super) struct Ending {
     pub(super) t: f64,
     pub(super) y: Vec<f64>,
     pub(super) stop: Stop,
 }
 
-/// [`Watched`], with its memory from step to step.
+/// Watcher of a trajectory: its [`Watched`], with the memory from step to step.
 pub(super) struct Watcher<'w> {
     equations: Box<dyn RightHandSide<f64> + 'w>,
     guard: Guard<f64>,
     watch: Watch<'w, 'w>,
-    /// The states at the ends of the step that is looked at, and whether a divisor may have been zero inside.
+    /// States at the ends of the step that is examined.
     ends: [Vec<f64>; 2],
     suspects: bool,
 }
 
 impl<'w> Watcher<'w> {
-    /// Creates the watcher at the start of a trajectory; fails with a reason not to start.
+    /// Creates the watcher at the start of a trajectory. An error is the reason not to start.
     pub(super) fn new(Watched { mut equations, events }: Watched<'w>, t: f64, y: &[f64]) -> Result<Self, Stop> {
         let mut watch = Watch::new(Events::Own(events), y.len());
         if let Some(stop) = watch.start(t, y) {
@@ -51,7 +51,8 @@ impl<'w> Watcher<'w> {
         Ok(Self { equations, guard, watch, ends: [y.to_vec(), y.to_vec()], suspects: false })
     }
 
-    /// Looks at the ends of an accepted step over `span`; true if it has to look inside.
+    /// Examines the ends of an accepted step over `span`, s; true if the inside has to be examined by
+    /// [`Watcher::ending`].
     pub(super) fn look<M: Method<N>, const N: usize>(&mut self, method: &M, lane: usize, span: (f64, f64)) -> bool {
         method.ends(lane, &mut self.ends);
         if !self.guard.is_empty() {
@@ -61,7 +62,7 @@ impl<'w> Watcher<'w> {
         self.suspects || !self.watch.is_empty()
     }
 
-    /// Finds the end of the trajectory inside the step that [`Watcher::look`] has seen; `None` if it goes on.
+    /// Finds the end of the trajectory inside the step that [`Watcher::look`] has examined; `None` if it goes on.
     pub(super) fn ending<M: Method<N>, const N: usize>(
         &mut self,
         method: &M,
@@ -81,12 +82,12 @@ impl<'w> Watcher<'w> {
         }
     }
 
-    /// Goes on to the next step after one of this length, in s.
+    /// Goes on to the next step after a step of this length, s.
     pub(super) fn accept(&mut self, length: f64) {
         self.guard.accept(length);
     }
 
-    /// Records of the events.
+    /// Records of the trajectory's events.
     pub(super) fn records(self) -> Vec<EventRecord> {
         self.watch.records
     }

@@ -1,13 +1,14 @@
 //! Corrections of (q, q̇) that make constraints zero, in the metric of a mass matrix. The coordinates are corrected
-//! first, by M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ drift with the constraints between them. The rates follow, by the other constraints,
-//! whose drift the first correction has changed.
+//! first, by M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ drift, with the constraints between coordinates. The rates follow, with the
+//! constraints of rates, whose drift the first correction has changed.
 //!
-//! A correction that is set at a state serves for any drift there and next to it. It is made once and set again for
-//! each state, without an allocation. The factors for coordinates are used again for rates where both are the same.
+//! A correction that is prepared at a state serves for any drift there and next to it. It is created once and prepared
+//! again for each state, without an allocation. The factors for coordinates are used again for rates if the slopes and
+//! the metric are the same.
 
 use crate::linear::metric::{Conditions, DEPENDENT, Metric, dot};
 
-/// The least vector that meets conditions, in a metric.
+/// Solver for the smallest vector that satisfies linear conditions, in the metric of a mass matrix.
 #[derive(Clone)]
 pub(crate) struct Least {
     pub(crate) metric: Metric,
@@ -15,13 +16,13 @@ pub(crate) struct Least {
 }
 
 impl Least {
-    /// Creates one that has no metric yet.
+    /// Creates a solver without a metric and conditions.
     pub(crate) const fn new() -> Self {
         Self { metric: Metric::new(), conditions: Conditions::new() }
     }
 
-    /// Sets the metric of a mass matrix, row by row, for vectors of this length. False if the matrix is not definite on
-    /// the vectors that the rows leave free.
+    /// Sets the metric of a mass matrix, row by row, for vectors of this length, and the rows of the conditions. False
+    /// if the matrix is not definite on the vectors that the rows leave free.
     pub(crate) fn set(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
         let is_definite = self.metric.set_inertia(inertia, length, rows);
         if is_definite {
@@ -30,8 +31,8 @@ impl Least {
         is_definite
     }
 
-    /// Sets the metric of a mass matrix to which inertia is added along the rows: [`Metric::set_heavier`]. The measure
-    /// of dependence among rows then means the same at all states.
+    /// Sets the metric of a mass matrix to which inertia is added along the rows, as [`Metric::set_heavier`] does. The
+    /// measure of dependence among rows then means the same at all states.
     pub(crate) fn set_heavier(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
         let is_definite = self.metric.set_heavier(inertia, length, rows);
         if is_definite {
@@ -40,7 +41,7 @@ impl Least {
         is_definite
     }
 
-    /// Writes the least vector that meets the conditions with these right-hand sides.
+    /// Writes the smallest vector that satisfies the conditions with these right-hand sides.
     pub(crate) fn write(&mut self, sides: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         self.conditions.add_least(sides, out);
@@ -48,15 +49,16 @@ impl Least {
     }
 }
 
-/// Corrections of a state, with the space to work in.
+/// Corrections of a state (q, q̇) onto its constraints, with the working space.
 #[derive(Clone)]
 pub(crate) struct Correction {
-    /// The coordinates that may be moved: all but the time.
+    /// Indices of the coordinates that may be moved: all except the time.
     moved: Vec<usize>,
-    /// The constraints between coordinates, and those of rates.
+    /// Indices of the constraints between coordinates; `of_rates` has those of rates.
     of_places: Vec<usize>,
     of_rates: Vec<usize>,
-    /// The slopes of the first along coordinates, of the second along rates, and of the second along coordinates.
+    /// Slopes of the constraints between coordinates along coordinates. `rates` and `coupling` are the slopes of the
+    /// constraints of rates, along rates and along coordinates.
     places: Vec<f64>,
     rates: Vec<f64>,
     coupling: Vec<f64>,
@@ -72,7 +74,7 @@ pub(crate) struct Correction {
 }
 
 impl Correction {
-    /// Creates one that is set at no state yet.
+    /// Creates a correction that is not prepared at a state yet.
     pub(crate) const fn new() -> Self {
         Self {
             moved: Vec::new(),
@@ -93,8 +95,8 @@ impl Correction {
     }
 
     /// Prepares corrections at a state with this mass matrix and these gradients of constraints, 2n entries each, row
-    /// by row. The coordinate `clock` stays. False if the mass matrix is not definite on the motions that the
-    /// constraints leave.
+    /// by row. The coordinate with index `clock` stays. False if the mass matrix is not definite on the motions that
+    /// the constraints allow.
     pub(crate) fn set(&mut self, inertia: &[f64], gradients: &[f64], n: usize, clock: Option<usize>) -> bool {
         self.moved.clear();
         self.moved.extend((0..n).filter(|i| Some(*i) != clock));
@@ -111,7 +113,7 @@ impl Correction {
         self.are_same || self.by_rates.set(&self.inertia, length, &self.rates)
     }
 
-    /// Separates the constraints between coordinates from those of rates, and picks their slopes.
+    /// Separates the constraints between coordinates from those of rates, and copies their slopes.
     fn sort(&mut self, gradients: &[f64], n: usize) {
         let Self { moved, of_places, of_rates, places, rates, coupling, .. } = self;
         for list in [&mut *of_places, &mut *of_rates] {
@@ -133,7 +135,7 @@ impl Correction {
         }
     }
 
-    /// Correction to subtract from the state, 2n entries, where the constraints are open by `drift`.
+    /// Correction to subtract from the state, 2n entries, if the constraints have the values `drift`.
     pub(crate) fn of(&mut self, drift: &[f64], n: usize) -> &[f64] {
         let length = self.moved.len();
         self.q.resize(length, 0.0);

@@ -1,5 +1,5 @@
 //! Equations in all rates with the multipliers of their constraints, E q̈ − Aᵀλ = f and A q̈ = γ, solved at each state
-//! whatever the rank of A.
+//! for any rank of A.
 //!
 //! With E = L Lᵀ and z = Lᵀ q̈, the forces alone would give L⁻¹ f. The motion is this without its part along the
 //! columns of L⁻¹ Aᵀ, which the constraints decide (F. E. Udwadia & R. E. Kalaba, *Analytical Dynamics* (1996), §3.3).
@@ -21,30 +21,30 @@ use crate::linear::metric::dot;
 use crate::linear::singular::least_singular_value;
 use crate::rhs::RightHandSide;
 
-/// The part of the largest [`Standing::constraints`] below which no step ends.
+/// Fraction of the largest [`Standing::constraints`] below which no step may end.
 const AVOIDED: f64 = 0.003;
-/// Coordinates below this count as zero where poses beside one are looked at.
+/// Size below which a coordinate counts as zero when neighbouring poses are chosen.
 const SMALL: f64 = 1e-3;
 
-/// y' = [q̇; q̈] of equations in all rates with multipliers, as a right-hand side.
+/// Right-hand side y' = [q̇; q̈] of equations in all rates with multipliers.
 #[derive(Clone)]
 pub struct Multipliers<'a> {
     system: &'a dyn System<f64>,
     parameters: Vec<f64>,
     matrix: Vec<f64>,
     forcing: Vec<f64>,
-    /// The least and the largest [`Standing::constraints`] at which accelerations were asked for.
+    /// Smallest [`Standing::constraints`] at which accelerations were computed; `farthest` is the largest.
     nearest: f64,
     farthest: f64,
-    /// The largest length of each row of A so far.
+    /// Largest length of each row of A so far.
     sizes: Vec<f64>,
     placement: Placement,
-    /// E and A of the matrix, row by row, and the least vector in their metric.
+    /// Mass matrix E, row by row; `rows` has A. `least` solves the conditions in the metric of E.
     inertia: Vec<f64>,
     rows: Vec<f64>,
     least: Least,
-    /// Rows of J in the metric of E, and the largest length of each so far; the speeds at rest and along an axis;
-    /// rates, of which all are 0.
+    /// Rows of J in the metric of E; `longest` has the largest length of each so far. `rest` and `along` are the
+    /// generalized speeds at rest and for a unit rate; `still` holds rates of 0.
     forms: Vec<f64>,
     longest: Vec<f64>,
     rest: Vec<f64>,
@@ -55,8 +55,8 @@ pub struct Multipliers<'a> {
 /// Distances of a state from a failure of the independent speeds and from dependent constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
-    /// Least singular value of the speeds on the motions that the constraints leave: from 0, where the choice of speeds
-    /// fails, to 1. Each row of J counts over its largest length so far.
+    /// Smallest singular value of the speeds on the motions that the constraints allow: from 0, where the choice of
+    /// speeds fails, to 1. Each row of J is divided by its largest length so far.
     pub speeds: f64,
     /// Remainder of the constraint that is nearest to depending on others, over the largest length of its row so far.
     /// It is 0 in a singular pose, where rows depend on one another or vanish.
@@ -64,9 +64,9 @@ pub struct Standing {
 }
 
 impl<'a> Multipliers<'a> {
-    /// Creates the right-hand side from a system, with parameters in the order of the model file. `clock` is the
-    /// coordinate that is the time, if there is one. `None` if the equations are not in all rates with multipliers, or
-    /// the number of parameters is wrong.
+    /// Creates the right-hand side from a system, with parameters in the order of the model file. `clock` is the index
+    /// of the coordinate that is the time, if a coordinate is. `None` if the equations are not in all rates with
+    /// multipliers, or if the number of parameters is wrong.
     #[must_use]
     pub fn new(system: &'a dyn System<f64>, parameters: &[f64], clock: Option<usize>) -> Option<Self> {
         let Lengths { coordinates, variables, reactions, speeds, .. } = system.lengths();
@@ -92,14 +92,14 @@ impl<'a> Multipliers<'a> {
         })
     }
 
-    /// Copies these equations for a run of their own. The copy keeps the largest lengths of rows and the largest
-    /// distance from singular poses so far; [`Self::nearest`] starts anew.
+    /// Copies these equations for another run. The copy keeps the largest lengths of rows and the largest distance from
+    /// singular poses so far; [`Self::nearest`] starts anew.
     #[must_use]
     pub fn again(&self) -> Self {
         Self { nearest: 1.0, ..self.clone() }
     }
 
-    /// Computes [`Standing::constraints`] from the conditions set last, and notes it.
+    /// Computes [`Standing::constraints`] from the conditions set last, and records the extreme values.
     fn near(&mut self) -> f64 {
         let conditions = &self.least.conditions;
         for (most, size) in self.sizes.iter_mut().zip(&conditions.sizes) {
@@ -110,13 +110,14 @@ impl<'a> Multipliers<'a> {
         least
     }
 
-    /// The least [`Standing::constraints`] of all states so far.
+    /// Smallest [`Standing::constraints`] of all states so far.
     #[must_use]
     pub fn nearest(&self) -> f64 {
         self.nearest
     }
 
-    /// Sets the constraints in the metric of E, both of the matrix. False if a motion that they allow has no inertia.
+    /// Sets the conditions A in the metric of E, both taken from the matrix. False if a motion that they allow has no
+    /// inertia.
     fn set_least(&mut self) -> bool {
         let (n, order) = (self.still.len(), self.forcing.len());
         for list in [&mut self.inertia, &mut self.rows] {
@@ -128,7 +129,7 @@ impl<'a> Multipliers<'a> {
         self.least.set_heavier(&self.inertia, n, &self.rows)
     }
 
-    /// Writes q̈ of the linear system that was evaluated last.
+    /// Writes the accelerations q̈ of the linear system that was evaluated last.
     fn accelerations(&mut self, out: &mut [f64]) -> Result<(), Failure> {
         if !self.matrix.iter().chain(&self.forcing).all(|x| x.is_finite()) {
             let message = "an entry of the equations with multipliers is not finite".to_owned();
@@ -150,7 +151,7 @@ impl<'a> Multipliers<'a> {
     }
 
     /// Computes the distances of a state from a failure of the model's generalized speeds and from dependent
-    /// constraints. `None` where the equations have no value.
+    /// constraints. `None` if the equations have no value there.
     pub fn standing(&mut self, y: &[f64]) -> Option<Standing> {
         let n = self.still.len();
         let (q, v) = y.split_at(n);
@@ -172,8 +173,8 @@ impl<'a> Multipliers<'a> {
         speeds.is_finite().then(|| Standing { speeds, constraints: self.near() })
     }
 
-    /// Notes the lengths of rows of J at poses beside one, where they may vanish as in a dead point. Each coordinate is
-    /// moved by half of itself, or by one half if it is small.
+    /// Records the lengths of the rows of J at poses next to `q`, where rows may vanish as in a dead point. For each
+    /// pose one coordinate is increased by half of its size, or by one half if it is small.
     fn look_beside(&mut self, q: &[f64]) {
         self.longest = vec![0.0; self.rest.len()];
         let mut beside = q.to_vec();
@@ -184,7 +185,7 @@ impl<'a> Multipliers<'a> {
         }
     }
 
-    /// Sets J at a pose in the metric of E, and notes the lengths of its rows.
+    /// Sets J at a pose in the metric of E, and records the largest lengths of its rows.
     fn raise_forms(&mut self, q: &[f64]) {
         self.set_forms(q);
         for (form, longest) in self.forms.chunks_exact_mut(q.len().max(1)).zip(&mut self.longest) {
@@ -195,7 +196,7 @@ impl<'a> Multipliers<'a> {
         }
     }
 
-    /// J of u = J q̇ + d, row by row, by differences along the axes: u is linear in q̇.
+    /// Computes J of u = J q̇ + d, row by row, by differences along the axes: u is linear in q̇.
     fn set_forms(&mut self, q: &[f64]) {
         let (n, p) = (q.len(), self.rest.len());
         let (system, parameters) = (self.system, self.parameters.as_slice());
@@ -230,7 +231,7 @@ impl RightHandSide<f64> for Multipliers<'_> {
         crate::rhs::constraints(self.system, &self.parameters, y, values, slopes);
     }
 
-    /// True next to a singular pose: rounding is divided there by the square of a vanishing number.
+    /// True next to a singular pose: rounding errors are divided there by the square of a vanishing number.
     fn avoids(&mut self, _t: f64, y: &[f64]) -> bool {
         self.standing(y).is_some_and(|standing| standing.constraints < AVOIDED * self.farthest)
     }

@@ -1,25 +1,25 @@
-//! State on the constraints that is nearest to another, in the metric of the mass matrix there.
+//! Search for the nearest state on the constraints, in the metric of the mass matrix.
 //!
-//! Newton's method finds it with the slopes at its start; they are computed again where it is slow. A stage of a step
-//! is so near the constraints that a few of their values are enough. The result depends on the given state alone, and
-//! smoothly. The space is made once for many states; nothing is allocated then.
+//! Newton's method finds the state with the slopes at its start; they are computed again if convergence is slow. A
+//! stage of a step is so near the constraints that few evaluations are enough. The result depends smoothly, and only,
+//! on the given state. The working space is made once for many states; nothing is allocated after that.
 
 use tripos_traits::System;
 
 use super::correction::Correction;
 use crate::rhs;
 
-/// Largest number of iterations; units in the last place that count as on the constraints; ratio of corrections, one
-/// over the one before, above which new slopes are computed.
+/// Largest number of iterations of a search. `ROUNDING` is the size of a correction, in units in the last place, that
+/// counts as zero. `SLOW` is the ratio of successive corrections above which new slopes are computed.
 const ITERATIONS: usize = 12;
 const ROUNDING: f64 = 4.0;
 const SLOW: f64 = 0.1;
 
-/// Space for finding states on the constraints.
+/// Solver for the nearest state on the constraints, with its working space.
 #[derive(Clone)]
 pub(crate) struct Placement {
     correction: Correction,
-    /// The coordinate that is the time, which stays.
+    /// Index of the coordinate that is the time, which is never moved.
     clock: Option<usize>,
     values: Vec<f64>,
     slopes: Vec<f64>,
@@ -29,7 +29,7 @@ pub(crate) struct Placement {
 }
 
 impl Placement {
-    /// For equations in all rates with multipliers.
+    /// Creates the solver for equations in all rates with multipliers; `clock` is the coordinate that is the time.
     pub(crate) fn new(system: &dyn System<f64>, clock: Option<usize>) -> Self {
         let (count, state) = (system.constraint_count(), system.lengths().state());
         Self {
@@ -43,7 +43,7 @@ impl Placement {
         }
     }
 
-    /// State on the constraints next to (q, q̇); the given state itself if the search fails.
+    /// State on the constraints nearest to (q, q̇); the given state itself if the search fails.
     pub(crate) fn of(&mut self, system: &dyn System<f64>, parameters: &[f64], y: &[f64]) -> &[f64] {
         self.placed.copy_from_slice(y);
         if self.search(system, parameters).is_none() {
@@ -52,7 +52,7 @@ impl Placement {
         &self.placed
     }
 
-    /// Moves the state onto the constraints; `None` if something has no value on the way.
+    /// Moves the state onto the constraints; `None` if a value is not finite on the way.
     fn search(&mut self, system: &dyn System<f64>, parameters: &[f64]) -> Option<()> {
         let n = system.lengths().coordinates;
         let (mut last, mut is_slow) = (f64::INFINITY, true);
@@ -82,8 +82,8 @@ impl Placement {
         Some(())
     }
 
-    /// Computes values, slopes and the mass matrix at the state, and prepares corrections there. `None` if one is not
-    /// finite, or the mass matrix is not definite.
+    /// Computes values and slopes of the constraints and the mass matrix at the state, and prepares corrections there.
+    /// `None` if one is not finite, or if the mass matrix is not definite.
     fn look(&mut self, system: &dyn System<f64>, parameters: &[f64]) -> Option<()> {
         let Self { correction, clock, values, slopes, matrix, inertia, placed } = self;
         rhs::constraints(system, parameters, placed, values, slopes);

@@ -12,54 +12,54 @@
 use super::friction::{Found, Mode, Touch, Trial, Undecided, one_motion};
 use nalgebra::{DMatrix, DVector};
 
-/// Size below which a number counts as zero, over the largest of its kind.
+/// Fraction of the largest number of its kind below which a number counts as zero.
 const NOTHING: f64 = 1e-10;
 
-/// Record of one impact: its impulses, and the energy that it took.
+/// Record of an impact: its impulses, and the energy that it took.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactRecord {
     /// Time of the impact, s.
     pub t: f64,
-    /// The contacts that had an impulse, by their places, each with its normal impulse: in N s where the gap is in m.
+    /// Contacts that had an impulse, by their places, each with its normal impulse: in N s if the gap is in m.
     pub impulses: Vec<(usize, f64)>,
-    /// The state before.
+    /// State before the impact.
     pub before: Vec<f64>,
-    /// The energy that the contacts took, J.
+    /// Energy that the contacts dissipated, J.
     pub loss: f64,
-    /// The work that moving obstacles did, J.
+    /// Work that moving obstacles did in the impact, J.
     pub work: f64,
-    /// Contacts of which later bounces are too short to be told apart: they are held from here on.
+    /// Contacts, by their places, whose further bounces are too short to be resolved: they are held from here on.
     pub held: Vec<usize>,
 }
 
-/// Behaviour of one of the contacts that are closed at one instant.
+/// Behaviour of a closed contact in an impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Share {
-    /// It pushes.
+    /// The contact pushes.
     Pushes,
-    /// It opens, or opens faster than its law asks for.
+    /// The contact opens, or opens faster than its law of impact asks for.
     Parts,
-    /// Neither: it could do either as well.
+    /// The contact neither pushes nor opens, to rounding: it could do either.
     Neither,
 }
 
-/// Contacts that are closed at one instant.
+/// Contacts that are closed at one instant: how forces act on them, and their friction.
 #[derive(Clone, Debug)]
 pub struct Closed {
-    /// G = W M⁻¹ Wᵀ, a row for each row of W.
+    /// Matrix G = W M⁻¹ Wᵀ of velocities by impulses, a row and a column for each row of W.
     pub compliance: DMatrix<f64>,
-    /// The rows of each contact: that of its gap, then those of its slips.
+    /// Rows of each contact: that of its gap, then those of its slips.
     pub rows: Vec<Vec<usize>>,
-    /// The coefficient of friction of each contact that has one: along its one slip.
+    /// Coefficient of friction of each contact; `None` without friction. A contact with friction has one slip.
     pub friction: Vec<Option<f64>>,
 }
 
 impl Closed {
     /// Computes the impulses of all rows by Newton's law, from the velocities before and a coefficient of restitution
-    /// for each contact. A contact that opens before gives nothing back.
+    /// for each contact. A contact that already opens before the impact ignores its coefficient.
     ///
     /// # Errors
-    /// [`Undecided`] if no impulses part the bodies, or different ones would by Coulomb's law.
+    /// [`Undecided`] if no impulses part the bodies, or if Coulomb's law allows several motions.
     pub fn newton(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
         let mut wanted = velocities.clone();
         for (rows, e) in self.rows.iter().zip(restitution) {
@@ -71,11 +71,11 @@ impl Closed {
     }
 
     /// Computes the impulses of all rows by Poisson's law. A compression stops the contacts that close. An expansion
-    /// follows with e times its impulses, or more where a contact would still close. Friction is Coulomb's with the
-    /// impulses of each of the two, and the slip at its end.
+    /// follows with e times the impulses of the compression, or more if a contact would still close. Friction obeys
+    /// Coulomb's law in each of the two, with its impulses and the slip at its end.
     ///
     /// # Errors
-    /// As [`Closed::newton`].
+    /// [`Undecided`], as for [`Closed::newton`].
     pub fn poisson(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
         let compression = self.push(velocities)?;
         let given: Vec<f64> = self.rows.iter().zip(restitution).map(|(rows, e)| e * compression[rows[0]]).collect();
@@ -92,22 +92,22 @@ impl Closed {
     /// velocities, Λ are forces of contacts that do not slip yet.
     ///
     /// # Errors
-    /// [`Undecided`] if there are none, or several that move differently.
+    /// [`Undecided`] if there are no such Λ, or several that move differently.
     pub fn push(&self, c: &DVector<f64>) -> Result<DVector<f64>, Undecided> {
         let count = self.rows.len();
         Ok(first(self.tried(c, &vec![None; count], &vec![0.0; count])?))
     }
 
-    /// Finds all modes that contacts can have together under accelerations c, and their forces, the firmest first; all
-    /// give one motion. `slips` has the signs of the velocities of those that slip.
+    /// Finds all modes that contacts can have together under accelerations c, with their forces, those of least freedom
+    /// first; all give one motion. `slips` has the sign of the slip velocity of each contact that slips.
     ///
     /// # Errors
-    /// As [`Closed::push`].
+    /// [`Undecided`], as for [`Closed::push`].
     pub fn ways(&self, c: &DVector<f64>, slips: &[Option<f64>]) -> Result<Vec<Found>, Undecided> {
         self.tried(c, slips, &vec![0.0; slips.len()])
     }
 
-    /// True if contacts can have these modes together under accelerations c.
+    /// True if contacts can have these modes together under accelerations c. `slips` has the signs of slip velocities.
     #[must_use]
     pub fn allows(&self, c: &DVector<f64>, slips: &[Option<f64>], modes: &[Mode]) -> bool {
         let (scaled, unit) = self.scaled();
@@ -124,11 +124,11 @@ impl Closed {
         self.trial((&scaled, &unit), &none.0, &none.1).determinant(modes)
     }
 
-    /// Finds modes and forces like [`Closed::ways`], with given impulses along gaps in addition to the wanted ones.
-    /// Friction acts on the sum.
+    /// Finds modes and forces as [`Closed::ways`] does, with given impulses along gaps in addition to the wanted ones.
+    /// Friction acts on the sum of both.
     ///
     /// # Errors
-    /// As [`Closed::push`].
+    /// [`Undecided`], as for [`Closed::push`].
     pub fn tried(&self, c: &DVector<f64>, slips: &[Option<f64>], given: &[f64]) -> Result<Vec<Found>, Undecided> {
         let (scaled, unit) = self.scaled();
         let c = c.component_mul(&unit);
@@ -140,7 +140,7 @@ impl Closed {
         Ok(list)
     }
 
-    /// These contacts in units in which all rows are alike.
+    /// Trial of these contacts, in units in which all rows are alike.
     fn trial<'t>(
         &'t self,
         (scaled, unit): (&'t DMatrix<f64>, &DVector<f64>),
@@ -150,7 +150,7 @@ impl Closed {
         let touch = |at: usize| {
             let rows = &self.rows[at];
             let u = |row: usize| unit[row];
-            // A force along a row is its unit times what it is there.
+            // A force in the scaled row is the force divided by the unit of the row.
             let friction =
                 self.friction[at].map(|mu| if u(rows[1]) > 0.0 { mu * u(rows[0]) / u(rows[1]) } else { 0.0 });
             let given = if u(rows[0]) > 0.0 { given[at] / u(rows[0]) } else { 0.0 };
@@ -176,8 +176,8 @@ impl Closed {
     }
 
     /// Finds Λ with G Λ + c = 0 along the rows that contacts in these modes hold, and the friction of those that slip.
-    /// If rows depend on one another, Λ is the one of least size, or the one that friction can bear. `None` if it is
-    /// not finite.
+    /// If rows depend on one another, Λ is the smallest solution, or the one that friction can bear. `None` if Λ is not
+    /// finite.
     #[must_use]
     pub fn hold(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
         let (scaled, unit) = self.scaled();
@@ -186,7 +186,7 @@ impl Closed {
         Some(trial.held(&c.component_mul(&unit), modes)?.component_mul(&unit))
     }
 
-    /// G in units in which all rows are alike, and these units.
+    /// Matrix G in units in which all rows are alike, and these units.
     fn scaled(&self) -> (DMatrix<f64>, DVector<f64>) {
         let unit = self.compliance.diagonal().map(|g| if g > 0.0 { 1.0 / g.sqrt() } else { 0.0 });
         let n = unit.len();
@@ -194,7 +194,7 @@ impl Closed {
     }
 }
 
-/// The forces of the firmest modes.
+/// Forces of the modes of least freedom.
 fn first(found: Vec<Found>) -> DVector<f64> {
     found.into_iter().next().map_or_else(|| DVector::zeros(0), |found| found.forces)
 }

@@ -1,7 +1,7 @@
-//! Signs that a run is chasing rounding errors, or kinks.
+//! Signs that the steps of a run follow rounding errors, or kinks of f.
 //!
-//! Watching costs nothing where it matters: a relative tolerance is never below rounding, so that only runs without
-//! one are looked at step by step, and whether f is smooth shows in rejected steps alone.
+//! The watch is cheap: a relative tolerance is never below rounding, so that only runs without one are examined step by
+//! step. Whether f is smooth shows in rejected steps alone.
 
 use tripos_traits::Real;
 
@@ -9,26 +9,27 @@ use crate::stepper::Stepper;
 use crate::tolerance::ErrorTest;
 use crate::warning::Warning;
 
-/// Attempts that must show a sign before there is a warning: fewer do no harm.
+/// Number of attempted steps that must show a sign before there is a warning: fewer do no harm.
 const ENOUGH: u64 = 20;
-/// Fruitless retries are a sign if they are more than one in so many attempts. Noise of the size of the tolerance makes
-/// them one in 20 to 40, jumps of f one in 5 to 20; smooth equations one in 100 at tolerances of 1e-3, and fewer below.
+/// Number of attempts per fruitless retry below which such retries are a sign of a function that is not smooth. Noise
+/// of the size of the tolerance makes a retry of 20 to 40 attempts fruitless, jumps of f one of 5 to 20. Smooth
+/// equations have one in 100 at tolerances of 1e-3, and fewer below.
 const ONE_IN: u64 = 50;
 
-/// Signs so far.
+/// Signs of doubtful steps that a run has shown so far.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Doubts {
     attempts: u64,
     below: Option<Below>,
     /// Size and error of the attempt before, if the step is being tried again.
     rejected: Option<(f64, f64)>,
-    /// Time of the first fruitless retry, and how many there were.
+    /// Time of the first fruitless retry, s, and the number of such retries.
     fruitless: Option<(f64, u64)>,
-    /// Time of the first step inside which f has no value.
+    /// Start of the first step inside which f has no value, s.
     coarse: Option<f64>,
 }
 
-/// Attempts decided by a component whose allowed error is below its rounding; the one where it is so by the most.
+/// Count of attempts decided by a component whose allowed error is below its rounding, with the worst of them.
 #[derive(Clone, Debug)]
 struct Below {
     component: usize,
@@ -39,12 +40,13 @@ struct Below {
 }
 
 impl Doubts {
-    /// Looks at an attempt that has an error.
+    /// Takes note of an attempted step that has an error.
     pub(crate) fn note<M: Stepper>(&mut self, stepper: &M, test: &ErrorTest, step: f64, error: f64) {
         let t = stepper.span().0;
         self.attempts += 1;
         if let Some((longer, before)) = self.rejected {
-            // An error that is one falls with a high power of the step; noise, or the effect of a jump, with the step.
+            // A true error falls with a high power of the step; noise, or the effect of a jump, falls only with the
+            // step.
             let ratio = step / longer;
             if ratio <= 0.9 && error >= before * ratio * ratio {
                 self.fruitless.get_or_insert((t, 0)).1 += 1;
@@ -56,13 +58,13 @@ impl Doubts {
         }
     }
 
-    /// Looks at an attempt without a result.
+    /// Takes note of an attempted step without a result.
     pub(crate) fn note_trouble(&mut self) {
         self.attempts += 1;
         self.rejected = None;
     }
 
-    /// Notes whether the solution inside an accepted step is known to its full order.
+    /// Takes note of whether the solution inside an accepted step is known to its full order.
     pub(crate) fn note_inside<M: Stepper>(&mut self, stepper: &M, known: bool) {
         if !known {
             self.coarse.get_or_insert(stepper.span().0);

@@ -1,4 +1,4 @@
-//! From a question to a [`Solution`]: checks the question, and picks the method.
+//! Integration from a question to a [`Solution`]: checks the question, and picks the method.
 
 use tripos_traits::Real;
 
@@ -29,15 +29,15 @@ use tripos_traits::Method;
 /// The state is computed in the scalar `S`. Times, output times and errors are `f64`, and events look at the state
 /// rounded to `f64`; steps begin and end at times that are `f64` exactly, so that a wider scalar loses nothing.
 ///
-/// Where the right-hand side has constraints, the state is moved onto them after each step; what that did is in
+/// If the right-hand side has constraints, the state is moved onto them after each step. The effect of this is in
 /// [`Solution::projection`].
 ///
-/// However the run ends, the solution up to there is returned.
+/// The solution up to the end of the run is returned, for any reason of that end.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense: a span that is empty or not finite, a start that is
-/// not finite, tolerances or options out of range, output times outside the span, a method that lacks a step, a
-/// Jacobian or Taylor coefficients.
+/// [`SimError`] if the question makes no sense: a span that is empty or not finite, a start that is not finite,
+/// tolerances or options out of range, output times outside the span, a method without the fixed step, the Jacobian or
+/// the Taylor coefficients that it needs.
 pub fn integrate<S, R>(
     rhs: R,
     span: (f64, f64),
@@ -53,12 +53,10 @@ where
 }
 
 /// Integrates y' = f(t, y) from `y0` over `span` like [`integrate`], and moves the state onto its invariants after each
-/// step; what that did is in [`Solution::projection`]. See [`crate::projection`] for what it means for events and
-/// output.
+/// step. The effect of this is in [`Solution::projection`]. See [`crate::projection`] for events and output.
 ///
 /// # Errors
-/// [`SimError`] if the question makes no sense: an empty span, a tolerance or option out of range, a length that does
-/// not fit.
+/// [`SimError`] if the question makes no sense: an empty span, a tolerance or option out of range, a wrong length.
 pub fn integrate_projected<S, R>(
     rhs: R,
     span: (f64, f64),

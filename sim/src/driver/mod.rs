@@ -1,4 +1,4 @@
-//! The run of a method from its start to its end: step sizes, samples, errors, and the choice of a second run.
+//! Run of a method from its start to its end: step sizes, samples, errors, and the choice of a second run.
 
 pub(crate) mod doubt;
 pub(crate) mod integrate;

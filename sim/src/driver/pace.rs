@@ -1,4 +1,4 @@
-//! The sizes of the steps of a run: equal ones, or as large as their errors allow.
+//! Sizes of the steps of a run: equal ones, or as large as their errors allow.
 
 use tripos_traits::Real;
 
@@ -11,38 +11,38 @@ use crate::stepper::{Trial, evaluate, same};
 use crate::tolerance::ErrorTest;
 use crate::warning::Warning;
 
-/// Outcome of an attempted step.
+/// Verdict on an attempted step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
-    /// It is part of the solution.
+    /// The step is part of the solution.
     Accepted {
         /// True if the step reached the end of the span.
         last: bool,
     },
-    /// A smaller one is to be tried.
+    /// The step is rejected, and a smaller one is to be tried.
     Again,
-    /// No smaller one may be tried.
+    /// The step is rejected, and no smaller one may be tried.
     GiveUp,
 }
 
-/// The step that is being tried, and the data on which the next ones depend.
+/// Step that is being tried, and the data on which the next steps depend.
 #[derive(Clone)]
 pub(crate) struct Pace {
     pub(crate) t0: f64,
     t1: f64,
     corners: Corners,
-    /// The test a step must pass; none where all steps are equal.
+    /// Error test that a step must pass; `None` if all steps are equal.
     pub(crate) test: Option<ErrorTest>,
     kind: Kind,
     pub(crate) trial: Trial,
     last: bool,
-    /// Evaluations of the right-hand side that the choice of the first step took.
+    /// Number of evaluations of the right-hand side for the choice of the first step.
     pub(crate) evaluations: u64,
 }
 
 #[derive(Clone)]
 enum Kind {
-    /// The span is divided into this many equal steps.
+    /// Equal steps: their number in the span.
     Equal(f64),
     Adaptive(Adaptive),
 }
@@ -52,16 +52,17 @@ struct Adaptive {
     rules: Rules,
     control: Control,
     longest: f64,
-    /// The smallest size that is tried from the current point.
+    /// Smallest size of a step that is tried from the current time, s.
     smallest: f64,
-    /// Size to try next.
+    /// Size of the next step, s.
     size: f64,
-    /// The size that would have been tried, had the step not to end at a corner.
+    /// Size that the step would have, s, if it did not have to end at a corner; `None` if it does not.
     cut: Option<f64>,
 }
 
 impl Pace {
-    /// Creates the step sizes of a run of `n` equations over a span.
+    /// Creates the step sizes of a run of `n` equations over a span, with a warning about its tolerances if there is
+    /// one.
     ///
     /// # Errors
     /// [`SimError`] for tolerances that make no sense, and for a method that cannot choose its steps.
@@ -71,7 +72,7 @@ impl Pace {
         options: &Options,
     ) -> Result<(Self, Option<Warning>), SimError> {
         let trial = Trial { h: 0.0, t_new: t0 };
-        // Equal steps go across corners.
+        // Equal steps ignore corners.
         let corners = if options.step.is_some() { &[][..] } else { &options.corners };
         let corners = Corners::new(corners, (t0, t1));
         let pace =
@@ -91,7 +92,7 @@ impl Pace {
         Ok((pace(Kind::Adaptive(adaptive), Some(test)), warning))
     }
 
-    /// Chooses the size of the first step, where that is open, from y' at the start.
+    /// Chooses the size of the first step from y' at the start, unless `initial` or the method gives it.
     pub(crate) fn start<S, R>(&mut self, rhs: &mut R, y: &[S], slope: &[S], initial: Option<f64>)
     where
         S: Real,
@@ -106,8 +107,8 @@ impl Pace {
         }
     }
 
-    /// Chooses the first size up to where the rules ask for y' after a step of Euler's method: its signed size, in s,
-    /// is returned then, and [`Pace::correct_first_size`] must follow.
+    /// Chooses the size of the first step as far as y' at the start decides it. If the rules need y' after a step of
+    /// Euler's method, the signed size of that step, in s, is returned, and [`Pace::correct_first_size`] must follow.
     pub(crate) fn first_size<S: Real>(&mut self, y: &[S], slope: &[S], initial: Option<f64>) -> Option<f64> {
         let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return None };
         let longest = adaptive.longest;
@@ -125,7 +126,8 @@ impl Pace {
         None
     }
 
-    /// Chooses the size of the first step by y' `beyond` a step `h` of Euler's method; `None` if it has no value there.
+    /// Corrects the size of the first step by y' after a step `h`, s, of Euler's method: `beyond`, or `None` if y' has
+    /// no value there.
     pub(crate) fn correct_first_size<S: Real>(&mut self, y: &[S], slope: &[S], h: f64, beyond: Option<&Vec<S>>) {
         self.evaluations += 1;
         let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return };
@@ -136,25 +138,25 @@ impl Pace {
         }
     }
 
-    /// Passes the corners at `t`. `None` if there are none. Else the right-hand side is another function from there on;
-    /// returns the derivatives of the instant of a jump among them, zeros if no jump moves.
+    /// Passes the corners at `t`; `None` if no corner lies there. After a corner the right-hand side is another
+    /// function. Returns the derivatives of the instant of a jump that moves, or zeros if no jump moves.
     pub(crate) fn pass_corners(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
         self.corners.pass(t)
     }
 
-    /// Intervals of time in which the right-hand side is one function.
+    /// Intervals of time in which the right-hand side is one function, at the current time.
     pub(crate) fn sides(&self) -> Sides {
         self.corners.sides()
     }
 
-    /// Takes the size of the next step from the method.
+    /// Sets the size of the next step, s, as the method proposes it.
     pub(crate) fn propose(&mut self, size: f64) {
         if let Kind::Adaptive(adaptive) = &mut self.kind {
             adaptive.size = size;
         }
     }
 
-    /// Chooses the first trial of the step that begins at `t`, after `done` accepted ones.
+    /// Chooses the first trial of the step that begins at `t`, after `done` accepted steps.
     pub(crate) fn begin(&mut self, t: f64, done: u64) {
         match &mut self.kind {
             Kind::Equal(count) => {
@@ -168,7 +170,7 @@ impl Pace {
                 let size = adaptive.size.min(adaptive.longest).max(adaptive.smallest);
                 let corner = self.corners.next();
                 let end = corner.unwrap_or(self.t1);
-                // Stretch or shorten the step if the end is within the stretch of it.
+                // Stretch or shorten the step if the end is within its stretch.
                 let ends = adaptive.rules.stretch() * size >= (end - t).abs();
                 adaptive.cut = (ends && corner.is_some()).then_some(size);
                 self.last = ends && corner.is_none();
@@ -182,15 +184,14 @@ impl Pace {
         Trial { h, t_new: t + h }
     }
 
-    /// Limits the next size to this part of the one that errors allow.
+    /// Limits the size of the next step to this fraction of the size that errors allow.
     pub(crate) fn heed(&mut self, margin: f64) {
         if let Kind::Adaptive(adaptive) = &mut self.kind {
             adaptive.control.margin = margin;
         }
     }
 
-    /// Judges the trial by its error (`None`: it has no result). If it is to be tried again, the trial is a smaller one
-    /// afterwards.
+    /// Judges the trial by its error; `None` if it has no result. After [`Verdict::Again`] the trial is a smaller one.
     pub(crate) fn judge(&mut self, t: f64, error: Option<f64>) -> Verdict {
         let Kind::Adaptive(adaptive) = &mut self.kind else {
             return if error.is_some() { Verdict::Accepted { last: self.last } } else { Verdict::GiveUp };
@@ -213,15 +214,15 @@ impl Pace {
     }
 }
 
-/// Least number of equal steps that are no longer than the one asked for, from the span over that step. A quotient that
-/// is whole but for rounding is not divided further.
+/// Smallest number of equal steps that are no longer than the wanted one; `quotient` is the span over that step. A
+/// quotient that is whole up to rounding is not divided further.
 fn equal_steps(quotient: f64) -> f64 {
     let nearest = quotient.round();
     let whole = (quotient - nearest).abs() <= 4.0 * f64::EPSILON * quotient;
     if whole { nearest.max(1.0) } else { quotient.ceil() }
 }
 
-/// Norm of y'' from y' at the start and `beyond` a step of Euler's method; `None` if it is not finite.
+/// Norm of y'' from y' at the start and y' after a step `h` of Euler's method, `beyond`; `None` if it is not finite.
 fn curvature<S: Real>(beyond: &[S], h: f64, y: &[S], slope: &[S], test: &ErrorTest) -> Option<f64> {
     let change: Vec<S> = beyond.iter().zip(slope).map(|(after, before)| *after - *before).collect();
     let curvature = test.root_sum(&change, y) / h.abs();

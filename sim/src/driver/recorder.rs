@@ -1,7 +1,8 @@
-//! Keeps the samples of a solution that were asked for.
+//! Recorder of a solution's samples.
 //!
-//! Invariant: memory does not grow with the number of steps. Of points that nobody asked for one by one at most
-//! [`MOST`] are kept: whenever there would be more, every second of them is forgotten, and of those to come as many.
+//! Invariant: memory does not grow with the number of steps. At most [`MOST`] points of steps are kept, unless their
+//! times were asked for. If there would be more, every second point is dropped, and only every second later point is
+//! taken.
 
 use tripos_traits::Real;
 
@@ -10,27 +11,27 @@ use crate::methods::options::Output;
 use crate::rounding::smallest_step;
 use crate::stepper::{DenseStep, Interpolant, same};
 
-/// Points of steps that are kept at most.
+/// Largest number of points of steps that a recorder keeps.
 pub(crate) const MOST: usize = 200_000;
 
-/// Samples so far.
+/// Samples of a run so far, and the rule by which further samples are taken.
 pub(crate) struct Recorder<'a, S> {
     output: &'a Output,
     next: usize,
-    /// One point of steps in so many is kept; so many have come after the last that was.
+    /// Number of points of which one is kept; `passed` counts the points since the last kept one.
     every: u64,
     passed: u64,
     pub(crate) t: Vec<f64>,
     pub(crate) y: Vec<Vec<S>>,
-    /// The work done up to each sample, if it is asked for.
+    /// Work done up to each sample, J, if the equations state a power; else empty.
     pub(crate) work: Vec<f64>,
 }
 
-/// The state at a fraction of the step and its time, and the work done up to there; no work if it is not asked for.
+/// Function that gives the state at a fraction of a step and a time, s, and the work up to there, J, if it is recorded.
 type Sampled<'a, S> = dyn FnMut(f64, f64) -> (Vec<S>, Option<f64>) + 'a;
 
 impl<'a, S: Real> Recorder<'a, S> {
-    /// Starts at (t0, y0). `Output::At` must have been checked to be in order.
+    /// Starts a recorder at (t0, y0). The times of [`Output::At`] must be in order.
     pub(crate) fn new(output: &'a Output, t0: f64, y0: &[S], work: Option<f64>) -> Self {
         let mut recorder =
             Self { output, next: 0, every: 1, passed: 0, t: Vec::new(), y: Vec::new(), work: Vec::new() };
@@ -57,7 +58,7 @@ impl<'a, S: Real> Recorder<'a, S> {
         self.push(t, y, work);
     }
 
-    /// Takes a point of a step, unless so many have come that it is left out.
+    /// Records a point of a step, unless it is one of the points that are left out.
     fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, sampled: &mut Sampled<'_, S>) {
         self.passed += 1;
         if self.passed < self.every {
@@ -73,12 +74,12 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// True if samples inside a step from `t_old` to `t_new` are to be kept.
+    /// True if samples inside a step from `t_old` to `t_new` will be kept.
     pub(crate) fn looks_inside(&self, (t_old, t_new): (f64, f64)) -> bool {
         match self.output {
             Output::Ends => false,
             Output::Steps { refine } => *refine > 1,
-            // Times up to t_old are kept already, so that the next one need only come before the end.
+            // Times up to t_old are kept already, so that the next one only has to come before the end.
             Output::At(times) => times.get(self.next).is_some_and(|t| (t_new - t) * (t_new - t_old).signum() > 0.0),
         }
     }
@@ -109,7 +110,7 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// Shows samples at `t` with the slopes that they have from there on.
+    /// Gives the samples at `t` the slopes that they have from this instant on.
     pub(crate) fn turned(&mut self, t: f64, y: &[S]) {
         if S::SLOPES == 0 {
             return;
@@ -119,7 +120,7 @@ impl<'a, S: Real> Recorder<'a, S> {
         kept.for_each(|(_, own)| turn(own, y));
     }
 
-    /// Adds the end of the run where it was asked for and is not kept yet.
+    /// Adds the end of the run, if it is wanted and not kept yet.
     pub(crate) fn finish(&mut self, (t_end, y_end, work): (f64, &[S], Option<f64>), steps: u64) {
         let is_kept = self.t.last().is_some_and(|t| same(*t, t_end));
         let is_asked = match self.output {
@@ -133,7 +134,7 @@ impl<'a, S: Real> Recorder<'a, S> {
     }
 }
 
-/// Forgets every second entry of a list; the first stays.
+/// Drops every second entry of a list; the first entry stays.
 fn halve<T>(list: &mut Vec<T>) {
     let mut stays = false;
     list.retain(|_| {

@@ -1,7 +1,7 @@
-//! The driver: one loop serves every method.
+//! Driver of a run: one loop serves every method.
 //!
-//! A method is a [`Stepper`]; which sizes its steps have is decided by [`super::pace`]. The loop takes a step, lets
-//! the events look at it, records it, and stops at the first reason to.
+//! A method is a [`Stepper`]; the sizes of its steps are decided by [`super::pace`]. The loop takes a step, lets the
+//! events examine it, records it, and stops at the first reason.
 
 use super::doubt::Doubts;
 use super::pace::{Pace, Verdict};
@@ -19,18 +19,19 @@ use crate::stepper::{DenseStep, Interpolant, Stepper, Trouble};
 use crate::warning::Warning;
 use tripos_traits::Real;
 
-/// Largest number of times that a step is shortened to end elsewhere, and its assumed error then, over the tolerance.
+/// Largest number of times that a step is shortened because its end is avoided; `SHORTER` is its assumed error, over
+/// the tolerance.
 const MOST_AVOIDED: u32 = 4;
 const SHORTER: f64 = 2.0;
 
-/// Fractions of a step that are one place.
+/// Difference of two fractions of a step below which they count as one place.
 const ONE_PLACE: f64 = 1e-9;
 
 /// Companions of the steps of a run: the recorder, the projector that moves their ends, and the work done.
 type Beside<'a, 'o, 'i, 'j, S> =
     (&'a mut Recorder<'o, S>, Option<&'a mut Projector<'i, 'j, S>>, Option<&'a mut Work<S>>);
 
-/// A run under way: the method, the sizes of its steps, and counts.
+/// A run in progress: the method, the sizes of its steps, and counts.
 struct Run<'o, M> {
     stepper: M,
     pace: Pace,
@@ -92,7 +93,7 @@ where
 }
 
 impl<M: Stepper> Run<'_, M> {
-    /// Prepares the first step; returns a reason not to take it.
+    /// Prepares the first step; returns the reason to stop if the run cannot start.
     fn start<R>(&mut self, rhs: &mut R, y0: &[M::Real], watch: &mut Watch<'_, '_>) -> Option<Stop>
     where
         R: RightHandSide<M::Real>,
@@ -108,7 +109,7 @@ impl<M: Stepper> Run<'_, M> {
         None
     }
 
-    /// Steps until there is a reason to stop, which is returned with the last time of the solution.
+    /// Steps until there is a reason to stop, which is returned with the last time of the solution, s.
     fn walk<R>(
         &mut self,
         rhs: &mut Between<'_, R, M::Real>,
@@ -195,7 +196,7 @@ impl<M: Stepper> Run<'_, M> {
         (stop, self.stepper.span().0)
     }
 
-    /// [`end_inside`] of the step last taken, which is made ready for it.
+    /// Prepares the inside of the last step and finds the end of the run in it, as the function [`end_inside`] does.
     fn end_inside<R>(
         &mut self,
         rhs: &mut R,
@@ -214,8 +215,8 @@ impl<M: Stepper> Run<'_, M> {
         end_inside(&self.stepper, suspects, rhs, watch, guard)
     }
 
-    /// Takes one step, with as many attempts as it needs; says whether it reached the end of the
-    /// span.
+    /// Takes a step, with as many attempts as it needs; true if it reached the end of the span. An error is the reason
+    /// to stop.
     fn advance<R>(&mut self, rhs: &mut R) -> Result<bool, Stop>
     where
         R: RightHandSide<M::Real>,
@@ -243,7 +244,7 @@ impl<M: Stepper> Run<'_, M> {
                 _ => attempt.as_ref().ok().copied(),
             };
             match (&attempt, &self.pace.test) {
-                // Made shorter for where it ends, not for its error.
+                // The step is shortened because of the place of its end, not because of its error.
                 (Ok(own), _) if error > Some(*own) => self.doubts.note_trouble(),
                 (Ok(error), Some(test)) => self.doubts.note(&self.stepper, test, tried, *error),
                 _ => self.doubts.note_trouble(),
@@ -267,9 +268,9 @@ impl<M: Stepper> Run<'_, M> {
     }
 }
 
-/// Finds the end of a run inside a step that is prepared for it: an event, or a divisor that is zero, where one is
-/// suspected. Returns its fraction of the step and the reason; `None` if the run goes on. If both are at one place, the
-/// event counts, since it names the condition that ends there.
+/// Finds the end of a run inside a prepared step: an event, or a zero of a divisor if one is suspected. Returns the
+/// fraction of the step and the reason; `None` if the run goes on. If both lie at one place, the event counts, since it
+/// names the condition that ends there.
 pub(crate) fn end_inside<S, I, R>(
     step: &I,
     suspects: bool,

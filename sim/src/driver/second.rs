@@ -1,12 +1,12 @@
-//! Choice of a second run that tells the error of a first one.
+//! Choice of a second run that measures the error of a first one.
 //!
-//! The same motion is integrated with other steps: what the two differ by is the error of the worse one. A run that is
-//! ten times finer shows the whole error of the first; one that is ten times coarser shows its own, which is larger.
-//! The finer is taken where it is known to cost no more than the first run did: another method at a tenth of the
-//! tolerances. The coarser always costs less.
+//! The same motion is integrated with other steps: the difference of both runs is the error of the worse one. A run
+//! that is ten times finer shows the whole error of the first run. A run that is ten times coarser shows its own error,
+//! which is larger. The finer run is chosen if it is known to cost no more than the first run did: another method at a
+//! tenth of the tolerances. The coarser run always costs less.
 //!
-//! Invariant: a second run never has the steps of the first, not even where a longest step decides them, since equal
-//! steps make equal errors. Work is counted in evaluations of the right-hand side, not timed.
+//! Invariant: a second run never has the steps of the first, not even if both have the longest step, since equal steps
+//! make equal errors. Cost is counted in evaluations of the right-hand side, not timed.
 
 use crate::methods::control::Rules;
 use crate::methods::method::rules;
@@ -16,40 +16,40 @@ use crate::solution::Solution;
 use crate::tolerance::SMALLEST_RTOL;
 use tripos_traits::{AbsoluteTolerance, Method};
 
-/// Factor by which a second run is finer or coarser.
+/// Factor by which the tolerances of a second run are finer or coarser.
 const TIMES: f64 = 10.0;
-/// Part of the difference from a coarser run that counts as the first run's error. A tenth is expected, but a motion
-/// may carry the two errors on in its own ways: with a half of it 4 of 208 runs of gauss6 had ten times as much.
+/// Fraction of the difference from a coarser run that counts as the first run's error. A tenth is expected, but a
+/// motion may amplify both errors differently: with one half, 4 of 208 runs of gauss6 had ten times the stated error.
 const PART: f64 = 1.0;
-/// Tolerances from which down DOP853 takes no more evaluations than a method of order 5 at ten times as much, and the
-/// Taylor method no longer than DOP853.
+/// Largest tolerance at which DOP853 takes no more evaluations than a method of order 5 at ten times the tolerance, and
+/// Taylor's method no more time than DOP853.
 const FINE: f64 = 1e-6;
-/// Cost of a finer run in units of the first where tolerances are coarser than that.
+/// Cost of a finer run, in units of the first run, at tolerances above [`FINE`].
 const COARSE_COST: f64 = 1.6;
-/// Evaluations that a second run may take however few the first took.
+/// Number of evaluations that a second run may always take, however few the first run took.
 const LEAST: f64 = 20_000.0;
-/// Largest cost of a second run in units of the first: one of it, and a margin for the error of the forecast.
+/// Largest cost of a second run, in units of the first run: 1, and a margin for the error of the forecast.
 const MOST: f64 = 1.25;
-/// The tolerances by which a run with equal steps is looked at.
+/// Tolerances of the second run that checks a run with equal steps.
 const EQUAL: f64 = 1e-12;
 
-/// A run to compare another one with.
+/// A second run, whose difference from a first run measures the error of the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Second {
     /// Options of the second run; the caller chooses which points it keeps.
     pub options: Options,
-    /// Part of the difference of the two runs that is the error of the first.
+    /// Fraction of the difference of the two runs that is the error of the first run.
     pub part: f64,
-    /// True if the errors of the second run are smaller than the first run's: it then shows the behaviour of the
+    /// True if the errors of the second run are smaller than those of the first: it then shows the behaviour of the
     /// motion.
     pub is_finer: bool,
-    /// Description of the run in words, such as "dop853 at a tenth of the tolerances".
+    /// Description of the second run in words, such as "dop853 at a tenth of the tolerances".
     pub words: String,
 }
 
-/// Lists the runs that tell the errors of one that was made with these options, the first choice first. The next is to
-/// be made if one ends early. `has_series` is true if the equations have Taylor coefficients that cost no more than a
-/// step of DOP853.
+/// Lists the second runs that measure the error of a run with these options, best first. If one of them ends early, the
+/// next is made. `has_series` is true if the equations have Taylor coefficients that cost no more than a step of
+/// DOP853.
 #[must_use]
 pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), has_series: bool) -> Vec<Second> {
     let method = options.method;
@@ -72,17 +72,18 @@ pub fn seconds(options: &Options, solution: &Solution, span: (f64, f64), has_ser
     }
 }
 
-/// First run, from which second runs are made.
+/// First run, whose error second runs measure.
 struct First<'a> {
     options: &'a Options,
-    /// Evaluations of the right-hand side, or as much as they take.
+    /// Cost of the first run, in evaluations of the right-hand side.
     spent: f64,
-    /// The length of the span, s.
+    /// Length of the span, s.
     length: f64,
 }
 
 impl First<'_> {
-    /// Second run by this method at tolerances this many times finer; it may cost this part of the first run.
+    /// Second run by this method at tolerances `times` times finer; `cost` is its largest cost in units of the first
+    /// run.
     fn finer(&self, method: Method, times: f64, cost: f64) -> Second {
         let first = self.options;
         let same = method == first.method;
@@ -105,7 +106,8 @@ impl First<'_> {
         Second { options: self.limited(options, cost), part: 1.0, is_finer: true, words }
     }
 
-    /// Second run by the same method at ten times the tolerances, or with steps that make ten times the error.
+    /// Second run by the first run's method at ten times the tolerances, or with equal steps that make ten times the
+    /// error.
     fn coarser(&self) -> Second {
         let first = self.options;
         let stretch = TIMES.powf(1.0 / f64::from(first.method.order().unwrap_or(8)));
@@ -122,7 +124,7 @@ impl First<'_> {
         Second { options: self.limited(options, MOST), part: PART, is_finer: false, words }
     }
 
-    /// The options with tolerances this many times as large, those that were really used.
+    /// Options of the first run with tolerances `times` times as large.
     fn at(&self, times: f64) -> Options {
         let first = self.options;
         let rtol = if first.rtol > 0.0 { (first.rtol * times).clamp(SMALLEST_RTOL, 0.5) } else { 0.0 };
@@ -133,14 +135,14 @@ impl First<'_> {
         Options { rtol, atol, initial_step: None, ..first.clone() }
     }
 
-    /// The longest step that makes this many times the error of the longest one of the first run, s.
+    /// Longest step, s, that makes `times` times the error of the longest step of the first run.
     fn longest(&self, times: f64) -> f64 {
         let order = f64::from(self.options.method.order().unwrap_or(8));
         let own = rules(self.options.method).map_or(1.0, Rules::longest_part) * self.length;
         self.options.max_step.unwrap_or(own) * times.powf(1.0 / order)
     }
 
-    /// Sets the step limit to as many steps as may cost this part of the first run.
+    /// Limits the number of steps to a cost of `cost` times the first run.
     fn limited(&self, options: Options, cost: f64) -> Options {
         let evaluations = (cost * self.spent).max(LEAST);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive, and far below 2^64")]
@@ -149,23 +151,23 @@ impl First<'_> {
     }
 }
 
-/// The tolerance that steps are mostly decided by.
+/// Tolerance that decides most steps: the relative one, or the smallest absolute one if it is zero.
 fn tolerance(options: &Options) -> f64 {
     if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() }
 }
 
-/// Evaluations that an attempted step takes.
+/// Number of evaluations of the right-hand side in an attempted step.
 fn stages(method: Method) -> f64 {
     match method {
         Method::Taylor => 1.0,
         Method::Rk4 => 4.0,
         Method::Ode45 | Method::Dopri5 => 6.0,
-        // Three stages of an implicit method are iterated some four times.
+        // Three stages of an implicit method are iterated about four times.
         Method::Dop853 | Method::Gauss6 | Method::Radau5 => 12.0,
     }
 }
 
-/// Cost of an evaluation in calls of the right-hand side: for Taylor coefficients, their order.
+/// Cost of an evaluation, in calls of the right-hand side; for Taylor coefficients, their order.
 fn weight(options: &Options) -> f64 {
     if options.method == Method::Taylor { order_for(options) as f64 } else { 1.0 }
 }

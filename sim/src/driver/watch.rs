@@ -1,4 +1,4 @@
-//! All events of a run, step by step, in order of time.
+//! Watch of a run's events, step by step, in order of time.
 
 use std::ops::{Deref, DerefMut};
 use tripos_traits::{Direction, Enclosure, Real};
@@ -14,7 +14,7 @@ use crate::solution::Stop;
 use crate::stepper::DenseStep;
 use crate::warning::Warning;
 
-/// The events of a run: its own, or lent to it.
+/// Events of a run: owned by it, or borrowed.
 pub(crate) enum Events<'w, 'e> {
     Own(Vec<Event<'e>>),
     Lent(&'w mut [Event<'e>]),
@@ -39,21 +39,21 @@ impl DerefMut for Events<'_, '_> {
     }
 }
 
-/// The events of a run and their records so far.
+/// Events of a run, with their memories and their records so far.
 pub(crate) struct Watch<'w, 'e> {
     events: Events<'w, 'e>,
     memories: Vec<Memory>,
     y: Vec<f64>,
-    /// The largest size of each component so far.
+    /// Largest size of each component of the state so far.
     magnitudes: Vec<f64>,
-    /// The solution inside the step, and room for its ranges.
+    /// Solution inside the current step as a polynomial; `stretch` is the space for ranges of the state.
     polynomial: Polynomial,
     stretch: Vec<Enclosure>,
     pub(crate) records: Vec<EventRecord>,
 }
 
 impl<'w, 'e> Watch<'w, 'e> {
-    /// A watch over a state of `n` components.
+    /// Creates a watch of these events for a state of `n` components.
     pub(crate) fn new(events: Events<'w, 'e>, n: usize) -> Self {
         let ranges = || events.iter().filter_map(|event| event.ranges.as_ref());
         let wanted = |i: &usize| ranges().any(|r| r.components.as_ref().is_none_or(|list| list.contains(i)));
@@ -69,7 +69,7 @@ impl<'w, 'e> Watch<'w, 'e> {
         }
     }
 
-    /// Evaluates the events at the start; returns a reason not to start.
+    /// Evaluates the events at the start; returns the reason to stop if the run cannot start.
     pub(crate) fn start<S: Real>(&mut self, t: f64, y: &[S]) -> Option<Stop> {
         for (rounded, y) in self.y.iter_mut().zip(y) {
             *rounded = y.to_f64();
@@ -90,8 +90,8 @@ impl<'w, 'e> Watch<'w, 'e> {
         None
     }
 
-    /// Looks at an accepted step, and records what happened up to its end or to the first terminal
-    /// event, which is returned with its fraction of the step.
+    /// Examines an accepted step, and records its events up to its end, or up to the first event that ends the run.
+    /// That event is returned as its fraction of the step and the reason to stop.
     pub(crate) fn look(&mut self, step: &dyn DenseStep) -> Result<Option<(f64, Stop)>, Failure> {
         if self.is_empty() {
             return Ok(None);
@@ -134,12 +134,12 @@ impl<'w, 'e> Watch<'w, 'e> {
         Ok(end.map(|(i, f)| (f.theta, stop_for(&self.events[i]))))
     }
 
-    /// Forgets the records beyond an instant of a step.
+    /// Removes the records of a step, from `start` to `end`, that lie beyond the instant `t`.
     pub(crate) fn forget_beyond(&mut self, t: f64, (start, end): (f64, f64)) {
         self.records.retain(|record| (record.t - t) * (end - start).signum() <= 0.0);
     }
 
-    /// True if there are no events to watch.
+    /// True if the run has no events.
     pub(crate) fn is_empty(&self) -> bool {
         self.events.is_empty()
     }
@@ -150,7 +150,7 @@ impl<'w, 'e> Watch<'w, 'e> {
         }
     }
 
-    /// Warnings about events that might have ended the run, but stayed undecided.
+    /// Warnings about events that might have ended the run, but were not decided.
     pub(crate) fn warnings(&self) -> impl Iterator<Item = Warning> {
         self.events.iter().enumerate().filter(|(_, event)| event.effect != Effect::Record).filter_map(|(i, event)| {
             let mut places = self.records.iter().filter(|r| r.event == i && r.kind == Kind::Undecided);
@@ -174,7 +174,7 @@ impl<'w, 'e> Watch<'w, 'e> {
     }
 }
 
-/// True if this kind of zero counts for the event.
+/// True if the event counts this kind of zero.
 fn matters(event: &Event<'_>, kind: Kind) -> bool {
     let direction = match event.effect {
         Effect::Domain => Direction::Falling,
@@ -190,7 +190,7 @@ fn matters(event: &Event<'_>, kind: Kind) -> bool {
 fn ends_run(event: &Event<'_>, found: Found) -> bool {
     match found.kind {
         Kind::Rising | Kind::Falling => event.effect != Effect::Record,
-        // The function was positive and is negative, though through infinity.
+        // The function was positive and is negative, though it went through infinity.
         Kind::Pole => event.effect == Effect::Domain && found.side < 0,
         Kind::Touch | Kind::AtStart | Kind::Undecided => false,
     }

@@ -1,15 +1,15 @@
-//! Work: the integral of a power along the accepted steps of a run, which does not change them.
+//! Work of a run: the integral of a power along its accepted steps, which it does not change.
 //!
-//! By Gauss–Legendre quadrature on the dense output, from sample to sample: NIST Digital Library of Mathematical
-//! Functions, §3.5(v). With five points its own error is of an order above that of every method but Taylor's, whose
-//! steps are a small part of what its series converges on.
+//! Gauss–Legendre quadrature on the dense output, from sample to sample: NIST Digital Library of Mathematical
+//! Functions, §3.5(v). With five points its error is of a higher order than that of every method except Taylor's, whose
+//! steps are a small part of the radius of convergence of its series.
 
 use tripos_traits::Real;
 
 use crate::rhs::RightHandSide;
 use crate::stepper::Interpolant;
 
-/// The points on [0, 1], and their weights.
+/// Points of Gauss–Legendre quadrature on [0, 1], with their weights.
 const POINTS: [(f64, f64); 5] = [
     (0.046_910_077_030_668_0, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
@@ -18,22 +18,22 @@ const POINTS: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
 
-/// Work done so far along a run.
+/// Work done so far along a run, J.
 pub(crate) struct Work<S> {
     /// Work, J, up to a place inside the current step.
     pub(crate) done: f64,
-    /// Fraction of the step at that place.
+    /// Fraction of the current step at that place.
     up_to: f64,
     y: Vec<S>,
 }
 
 impl<S: Real> Work<S> {
-    /// Creates it at a start; `None` if the equations state no power.
+    /// Creates the work of a run at its start, 0 J; `None` if the equations state no power.
     pub(crate) fn new<R: RightHandSide<S>>(rhs: &mut R, t: f64, y: &[S]) -> Option<Self> {
         rhs.power(t, y).map(|_| Self { done: 0.0, up_to: 0.0, y: y.to_vec() })
     }
 
-    /// Work done up to the fraction `to` of the step, J; it adds to that of the fraction asked for before.
+    /// Adds the work up to the fraction `to` of the step, and returns the work done so far, J.
     pub(crate) fn at<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, to: f64) -> f64 {
         let (t, t_new) = step.span();
         let (from, part) = (self.up_to, to - self.up_to);

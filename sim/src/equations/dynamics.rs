@@ -10,7 +10,7 @@ use crate::linear::{self, Shape, Unsolvable};
 use crate::rhs::RightHandSide;
 use crate::solution::Solution;
 
-/// One formulation of one model with its parameters.
+/// Equations of motion of a model in one formulation, with parameters, as a right-hand side.
 pub struct Dynamics<'a> {
     system: &'a dyn System<f64>,
     parameters: Vec<f64>,
@@ -20,11 +20,10 @@ pub struct Dynamics<'a> {
 }
 
 impl<'a> Dynamics<'a> {
-    /// `parameters` in the order of the model file.
+    /// Makes a right-hand side of a system, with `parameters` in the order of the model file.
     ///
     /// # Errors
-    /// [`SimError::Length`] or [`SimError::NotFinite`] if they are not the system's number of
-    /// finite values.
+    /// [`SimError::Length`] or [`SimError::NotFinite`] if the parameters are not the system's number of finite values.
     pub fn new(system: &'a dyn System<f64>, parameters: &[f64]) -> Result<Self, SimError> {
         check_length("parameters", system.lengths().parameters, parameters)?;
         if let Some(i) = parameters.iter().position(|p| !p.is_finite()) {
@@ -47,13 +46,13 @@ impl<'a> Dynamics<'a> {
         self
     }
 
-    /// The equations.
+    /// Equations of motion that this right-hand side evaluates.
     #[must_use]
     pub fn system(&self) -> &'a dyn System<f64> {
         self.system
     }
 
-    /// The parameters, in the order of the model file.
+    /// Values of the parameters, in the order of the model file.
     #[must_use]
     pub fn parameters(&self) -> &[f64] {
         &self.parameters
@@ -65,10 +64,10 @@ impl<'a> Dynamics<'a> {
         self.system.lengths().state()
     }
 
-    /// The state y = [q; v].
+    /// Joins coordinates and motion variables to a state y = [q; v].
     ///
     /// # Errors
-    /// [`SimError::Length`] if a length is not the system's.
+    /// [`SimError::Length`] if `q` or `v` does not have the system's length.
     pub fn state(&self, q: &[f64], v: &[f64]) -> Result<Vec<f64>, SimError> {
         check_length("coordinates", self.system.lengths().coordinates, q)?;
         check_length("motion variables", self.system.lengths().variables, v)?;
@@ -81,11 +80,11 @@ impl<'a> Dynamics<'a> {
         y.split_at(self.system.lengths().coordinates.min(y.len()))
     }
 
-    /// The unknowns x of A x = b at (q, v): v̇, then the reactions.
+    /// Solves for the unknowns x of A x = b at (q, v): v̇, then the reactions.
     ///
     /// # Errors
     /// [`Failure`] with the code `singular` if A is exactly singular or x overflows; `not-finite` if A or b is not
-    /// finite, saying which; `length` if q or v has the wrong length.
+    /// finite, with the entry; `length` if q or v has the wrong length.
     pub fn unknowns(&mut self, q: &[f64], v: &[f64]) -> Result<&[f64], Failure> {
         self.check_lengths(q, v)?;
         let (system, p, shape) = (self.system, self.parameters.as_slice(), self.shape());
@@ -96,8 +95,8 @@ impl<'a> Dynamics<'a> {
         }
     }
 
-    /// Reciprocal condition number of the matrix A(q, v), see [`linear::reciprocal_condition`]: 0 if it is singular,
-    /// and for lengths that are not the system's.
+    /// Reciprocal condition number of the matrix A(q, v), see [`linear::reciprocal_condition`]: 0 if A is singular, or
+    /// if `q` or `v` does not have the system's length.
     pub fn reciprocal_condition(&mut self, q: &[f64], v: &[f64]) -> f64 {
         if self.check_lengths(q, v).is_err() {
             return 0.0;
@@ -106,7 +105,7 @@ impl<'a> Dynamics<'a> {
         linear::reciprocal_condition(&self.matrix, self.system.lengths().unknowns())
     }
 
-    /// det A(q, v); not a number if A is not finite or a length is not the system's.
+    /// Determinant of A(q, v); not a number if A is not finite, or if `q` or `v` does not have the system's length.
     pub fn determinant(&mut self, q: &[f64], v: &[f64]) -> f64 {
         if self.check_lengths(q, v).is_err() {
             return f64::NAN;
@@ -115,7 +114,7 @@ impl<'a> Dynamics<'a> {
         linear::determinant(&self.matrix, self.system.lengths().unknowns())
     }
 
-    /// T + V at (q, v), in J; not a number if a length is not the system's.
+    /// Energy T + V at (q, v), J; not a number if `q` or `v` does not have the system's length.
     #[must_use]
     pub fn energy(&self, q: &[f64], v: &[f64]) -> f64 {
         if self.check_lengths(q, v).is_err() {
@@ -124,8 +123,8 @@ impl<'a> Dynamics<'a> {
         self.system.kinetic_energy(&self.parameters, q, v) + self.system.potential_energy(&self.parameters, q)
     }
 
-    /// Largest |E(t) − E(t0) − W(t)| over the samples of a solution and its end, in J, with the work W that it states:
-    /// E(t0) belongs to the first sample. Not a number if E is not a number anywhere.
+    /// Largest |E(t) − E(t0) − W(t)| over the samples of a solution and its end, J, with the work W that the solution
+    /// states. E(t0) is the energy of the first sample. Not a number if an energy is not a number.
     #[must_use]
     pub fn energy_drift(&self, solution: &Solution) -> f64 {
         let energy = |y: &Vec<f64>| {
@@ -147,7 +146,7 @@ impl<'a> Dynamics<'a> {
         }
     }
 
-    /// The right-hand side of the system must still be in place if something in it is not finite.
+    /// Makes the failure of a linear system. Its forcing must not be overwritten yet if an entry is not finite.
     fn failure(&self, why: Unsolvable) -> Failure {
         let matrix = match self.shape() {
             Shape::Symmetric => "mass matrix",
@@ -172,8 +171,8 @@ impl<'a> Dynamics<'a> {
     }
 }
 
-/// y' = [q̇; v̇], the accelerations from the linear system at each state; the time is not used. The Jacobian is that of
-/// the eliminated accelerations, where there are such.
+/// Right-hand side y' = [q̇; v̇] with accelerations from the linear system at each state; the time is not used. The
+/// Jacobian is that of the eliminated accelerations, if the system has these.
 impl RightHandSide<f64> for Dynamics<'_> {
     fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
         let (n, speeds) = (self.system.lengths().coordinates, self.system.lengths().variables);

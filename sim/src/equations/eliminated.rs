@@ -5,7 +5,7 @@ use tripos_traits::{Real, System};
 use crate::error::Failure;
 use crate::rhs::RightHandSide;
 
-/// y' = [q̇; v̇] by [`System::derivative`], with its exact Jacobian, in any kind of number.
+/// Right-hand side y' = [q̇; v̇] by [`System::derivative`], with its exact Jacobian, in any kind of number.
 ///
 /// The state is y = [q; v], as for [`crate::Dynamics`], which solves the linear system at each state instead.
 pub struct Eliminated<'a, S: Real = f64> {
@@ -13,12 +13,13 @@ pub struct Eliminated<'a, S: Real = f64> {
     parameters: Vec<S>,
     /// Working space of the Taylor coefficients.
     work: Vec<S>,
-    /// The matrix of the linear system, where one is asked for.
+    /// Matrix of the linear system, if it was asked for.
     matrix: Vec<S>,
 }
 
 impl<'a, S: Real> Eliminated<'a, S> {
-    /// `parameters` in the order of the model file; `None` for equations that were not solved for.
+    /// Makes a right-hand side of a system, with `parameters` in the order of the model file. `None` if accelerations
+    /// were not solved for, or if the number of parameters is wrong.
     #[must_use]
     pub fn new(system: &'a dyn System<S>, parameters: &[S]) -> Option<Self> {
         let fits = parameters.len() == system.lengths().parameters;

@@ -1,21 +1,21 @@
 //! Equations of motion with slopes along several directions, as a right-hand side.
 //!
-//! Invariant: values are those of [`crate::Eliminated`] bit by bit, so that a run takes the same steps. The slopes of
-//! the rates are f_y s + f_p p′, by one call of the same body.
+//! Invariant: values have the same bits as those of [`crate::Eliminated`], so that a run takes the same steps. The
+//! slopes of the rates are f_y s + f_p p′, by one call of the equations' body.
 
 use tripos_traits::{Flow, Scalar, Series, System, Tangent};
 
 use crate::error::Failure;
 use crate::rhs::RightHandSide;
 
-/// Right-hand side y' = [q̇; v̇] with slopes, and the constraints that a run of it is kept on.
+/// Right-hand side y' = [q̇; v̇] with slopes, and the constraints that its run is kept on.
 pub struct Tangents<'a, const K: usize> {
-    /// The equations in doubles, for divisors, slopes of constraints and the Jacobian, which have no slopes themselves.
+    /// Equations in doubles, for divisors, slopes of constraints and the Jacobian, which have no slopes themselves.
     system: &'a dyn System<f64>,
     flow: &'a dyn Flow<Tangent<K>>,
     series: Option<&'a dyn Series<Tangent<K>>>,
     parameters: Vec<Tangent<K>>,
-    /// The parameters, without slopes.
+    /// Values of the parameters, without slopes.
     values: Vec<f64>,
     work: Vec<Tangent<K>>,
     state: Vec<f64>,
@@ -23,8 +23,8 @@ pub struct Tangents<'a, const K: usize> {
 }
 
 impl<'a, const K: usize> Tangents<'a, K> {
-    /// Creates the right-hand side from `parameters` in the order of the model file, with their slopes. `None` for
-    /// equations that were not solved for accelerations, or for another number of parameters.
+    /// Creates the right-hand side from `parameters` in the order of the model file, with their slopes. `None` if the
+    /// accelerations of the equations were not solved for, or if the number of parameters is wrong.
     #[must_use]
     pub fn new(
         system: &'a dyn System<f64>,

@@ -1,9 +1,9 @@
-//! Instants at which a right-hand side has a corner or a jump in time. Steps end there, and each step sees its own
-//! side.
+//! Instants at which a right-hand side has a corner or a jump in time. Steps end there, and each step sees only the
+//! right-hand side on its own side of the corner.
 //!
 //! If such an instant depends on a variable along which slopes are taken, the slopes of the state jump there. Before
 //! and after it the state is y(t, p). With a right-hand side that jumps from f⁻ to f⁺ at t(p), the slopes change by (f⁻
-//! − f⁺) dt/dp. Slopes of a right-hand side that only bends are those of the side of the step.
+//! − f⁺) dt/dp. If a right-hand side only bends, its slopes are those on the side of the step.
 
 use crate::error::Failure;
 use crate::rhs::{Pulled, RightHandSide, Transposed};
@@ -15,9 +15,9 @@ use tripos_traits::Real;
 pub struct Corner {
     /// Time of the corner, s.
     pub at: f64,
-    /// True if the right-hand side jumps there: steps to and from it see their own side, at 8 ulp of t from it.
+    /// True if the right-hand side jumps there: steps to and from the corner see their own side, at 8 ulp of t from it.
     pub jumps: bool,
-    /// Derivative of the instant along each direction along which the state carries slopes.
+    /// Derivative of the corner's time along each direction along which the state carries slopes.
     pub moves: [f64; DIRECTIONS],
 }
 
@@ -25,29 +25,29 @@ pub struct Corner {
 pub const DIRECTIONS: usize = 4;
 
 impl Corner {
-    /// A corner that stays where it is.
+    /// Makes a corner whose time depends on nothing.
     #[must_use]
     pub const fn still(at: f64, jumps: bool) -> Self {
         Self { at, jumps, moves: [0.0; DIRECTIONS] }
     }
 }
 
-/// Intervals of time in which a right-hand side is one function.
+/// Intervals of time in which a right-hand side is one smooth function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sides {
-    /// Interval between the neighbouring jumps, its ends just inside.
+    /// Interval between the neighbouring jumps, s; its ends are just inside.
     pub(crate) values: (f64, f64),
-    /// Interval between the neighbouring corners of any kind, its ends just inside: there the slopes are one function,
-    /// too.
+    /// Interval between the neighbouring corners of any kind, s; its ends are just inside. There the slopes are one
+    /// function, too.
     pub(crate) slopes: (f64, f64),
 }
 
-/// The corners of a run, and how many of them are behind it.
+/// Corners of a run, and the number of those that it has passed.
 #[derive(Clone, Default)]
 pub(crate) struct Corners {
-    /// In the order in which the run comes to them.
+    /// Corners in the order in which the run comes to them.
     all: Vec<Corner>,
-    /// 1 for a run forwards in time, −1 for one backwards.
+    /// Direction of the run: 1 forwards in time, −1 backwards.
     toward: f64,
     end: f64,
     behind: usize,
@@ -61,15 +61,15 @@ impl Corners {
         Self { all, toward, end: t1, behind: 0 }
     }
 
-    /// Passes all corners before `t`, at it, or beyond it by less than the smallest step. `None` if there are none;
-    /// else the derivatives of the instant of a jump among them, zeros if no jump moves.
+    /// Passes all corners before `t`, at it, or beyond it by less than the smallest step; `None` if there are none.
+    /// Returns the derivatives of the instant of a jump that moves, or zeros if no jump moves.
     pub(crate) fn pass(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
         let passed = self.passed(t);
         let moved = passed.iter().find(|corner| corner.jumps && corner.moves.iter().any(|by| *by != 0.0));
         (!passed.is_empty()).then(|| moved.map_or([0.0; DIRECTIONS], |corner| corner.moves))
     }
 
-    /// Passes the same corners as [`Self::pass`], and returns them.
+    /// Passes the same corners as [`Self::pass`], and returns these corners.
     pub(crate) fn passed(&mut self, t: f64) -> &[Corner] {
         let before = self.behind;
         let least = smallest_step(t);
@@ -90,9 +90,9 @@ impl Corners {
         Sides { values: self.between(|corner| corner.jumps), slopes: self.between(|_| true) }
     }
 
-    /// Interval between the neighbouring corners that satisfy `is_meant`, its ends half the smallest step inside.
+    /// Interval between the neighbouring corners that satisfy `is_meant`; its ends are half the smallest step inside.
     fn between(&self, is_meant: impl Fn(&Corner) -> bool) -> (f64, f64) {
-        // Beyond what an argument such as `k*t - a` rounds to.
+        // Farther from the corner than the rounding error of an argument such as `k*t - a`.
         let beside = |corner: &Corner, toward: f64| corner.at + toward * smallest_step(corner.at) / 2.0;
         let (behind, ahead) = self.all.split_at(self.behind);
         let behind = behind.iter().rfind(|corner| is_meant(corner)).map(|corner| beside(corner, self.toward));
@@ -105,12 +105,12 @@ impl Corners {
 /// A right-hand side between two corners. At a jump it has the value just inside, at a bend the slopes just inside.
 pub(crate) struct Between<'a, R, S> {
     rhs: &'a mut R,
-    /// The component of the state that is the time.
+    /// Index of the state's component that is the time.
     clock: Option<usize>,
     sides: Sides,
-    /// A state of which the time is inside.
+    /// Copy of a state, with its time moved inside the interval.
     state: Vec<S>,
-    /// Values of which the slopes are wanted.
+    /// Values whose slopes are taken, computed inside the interval.
     beside: Vec<S>,
 }
 
@@ -119,12 +119,12 @@ impl<'a, R, S: Real> Between<'a, R, S> {
         Self { rhs, clock, sides, state: Vec::new(), beside: Vec::new() }
     }
 
-    /// Continues between other corners.
+    /// Sets the interval to that between two other corners.
     pub(crate) fn go_on(&mut self, sides: Sides) {
         self.sides = sides;
     }
 
-    /// Asks the right-hand side at an instant and a state that are inside.
+    /// Evaluates the right-hand side at an instant and a state whose time is moved inside the interval.
     #[inline]
     fn ask<T>(&mut self, t: f64, y: &[S], question: impl FnOnce(&mut R, f64, &[S]) -> T) -> T {
         self.ask_inside(self.sides.values, t, y, question)
@@ -149,8 +149,8 @@ impl<'a, R, S: Real> Between<'a, R, S> {
         question(self.rhs, inside, &self.state)
     }
 
-    /// Gives values the slopes of this side of a corner, if they were computed at one: at `t`, or at the time in the
-    /// state.
+    /// Gives `values` the slopes of this side of a corner, if they were computed at a corner: at `t`, or at the time in
+    /// the state.
     #[inline]
     fn turn(&mut self, t: f64, y: &[S], values: &mut [S], again: impl FnOnce(&mut R, f64, &[S], &mut [S])) {
         let (low, high) = self.sides.slopes;
@@ -168,7 +168,8 @@ impl<'a, R, S: Real> Between<'a, R, S> {
 }
 
 impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
-    /// Continues between other corners from a state at `t`, of which the slopes change if the jump between moves.
+    /// Enters the interval between other corners from a state at `t`. The slopes of the state change if the jump
+    /// between the intervals moves.
     pub(crate) fn enter(&mut self, sides: Sides, (t, y): (f64, &mut [S]), moves: &[f64; DIRECTIONS]) {
         let is_moved = S::SLOPES > 0 && moves.iter().any(|by| *by != 0.0);
         let before = is_moved.then(|| self.rates(t, y));
@@ -183,7 +184,7 @@ impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
         }
     }
 
-    /// Computes y′ in doubles; not a number where f has no value.
+    /// Computes y′ in doubles; not a number if f has no value.
     fn rates(&mut self, t: f64, y: &[S]) -> Vec<f64> {
         let mut rates = vec![S::from_f64(0.0); y.len()];
         match self.rhs(t, y, &mut rates) {
@@ -194,12 +195,13 @@ impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
 }
 
 impl<R: Transposed> Between<'_, R, f64> {
-    /// [`Transposed::pull`], on this side of the corners around.
+    /// Pulls weights back as [`Transposed::pull`] does, with the right-hand side of this interval between corners.
     pub(crate) fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure> {
         self.ask_inside(self.sides.slopes, t, y, |rhs, t, y| rhs.pull(t, y, weights, to))
     }
 
-    /// [`Transposed::pull_constraints`], likewise.
+    /// Pulls weights of constraints back as [`Transposed::pull_constraints`] does, with the constraints of this
+    /// interval.
     pub(crate) fn pull_constraints(
         &mut self,
         t: f64,
@@ -211,7 +213,7 @@ impl<R: Transposed> Between<'_, R, f64> {
     }
 }
 
-/// Gives numbers the slopes of others.
+/// Replaces the slopes of `numbers` by those of `of`; the values stay.
 pub(crate) fn turn<S: Real>(numbers: &mut [S], of: &[S]) {
     for (number, of) in numbers.iter_mut().zip(of) {
         for at in 0..S::SLOPES {

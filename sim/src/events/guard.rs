@@ -1,13 +1,13 @@
-//! Watches the divisors of the equations, so that no step leads across a place where they have no value.
+//! Guard of the divisors of equations, so that no step leads across a place where the equations have no value.
 //!
-//! Invariant: the steps are those of a run that nobody watches, up to where one changes the sign of a divisor. The
-//! divisors are looked at once an accepted step; what may have happened inside is found on the dense output.
+//! Invariant: the steps are those of a run without a guard, up to the step that changes the sign of a divisor. The
+//! divisors are evaluated once for each accepted step; zeros inside it are found on the dense output.
 //!
 //! A divisor may touch zero without a change of sign, such as the distance of two points that meet. The run ends there
 //! if f jumps, as a force along the line between the points does. It goes on if f is continuous.
 //!
-//! A divisor can be missed that reaches zero and turns back within a step, if it did not move towards zero in the step
-//! before.
+//! The guard can miss a divisor that reaches zero and turns back within a step, if the divisor did not move towards
+//! zero in the step before.
 
 use tripos_traits::{Real, larger};
 
@@ -18,39 +18,39 @@ use crate::stepper::Interpolant;
 /// A divisor that is zero inside a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Zero {
-    /// Its place among the divisors.
+    /// Index of the divisor.
     pub(crate) divisor: usize,
-    /// The fraction of the step.
+    /// Fraction of the step at which the divisor is zero.
     pub(crate) theta: f64,
 }
 
 /// Distances from a zero at which f is checked, as fractions of a step.
 const NEAR: [f64; 3] = [1e-4, 1e-8, 1e-12];
-/// Distances from a zero at which f is compared on both sides, as fractions of a step: a jump does not shrink from one
-/// to the next.
+/// Distances from a zero at which f is compared on both sides, as fractions of a step: a jump does not shrink from the
+/// first to the second.
 const SIDES: [f64; 2] = [1e-4, 1e-6];
-/// Largest divisor that counts as touching zero, over its size at the ends of the step; the divisor may be a square.
+/// Largest divisor that counts as touching zero, over its size at the ends of the step. The divisor may be a square.
 const TOUCHED: f64 = 1e-12;
-/// Least change of f across a zero that counts as a jump, over the largest component of f; divided rounding errors stay
-/// below it.
+/// Smallest change of f across a zero that counts as a jump, over the largest component of f. Divided rounding errors
+/// stay below it.
 const JUMP: f64 = 1e-7;
-/// Factor by which f may be larger next to a zero than elsewhere in the step.
+/// Factor by which f may be larger next to a zero of a divisor than elsewhere in the step.
 const LARGE: f64 = 100.0;
-/// A component of f that is smaller than this part of the largest is as large as that.
+/// Fraction of the largest component of f that a smaller component is raised to before it is compared.
 const SMALL: f64 = 1e-9;
 
-/// The divisors of a run.
+/// Guard of a run's divisors, with its memory from step to step.
 pub(crate) struct Guard<S> {
     /// Divisors at the start of the step before, at the start of this step, and at its end.
     values: [Vec<f64>; 3],
-    /// The length of the step before, s; none before the first.
+    /// Length of the step before, s; `None` in the first step.
     before: Option<f64>,
     out: Vec<S>,
     y: Vec<S>,
 }
 
 impl<S: Real> Guard<S> {
-    /// Over the divisors of these equations, from a start.
+    /// Creates the guard of these equations' divisors at the start of a run.
     pub(crate) fn new<R: RightHandSide<S>>(rhs: &mut R, t: f64, y: &[S]) -> Self {
         let count = rhs.divisor_count();
         let zeros = || vec![0.0; count];
@@ -62,12 +62,12 @@ impl<S: Real> Guard<S> {
         guard
     }
 
-    /// True if there are no divisors to watch.
+    /// True if the equations have no divisors.
     pub(crate) fn is_empty(&self) -> bool {
         self.out.is_empty()
     }
 
-    /// Evaluates the divisors at the end of an accepted step. True if one may have been zero inside.
+    /// Evaluates the divisors at the end of an accepted step; true if one may have been zero inside.
     pub(crate) fn suspects<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>) -> bool {
         let (t, t_new) = step.span();
         self.y.copy_from_slice(step.ends().1);
@@ -75,7 +75,7 @@ impl<S: Real> Guard<S> {
         (0..self.out.len()).any(|at| self.is_suspect(at, t_new - t))
     }
 
-    /// The first zero of a divisor inside a step that is suspected.
+    /// Finds the first zero of a divisor inside a suspected step; `None` if no divisor is zero there.
     pub(crate) fn zero<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>) -> Option<Zero> {
         let (t, t_new) = step.span();
         let suspects: Vec<usize> = (0..self.out.len()).filter(|at| self.is_suspect(*at, t_new - t)).collect();
@@ -86,7 +86,7 @@ impl<S: Real> Guard<S> {
         found.min_by(|a, b| a.theta.total_cmp(&b.theta))
     }
 
-    /// Goes on to the next step.
+    /// Goes on to the next step after a step of this length, s.
     pub(crate) fn accept(&mut self, length: f64) {
         self.values.rotate_left(1);
         self.before = Some(length);
@@ -102,7 +102,7 @@ impl<S: Real> Guard<S> {
         (end < 0.0) != (start < 0.0) || end == 0.0 || (goes_on < 0.0) != (start < 0.0)
     }
 
-    /// The first zero of a suspect; none if it only came near, or passed through a pole.
+    /// Fraction of the step of a suspected divisor's first zero; `None` if it only came near, or passed through a pole.
     fn locate<R: RightHandSide<S>>(
         &mut self,
         rhs: &mut R,
@@ -121,7 +121,7 @@ impl<S: Real> Guard<S> {
         let bottom = if end * side <= 0.0 {
             (1.0, end * side)
         } else {
-            // A point without a value is nothing that a divisor reaches.
+            // A point without a value is not a minimum.
             root::minimum(&mut value, (0.0, 1.0), 0.0).ok().filter(|(_, least)| *least <= touched)?
         };
         if bottom.1 > 0.0 {
@@ -136,7 +136,7 @@ impl<S: Real> Guard<S> {
 
     /// True if f stays as large next to a zero of a divisor as it is elsewhere in the step, and does not jump there.
     /// The dividend is then zero, too, and the motion passes. That needs exact zeros, such as a speed that no force
-    /// changes: errors of any size would be divided as well.
+    /// changes: an error of the dividend would be divided as well.
     fn is_passed<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, zero: f64) -> bool {
         let (t, t_new) = step.span();
         let mut rates = |theta: f64| {
@@ -167,7 +167,7 @@ impl<S: Real> Guard<S> {
         is_smooth && far.len() == 2 && next_to.into_iter().all(|theta| rates(theta).map(sizes).is_some_and(is_bounded))
     }
 
-    /// Evaluates the divisors at `self.y`, as those of the end of a step.
+    /// Evaluates the divisors at `self.y`, as the divisors at the end of a step.
     fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) {
         rhs.divisors(t, &self.y, &mut self.out);
         for (value, out) in self.values[2].iter_mut().zip(&self.out) {

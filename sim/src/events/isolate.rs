@@ -1,8 +1,8 @@
-//! Parts of a step on each of which ranges tell the behaviour of an event function.
+//! Division of a step into parts on which ranges decide the behaviour of an event function.
 //!
-//! A part is halved until its range excludes 0, so that nothing happens in it; or the range of its slope does, so that
-//! at most one zero is in it; or it is as narrow as [`resolution`] says; or its range is no wider than rounding makes
-//! it. Work is counted: what [`MOST`] ranges do not tell stays open.
+//! A part is halved until one of four conditions holds. Its range excludes 0, so that nothing happens in it; or the
+//! range of its slope does, so that at most one zero is in it; or it is as narrow as [`resolution`]; or its range is no
+//! wider than rounding makes it. Work is counted: a part that is not decided after [`MOST`] ranges stays open.
 
 use tripos_traits::{Enclosure, Interval};
 
@@ -10,27 +10,27 @@ use super::RangeFunction;
 use super::samples::{Probe, Sign};
 use crate::polynomial::Polynomial;
 
-/// The narrowest part, as a fraction of the step.
+/// Width of the narrowest part, as a fraction of the step: 2⁻⁴⁰.
 const NARROW: f64 = 1.0 / 1_099_511_627_776.0;
-/// Ranges that a step of one event may take.
+/// Largest number of ranges that are computed in a step for one event.
 const MOST: u32 = 4096;
-/// Ranges after which a function that is zero within rounding wherever it is looked at is taken for one that stays so.
+/// Number of ranges after which the search gives up on a function that is zero within rounding at all open parts.
 const ENOUGH: u32 = 128;
 
-/// Behaviour of the function on a part, as far as it is known.
+/// Known behaviour of an event function on a part of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Known {
-    /// The function is on this side of zero.
+    /// The function is on this side of zero everywhere.
     Clear(Sign),
-    /// It is finite and rises or falls: one zero where its signs at the ends differ, none where they do not.
+    /// The function is finite and rises or falls: one zero if its signs at the ends differ, none if they agree.
     Monotone,
-    /// Unknown: no narrower part would tell more.
+    /// The behaviour is unknown, and no narrower part would decide it.
     Unknown,
-    /// Undecided so far: the part is to be halved.
+    /// The behaviour is undecided so far: the part is to be halved.
     Open,
 }
 
-/// Part of a step, from one fraction of it to another.
+/// Part of a step, from one fraction of the step to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Part {
     pub(crate) from: f64,
@@ -42,12 +42,12 @@ pub(crate) struct Part {
 pub(crate) struct Ranges<'p, 'f> {
     pub(crate) polynomial: &'p mut Polynomial,
     pub(crate) function: &'p mut RangeFunction<'f>,
-    /// Room for a state.
+    /// Space for the ranges of a state.
     pub(crate) y: &'p mut Vec<Enclosure>,
 }
 
 impl Ranges<'_, '_> {
-    /// The function from one fraction of the step to another, and its slope by that fraction.
+    /// Range of the function from one fraction of the step to another, and of its slope by that fraction.
     pub(crate) fn over(&mut self, from: f64, to: f64) -> Enclosure {
         self.polynomial.state(from, to, self.y);
         (self.function)(self.polynomial.time(from, to), self.y)
@@ -60,7 +60,7 @@ impl Ranges<'_, '_> {
     }
 }
 
-/// The parts of a step in order, and where the function first had no value; no part begins there or beyond.
+/// Parts of a step in order, and the fraction at which the function first had no value; no part begins there or later.
 pub(crate) struct Isolation {
     pub(crate) parts: Vec<Part>,
     pub(crate) cut: Option<f64>,
@@ -73,7 +73,7 @@ impl Isolation {
         ends.filter(|theta| self.cut.is_none_or(|cut| *theta < cut))
     }
 
-    /// The side that the function is on all the time, if that is known.
+    /// Side on which the function is in the whole step; `None` if it is not known to be on one side.
     pub(crate) fn side(&self) -> Option<Sign> {
         match self.parts[..] {
             [Part { known: Known::Clear(side), .. }] if self.cut.is_none() => Some(side),
@@ -82,12 +82,12 @@ impl Isolation {
     }
 }
 
-/// The narrowest part that is halved no more, as a fraction of the step: 2⁻⁴⁰ of it, or 8 ε of the time.
+/// Width of the narrowest part of a step that is not halved: 2⁻⁴⁰, or 8 ε of the time over the step if that is more.
 pub(crate) fn resolution((start, end): (f64, f64)) -> f64 {
     NARROW.max(8.0 * f64::EPSILON * start.abs().max(end.abs()) / (end - start).abs())
 }
 
-/// Divides a step into parts.
+/// Divides a step into parts on which the behaviour of an event function is known.
 pub(crate) fn isolate(probe: &mut Probe<'_>, ranges: &mut Ranges<'_, '_>) -> Isolation {
     let narrow = resolution(probe.step.times());
     let mut search = Search { probe, ranges, narrow, spent: 0, cut: f64::INFINITY, steady: false };
@@ -100,7 +100,7 @@ pub(crate) fn isolate(probe: &mut Probe<'_>, ranges: &mut Ranges<'_, '_>) -> Iso
     Isolation { parts: joined(&parts), cut: cut.is_finite().then_some(cut) }
 }
 
-/// Joins neighbouring parts of which the same is known, except monotone and open ones.
+/// Joins neighbouring parts with the same known behaviour, except monotone and open parts.
 fn joined(parts: &[Part]) -> Vec<Part> {
     let mut list: Vec<Part> = Vec::new();
     for part in parts {
@@ -118,11 +118,11 @@ struct Search<'s, 'p, 'r, 'q, 'f> {
     probe: &'s mut Probe<'p>,
     ranges: &'r mut Ranges<'q, 'f>,
     narrow: f64,
-    /// Number of ranges so far.
+    /// Number of ranges that were computed so far.
     spent: u32,
-    /// The first fraction at which the function was seen to have no value.
+    /// First fraction of the step at which the function has no value; infinite if it has one everywhere.
     cut: f64,
-    /// True once a function that stays at zero has been looked for.
+    /// True once it was checked if the function stays at zero.
     steady: bool,
 }
 
@@ -140,8 +140,8 @@ impl Search<'_, '_, '_, '_, '_> {
         Part { from, to, known }
     }
 
-    /// Judges a part by g(x) = g(m) + g'(ξ) (x − m) with the middle m; its overestimate falls with the square of the
-    /// width.
+    /// Judges a part by g(x) = g(m) + g'(ξ) (x − m) with the middle m. The overestimate of this form falls with the
+    /// square of the width.
     fn judge_about_middle(&mut self, from: f64, to: f64, over: Enclosure) -> Known {
         let middle = f64::midpoint(from, to);
         if over.value.is_undefined() && self.probe.at(middle).is_nan() {
@@ -180,7 +180,7 @@ impl Search<'_, '_, '_, '_, '_> {
         finer
     }
 
-    /// True if more ranges are not worth their cost.
+    /// True if further ranges are not worth their cost.
     fn gives_up(&mut self, parts: &[Part]) -> bool {
         if self.spent >= ENOUGH && !self.steady {
             self.steady = true;

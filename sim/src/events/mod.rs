@@ -1,35 +1,35 @@
 //! Events: instants at which a function of time and state passes through zero.
 //!
 //! An event is located on the dense output, so that watching does not change a single step.
-//! Conventions, the same in both directions of time:
+//! These conventions hold in both directions of time:
 //! - *Crossing*: the function changes sign. "Rising" means from negative to positive *as the run
 //!   proceeds*, also when it proceeds backward in time.
-//! - *Touch*: it reaches zero within rounding and returns to the side it came from. A touch is
-//!   recorded whatever the event's direction, and never ends a run.
-//! - *At the start*: it is zero within rounding at the start. That is recorded, and is no crossing.
+//! - *Touch*: the function reaches zero within rounding and returns to the side it came from. A touch is
+//!   recorded for any direction of the event, and never ends a run.
+//! - *At the start*: the function is zero within rounding at the start. That is recorded, and is no crossing.
 //!   The event happens when the function next changes sign.
-//! - Reaching zero and staying there counts as a crossing, at the instant of arrival.
+//! - A function that reaches zero and stays there crosses zero at the instant of arrival.
 //! - A function value that is not a number ends the run with the code `event-not-a-number`, at the
 //!   last step before it, unless a terminal event comes first. Infinite values are fine.
 //!
 //! "Within rounding" is measured: the change of the function when each component of the state and
 //! the time move by their rounding error.
 //!
-//! A function that changes sign through infinity does not cross zero: that is recorded as a *pole*, and ends the run
-//! where it leaves a domain.
+//! A function that changes sign through infinity does not cross zero: that is recorded as a *pole*. A pole ends the run
+//! if it leaves a domain.
 //!
-//! Where an event brings ranges ([`Event::with_ranges`]), no crossing is missed and none is counted twice. The step is
-//! divided until each part has a range without 0, or a slope of one sign, so that both crossings of a pair are found
-//! however close they are, down to 2⁻⁴⁰ of the step, or 8 ε of the time where that is longer, and down to where
-//! rounding alone makes the function vanish. There a change of sign counts as one crossing; a return to the same side
-//! is a touch where |g| comes down to zero within rounding, which may be two crossings that rounding hides, and is
-//! recorded as [`Kind::Undecided`] where it does not. A function that 4096 ranges of one step do not tell is undecided
-//! there, too: once a step. It never ends a run, but a run that it might have ended warns.
+//! If an event has ranges ([`Event::with_ranges`]), no crossing is missed and none is counted twice. The step is
+//! divided until each part has a range without 0, or a slope of one sign. So both crossings of a pair are found,
+//! however close they are, down to 2⁻⁴⁰ of the step, or 8 ε of the time if that is longer. Below this resolution, or
+//! where rounding alone makes the function vanish, a change of sign counts as one crossing. A return to the same side
+//! is then a touch if |g| comes down to zero within rounding; it may be two crossings that rounding hides. If |g| does
+//! not, it is recorded as [`Kind::Undecided`]. So is a function that 4096 ranges of one step do not decide, once a
+//! step. An undecided place never ends a run, but the run warns if it might have ended there.
 //!
-//! Without ranges, as with a closure alone, and in runs by quadrature, whose steps are no polynomials in time, the
-//! function is sampled at every eighth of a step. Where the polynomial through the samples has extrema between them, it
-//! is sampled there too, and a minimum of |g| that might reach zero is sought. Two crossings, or a touch, between
-//! samples are therefore mostly found. Three crossings within a sixteenth of a step can be missed, and so can a
+//! Without ranges the function is sampled at every eighth of a step. This holds for a closure alone, and in runs by
+//! quadrature, whose steps are no polynomials in time. If the polynomial through the samples has extrema between them,
+//! the function is sampled there too. A minimum of |g| that might reach zero is sought. So most pairs of crossings, or
+//! touches, between samples are found. Three crossings within a sixteenth of a step can be missed, and so can a
 //! function with a much shorter wavelength than the solution; `max_step` helps there.
 
 pub(crate) mod corners;
@@ -43,42 +43,42 @@ pub(crate) mod walk;
 use std::fmt;
 use tripos_traits::{Direction, Enclosure};
 
-/// Effect of a crossing on the run.
+/// Effect of an event's crossing on the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Effect {
-    /// It is recorded, and the run goes on.
+    /// The crossing is recorded, and the run goes on.
     Record,
-    /// It ends the run, [`crate::Stop::Event`].
+    /// The crossing ends the run with [`crate::Stop::Event`].
     Terminal,
-    /// The equations hold only where the function is positive: crossing ends the run,
-    /// [`crate::Stop::LeftDomain`]. A start at which it is negative ends it with [`crate::Stop::StartsOutside`], before
-    /// any step. A start at exactly zero is watched from the next instant on.
+    /// The equations hold only where the function is positive: a crossing ends the run with
+    /// [`crate::Stop::LeftDomain`]. A start at which it is negative ends the run with [`crate::Stop::StartsOutside`],
+    /// before any step. A start at exactly zero is watched from the next instant on.
     Domain,
 }
 
-/// g(t, y): a function of time in s and of the state.
+/// Event function g(t, y) of the time, s, and the state.
 pub type EventFunction<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// g over a stretch of the step: the range of its values and of its slopes, from those of time and state by one and the
-/// same variable.
+/// Event function g over a part of a step: the range of its values and of its slopes by one variable, from those of
+/// time and state by the same variable.
 pub type RangeFunction<'a> = Box<dyn FnMut(Enclosure, &[Enclosure]) -> Enclosure + 'a>;
 
-/// An event function in ranges.
+/// An event function in ranges, with the components of the state that it needs.
 pub struct InRanges<'a> {
-    /// The function.
+    /// Event function over ranges of time and state.
     pub function: RangeFunction<'a>,
-    /// The components of the state that it depends on; it is given no others. All unless they are named.
+    /// Components of the state that the function depends on, and the only ones that it is given; `None` gives all.
     pub components: Option<Vec<usize>>,
 }
 
 /// A function of time and state, and the meaning of its zeros.
 pub struct Event<'a> {
-    /// The name by which it is reported.
+    /// Name by which the event is reported.
     pub name: String,
-    /// The function. Called at many points of a step, out of order; it should be smooth where it is
+    /// Event function g(t, y). It is called at many points of a step, out of order, and should be smooth where it is
     /// zero.
     pub function: EventFunction<'a>,
-    /// Its ranges, if they can be had; without them the function is sampled.
+    /// Event function in ranges; `None` lets the function be sampled.
     pub ranges: Option<InRanges<'a>>,
     /// Direction of the crossings that count.
     pub direction: Direction,
@@ -87,7 +87,7 @@ pub struct Event<'a> {
 }
 
 impl<'a> Event<'a> {
-    /// An event that is recorded at each crossing of `function` in `direction`.
+    /// Makes an event that is recorded at each crossing of `function` in `direction`.
     pub fn recorded(
         name: impl Into<String>,
         direction: Direction,
@@ -97,7 +97,7 @@ impl<'a> Event<'a> {
         Self { name: name.into(), function, ranges: None, direction, effect: Effect::Record }
     }
 
-    /// An event that ends the run at the first crossing of `function` in `direction`.
+    /// Makes an event that ends the run at the first crossing of `function` in `direction`.
     pub fn terminal(
         name: impl Into<String>,
         direction: Direction,
@@ -106,12 +106,12 @@ impl<'a> Event<'a> {
         Self { effect: Effect::Terminal, ..Self::recorded(name, direction, function) }
     }
 
-    /// A condition of validity: the run ends where `function` ceases to be positive.
+    /// Makes a condition of validity: the run ends where `function` ceases to be positive.
     pub fn domain(name: impl Into<String>, function: impl FnMut(f64, &[f64]) -> f64 + 'a) -> Self {
         Self { effect: Effect::Domain, ..Self::recorded(name, Direction::Falling, function) }
     }
 
-    /// The event with its function in ranges, so that no crossing is missed.
+    /// Adds the event's function in ranges, so that no crossing is missed.
     ///
     /// ```
     /// use tripos_sim::{Direction, Event, Options, integrate};
@@ -147,33 +147,33 @@ impl fmt::Debug for Event<'_> {
 /// Behaviour of an event function at the time of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// It went from negative to positive.
+    /// The function went from negative to positive.
     Rising,
-    /// It went from positive to negative.
+    /// The function went from positive to negative.
     Falling,
-    /// It reached zero and returned to the side it came from.
+    /// The function reached zero and returned to the side it came from.
     Touch,
-    /// It was zero when the run began.
+    /// The function was zero when the run began.
     AtStart,
-    /// It changed sign through infinity.
+    /// The function changed sign through infinity.
     Pole,
-    /// It comes so close to zero, or varies so fast, that neither rounding nor the work allowed tells whether it
-    /// crosses there.
+    /// The function comes so close to zero, or varies so fast, that it is not decided whether it crosses there. The
+    /// limit is rounding, or the allowed number of ranges.
     Undecided,
 }
 
-/// An event that happened.
+/// Record of an event that happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EventRecord {
-    /// Position of the event in the list that was watched.
+    /// Position of the event in the list of the run's events.
     pub event: usize,
-    /// Its name.
+    /// Name of the event.
     pub name: String,
-    /// Time, in s: exact to the rounding of the step's times.
+    /// Time of the event, s: exact to the rounding of the step's times.
     pub t: f64,
-    /// State at that time, from the dense output.
+    /// State at the time of the event, from the dense output.
     pub y: Vec<f64>,
-    /// Behaviour of the function at that time.
+    /// Behaviour of the event function at that time.
     pub kind: Kind,
     /// True if the event ended the run.
     pub terminal: bool,

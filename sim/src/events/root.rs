@@ -3,14 +3,14 @@
 //! Invariant: an iteration keeps a bracket and ends by itself; no input makes it loop. A value that
 //! is not a number is handed back as [`NotANumber`].
 
-/// The function has no value at this point.
+/// Error of a search: the function has no value at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct NotANumber {
     /// Argument at which the function has no value.
     pub(crate) at: f64,
 }
 
-/// A point and the value there.
+/// A point (x, f(x)) of a function.
 pub(crate) type Point = (f64, f64);
 
 fn value(f: &mut impl FnMut(f64) -> f64, x: f64) -> Result<f64, NotANumber> {
@@ -18,8 +18,8 @@ fn value(f: &mut impl FnMut(f64) -> f64, x: f64) -> Result<f64, NotANumber> {
     if y.is_nan() { Err(NotANumber { at: x }) } else { Ok(y) }
 }
 
-/// A zero between two points with values of opposite sign, to within `tolerance` or the spacing of
-/// numbers; the end of the final bracket at which |f| is smaller.
+/// Finds a zero between two points with values of opposite sign, to within `tolerance` or the spacing of numbers.
+/// Returns the end of the final bracket at which |f| is smaller.
 ///
 /// Bisection safeguards a secant through the bracket's ends with the Illinois modification;
 /// infinite values only bisect. G. Dahlquist & Å. Björck, *Numerical Methods* (1974), §6.4.
@@ -40,7 +40,7 @@ pub(crate) fn zero(
         let (fa, fb) = (a.1 * weight_a, b.1 * weight_b);
         let secant = b.0 - fb * (width / (fb - fa));
         let inside = (secant - a.0) * (secant - b.0) < 0.0;
-        // Every third point is the middle, so that the bracket shrinks whatever the function does.
+        // Every third point is the middle, so that the bracket shrinks for any function.
         let x = if inside && iteration % 3 != 2 { secant } else { a.0 + 0.5 * width };
         if (x - a.0) * (x - b.0) >= 0.0 {
             break;
@@ -59,7 +59,7 @@ pub(crate) fn zero(
     Ok(if a.1.abs() < b.1.abs() { a.0 } else { b.0 })
 }
 
-/// A minimum of `f` inside (`low`, `high`); ends early once the value is below `enough`.
+/// Finds a minimum of `f` inside (`low`, `high`); ends early once the value is below `enough`.
 ///
 /// Golden sections with a parabola through the three best points where it helps; R. P. Brent,
 /// *Algorithms for Minimization without Derivatives* (1973), ch. 5.
@@ -114,7 +114,7 @@ pub(crate) fn minimum(
     Ok(x)
 }
 
-/// From `x` to the vertex of the parabola through three points, if they define one.
+/// Distance from `x` to the vertex of the parabola through three points; `None` if they define no parabola.
 fn vertex(x: Point, v: Point, w: Point) -> Option<f64> {
     let r = (x.0 - v.0) * (x.1 - w.1);
     let q = (x.0 - w.0) * (x.1 - v.1);

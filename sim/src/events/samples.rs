@@ -1,14 +1,14 @@
-//! Samples of an event function in one step, and their evidence of the places between.
+//! Samples of an event function in one step, and the evidence that they give between the samples.
 
 use std::iter::once;
 
 use super::root::NotANumber;
 use crate::stepper::DenseStep;
 
-/// −1, 0 or 1: below, within rounding of, or above zero.
+/// Sign of an event function: −1 below zero, 0 within rounding of zero, 1 above zero.
 pub(crate) type Sign = i8;
 
-/// The sign of `g`, where up to `tolerance` is zero.
+/// Sign of `g`; values up to `tolerance` in size count as zero.
 pub(crate) fn sign(g: f64, tolerance: f64) -> Sign {
     if g.abs() <= tolerance {
         0
@@ -23,14 +23,14 @@ pub(crate) fn sign(g: f64, tolerance: f64) -> Sign {
 pub(crate) struct Probe<'p> {
     pub(crate) step: &'p dyn DenseStep,
     pub(crate) function: &'p mut (dyn FnMut(f64, &[f64]) -> f64 + 'p),
-    /// Room for a state.
+    /// Space for a state.
     pub(crate) y: &'p mut [f64],
-    /// The largest size of each component so far: its rounding errors were made at that size.
+    /// Largest size of each component of the state so far: its rounding errors were made at that size.
     pub(crate) magnitudes: &'p [f64],
 }
 
 impl Probe<'_> {
-    /// The value at a fraction of the step.
+    /// Value of the event function at a fraction of the step; may be not a number.
     pub(crate) fn at(&mut self, theta: f64) -> f64 {
         self.step.interpolate(theta, self.y);
         (self.function)(self.step.time_at(theta), self.y)
@@ -42,14 +42,14 @@ impl Probe<'_> {
         4.0 * f64::EPSILON * start.abs().max(end.abs())
     }
 
-    /// The value, which must be one.
+    /// Value of the event function at a fraction of the step; an error if it is not a number.
     pub(crate) fn value_at(&mut self, theta: f64) -> Result<f64, NotANumber> {
         let g = self.at(theta);
         if g.is_nan() { Err(NotANumber { at: theta }) } else { Ok(g) }
     }
 
-    /// The size of g that rounding alone can produce at `theta`: 4 times the change when each
-    /// component of the state, and the time, move by ε of their size; plus 2 ε of `scale`.
+    /// Largest |g| that rounding alone can produce at `theta`: 4 times the change of g when each component of the
+    /// state, and the time, move by ε of their size; plus 2 ε of `scale`.
     pub(crate) fn rounding(&mut self, theta: f64, scale: f64) -> f64 {
         const ULPS: f64 = 8.0; // moved together, so that the change is not lost in g's own rounding
         let base = self.at(theta);
@@ -71,7 +71,7 @@ impl Probe<'_> {
     }
 }
 
-/// A sample: g at a fraction of the step, and on which side of zero it counts.
+/// A sample of an event function: g at a fraction of the step, and the side of zero on which it counts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     pub(crate) theta: f64,
@@ -79,7 +79,7 @@ pub(crate) struct Node {
     pub(crate) sign: Sign,
 }
 
-/// True if |g| has a minimum between samples k − 1 and k, both on one side, and might reach zero there.
+/// True if |g| may reach zero between samples k − 1 and k: it has a minimum there, and both are on one side.
 pub(crate) fn may_dip(nodes: &[Node], k: usize) -> bool {
     let (a, b) = (nodes[k - 1], nodes[k]);
     if a.sign == 0 || a.sign != b.sign {
@@ -87,13 +87,13 @@ pub(crate) fn may_dip(nodes: &[Node], k: usize) -> bool {
     }
     let side = f64::from(a.sign);
     let (slope_a, slope_b) = (side * slope(nodes, k - 1), side * slope(nodes, k));
-    // A convex function stays above its tangents; 4 times their fall allows for others.
+    // A convex function stays above its tangents; 4 times their fall allows for other functions.
     let fall = slope_b.max(-slope_a) * (b.theta - a.theta);
     slope_a <= 0.0 && slope_b >= 0.0 && a.g.abs().min(b.g.abs()) <= 4.0 * fall
 }
 
 /// Fractions between samples k − 1 and k at which the polynomial through the samples has extrema, and the midpoints
-/// between those. Empty if there are fewer than two extrema: slopes at the two samples tell of one.
+/// between these. Empty if there are fewer than two extrema: the slopes at the two samples show a single one.
 pub(crate) fn hidden_extrema(nodes: &[Node], k: usize) -> Vec<f64> {
     const PARTS: u32 = 8;
     let (a, b) = (nodes[k - 1].theta, nodes[k].theta);
@@ -109,24 +109,24 @@ pub(crate) fn hidden_extrema(nodes: &[Node], k: usize) -> Vec<f64> {
     extrema.windows(2).flat_map(|e| [e[0], f64::midpoint(e[0], e[1]), e[1]]).collect()
 }
 
-/// The five samples around sample i. The polynomial through them is g itself where g is linear in the
-/// state and does not depend on t, since a dense output has degree 4.
+/// Five samples around sample i. The polynomial through them is g itself if g is linear in the state and does not
+/// depend on t, since a dense output has degree 4.
 fn near(nodes: &[Node], i: usize) -> &[Node] {
     let low = i.saturating_sub(2).min(nodes.len().saturating_sub(5));
     &nodes[low..(low + 5).min(nodes.len())]
 }
 
-/// The value at `theta` of the polynomial through the samples, by Lagrange's formula.
+/// Value at `theta` of the polynomial through the samples, by Lagrange's formula.
 fn interpolated(nodes: &[Node], theta: f64) -> f64 {
     let others = |j: usize| nodes.iter().enumerate().filter(move |(m, _)| *m != j).map(|(_, n)| n.theta);
     let term = |(j, n): (usize, &Node)| n.g * others(j).map(|x| (theta - x) / (n.theta - x)).product::<f64>();
     nodes.iter().enumerate().map(term).sum()
 }
 
-/// dg/dθ at sample i of the polynomial through the samples near it.
+/// Slope dg/dθ at sample i of the polynomial through the samples near it.
 fn slope(nodes: &[Node], i: usize) -> f64 {
     let at = nodes[i];
-    // Σ over the others of (g_j − g_i) / (x_j − x_i) · Π over the rest of (x_i − x_m) / (x_j − x_m)
+    // Σ over the other samples j of (g_j − g_i) / (x_j − x_i) · Π over the remaining m of (x_i − x_m) / (x_j − x_m)
     let others = || near(nodes, i).iter().filter(|n| n.theta.total_cmp(&at.theta).is_ne());
     let term = |j: &Node| {
         let rest = others().filter(|m| m.theta.total_cmp(&j.theta).is_ne());

@@ -1,4 +1,4 @@
-//! Search for the zeros of one event function during one step: by ranges where there are any, else by samples.
+//! Search for the zeros of an event function in one step: by ranges if the event has them, else by samples.
 
 use super::Kind;
 use super::isolate::{Isolation, Known, Ranges, isolate};
@@ -6,13 +6,13 @@ use super::root::NotANumber;
 use super::samples::{Node, Probe, hidden_extrema, may_dip, sign};
 use super::walk::{Doubt, Findings, Found, LADDER, Memory, walk};
 
-/// The slope at the ends of a step is taken over this fraction of it: the root of ε, below which a
-/// smooth function cannot turn by more than rounding.
+/// Fraction of a step over which the slope at its ends is taken: the root of ε, below which a smooth function cannot
+/// turn by more than rounding.
 const DELTA: f64 = 1.0 / 67_108_864.0;
-/// Samples a step, evenly spaced.
+/// Number of evenly spaced intervals between the samples of a step.
 const INTERVALS: u32 = 8;
 
-/// Looks at one step; `memory` moves on to its end.
+/// Searches one step for the zeros of an event function; `memory` moves to the end of the step.
 pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut Memory, ranges: Option<Ranges<'_, '_>>) -> Findings {
     match ranges {
         Some(mut ranges) => by_ranges(probe, memory, &mut ranges),
@@ -20,7 +20,7 @@ pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut Memory, ranges: Option<
     }
 }
 
-/// Searches by parts of the step on which ranges tell the behaviour of the function.
+/// Searches by parts of the step on which ranges decide the behaviour of the function.
 fn by_ranges(probe: &mut Probe<'_>, memory: &mut Memory, ranges: &mut Ranges<'_, '_>) -> Findings {
     let isolation = isolate(probe, ranges);
     let mut findings = Findings { not_a_number: isolation.cut, ..Findings::default() };
@@ -54,7 +54,7 @@ fn doubt_of(known: Known) -> Doubt {
     }
 }
 
-/// Reports the parts that were left open, except those that begin and end at zero, as one undecided place.
+/// Reports the open parts as one undecided place, at their smallest sample, except parts that begin and end at zero.
 fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Found> {
     let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
     let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
@@ -74,7 +74,7 @@ fn by_samples(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {
     findings
 }
 
-/// The samples, in order, up to the first that is not a number.
+/// Takes the samples of a step, in order, up to the first that is not a number.
 fn gather(probe: &mut Probe<'_>, memory: &Memory, findings: &mut Findings) -> Vec<Node> {
     let mut nodes = vec![Node { theta: 0.0, g: memory.value, sign: memory.sign }];
     let thetas = (1..INTERVALS).map(|i| f64::from(i) / f64::from(INTERVALS));
@@ -100,7 +100,7 @@ fn is_far(nodes: &[Node]) -> bool {
     low.max(-high) > 4.0 * (high - low)
 }
 
-/// Appends samples until one is not a number.
+/// Takes samples at these fractions of the step, until one is not a number.
 fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut Vec<Node>, findings: &mut Findings) {
     for theta in thetas {
         let g = probe.at(theta);
@@ -112,7 +112,7 @@ fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut 
     }
 }
 
-/// True if the samples leave no doubt that nothing happened.
+/// True if the samples leave no doubt that the function had no zero in the step.
 fn is_quiet(nodes: &[Node], memory: &Memory, scale: f64) -> bool {
     if is_far(nodes) && nodes[0].sign == memory.side {
         return true;
@@ -122,7 +122,7 @@ fn is_quiet(nodes: &[Node], memory: &Memory, scale: f64) -> bool {
     same_side && end_is_clear && !(1..nodes.len()).any(|k| may_dip(nodes, k))
 }
 
-/// Tells zeros from rounding, then walks over the samples.
+/// Separates zeros from rounding, then walks over the samples.
 fn examine(
     probe: &mut Probe<'_>,
     nodes: &mut Vec<Node>,
@@ -147,15 +147,15 @@ fn examine(
     walk(probe, (nodes, &doubt), memory, tolerance, findings)
 }
 
-/// The place of the smallest sample.
+/// Fraction of the step at which the sample is smallest; `None` without samples.
 fn nearest(nodes: &[Node]) -> Option<f64> {
     nodes.iter().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs())).map(|n| n.theta)
 }
 
-/// The signs of samples, up to a tolerance.
+/// Sets the signs of samples; values within the tolerance count as zero.
 ///
-/// The instant at which a run starts is as uncertain as its rounding, through which the function goes with `slope`, by
-/// the fraction of the step: a run that begins where an event ended another one begins at zero.
+/// The instant at which a run starts is uncertain by its rounding, in which the function changes with `slope`, by the
+/// fraction of the step. So a run that begins where an event ended another run begins at zero.
 fn set_signs(
     probe: &Probe<'_>,
     nodes: &mut [Node],
@@ -176,7 +176,7 @@ fn set_signs(
     }
 }
 
-/// A run that begins at zero is there for as long as its start is uncertain.
+/// Sets the signs of the first samples to zero, while the start of a run that begins at zero is uncertain.
 fn stay_at_start(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut Memory) {
     let Some(zero_at) = memory.zero_at else { return };
     let (end, instant) = (probe.step.times().1, probe.instant());

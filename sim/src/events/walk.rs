@@ -1,31 +1,31 @@
-//! Finds the zeros of an event function in one step from samples, and remembers the function from step to step.
+//! Walk over samples of an event function in one step: finds the zeros, and remembers the function between steps.
 //!
-//! Invariant: `Memory::side` is the side of zero the function was last known to be on, and every
-//! sign change against it is reported exactly once. See [`crate::events`] for the conventions.
+//! Invariant: `Memory::side` is the side of zero on which the function was last known to be. Every change of sign
+//! against it is reported exactly once. See [`crate::events`] for the conventions.
 
 use super::Kind;
 use super::root::{self, NotANumber};
 use super::samples::{Node, Probe, Sign, sign};
 
-/// Distances at which to look for the side on which a function leaves zero: 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸ of a step.
+/// Distances from a zero at which the side of the function is examined: 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸ of a step.
 pub(crate) const LADDER: [f64; 3] = [1.0 / 1_048_576.0, 1.0 / 16_384.0, 1.0 / 256.0];
-/// Least size of a function at a change of sign through infinity, over its size at the ends of the bracket.
+/// Smallest size of a function at a change of sign through infinity, over its size at the ends of the bracket.
 const BEYOND: f64 = 4.0;
 
-/// State of the search for an event at the start of a step.
+/// Memory of the search for an event, at the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Memory {
-    /// Its value there.
+    /// Value of the event function at the start of the step.
     pub(crate) value: f64,
-    /// The sign of that value.
+    /// Sign of that value, 0 within rounding.
     pub(crate) sign: Sign,
-    /// The side it was last on; 0 if it has been zero since the start of the run.
+    /// Sign of the event function when it was last not zero; 0 if it has been zero since the start of the run.
     pub(crate) side: Sign,
     /// True if a step has been searched.
     pub(crate) begun: bool,
-    /// The side assumed for a run that starts at zero.
+    /// Side assumed for an event function that is zero at the start of the run.
     pub(crate) side_at_zero: Sign,
-    /// Time at which the run began, in s, if the function was zero then.
+    /// Time at which the run began, s, if the function was zero then; else `None`.
     pub(crate) zero_at: Option<f64>,
 }
 
@@ -38,7 +38,7 @@ impl Memory {
         }
     }
 
-    /// Moves to the end of a step in which the function was on one side, its value unknown.
+    /// Moves to the end of a step in which the function was on this side, with an unknown value.
     pub(crate) fn stay(&mut self, side: Sign) {
         (self.begun, self.side, self.sign, self.value) = (true, side, side, f64::from(side));
     }
@@ -53,16 +53,16 @@ impl Memory {
     }
 }
 
-/// Event of a function, at a fraction of the step.
+/// A finding of the search: a kind of event at a fraction of the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
     pub(crate) theta: f64,
     pub(crate) kind: Kind,
-    /// The side that it is on afterwards.
+    /// Side on which the function is afterwards.
     pub(crate) side: Sign,
 }
 
-/// Events of a function in a step, in no particular order, up to where it has no value.
+/// Findings of the search in one step, in no particular order, up to the fraction at which the function has no value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Findings {
     pub(crate) found: Vec<Found>,
@@ -70,7 +70,7 @@ pub(crate) struct Findings {
 }
 
 impl Findings {
-    /// Keeps the first place without a value.
+    /// Keeps the first fraction of the step at which the function has no value.
     pub(crate) fn note(&mut self, outcome: Result<(), NotANumber>) {
         if let Err(NotANumber { at }) = outcome {
             self.not_a_number = Some(self.not_a_number.map_or(at, |theta| theta.min(at)));
@@ -78,14 +78,14 @@ impl Findings {
     }
 }
 
-/// Doubt if a function reached zero, and returned, between a sample and the one before.
+/// Doubt whether a function reached zero, and returned, between a sample and the one before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Doubt {
-    /// It has not.
+    /// The function surely did not reach zero.
     None,
-    /// It has if its minimum there says so.
+    /// The minimum of the function between the samples decides.
     Dip,
-    /// It has if its minimum there says so; if not, nobody knows.
+    /// The minimum of the function between the samples decides, if it is at zero or beyond; else the doubt stays.
     Unknown,
 }
 
@@ -93,8 +93,8 @@ fn crossing_to(side: Sign, theta: f64) -> Found {
     Found { theta, kind: if side > 0 { Kind::Rising } else { Kind::Falling }, side }
 }
 
-/// Walks over samples whose signs are known, up to `tolerance`; `doubt` tells the doubt before each sample except the
-/// first.
+/// Walks over samples with known signs, up to `tolerance`, and reports the zeros. `doubt` gives the doubt before each
+/// sample except the first.
 pub(crate) fn walk(
     probe: &mut Probe<'_>,
     (nodes, doubt): (&[Node], &dyn Fn(usize) -> Doubt),
@@ -102,8 +102,8 @@ pub(crate) fn walk(
     tolerance: f64,
     findings: &mut Findings,
 ) -> Result<(), NotANumber> {
-    // Last sample clearly on a side, and the first of the zeros after it. Zeros that begin with the
-    // step were dealt with at the end of the step before.
+    // Last sample that is clearly on a side, and the first zero sample after it. Zeros at the start of the step were
+    // reported at the end of the step before.
     let mut clear: Option<usize> = None;
     let mut zeros: Option<usize> = None;
     for (k, node) in nodes.iter().enumerate() {
@@ -129,8 +129,8 @@ pub(crate) fn walk(
     Ok(())
 }
 
-/// The change of sign between samples `low` and `high`: at the last sample before `high` if they do not bracket one;
-/// a pole if the function grows towards it.
+/// Finds the change of sign between samples `low` and `high`. It is at the last sample before `high` if both have one
+/// sign, and it is a pole if the function grows towards it.
 fn change(
     probe: &mut Probe<'_>,
     nodes: &[Node],
@@ -147,7 +147,7 @@ fn change(
     Ok(if grown { Found { kind: Kind::Pole, ..crossing } } else { crossing })
 }
 
-/// Follows |g| down between two samples of one side: two crossings, a touch, or nothing that is known.
+/// Follows |g| down between two samples on one side, and reports two crossings, a touch, an undecided place or nothing.
 fn dip(
     probe: &mut Probe<'_>,
     [a, b]: [Node; 2],
@@ -173,8 +173,8 @@ fn dip(
     Ok(())
 }
 
-/// A function that is zero at the last sample, since the first of `zeros`: a touch if it goes back
-/// a little beyond, else a crossing.
+/// Reports a function that is zero from the first of `zeros` to the last sample. It is a touch if the function goes
+/// back to its side a little beyond the step, else a crossing.
 fn arrive(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut Memory, tolerance: f64) -> Found {
     let end = zeros.last().map_or(1.0, |n| n.theta);
     let mut sides = LADDER.iter().map(|d| sign_or_zero(probe.at(end + d), tolerance));
@@ -185,7 +185,7 @@ fn arrive(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut Memory, tolerance:
         return Found { theta: nearest, kind: Kind::Touch, side: memory.side };
     }
     memory.side = -memory.side;
-    // A function that stays at zero arrived at the first of them.
+    // A function that stays at zero arrived at the first zero sample.
     let theta = if beyond.is_some() { nearest } else { zeros[0].theta };
     crossing_to(memory.side, theta)
 }

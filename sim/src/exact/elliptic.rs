@@ -6,7 +6,7 @@
 use super::trigonometry::nearest_whole;
 use tripos_traits::Real;
 
-/// More steps than any precision takes: each doubles the digits.
+/// Largest number of steps of the mean: more than any precision takes, since each doubles the digits.
 const STEPS_LIMIT: usize = 40;
 
 /// Elliptic functions of one parameter m = k² in [0, 1].
@@ -22,7 +22,7 @@ const STEPS_LIMIT: usize = 40;
 pub struct Elliptic<S> {
     parameter: S,
     complement: S,
-    /// For each step of the mean: aₙ₊₁, the mean of aₙ and bₙ; bₙ; and cₙ₊₁/aₙ₊₁ with cₙ₊₁ = (aₙ − bₙ)/2. From a₀ = 1.
+    /// Steps of the mean from a₀ = 1, each with aₙ₊₁, the mean of aₙ and bₙ; bₙ; and cₙ₊₁/aₙ₊₁ with cₙ₊₁ = (aₙ − bₙ)/2.
     steps: Vec<Step<S>>,
 }
 
@@ -36,34 +36,34 @@ struct Step<S> {
 /// Jacobi's elliptic functions at one argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JacobiValues<S> {
-    /// sn u = sin am u.
+    /// Value sn u = sin am u.
     pub sn: S,
-    /// cn u = cos am u.
+    /// Value cn u = cos am u.
     pub cn: S,
-    /// dn u = √(1 − m sn² u), positive.
+    /// Value dn u = √(1 − m sn² u), positive.
     pub dn: S,
-    /// The amplitude am u, which grows by π over 2 K.
+    /// Amplitude am u, rad, which grows by π over 2 K.
     pub am: S,
 }
 
 impl<S: Real> Elliptic<S> {
-    /// Functions of the parameter m in [0, 1].
+    /// Makes the elliptic functions of the parameter m in [0, 1].
     #[must_use]
     pub fn new(m: S) -> Self {
         Self::with_complement(m, S::int(1) - m)
     }
 
-    /// Functions of m, given 1 − m too: near m = 1 the difference from 1 matters.
+    /// Makes the elliptic functions of m from m and 1 − m: near m = 1 the digits of 1 − m matter.
     #[must_use]
     pub fn with_complement(m: S, complement: S) -> Self {
         let zero = S::int(0);
-        // Outside [0, 1], and where m is not a number, so is everything.
+        // For m outside [0, 1], or not a number, all results are not a number.
         let complement = if m >= zero && complement >= zero { complement } else { S::from_f64(f64::NAN) };
         let steps = if complement > zero { mean_steps(complement) } else { Vec::new() };
         Self { parameter: m, complement, steps }
     }
 
-    /// The complete integral K = ∫₀^{π/2} dφ/√(1 − m sin² φ), a quarter of the period of sn; infinite for m = 1.
+    /// Complete integral K = ∫₀^{π/2} dφ/√(1 − m sin² φ), a quarter of the period of sn; infinite for m = 1.
     #[must_use]
     pub fn quarter_period(&self) -> S {
         S::pi() / (S::int(2) * self.mean())
@@ -75,13 +75,13 @@ impl<S: Real> Elliptic<S> {
         self.complement
     }
 
-    /// The arithmetic–geometric mean of 1 and √(1 − m).
+    /// Arithmetic–geometric mean of 1 and √(1 − m).
     fn mean(&self) -> S {
-        // Without steps it is 0 for m = 1, or not a number.
+        // Without steps the mean is 0 for m = 1, or not a number.
         self.steps.last().map_or(self.complement, |step| step.mean)
     }
 
-    /// sn, cn, dn and am of u. Its absolute error is that of u, so |u| EPSILON at least.
+    /// Computes sn, cn, dn and am of u. Their absolute error is that of u, so at least |u| EPSILON.
     #[must_use]
     pub fn jacobi(&self, u: S) -> JacobiValues<S> {
         if self.steps.is_empty() {
@@ -99,7 +99,8 @@ impl<S: Real> Elliptic<S> {
         JacobiValues { sn: sign * sn, cn: sign * cn, dn, am: reduced + n * S::pi() }
     }
 
-    /// Descending Landen transformation: from φ_N = 2ᴺ a_N u back by  sin(2φₙ − φₙ₊₁) = (cₙ₊₁/aₙ₊₁) sin φₙ₊₁.
+    /// Amplitude am u by the descending Landen transformation: from φ_N = 2ᴺ a_N u back by sin(2φₙ − φₙ₊₁) =
+    /// (cₙ₊₁/aₙ₊₁) sin φₙ₊₁.
     fn amplitude_within_half_period(&self, u: S) -> S {
         let doublings = self.steps.iter().fold(u, |u, _| u + u);
         self.steps.iter().rev().fold(doublings * self.mean(), |phi, step| {
@@ -108,7 +109,8 @@ impl<S: Real> Elliptic<S> {
         })
     }
 
-    /// m = 1: sn = tanh u, cn = dn = 1/cosh u, am the Gudermannian of u. Or not a number.
+    /// Functions for m = 1: sn = tanh u, cn = dn = 1/cosh u, am the Gudermannian of u; or not a number for an invalid
+    /// m.
     fn of_last_parameter(&self, u: S) -> JacobiValues<S> {
         // The complement is 0 or not a number.
         let u = u + self.complement;
@@ -117,7 +119,7 @@ impl<S: Real> Elliptic<S> {
         JacobiValues { sn: u.tanh(), cn: sech, dn: sech, am: two * (u / two).tanh().atan() }
     }
 
-    /// The incomplete integral F(φ) = ∫₀^φ dφ'/√(1 − m sin² φ'), the inverse of am; for m = 1 only where |φ| < π/2.
+    /// Incomplete integral F(φ) = ∫₀^φ dφ'/√(1 − m sin² φ'), the inverse of am; for m = 1 only where |φ| < π/2.
     #[must_use]
     pub fn argument_of(&self, phi: S) -> S {
         if self.steps.is_empty() {
@@ -139,7 +141,7 @@ impl<S: Real> Elliptic<S> {
     }
 }
 
-/// The steps of the mean of 1 and √complement, until further changes are below rounding.
+/// Steps of the arithmetic–geometric mean of 1 and √complement, until further changes are below rounding.
 fn mean_steps<S: Real>(complement: S) -> Vec<Step<S>> {
     let two = S::int(2);
     let (mut a, mut b) = (S::int(1), complement.sqrt());
@@ -148,7 +150,7 @@ fn mean_steps<S: Real>(complement: S) -> Vec<Step<S>> {
         let (mean, difference) = ((a + b) / two, (a - b) / two);
         let ratio = difference / mean;
         steps.push(Step { mean, geometric: b, ratio });
-        // The next ratio, by which mean and amplitude would still change, is a quarter of the square of this one.
+        // The next ratio, by which mean and amplitude would still change, is a quarter of the square of this ratio.
         if ratio.to_f64().powi(2) <= S::EPSILON / 16.0 {
             break;
         }

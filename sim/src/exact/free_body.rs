@@ -1,14 +1,14 @@
-//! The rigid body without torque.
+//! Exact rotation of a rigid body without torque.
 
 use super::elliptic::Elliptic;
 use super::trigonometry::angle_of;
 use tripos_traits::Real;
 
-/// Euler's equations  I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃  and cyclic: the angular velocity of a free rigid body, or of one held
-/// at its mass centre, along its principal axes.
+/// Exact solution of Euler's equations I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃ and cyclic: the angular velocity of a free rigid body,
+/// or of one held at its mass centre, along its principal axes.
 ///
-/// The axes are taken as a, b, c in rising or falling order of their moments, such that ω never leaves one side of
-/// c. Then  ω_a = A cn u,  ω_b = B sn u,  ω_c = C dn u,  u = rate · t + u₀. A symmetric body is the case m = 0.
+/// The axes are ordered as a, b, c by rising or falling moments, such that ω never leaves one side of c. Then ω_a = A
+/// cn u, ω_b = B sn u, ω_c = C dn u, u = rate · t + u₀. A symmetric body is the case m = 0.
 ///
 /// Landau & Lifshitz, *Mechanics* §37; Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §69.
 #[derive(Clone, Debug)]
@@ -18,7 +18,7 @@ pub struct FreeBody<S> {
 
 #[derive(Clone, Debug)]
 enum Motion<S> {
-    /// A rotation about a fixed axis.
+    /// Rotation with a constant angular velocity, rad/s.
     Steady([S; 3]),
     Circling(Circling<S>),
 }
@@ -26,16 +26,16 @@ enum Motion<S> {
 #[derive(Clone, Debug)]
 struct Circling<S> {
     elliptic: Elliptic<S>,
-    /// a, b, c as indices of the body's axes.
+    /// Axes a, b, c as indices of the body's axes.
     axes: [usize; 3],
-    /// Amplitudes A, B, C.
+    /// Amplitudes A, B, C, rad/s.
     sizes: [S; 3],
     rate: S,
     start: S,
 }
 
 impl<S: Real> FreeBody<S> {
-    /// The motion of a body with principal moments `inertia` (positive), from the angular velocity `omega_0`.
+    /// Motion of a body with principal moments `inertia`, positive, kg m², from the angular velocity `omega_0`, rad/s.
     #[must_use]
     pub fn new(inertia: [S; 3], omega_0: [S; 3]) -> Self {
         let rising = rising_order(inertia);
@@ -45,7 +45,7 @@ impl<S: Real> FreeBody<S> {
         Self { motion: circling.map_or(Motion::Steady(omega_0), Motion::Circling) }
     }
 
-    /// ω(t) along the principal axes, in rad/s.
+    /// Angular velocity ω(t) along the principal axes, rad/s.
     #[must_use]
     pub fn rate(&self, t: S) -> [S; 3] {
         match &self.motion {
@@ -54,7 +54,7 @@ impl<S: Real> FreeBody<S> {
         }
     }
 
-    /// The time after which ω repeats; infinite on the separatrix, 0 where ω is constant.
+    /// Time after which ω repeats, s; infinite on the separatrix, 0 if ω is constant.
     #[must_use]
     pub fn period(&self) -> S {
         match &self.motion {
@@ -102,7 +102,7 @@ impl<S: Real> Circling<S> {
     }
 }
 
-/// L² − 2 T I_b: its sign says about which outer axis ω circles.
+/// Difference L² − 2 T I_b: its sign decides about which outer axis ω circles.
 fn excess_over_middle<S: Real>(inertia: [S; 3], omega: [S; 3], [a, b, c]: [usize; 3]) -> S {
     let of = |axis: usize| inertia[axis] * (inertia[axis] - inertia[b]) * omega[axis] * omega[axis];
     of(c) + of(a)
@@ -114,7 +114,7 @@ fn rising_order<S: Real>(inertia: [S; 3]) -> [usize; 3] {
     axes
 }
 
-/// 1 for a cyclic order of the axes, −1 for the others.
+/// Handedness of an order of axes: 1 if it is cyclic, −1 if not.
 fn handedness<S: Real>([a, b, _]: [usize; 3]) -> S {
     if (a + 1) % 3 == b { S::int(1) } else { S::int(-1) }
 }

@@ -1,4 +1,4 @@
-//! The symmetric heavy top about a fixed point.
+//! Exact motion of the symmetric heavy top about a fixed point.
 
 use super::polar::{Polar, PolarStart};
 use tripos_traits::Real;
@@ -6,9 +6,9 @@ use tripos_traits::Real;
 /// A symmetric top with a fixed point on its axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Top<S> {
-    /// Mass, kg.
+    /// Mass of the top, kg.
     pub mass: S,
-    /// From the fixed point to the mass centre along the axis, m; positive, as is gravity.
+    /// Distance from the fixed point to the mass centre along the axis, m; positive, as is `gravity`.
     pub arm: S,
     /// Acceleration of free fall, m/s².
     pub gravity: S,
@@ -21,33 +21,33 @@ pub struct Top<S> {
 /// Start of a top. Precession and spin angle are 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TopStart<S> {
-    /// θ: the axis from the upward vertical, rad.
+    /// Nutation θ: the angle of the axis from the upward vertical, rad.
     pub nutation: S,
-    /// θ′, rad/s.
+    /// Rate θ′ of the nutation, rad/s.
     pub nutation_rate: S,
-    /// φ′, rad/s.
+    /// Rate φ′ of the precession, rad/s.
     pub precession_rate: S,
-    /// ω₃ = ψ′ + φ′ cos θ: the angular velocity along the axis, rad/s. It is constant.
+    /// Spin ω₃ = ψ′ + φ′ cos θ: the angular velocity along the axis, rad/s. It is constant.
     pub spin: S,
 }
 
-/// The motion of a symmetric heavy top in Euler's angles: precession φ about the upward vertical, nutation θ from it,
+/// Exact motion of a symmetric heavy top in Euler's angles: precession φ about the upward vertical, nutation θ from it,
 /// spin ψ about the axis (rotations z–x–z).
 ///
 /// θ is exact by elliptic functions; φ and ψ are integrals of functions of θ, taken to rounding. Constant are the
-/// energy ½ I₁(θ′² + φ′² sin² θ) + ½ I₃ ω₃² + M g l cos θ, p_φ = I₁ φ′ sin² θ + I₃ ω₃ cos θ and p_ψ = I₃ ω₃.
-/// A top that passes exactly through the vertical (p_φ = ±p_ψ) has θ ≥ 0 reflected there, φ without its jump by π.
+/// energy ½ I₁(θ′² + φ′² sin² θ) + ½ I₃ ω₃² + M g l cos θ, p_φ = I₁ φ′ sin² θ + I₃ ω₃ cos θ and p_ψ = I₃ ω₃. If a top
+/// passes exactly through the vertical (p_φ = ±p_ψ), θ ≥ 0 is reflected there, and φ does not jump by π.
 ///
 /// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §71; Landau & Lifshitz, *Mechanics* §35 problem 1.
 #[derive(Clone, Debug)]
 pub struct HeavyTop<S> {
     polar: Polar<S>,
-    /// ω₃ (1 − I₃/I₁): the constant part of ψ′.
+    /// Constant part of ψ′, rad/s: ω₃ (1 − I₃/I₁).
     free_spin: S,
 }
 
 impl<S: Real> HeavyTop<S> {
-    /// The motion of `top` from `start`.
+    /// Motion of the top `top` from its start `start`.
     #[must_use]
     pub fn new(top: Top<S>, start: TopStart<S>) -> Self {
         let ratio = top.axial / top.transverse;
@@ -61,38 +61,38 @@ impl<S: Real> HeavyTop<S> {
         Self { polar, free_spin: start.spin - start.spin * ratio }
     }
 
-    /// cos θ(t).
+    /// Cosine of the nutation, cos θ(t).
     #[must_use]
     pub fn cosine(&self, t: S) -> S {
         self.polar.cosine(t)
     }
 
-    /// θ(t) in [0, π], rad.
+    /// Nutation θ(t) in [0, π], rad.
     #[must_use]
     pub fn nutation(&self, t: S) -> S {
         self.polar.angle(t)
     }
 
-    /// θ′(t), rad/s; not a number where θ = 0.
+    /// Rate θ′(t) of the nutation, rad/s; not a number where θ = 0.
     #[must_use]
     pub fn nutation_rate(&self, t: S) -> S {
         self.polar.angle_rate(t)
     }
 
-    /// φ(t) from φ(0) = 0, rad.
+    /// Precession φ(t) from φ(0) = 0, rad.
     #[must_use]
     pub fn precession(&self, t: S) -> S {
         let [from_below, from_above] = self.polar.parts_of_precession(t);
         from_below + from_above
     }
 
-    /// φ′(t), rad/s.
+    /// Rate φ′(t) of the precession, rad/s.
     #[must_use]
     pub fn precession_rate(&self, t: S) -> S {
         self.polar.precession_rate(t)
     }
 
-    /// ψ(t) from ψ(0) = 0, rad.
+    /// Spin angle ψ(t) from ψ(0) = 0, rad.
     #[must_use]
     pub fn spin_angle(&self, t: S) -> S {
         // φ′ cos θ = b − ½(a + b)/(1 + u) + ½(a − b)/(1 − u) and ψ′ = ω₃ − φ′ cos θ.
@@ -100,13 +100,13 @@ impl<S: Real> HeavyTop<S> {
         self.free_spin * t + (from_below - from_above)
     }
 
-    /// The time after which θ repeats, s.
+    /// Time after which θ repeats, s.
     #[must_use]
     pub fn nutation_period(&self) -> S {
         self.polar.period()
     }
 
-    /// The smallest and the largest θ, rad.
+    /// Smallest and largest nutation θ, rad.
     #[must_use]
     pub fn extremes(&self) -> [S; 2] {
         self.polar.extremes()

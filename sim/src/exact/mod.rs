@@ -18,7 +18,7 @@
 //! functions is m = k². Data without such a motion (a negative moment of inertia, m > 1) give "not a number", never a
 //! panic.
 //!
-//! Absent on purpose: frames, points and models. They are compared with what a model gives, so they know none.
+//! Absent on purpose: frames, points and models. The motions are compared with those of a model, so they know none.
 
 mod elliptic;
 mod free_body;

@@ -1,28 +1,28 @@
-//! The plane pendulum.
+//! Exact motion of the plane pendulum.
 
 use super::elliptic::Elliptic;
 use super::trigonometry::{angle_of, nearest_whole, root_of_positive};
 use tripos_traits::Real;
 
-/// The pendulum  θ″ = −(g/l) sin θ,  θ from hanging, counted on over full turns.
+/// Exact motion of a pendulum θ″ = −(g/l) sin θ, θ from hanging, rad, counted on over full turns.
 ///
-/// With w = √(g/l) and κ = sin²(θ₀/2) + (ω₀/2w)², the energy over 2 w², it swings for κ < 1:
-/// sin(θ/2) = √κ sn(w t + u₀; m = κ); and turns over for κ > 1: θ/2 = am(√κ w t + u₀; m = 1/κ). At κ = 1 it climbs for
-/// ever. A compound pendulum has g/l = M g s/I with I about the pivot.
+/// Let w = √(g/l), and κ = sin²(θ₀/2) + (ω₀/2w)² the energy over 2 w². The pendulum swings for κ < 1: sin(θ/2) = √κ
+/// sn(w t + u₀; m = κ). It turns over for κ > 1: θ/2 = am(√κ w t + u₀; m = 1/κ). At κ = 1 it climbs for ever. A
+/// compound pendulum has g/l = M g s/I with I about the pivot.
 ///
 /// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §44; DLMF 22.19(i).
 #[derive(Clone, Debug)]
 pub struct Pendulum<S> {
     elliptic: Elliptic<S>,
     motion: Motion<S>,
-    /// u = rate · t + start is the argument of the elliptic functions.
+    /// Rate of the argument u = rate · t + start of the elliptic functions, 1/s.
     rate: S,
     start: S,
 }
 
 #[derive(Clone, Debug)]
 enum Motion<S> {
-    /// Swings about the whole turn `turns`; `modulus` = √κ = sin(θ_max/2).
+    /// Swing about the angle 2π · `turns`; `modulus` = √κ = sin(θ_max/2).
     Libration {
         modulus: S,
         turns: S,
@@ -31,7 +31,7 @@ enum Motion<S> {
 }
 
 impl<S: Real> Pendulum<S> {
-    /// The motion with g/l = `stiffness` > 0, in 1/s², from the angle θ₀ and the rate ω₀.
+    /// Motion with g/l = `stiffness` > 0, in 1/s², from the angle `theta_0`, rad, and the rate `omega_0`, rad/s.
     #[must_use]
     pub fn new(stiffness: S, theta_0: S, omega_0: S) -> Self {
         let [one, two] = [1, 2].map(S::int);
@@ -40,7 +40,7 @@ impl<S: Real> Pendulum<S> {
         let (sin, cos) = (theta_0 / two - turns * S::pi()).sin_cos();
         let speed = omega_0 / (two * w);
         let kappa = sin * sin + speed * speed;
-        // 1 − κ as a difference of squares of what is given.
+        // 1 − κ as a difference of squares of the given values.
         let below_top = (cos - speed) * (cos + speed);
         if below_top >= S::int(0) {
             let elliptic = Elliptic::with_complement(kappa, below_top);
@@ -60,7 +60,7 @@ impl<S: Real> Pendulum<S> {
         let two = S::int(2);
         let at = self.elliptic.jacobi(self.rate * t + self.start);
         match self.motion {
-            // cos(θ/2) = dn: together with the sine it keeps its digits at θ = π too.
+            // cos(θ/2) = dn. With the sine and the cosine the angle keeps its digits at θ = π too.
             Motion::Libration { modulus, turns } => two * (angle_of(modulus * at.sn, at.dn) + turns * S::pi()),
             Motion::Rotation => two * at.am,
         }
@@ -77,7 +77,7 @@ impl<S: Real> Pendulum<S> {
         }
     }
 
-    /// The time of a swing to and fro, or of a full turn; infinite between the two.
+    /// Time of a swing to and fro, or of a full turn, s; infinite at the border between swinging and turning over.
     #[must_use]
     pub fn period(&self) -> S {
         let quarters = match self.motion {
@@ -93,7 +93,7 @@ impl<S: Real> Pendulum<S> {
         matches!(self.motion, Motion::Rotation)
     }
 
-    /// The largest angle of the swing about its lowest point, in [0, π]; π for a pendulum that turns over.
+    /// Largest angle of the swing from its lowest point, in [0, π], rad; π for a pendulum that turns over.
     #[must_use]
     pub fn amplitude(&self) -> S {
         match self.motion {

@@ -1,4 +1,4 @@
-//! The polar angle θ of a symmetric top or a spherical pendulum, which moves as in one dimension.
+//! Exact polar angle θ of a symmetric top or a spherical pendulum, which moves as in one dimension.
 //!
 //! u = cos θ obeys  u′² = f(u) = (1 − u²)(α − β u) − (a − b u)²  with β = 2 M g l/I, a = p_φ/I and b = p_ψ/I. Between
 //! its zeros −1 ≤ u₁ ≤ u₂ ≤ 1 ≤ u₃:  u = u₁ + (u₂ − u₁) sn²,  m = (u₂ − u₁)/(u₃ − u₁). The precession is
@@ -11,7 +11,8 @@ use super::quadrature::PeriodicIntegral;
 use super::trigonometry::{angle_of, root_of_positive};
 use tripos_traits::Real;
 
-/// Steps of Newton's method to the largest zero: each takes off a third of the distance at least.
+/// Largest number of steps of Newton's method to the largest zero: each step takes off a third of the distance at
+/// least.
 const NEWTON_LIMIT: usize = 400;
 
 /// Initial values and constants that decide the motion of θ and the precession φ. Angles in rad, rates in rad/s.
@@ -20,27 +21,27 @@ pub(super) struct PolarStart<S> {
     pub(super) theta: S,
     pub(super) theta_rate: S,
     pub(super) phi_rate: S,
-    /// β = 2 M g l/I > 0, in 1/s².
+    /// Strength β = 2 M g l/I > 0 of gravity, 1/s².
     pub(super) beta: S,
-    /// b = p_ψ/I, in 1/s.
+    /// Momentum b = p_ψ/I, 1/s.
     pub(super) spin: S,
 }
 
-/// θ(t), and the two parts of φ(t).
+/// Exact θ(t), and the two parts of φ(t).
 #[derive(Clone, Debug)]
 pub(super) struct Polar<S> {
     elliptic: Elliptic<S>,
-    /// The argument of the elliptic functions is rate · (t + lead); 0 where u = u₁.
+    /// Rate of the argument rate · (t + lead) of the elliptic functions, 1/s; the argument is 0 where u = u₁.
     rate: S,
     lead: S,
-    /// u₁, u₂ − u₁, and the margins 1 + u₁ and 1 − u₂.
+    /// Lowest value u₁ of u = cos θ; `span` is u₂ − u₁, and `margins` are 1 + u₁ and 1 − u₂.
     lowest: S,
     span: S,
     margins: [S; 2],
-    /// ½(a + b) and ½(a − b).
+    /// Half sums of the momenta, ½(a + b) and ½(a − b), 1/s.
     momenta: [S; 2],
     parts: [PeriodicIntegral<S>; 2],
-    /// Values of the integrals of the parts at t = 0.
+    /// Values of the integrals of both parts of φ′ at t = 0.
     at_start: [S; 2],
 }
 
@@ -73,7 +74,7 @@ impl<S: Real> Polar<S> {
         polar
     }
 
-    /// The time since u was u₁, in half a period before or after.
+    /// Time since u was u₁, s, in half a period before or after that.
     fn time_from_lowest(&self, zeros: &Zeros<S>, theta_rate: S) -> S {
         if self.span == S::int(0) {
             return S::int(0);
@@ -83,17 +84,17 @@ impl<S: Real> Polar<S> {
         let cn = root_of_positive(zeros.to_highest);
         let cn = if theta_rate > S::int(0) { -cn } else { cn };
         let phase = angle_of(sn, cn);
-        // The same place half a turn earlier, next to 0: sn² repeats after 2 K.
+        // An equal place half a turn earlier, next to 0: sn² repeats after 2 K.
         let phase = if phase > S::pi() / S::int(2) { phase - S::pi() } else { phase };
         self.elliptic.argument_of(phase) / self.rate
     }
 
-    /// The period of θ; infinite if θ is constant without being stable, or creeps to the top.
+    /// Period of θ, s; infinite if θ is constant without being stable, or creeps to the top.
     pub(super) fn period(&self) -> S {
         S::int(2) * self.elliptic.quarter_period() / self.rate
     }
 
-    /// The smallest and the largest θ.
+    /// Smallest and largest θ, rad.
     pub(super) fn extremes(&self) -> [S; 2] {
         let [from_bottom, from_top] = self.margins;
         let two = S::int(2);
@@ -107,7 +108,7 @@ impl<S: Real> Polar<S> {
         self.elliptic.jacobi(self.rate * time_from_lowest)
     }
 
-    /// (1 + u, 1 − u), each relative to itself.
+    /// Distances (1 + u, 1 − u) of u from ±1, each exact relative to itself.
     fn both_margins(&self, at: &JacobiValues<S>) -> (S, S) {
         (self.margins[0] + self.span * at.sn * at.sn, self.margins[1] + self.span * at.cn * at.cn)
     }
@@ -117,25 +118,25 @@ impl<S: Real> Polar<S> {
         self.lowest + self.span * sn * sn
     }
 
-    /// θ in [0, π].
+    /// Polar angle θ in [0, π], rad.
     pub(super) fn angle(&self, t: S) -> S {
         let (above, below) = self.both_margins(&self.jacobi(t + self.lead));
         S::int(2) * angle_of(below.sqrt(), above.sqrt())
     }
 
-    /// θ′ = −u′/sin θ; not a number at θ = 0 and π.
+    /// Rate θ′ = −u′/sin θ of the polar angle, rad/s; not a number at θ = 0 and π.
     pub(super) fn angle_rate(&self, t: S) -> S {
         let at = self.jacobi(t + self.lead);
         let (above, below) = self.both_margins(&at);
         -S::int(2) * self.span * self.rate * at.sn * at.cn * at.dn / (above * below).sqrt()
     }
 
-    /// Precession rate φ′.
+    /// Rate φ′ of the precession, rad/s.
     pub(super) fn precession_rate(&self, t: S) -> S {
         self.rate_of_part(0, t + self.lead) + self.rate_of_part(1, t + self.lead)
     }
 
-    /// The two parts of φ(t) − φ(0).
+    /// Both parts of the precession φ(t) − φ(0), rad.
     pub(super) fn parts_of_precession(&self, t: S) -> [S; 2] {
         let now = self.integrals(t + self.lead);
         [now[0] - self.at_start[0], now[1] - self.at_start[1]]
@@ -145,9 +146,9 @@ impl<S: Real> Polar<S> {
         [0, 1].map(|part| self.parts[part].to(|time| self.rate_of_part(part, time), time))
     }
 
-    /// ½(a + b)/(1 + u) for part 0, ½(a − b)/(1 − u) for part 1.
+    /// Rate of a part of the precession, rad/s: ½(a + b)/(1 + u) for part 0, ½(a − b)/(1 − u) for part 1.
     fn rate_of_part(&self, part: usize, time_from_lowest: S) -> S {
-        // Without its momentum a part is 0 at its pole too.
+        // A part without momentum is 0 at its pole too.
         if self.momenta[part] == S::int(0) {
             return S::int(0);
         }
@@ -156,7 +157,7 @@ impl<S: Real> Polar<S> {
     }
 }
 
-/// ½(a + b) and ½(a − b) with a = φ′ sin² θ + b cos θ: no cancellation next to θ = 0 or π.
+/// Half sums ½(a + b) and ½(a − b) with a = φ′ sin² θ + b cos θ: no cancellation next to θ = 0 or π.
 fn half_momenta<S: Real>(start: PolarStart<S>) -> [S; 2] {
     let two = S::int(2);
     let (sin, cos) = (start.theta / two).sin_cos();
@@ -164,12 +165,12 @@ fn half_momenta<S: Real>(start: PolarStart<S>) -> [S; 2] {
     [about_vertical + start.spin * cos * cos, about_vertical - start.spin * sin * sin]
 }
 
-/// The zeros of f by their differences from the start and from ±1, none of which is taken where it would cancel.
+/// Zeros of the cubic f by their differences from the start u₀ and from ±1, all computed without cancellation.
 struct Zeros<S> {
-    /// u₁ − u₀ ≤ 0 and u₂ − u₀ ≥ 0.
+    /// Difference u₁ − u₀ ≤ 0 of the lower zero from the start; `to_highest` is u₂ − u₀ ≥ 0.
     to_lowest: S,
     to_highest: S,
-    /// 1 + u₁, 1 − u₂ and u₃ − 1.
+    /// Distance 1 + u₁ of the lower zero from −1; `from_top` is 1 − u₂, and `beyond_top` is u₃ − 1.
     from_bottom: S,
     from_top: S,
     beyond_top: S,
@@ -183,7 +184,7 @@ impl<S: Real> Zeros<S> {
         let from_start = coefficients_from_start(start);
         let [c_0, c_1, c_2] = from_start;
         if c_0 == zero && c_1 == zero {
-            // θ stays: a steady precession, or upright.
+            // θ is constant: a steady precession, or an upright top.
             let third = if c_2 < zero { -c_2 } else { zero };
             return Self {
                 to_lowest: zero,
@@ -199,13 +200,13 @@ impl<S: Real> Zeros<S> {
             .with_margins(start.beta, momenta, above, below)
     }
 
-    /// Difference u₃ − u₂.
+    /// Difference u₃ − u₂ of the two upper zeros.
     fn gap(&self) -> S {
         self.beyond_top + self.from_top
     }
 
-    /// 1 + u₁ and 1 − u₂, given 1 ± u₀. By f(∓1) = −(a ± b)² they are quotients: as differences they would lose their
-    /// digits for a top that nearly passes through the vertical.
+    /// Sets 1 + u₁ and 1 − u₂, from 1 ± u₀. By f(∓1) = −(a ± b)² they are quotients: as differences they would lose
+    /// their digits for a top that nearly passes through the vertical.
     fn with_margins(self, beta: S, momenta: [S; 2], above: S, below: S) -> Self {
         let [zero, four] = [0, 4].map(S::int);
         let [at_bottom, at_top] = momenta.map(|half| four * half * half / beta);
@@ -224,10 +225,10 @@ impl<S: Real> Zeros<S> {
     }
 }
 
-/// u₁ − u₀ and u₂ − u₀, given f(u₀ + v)/β and u₃ − u₀.
+/// Differences u₁ − u₀ and u₂ − u₀ of the inner zeros, from the coefficients of f(u₀ + v)/β and from u₃ − u₀.
 fn inner_zeros<S: Real>([c_0, _, c_2]: [S; 3], third: S) -> [S; 2] {
     let [zero, two] = [0, 2].map(S::int);
-    // By their sum and their product, which is not positive: so the root below is of a sum.
+    // From the sum of both and their product, which is not positive: so the root below is of a sum.
     let half_sum = -(c_2 + third) / two;
     let product = if c_0 == zero { zero } else { -c_0 / third };
     let root = (half_sum * half_sum - product).sqrt();
@@ -240,13 +241,13 @@ fn inner_zeros<S: Real>([c_0, _, c_2]: [S; 3], third: S) -> [S; 2] {
     }
 }
 
-/// f(1 + v)/β = v³ + c₂ v² + c₁ v + c₀, given 1 − u₀. Only next to 1 can u₂ and u₃ be close; seen from there they are
-/// not.
+/// Coefficients of f(1 + v)/β = v³ + c₂ v² + c₁ v + c₀, from 1 − u₀. The zeros u₂ and u₃ can be close only next to 1,
+/// and as distances from 1 they are not.
 fn coefficients_from_top<S: Real>(start: PolarStart<S>, momenta: [S; 2], below: S) -> [S; 3] {
     let PolarStart { theta, theta_rate, phi_rate, beta, spin } = start;
     let two = S::int(2);
     let sin = theta.sin_cos().0;
-    // α − β and a − b.
+    // α − β and a − b:
     let excess = theta_rate * theta_rate + phi_rate * phi_rate * sin * sin - beta * below;
     let momentum = two * momenta[1];
     let c_0 = -momentum * momentum;
@@ -255,13 +256,13 @@ fn coefficients_from_top<S: Real>(start: PolarStart<S>, momenta: [S; 2], below: 
     [c_0, c_1, c_2].map(|c| c / beta)
 }
 
-/// f(u₀ + v)/β = v³ + c₂ v² + c₁ v + c₀.
+/// Coefficients of f(u₀ + v)/β = v³ + c₂ v² + c₁ v + c₀.
 fn coefficients_from_start<S: Real>(start: PolarStart<S>) -> [S; 3] {
     let PolarStart { theta, theta_rate, phi_rate, beta, spin } = start;
     let two = S::int(2);
     let (sin, cos) = theta.sin_cos();
     let square = sin * sin;
-    // α − β u₀ and a − b u₀ by their meaning.
+    // α − β u₀ and a − b u₀ from the rates:
     let kinetic = theta_rate * theta_rate + phi_rate * phi_rate * square;
     let vertical = phi_rate * square;
     let c_0 = square * theta_rate * theta_rate;
@@ -270,9 +271,9 @@ fn coefficients_from_start<S: Real>(start: PolarStart<S>) -> [S; 3] {
     [c_0, c_1, c_2].map(|c| c / beta)
 }
 
-/// Newton's method from above, where a cubic with real zeros falls steadily to its largest.
+/// Largest zero of a cubic with real zeros, by Newton's method from above, where the cubic falls steadily to it.
 fn largest_zero<S: Real>([c_0, c_1, c_2]: [S; 3]) -> S {
-    // Fujiwara (1916): no zero is larger in size.
+    // Fujiwara's bound (1916): no zero has a larger absolute value.
     let sizes = [c_2.to_f64().abs(), c_1.to_f64().abs().sqrt(), c_0.to_f64().abs().cbrt()];
     let mut v = S::from_f64(2.001 * sizes.into_iter().fold(0.0, f64::max));
     let [two, three] = [2, 3].map(S::int);

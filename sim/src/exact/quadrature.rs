@@ -3,21 +3,21 @@
 use super::trigonometry::nearest_whole;
 use tripos_traits::Real;
 
-/// Points of the rule. With 20 of them a panel that resolves the function to 1 % gives 30 digits.
+/// Number of points of the rule. With 20 points a panel that resolves the function to 1 % gives 30 digits.
 const POINTS: i64 = 20;
-/// Halvings at most. Next to a pole at a distance d it takes a few times log₂(1/d).
+/// Largest number of halvings. Next to a pole at a distance d an integral takes a few times log₂(1/d).
 const HALVINGS_LIMIT: usize = 300;
 
-/// Gauss–Legendre quadrature on panels; the worst is halved until the halves agree with the whole.
+/// Gauss–Legendre quadrature on panels; the worst panel is halved until its halves agree with the whole.
 ///
 /// Davis & Rabinowitz, *Methods of Numerical Integration* §2.7; DLMF 3.5(v).
 #[derive(Clone, Debug)]
 pub(super) struct Quadrature<S> {
-    /// Points in (0, 1) and their weights; the rule is symmetric about 0 on [−1, 1].
+    /// Points in (0, 1) with their weights; the rule is symmetric about 0 on [−1, 1].
     points: Vec<(S, S)>,
 }
 
-/// A part of the interval: its integral by halves, and how far the rule on the whole is from that.
+/// Part of the interval of an integral: the integrals over its halves, and the difference of the rule on the whole.
 struct Panel<S> {
     a: S,
     b: S,
@@ -36,13 +36,13 @@ impl<S: Real> Quadrature<S> {
         Self { points: (1..=POINTS / 2).map(point_and_weight).collect() }
     }
 
-    /// ∫ f from `a` to `b`, to about 16 EPSILON of ∫ |f|.
+    /// Integral of f from `a` to `b`, to about 16 EPSILON of ∫ |f|.
     pub(super) fn integrate(&self, f: impl Fn(S) -> S, a: S, b: S) -> S {
         let mut panels = vec![self.panel(&f, a, b, self.rule(&f, a, b))];
         for _ in 0..HALVINGS_LIMIT {
             let size: f64 = panels.iter().map(|panel| panel.total().to_f64().abs()).sum();
             let worst = (0..panels.len()).max_by(|&i, &j| panels[i].error.total_cmp(&panels[j].error)).unwrap_or(0);
-            // What is not a number is not improved by halving; it ends here too.
+            // A value that is not a number is not improved by halving; it ends the loop too.
             if panels[worst].error.is_nan() || panels[worst].error <= 16.0 * S::EPSILON * size {
                 break;
             }
@@ -54,7 +54,7 @@ impl<S: Real> Quadrature<S> {
         panels.iter().fold(S::int(0), |total, panel| total + panel.total())
     }
 
-    /// The panel from `a` to `b`, whose integral by the rule itself is `whole`.
+    /// Makes the panel from `a` to `b`; `whole` is its integral by a single application of the rule.
     fn panel(&self, f: &impl Fn(S) -> S, a: S, b: S, whole: S) -> Panel<S> {
         let middle = (a + b) / S::int(2);
         let halves = [self.rule(f, a, middle), self.rule(f, middle, b)];
@@ -70,12 +70,13 @@ impl<S: Real> Quadrature<S> {
     }
 }
 
-/// The i-th largest zero x of the Legendre polynomial P_n by Newton's method, with its weight 2/((1 − x²) P_n′(x)²).
+/// Computes the i-th largest zero x of the Legendre polynomial P_n by Newton's method, with its weight 2/((1 − x²)
+/// P_n′(x)²).
 fn point_and_weight<S: Real>(i: i64) -> (S, S) {
     let one = S::int(1);
     let guess = (core::f64::consts::PI * (i as f64 - 0.25) / (POINTS as f64 + 0.5)).cos();
     let mut x = S::from_f64(guess);
-    // 3 digits at first, doubled by each step.
+    // The guess has 3 digits, and each step doubles them.
     for _ in 0..6 {
         let (value, slope) = legendre(x);
         x = x - value / slope;
@@ -84,7 +85,8 @@ fn point_and_weight<S: Real>(i: i64) -> (S, S) {
     (x, S::int(2) / ((one - x * x) * slope * slope))
 }
 
-/// P_n(x) and P_n′(x), by the recurrence  k P_k = (2 k − 1) x P_{k−1} − (k − 1) P_{k−2}.
+/// Values P_n(x) and P_n′(x) of the Legendre polynomial of degree `POINTS`, by the recurrence k P_k = (2 k − 1) x
+/// P_{k−1} − (k − 1) P_{k−2}.
 fn legendre<S: Real>(x: S) -> (S, S) {
     let one = S::int(1);
     let (mut before, mut value) = (one, x);
@@ -96,7 +98,7 @@ fn legendre<S: Real>(x: S) -> (S, S) {
     (value, slope)
 }
 
-/// A function's integral from 0, for an even function that repeats with `period`: whole periods are integrated once.
+/// Integral from 0 of an even function that repeats with `period`: whole periods are integrated once.
 #[derive(Clone, Debug)]
 pub(super) struct PeriodicIntegral<S> {
     quadrature: Quadrature<S>,
@@ -105,7 +107,7 @@ pub(super) struct PeriodicIntegral<S> {
 }
 
 impl<S: Real> PeriodicIntegral<S> {
-    /// The integral of zero.
+    /// Integral of the function 0.
     pub(super) fn none() -> Self {
         let zero = S::int(0);
         Self { quadrature: Quadrature { points: Vec::new() }, period: zero, over_period: zero }
@@ -118,10 +120,10 @@ impl<S: Real> PeriodicIntegral<S> {
         Self { quadrature, period, over_period }
     }
 
-    /// ∫ f from 0 to x; `f` is the function it was made with.
+    /// Integral of f from 0 to x; `f` must be the function of [`PeriodicIntegral::new`].
     pub(super) fn to(&self, f: impl Fn(S) -> S, x: S) -> S {
         let zero = S::int(0);
-        // Without a period (a motion that takes for ever to repeat) there is no whole one.
+        // A motion that takes for ever to repeat has no whole period.
         let n = if self.period.to_f64().is_finite() { nearest_whole(x / self.period) } else { zero };
         let rest = self.quadrature.integrate(f, zero, if n == zero { x } else { x - n * self.period });
         if n == zero { rest } else { n * self.over_period + rest }

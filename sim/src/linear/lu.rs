@@ -1,18 +1,18 @@
 //! LU factors of a dense matrix in any scalar, real or complex, with partial pivoting.
 //!
-//! For the orders that implicit steps have (up to three times the state's length); nothing is allocated after `new`.
+//! They serve the orders of implicit steps, up to three times the state's length; nothing is allocated after `new`.
 
 use std::ops::{Add, Div, Mul, Sub};
 
 use tripos_traits::Real;
 
-/// A number of a field that pivots can be chosen in.
+/// A number of a field, real or complex, that can be an entry of a factored matrix.
 pub(crate) trait Entry:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// Returns the zero of the field.
+    /// Returns the number 0.
     fn zero() -> Self;
-    /// Size of the number: its norm, rounded.
+    /// Absolute value of the number, rounded to f64, for the choice of pivots.
     fn size(self) -> f64;
 }
 
@@ -25,22 +25,22 @@ impl<S: Real> Entry for S {
     }
 }
 
-/// A matrix, or its factors once it is factored.
+/// A square matrix, or its LU factors once it is factored.
 pub(crate) struct Lu<S> {
     n: usize,
-    /// Row by row. After factoring: U, and below the diagonal the multipliers L.
+    /// Entries, row by row. After factoring: U, and below the diagonal the multipliers L.
     pub(crate) entries: Vec<S>,
-    /// The row that column i took its pivot from.
+    /// Row from which column i took its pivot, for each i.
     pivots: Vec<usize>,
 }
 
 impl<S: Entry> Lu<S> {
-    /// A zero matrix of order `n`.
+    /// Makes a zero matrix of order `n`.
     pub(crate) fn new(n: usize) -> Self {
         Self { n, entries: vec![S::zero(); n * n], pivots: vec![0; n] }
     }
 
-    /// Factors the entries; false if a pivot is 0 or not a number.
+    /// Factors the entries in place; false if a pivot is 0 or not finite.
     pub(crate) fn factor(&mut self) -> bool {
         let n = self.n;
         for column in 0..n {

@@ -1,26 +1,27 @@
-//! Linear conditions in a metric: the least vector that meets them, the part of another vector that they leave free,
-//! and the conditions that depend on others.
+//! Linear conditions in a metric: the smallest vector that satisfies them, the part of another vector that they leave
+//! free, and the conditions that depend on others.
 //!
 //! A metric M = L Lᵀ makes x into z = Lᵀ x, whose plain length is that of x in the metric. Rows G of conditions G x = d
-//! become the columns of L⁻¹ Gᵀ. Gram and Schmidt's method finds orthonormal axes for them. It takes the rows in the
-//! order of their relative remainders, the largest first (P. Businger & G. H. Golub, Numer. Math. 7 (1965) 269–276). So
-//! the units of rows do not matter, and the remainder of a row tells how far it is from depending on those before it.
+//! become the columns of L⁻¹ Gᵀ. The method of Gram and Schmidt finds orthonormal axes for them. It takes the rows in
+//! the order of their relative remainders, the largest first (P. Businger & G. H. Golub, Numer. Math. 7 (1965)
+//! 269–276). So the units of rows do not matter, and the remainder of a row measures its distance from depending on the
+//! rows before it.
 //!
-//! Metric and conditions are made once and set again for each state, without an allocation. Vectors lie in one list,
-//! one after another.
+//! Metric and conditions are created once and set again for each state, without an allocation. Vectors lie in a single
+//! list, one after another.
 
-/// Remainder of a row of length 1 up to which the row counts as depending on others.
+/// Largest remainder, over the length of the row, with which a row counts as depending on others.
 pub(crate) const DEPENDENT: f64 = 1e-8;
 
-/// Least remainder of a diagonal entry in the factors of a definite mass matrix, over the entry.
+/// Smallest remainder of a diagonal entry in the factors of a definite mass matrix, over the entry.
 const CLEAR: f64 = 1e-13;
 
 /// Kind of a metric: by weights, or by a mass matrix.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// Components count over their weights.
+    /// Each component is divided by its weight.
     Weights,
-    /// A factored mass matrix gives lengths, with or without added inertia.
+    /// A factored mass matrix gives lengths; `is_plain` is false if inertia was added to it.
     Inertia { is_plain: bool },
 }
 
@@ -29,19 +30,19 @@ enum Kind {
 pub(crate) struct Metric {
     kind: Kind,
     length: usize,
-    /// The weights; or L row by row, with the reciprocals of its diagonal.
+    /// Weights of the components; or L row by row, with the reciprocals of its diagonal.
     entries: Vec<f64>,
-    /// A mass matrix to which inertia is added.
+    /// Copy of a mass matrix, with the added inertia.
     heavier: Vec<f64>,
 }
 
 impl Metric {
-    /// Creates one that is not set yet.
+    /// Creates a metric that is not set yet.
     pub(crate) const fn new() -> Self {
         Self { kind: Kind::Weights, length: 0, entries: Vec::new(), heavier: Vec::new() }
     }
 
-    /// Sets the metric by components, each over its weight.
+    /// Sets a metric by weights: each component of a vector is divided by its weight.
     pub(crate) fn set_weights(&mut self, weights: impl Iterator<Item = f64>) {
         self.kind = Kind::Weights;
         self.entries.clear();
@@ -50,8 +51,8 @@ impl Metric {
     }
 
     /// Sets the metric of a mass matrix, row by row, for vectors of this length. The matrix may be singular along
-    /// motions that the rows prevent: massless links are given an inertia there, which changes no motion that the rows
-    /// allow. False if a motion that they allow has no inertia.
+    /// motions that the rows prevent. Massless links are then given an inertia there, which changes no motion that the
+    /// rows allow. False if an allowed motion has no inertia.
     pub(crate) fn set_inertia(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: true };
@@ -62,8 +63,8 @@ impl Metric {
     }
 
     /// Sets the metric of a mass matrix, row by row, with inertia added along the rows in any case. Motions that the
-    /// rows allow keep their inertia, and lengths of rows stay bounded where the prevented motions have none. False if
-    /// a motion that the rows allow has no inertia.
+    /// rows allow keep their inertia, and lengths of rows stay bounded if the prevented motions have none. False if a
+    /// motion that the rows allow has no inertia.
     pub(crate) fn set_heavier(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: false };
@@ -81,12 +82,12 @@ impl Metric {
         factor(&self.heavier, length, &mut self.entries)
     }
 
-    /// True if the metric depends on no rows.
+    /// True if the metric does not depend on the rows of conditions.
     pub(crate) fn is_plain(&self) -> bool {
         self.kind != Kind::Inertia { is_plain: false }
     }
 
-    /// L⁻¹ times a linear form, such as a force or a row of conditions.
+    /// Multiplies a linear form, such as a force or a row of conditions, by L⁻¹, in place.
     pub(crate) fn raise(&self, form: &mut [f64]) {
         if self.kind == Kind::Weights {
             return scale(form, &self.entries);
@@ -96,7 +97,7 @@ impl Metric {
         }
     }
 
-    /// x = L⁻ᵀ z, in place of z.
+    /// Computes x = L⁻ᵀ z, in place of z.
     pub(crate) fn lower(&self, z: &mut [f64]) {
         if self.kind == Kind::Weights {
             return scale(z, &self.entries);
@@ -131,24 +132,24 @@ fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
     true
 }
 
-/// Rows of conditions in a metric.
+/// Rows of linear conditions in a metric, with orthonormal axes for them.
 #[derive(Clone)]
 pub(crate) struct Conditions {
     length: usize,
-    /// L⁻¹ times each row, and its remainder beside the rows taken before.
+    /// Rows times L⁻¹; `rest` has the remainder of each beside the rows taken before it.
     forms: Vec<f64>,
     rest: Vec<f64>,
-    /// Orthonormal, one for each row that is kept.
+    /// Orthonormal axes, one for each row that is kept.
     axes: Vec<f64>,
-    /// The rows that are kept, in the order in which they were taken, and the others.
+    /// Indices of the kept rows, in the order in which they were taken; `open` has the other rows.
     kept: Vec<usize>,
     open: Vec<usize>,
-    /// Each kept row along the axes up to its own, one list after another.
+    /// Components of each kept row along the axes up to its own, one list after another.
     along: Vec<f64>,
     shares: Vec<f64>,
-    /// The length of each row.
+    /// Length of each row in the metric.
     pub(crate) sizes: Vec<f64>,
-    /// Length of the remainder of each row beside those taken before it.
+    /// Length of the remainder of each row beside the rows taken before it.
     pub(crate) left: Vec<f64>,
 }
 
@@ -169,8 +170,8 @@ impl Conditions {
         }
     }
 
-    /// Sets these rows, one after another. A row is not kept if no more than the part `dependent` of its length is
-    /// left.
+    /// Sets these rows, one after another. A row is not kept if its remainder is no more than `dependent` times its
+    /// length.
     pub(crate) fn set(&mut self, metric: &Metric, rows: &[f64], dependent: f64) {
         self.length = metric.length.max(1);
         self.forms.clear();
@@ -193,7 +194,7 @@ impl Conditions {
         }
     }
 
-    /// Place among the open rows of the one with the largest relative remainder; `None` if that is too small.
+    /// Place in `open` of the row with the largest relative remainder; `None` if no remainder is above `dependent`.
     fn clearest(&self, dependent: f64) -> Option<usize> {
         // A row of zeros is no condition.
         let part = |row: usize| if self.sizes[row] > 0.0 { self.left[row] / self.sizes[row] } else { 0.0 };
@@ -201,13 +202,14 @@ impl Conditions {
         parts.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, most)| *most > dependent).map(|(place, _)| place)
     }
 
-    /// Makes an axis of the remainder of an open row, and subtracts it from the remainders of the others.
+    /// Makes an axis of the remainder of an open row, and subtracts its direction from the remainders of the other
+    /// rows.
     fn take(&mut self, place: usize) {
         let (n, row) = (self.length, self.open.remove(place));
         let known = self.axes.len();
         self.axes.extend_from_slice(&self.rest[row * n..(row + 1) * n]);
         let (before, axis) = self.axes.split_at_mut(known);
-        // Again, for what rounding left.
+        // The projection is repeated to remove rounding errors.
         for other in before.chunks_exact(n) {
             axpy(-dot(other, axis), other, axis);
         }
@@ -222,12 +224,12 @@ impl Conditions {
         self.kept.push(row);
     }
 
-    /// True if no row depends on others.
+    /// True if no row of the conditions depends on others.
     pub(crate) fn is_independent(&self) -> bool {
         self.kept.len() == self.sizes.len()
     }
 
-    /// Adds the shortest z that meets the kept conditions with these right-hand sides, one for each row.
+    /// Adds the shortest z that satisfies the kept conditions with these right-hand sides, one for each row.
     pub(crate) fn add_least(&mut self, sides: &[f64], z: &mut [f64]) {
         self.shares.clear();
         let mut along = self.along.as_slice();
@@ -242,7 +244,7 @@ impl Conditions {
         }
     }
 
-    /// Removes from z its part along all axes: the rest has no part in the kept conditions.
+    /// Removes from z its part along all axes: the remaining z is free of the kept conditions.
     pub(crate) fn free(&self, z: &mut [f64]) {
         for axis in self.axes.chunks_exact(self.length) {
             axpy(-dot(axis, z), axis, z);
@@ -254,14 +256,14 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// y + a x in place of y.
+/// Computes y + a x in place of y.
 pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
     for (y, x) in y.iter_mut().zip(x) {
         *y += a * x;
     }
 }
 
-/// Scales a vector to the length 1; one of zeros becomes not a number.
+/// Scales a vector to the length 1; a vector of zeros becomes not a number.
 pub(crate) fn shorten(x: &mut [f64]) {
     let size = dot(x, x).sqrt();
     for x in x {

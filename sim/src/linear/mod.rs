@@ -1,7 +1,7 @@
-//! Linear systems of the small orders that mechanics has.
+//! Linear systems of the small orders that occur in mechanics.
 //!
-//! Invariant: an order up to 12 is solved on the stack, without touching the heap. Absent on
-//! purpose: structure (bands, blocks) and iteration; both belong to the equations, not here.
+//! Invariant: an order up to 12 is solved on the stack, without an allocation. Absent on purpose: structure (bands,
+//! blocks) and iteration; both belong to the equations, not here.
 
 pub(crate) mod lu;
 pub(crate) mod metric;
@@ -10,17 +10,17 @@ pub(crate) mod singular;
 use nalgebra::{Const, DMatrix, DVector, DimMin, SMatrix, SVector};
 use tripos_traits::largest;
 
-/// Shape of a matrix, as known before it is factored.
+/// Kind of a matrix, as known before it is factored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shape {
-    /// Symmetric, and positive definite unless nearly singular: Cholesky's factorization is tried
-    /// first, then LU (far from singular, only an indefinite matrix needs it).
+    /// A symmetric matrix, positive definite unless nearly singular. Cholesky's factorization is tried first, then LU:
+    /// far from singular, only an indefinite matrix needs it.
     Symmetric,
-    /// Any matrix: LU with partial pivoting.
+    /// A matrix of any kind: LU with partial pivoting.
     General,
 }
 
-/// Reason why a system has no solution.
+/// Reason why a linear system has no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unsolvable {
     /// The matrix or the right-hand side holds an infinity or a "not a number".
@@ -29,14 +29,13 @@ pub enum Unsolvable {
     Singular,
 }
 
-/// Solves A x = b, A row by row with b.len()² entries; the solution replaces `b`.
+/// Solves A x = b; `a` holds A row by row, with b.len()² entries; the solution replaces `b`.
 ///
-/// The residual is small whenever this succeeds; the error can be as large as ε / rcond(A), see
+/// The residual is small whenever the solution exists; the error can be as large as ε / rcond(A), see
 /// [`reciprocal_condition`].
 ///
 /// # Errors
-/// [`Unsolvable`] if there is no finite solution, or if `a` has the wrong length; `b` is then of no
-/// use.
+/// [`Unsolvable`] if there is no finite solution, or if `a` has the wrong length; `b` is then useless.
 pub fn solve(a: &[f64], b: &mut [f64], shape: Shape) -> Result<(), Unsolvable> {
     if a.len() != b.len() * b.len() {
         return Err(Unsolvable::Singular);
@@ -102,11 +101,11 @@ fn solve_dynamic(a: &[f64], b: &mut [f64], shape: Shape) -> bool {
     solved
 }
 
-/// 1 / (‖A‖₁ ‖A⁻¹‖₁) after every row, then every column, is divided by its largest entry; 0 for a
-/// singular matrix or one that is not finite. `a` holds n² entries, row by row.
+/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) after every row, then every column, is divided by its largest entry; 0
+/// for a singular matrix or one that is not finite. `a` holds n² entries, row by row.
 ///
-/// The scaling takes out the choice of units, so that what is left is nearness to a singular
-/// matrix. By explicit inversion: for messages and charts, not for every step.
+/// The scaling removes the choice of units, so that the number measures nearness to a singular matrix. It takes an
+/// explicit inverse: it is for messages and charts, not for every step.
 #[must_use]
 pub fn reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || n == 0 || !a.iter().all(|x| x.is_finite()) {
@@ -129,8 +128,8 @@ pub fn reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if reciprocal.is_finite() { reciprocal } else { 0.0 }
 }
 
-/// 1 / (‖A‖₁ ‖A⁻¹‖₁) of the matrix as it is, which depends on the choice of units; 0 for a singular matrix or one that
-/// is not finite. `a` holds n² entries, row by row.
+/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) of the matrix without scaling, which depends on the choice of units; 0
+/// for a singular matrix or one that is not finite. `a` holds n² entries, row by row.
 #[must_use]
 pub fn plain_reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || n == 0 || !a.iter().all(|x| x.is_finite()) {
@@ -142,7 +141,7 @@ pub fn plain_reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if reciprocal.is_finite() { reciprocal } else { 0.0 }
 }
 
-/// The determinant, by LU; not a number if `a` does not hold n² numbers that are finite.
+/// Determinant of a matrix of order `n`, by LU; not a number if `a` does not hold n² finite numbers.
 #[must_use]
 pub fn determinant(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || !a.iter().all(|x| x.is_finite()) {
@@ -151,7 +150,7 @@ pub fn determinant(a: &[f64], n: usize) -> f64 {
     DMatrix::from_row_slice(n, n, a).determinant()
 }
 
-/// Largest sum of absolute values of a column.
+/// Matrix norm ‖A‖₁: the largest sum of absolute values of a column.
 fn one_norm(matrix: &DMatrix<f64>) -> f64 {
     largest(matrix.column_iter().map(|column| column.iter().map(|x| x.abs()).sum()))
 }

@@ -5,11 +5,11 @@
 
 use super::metric::dot;
 
-/// Largest number of rounds over all pairs, of which a handful is enough.
+/// Largest number of rounds over all pairs of vectors; usually a handful is enough.
 const ROUNDS: usize = 30;
 
-/// Least singular value of vectors of this length, one after another, which are turned on the way. Not a number if an
-/// entry is not a number; infinite without vectors.
+/// Least singular value of vectors of this length, which lie one after another and are turned by the method. Not a
+/// number if an entry is not a number; infinite without vectors.
 pub(crate) fn least_singular_value(vectors: &mut [f64], length: usize) -> f64 {
     let count = vectors.len() / length.max(1);
     for _ in 0..ROUNDS {
@@ -28,7 +28,7 @@ pub(crate) fn least_singular_value(vectors: &mut [f64], length: usize) -> f64 {
     sizes.fold(f64::INFINITY, |least, size| if size < least || size.is_nan() { size } else { least })
 }
 
-/// Turns two vectors in their plane so that they are at right angles; false if they were.
+/// Turns two vectors in their plane until they are at right angles; false if they were so before.
 fn turn(a: &mut [f64], b: &mut [f64]) -> bool {
     let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
     let bound = f64::EPSILON * (aa * bb).sqrt();

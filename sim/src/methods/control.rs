@@ -1,76 +1,75 @@
-//! Step sizes: the rules of `ode45`, and those of Hairer's codes, as data.
+//! Control of step sizes: the rules of `ode45`, and those of Hairer's codes, as data.
 //!
-//! Sizes are positive whichever way the run goes. A step that fails is never tried again below 16 ulp of t,
-//! whatever the rules.
+//! Sizes are positive in both directions of time. No rule tries a failed step again below 16 ulp of t.
 
 use crate::rounding::smallest_step;
 use crate::tolerance::ErrorTest;
 
-/// Rules by which step sizes follow from errors.
+/// Rules by which the sizes of steps follow from their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rules {
     /// Rules of `ode45`: L. F. Shampine & M. W. Reichelt, "The MATLAB ODE Suite", SIAM J. Sci. Comput. 18 (1997) 1–22.
     Ode45 {
-        /// Sizes follow the root of this degree.
+        /// Degree of the root of the error that changes the size.
         order: u32,
     },
-    /// The method proposes each size; a step that fails is halved.
+    /// The method proposes each size, and a step that fails is halved.
     Proposed,
     /// Rules of `dopri5` and `dop853`, with the stabilization of Lund and Gustafsson: E. Hairer, S. P. Nørsett & G.
     /// Wanner, *Solving Ordinary Differential Equations I* (1993), §II.4 and §IV.2 of volume II.
     Hairer {
         /// Degree of the root in the choice of the first step.
         order: u32,
-        /// The size is divided by this power of the error.
+        /// Power of the error by which the size is divided.
         exponent: f64,
-        /// Effect of the step before on that size.
+        /// Effect of the error of the step before on the size.
         earlier: Earlier,
-        /// A step shrinks at most by this factor.
+        /// Smallest factor by which the size changes from one step to the next.
         shrink: f64,
-        /// A step grows at most by this factor.
+        /// Largest factor by which the size changes from one step to the next.
         grow: f64,
     },
 }
 
-/// Effect of the step before on the size of the next one.
+/// Effect of the step before on the size of the next step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Earlier {
     /// The step before has no effect.
     Forgotten,
-    /// The size is multiplied by this power of its error: errors that rise and fall in turn are damped.
+    /// The size is multiplied by this power of the error of the step before: alternating errors are damped.
     Damps(f64),
-    /// The error is predicted to grow once more as it did last, where that asks for a smaller size: K. Gustafsson,
+    /// The error is predicted to grow again as it did in the last step, if that gives a smaller size: K. Gustafsson,
     /// "Control-theoretic techniques for stepsize selection in implicit Runge–Kutta methods", ACM Trans. Math. Software
     /// 20 (1994) 496–517; Hairer & Wanner, *Solving Ordinary Differential Equations II*, §IV.8. A size that would grow
-    /// by a fifth or less stays, since matrices are factored anew for another one.
+    /// by a fifth or less stays, since another size needs new factors of the matrices.
     Predicts,
 }
 
-/// A step that would grow by no more than this keeps its size, where that saves factors.
+/// Largest growth of a step for which its size is kept, if that saves factors of matrices.
 const WORTH_A_CHANGE: f64 = 1.2;
 
-/// In Hairer's rules, how much smaller than the error would allow a step is made: 1 / 0.9, since the next step waits
-/// for these operations, and a product is ready sooner than a quotient.
+/// Safety divisor of Hairer's rules: a step is 0.9 of the size that its error allows. It is written as 1 / 0.9, since
+/// the next step waits for these operations, and a product is ready sooner than a quotient.
 const MARGIN: f64 = 1.0 / 0.9;
 
 impl Earlier {
-    /// Lower bound on the error that is remembered of a step.
+    /// Lower bound on the remembered error of a step.
     fn least(self) -> f64 {
         if self == Self::Predicts { 1e-2 } else { 1e-4 }
     }
 }
 
 impl Rules {
-    /// Longest step as a part of the span, unless the caller says otherwise.
+    /// Longest step as a fraction of the span, if the options state none.
     pub(crate) fn longest_part(self) -> f64 {
         match self {
-            // A polynomial is its own Taylor series, and events are looked for at some places of each step.
+            // A polynomial is its own Taylor series, and events are sampled at several places of each step.
             Self::Ode45 { .. } | Self::Proposed => 0.1,
             Self::Hairer { .. } => 1.0,
         }
     }
 
-    /// A step is stretched by up to this factor to reach the end of the run.
+    /// Largest factor by which a step is stretched to reach the end of the run.
     pub(crate) fn stretch(self) -> f64 {
         match self {
             Self::Ode45 { .. } => 1.1,
@@ -79,17 +78,17 @@ impl Rules {
     }
 }
 
-/// Rules of step sizes, with their memory of earlier steps.
+/// Control of step sizes by rules, with a memory of earlier steps.
 #[derive(Clone, Debug)]
 pub(crate) struct Control {
     rules: Rules,
     tolerance: f64,
-    /// True if the step being tried failed before.
+    /// True if the step that is tried failed before.
     failed: bool,
-    /// Hairer: the error of the step before, at least 1e-4, or 1e-2 where it predicts; and the size of that step.
+    /// Error of the step before in Hairer's rules, at least 1e-4, or 1e-2 if it predicts; `previous_size` is its size.
     previous: f64,
     previous_size: Option<f64>,
-    /// Hairer: part taken of the size that the error allows, at most 1.
+    /// Fraction of the size that the error allows, at most 1, in Hairer's rules.
     pub(crate) margin: f64,
 }
 
@@ -98,7 +97,7 @@ impl Control {
         Self { rules, tolerance: test.tolerance, failed: false, previous: 1e-4, previous_size: None, margin: 1.0 }
     }
 
-    /// The size of the next step after one of this size with this error, which is small enough.
+    /// Size of the next step after an accepted step of this size with this error.
     pub(crate) fn after_success(&mut self, size: f64, error: f64) -> f64 {
         let failed = std::mem::replace(&mut self.failed, false);
         match self.rules {
@@ -123,13 +122,13 @@ impl Control {
         }
     }
 
-    /// Divisor of the size if the error grows again as it did from the step before to this one; 0 after a first step.
+    /// Divisor of the size if the error grows again as it did from the step before to this step; 0 after a first step.
     fn predicted(&self, size: f64, error: f64, exponent: f64) -> f64 {
         let Some(before) = self.previous_size else { return 0.0 };
         (before / size) * power(error * error / self.previous, exponent) * MARGIN
     }
 
-    /// The size to try after a failure with this error; without one, f had no value somewhere.
+    /// Size to try after a failed step of this size with this error; `None` if f had no value somewhere in it.
     pub(crate) fn after_failure(&mut self, size: f64, error: Option<f64>) -> f64 {
         let failed = std::mem::replace(&mut self.failed, true);
         match (self.rules, error) {
@@ -148,27 +147,27 @@ fn root(x: f64, order: u32) -> f64 {
     x.powf(1.0 / f64::from(order))
 }
 
-/// xᵃ; for the eighth root, by square roots, which cost less.
+/// Power xᵃ; for the eighth root, by square roots, which cost less.
 fn power(x: f64, exponent: f64) -> f64 {
     if crate::stepper::same(exponent, 0.125) { x.sqrt().sqrt().sqrt() } else { x.powf(exponent) }
 }
 
-/// `ode45`: the first step is small enough that y' alone would change y by about rtol^(1/order).
+/// First step of `ode45`: so small that y' alone would change y by about rtol^(1/order).
 pub(crate) fn initial(test: &ErrorTest, order: u32, longest: f64, t: f64, slope_norm: f64) -> f64 {
     let rate = slope_norm / (0.8 * root(test.tolerance, order));
     let size = if longest * rate > 1.0 { 1.0 / rate } else { longest };
     size.max(smallest_step(t))
 }
 
-/// Hairer's first guess: a step of Euler's method that changes y by a hundredth of its size. `y` and `slope` are
-/// norms over the allowed errors.
+/// Hairer's first guess of the first step: a step of Euler's method that changes y by a hundredth of its size. `y` and
+/// `slope` are norms over the allowed errors.
 pub(crate) fn first_guess(y: f64, slope: f64, longest: f64) -> f64 {
     let tiny = 1e-5; // their squares are compared with 1e-10
     let guess = if y <= tiny || slope <= tiny { 1e-6 } else { 0.01 * (y / slope) };
     guess.min(longest)
 }
 
-/// Hairer's first step, by the larger of the norms of y' and y'': sizeᵒʳᵈᵉʳ times that is 0.01.
+/// Hairer's first step, from the larger of the norms of y' and y'': sizeᵒʳᵈᵉʳ times that norm is 0.01.
 pub(crate) fn second_guess(guess: f64, slope: f64, curvature: f64, order: u32, longest: f64) -> f64 {
     let larger = slope.max(curvature);
     let size = if larger <= 1e-15 { (1e-3 * guess).max(1e-6) } else { root(0.01 / larger, order) };

@@ -1,17 +1,17 @@
-//! The polynomial of DOP853 inside a step, by the published coefficients of one component.
+//! Polynomial of DOP853 inside a step, by the published coefficients of one component.
 
 use tripos_traits::Real;
 
-/// The dense output of one component at the fraction `theta` of the step, from its coefficients.
+/// Value of one component at the fraction `theta` of a step of DOP853, from its coefficients of the dense output.
 pub(crate) fn value_of<S: Real>([r0, r1, r2, r3, r4, r5, r6, r7]: [S; 8], theta: S) -> S {
     let rest = S::int(1) - theta;
     let inner = r4 + theta * (r5 + rest * (r6 + theta * r7));
     r0 + theta * (r1 + rest * (r2 + theta * (r3 + rest * inner)))
 }
 
-/// The coefficients of the powers of `theta` in the dense output of one component.
+/// Coefficients of the powers of `theta` in the dense output of one component of DOP853.
 pub(crate) fn powers_of<S: Real>(r: [S; 8]) -> [S; 8] {
-    // From the innermost bracket outwards: times θ or 1 − θ in turn, plus the next of r.
+    // From the innermost bracket outwards: times θ or 1 − θ in turn, plus the next coefficient of r.
     let mut p = [S::from_f64(0.0); 8];
     p[0] = r[7];
     for (at, add) in r[..7].iter().enumerate().rev() {

@@ -1,9 +1,10 @@
-//! One step of DOP853: Dormand–Prince 8(5,3) with a dense output of order 7.
+//! Steps of DOP853: Dormand–Prince 8(5,3) with a dense output of order 7.
 //!
-//! Invariant: `k[b][0]` is the derivative at (t, y), block b of it. After a trial step that passed the test `k[b][12]`
-//! is the one at its end; if the state is moved there before the next step, only once something looks inside. A step
-//! allocates nothing. The formulae are those of E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
-//! Equations I* (1993), §II.5 (error) and §II.6 (dense output).
+//! Invariant: `k[b][0]` is block b of the derivative at (t, y). After a trial step that passed its error test,
+//! `k[b][12]` is the derivative at its end. If the state is moved there before the next step, the derivative is
+//! computed only once the inside of the step is needed. A step allocates nothing. The formulae are those of E. Hairer,
+//! S. P. Nørsett & G. Wanner, *Solving Ordinary Differential Equations I* (1993), §II.5 (error) and §II.6 (dense
+//! output).
 
 use std::array::from_fn;
 
@@ -16,12 +17,12 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
 use crate::tolerance::ErrorTest;
 
-/// Stages of the step, its end, and three inside it.
+/// Number of stages: of the step, at its end, and three inside it.
 pub(crate) const STAGES: usize = 16;
-/// The row of the new point, and the stage that is evaluated there.
+/// Row of the coefficients of the new point, and index of the stage that is evaluated there.
 pub(crate) const END: usize = 12;
 
-/// Stages that each row uses, known at compile time, so that the others cost nothing.
+/// Stages that each row of coefficients uses, known at compile time, so that unused stages cost nothing.
 pub(crate) const USED: [[bool; STAGES]; STAGES] = {
     let mut used = [[false; STAGES]; STAGES];
     let mut i = 0;
@@ -43,10 +44,10 @@ const fn used_by(row: Row) -> [bool; STAGES] {
     used
 }
 
-/// A number twice, as a register of two wants it: nothing need be spread then.
+/// A number twice, as a register of two numbers needs it: no instruction has to spread it.
 type Twice<S> = [S; 2];
 
-/// The published numbers in the scalar of the run.
+/// Published coefficients of DOP853 in the scalar of the run.
 struct Coefficients<S> {
     a: [[Twice<S>; STAGES]; STAGES],
     error5: [Twice<S>; STAGES],
@@ -73,32 +74,32 @@ fn row<S: Real>(entries: Row) -> [Twice<S>; STAGES] {
     values
 }
 
-/// State of the method between and inside steps.
+/// State of DOP853 between and inside steps.
 pub(crate) struct Dop853<S> {
     coefficients: Coefficients<S>,
     t: f64,
     t_new: f64,
     y: Blocks<S>,
-    /// The point at which a stage is evaluated; in the end, the new point.
+    /// Point at which a stage is evaluated; after the last stage, the new point.
     y_new: Blocks<S>,
-    /// Last output of the right-hand side.
+    /// Derivative that the right-hand side gave last.
     f: Blocks<S>,
     k: Vec<[Block<S>; STAGES]>,
-    /// The last five coefficients of the dense output, and the point it needs for its stages.
+    /// Coefficients of the dense output; `inner` is the point at which a stage inside the step is evaluated.
     dense: Vec<[Block<S>; 8]>,
     inner: Blocks<S>,
-    /// Differences from the solutions of order 5 and 3 over their weights. They pass through memory, since the
-    /// compiler makes vector instructions of what ends in stores.
+    /// Error estimates of order 5 and 3 over the weights of the error test. They pass through memory, since the
+    /// compiler makes vector instructions of loops that end in stores.
     quotients: Vec<[Block<f64>; 2]>,
-    /// True if the state may be moved after each step: only the moved state then needs a derivative.
+    /// True if the state may be moved after each step: then only the moved state needs a derivative.
     moves: bool,
-    /// True if the derivative at the end of the step last tried is known.
+    /// True if the derivative at the end of the last tried step is known.
     has_end: bool,
     evaluations: u64,
 }
 
 impl<S: Real> Dop853<S> {
-    /// The method for `n` equations.
+    /// Creates the method for `n` equations.
     pub(crate) fn new(n: usize) -> Self {
         let zero = S::from_f64(0.0);
         let count = n.div_ceil(LANES);
@@ -119,7 +120,7 @@ impl<S: Real> Dop853<S> {
         }
     }
 
-    /// k_i = f(t + c_i h, y + h Σ_j a_ij k_j), left in `f` until the next stage takes it.
+    /// Evaluates stage i, k_i = f(t + c_i h, y + h Σ_j a_ij k_j), and leaves it in `f` until the next stage takes it.
     #[inline]
     fn stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, t: f64) -> Result<(), Trouble> {
         let row = &self.coefficients.a[I];
@@ -131,7 +132,7 @@ impl<S: Real> Dop853<S> {
         rhs.rhs(t, self.y_new.components(), self.f.components_mut()).map_err(Trouble::Failed)
     }
 
-    /// A stage that only the dense output needs.
+    /// Evaluates stage I, which only the dense output needs.
     fn inner_stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), Trouble> {
         let row = &self.coefficients.a[I];
         let finite = advance::<S, I>(row, h, &self.y, (&mut self.k, &self.f), &mut self.inner);
@@ -150,7 +151,7 @@ impl<S: Real> Dop853<S> {
         self.keep(stage)
     }
 
-    /// Stores the last output of the right-hand side as a stage.
+    /// Stores the last derivative of the right-hand side as a stage; an error if it is not finite.
     fn keep(&mut self, stage: usize) -> Result<(), Trouble> {
         let mut finite = Finite::new();
         for (k, f) in self.k.iter_mut().zip(&self.f.blocks) {
@@ -160,15 +161,15 @@ impl<S: Real> Dop853<S> {
         if finite.all() { Ok(()) } else { Err(self.not_finite(&self.y_new)) }
     }
 
-    /// Error for a number that is not finite: of the derivative evaluated last, or else of the point computed from it.
+    /// Error for a number that is not finite: in the last derivative, or else in the point computed from it.
     #[cold]
     fn not_finite(&self, point: &Blocks<S>) -> Trouble {
         let checks = check_finite(self.f.components()).and_then(|()| check_finite(point.components()));
         checks.err().unwrap_or(Trouble::NotFinite { component: 0 })
     }
 
-    /// The new point and its error, |h| e₅² / √(e₅² + 0.01 e₃²), with e₅ and e₃ the norms of the differences from
-    /// solutions of order 5 and 3. It shrinks like h⁸, as that of the method does.
+    /// Computes the new point and its error, |h| e₅² / √(e₅² + 0.01 e₃²), with e₅ and e₃ the norms of the differences
+    /// from solutions of order 5 and 3. The error shrinks like h⁸, as that of the method does.
     fn finish(&mut self, h: S, test: &ErrorTest) -> (Finite, f64) {
         let (b, e5, e3) = (&self.coefficients.a[END], &self.coefficients.error5, &self.coefficients.error3);
         let (mut finite, mut sum5, mut sum3) = (Finite::new(), [0.0; LANES], [0.0; LANES]);
@@ -196,19 +197,19 @@ impl<S: Real> Dop853<S> {
     }
 }
 
-/// The error of a step `h` of `n` components from the sums of the squares of their weighted differences:
-/// |h| e₅² / √(n (e₅² + 0.01 e₃²)).
+/// Error of a step `h` of `n` components from the sums of the squares of their weighted differences: |h| e₅² / √(n (e₅²
+/// + 0.01 e₃²)).
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "also inside code for wider registers, lane by lane")]
 pub(crate) fn error_of(h: f64, sum5: f64, sum3: f64, n: usize) -> f64 {
     let both = sum5 + 0.01 * sum3;
     let both = if both > 0.0 { both } else { 1.0 };
     let error = h.abs() * sum5 / (both * n.max(1) as f64).sqrt();
-    // Sums that overflow belong to errors beyond any tolerance.
+    // Sums that overflow are errors beyond any tolerance.
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Σⱼ aⱼ kⱼ over the stages before `end` that are used, stage 0 always among them.
+/// Sum Σⱼ aⱼ kⱼ over stage 0 and the used stages before `end`.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "with the stages known, the loops below become straight vector code")]
 fn combination<S: Real>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; STAGES], end: usize) -> Block<S> {
@@ -221,10 +222,10 @@ fn combination<S: Real>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; ST
     sum
 }
 
-/// y + h Σⱼ aᵢⱼ kⱼ for row I. Stage I − 1 is still in `f`, and moves to its place on the way; stage 0 is there already.
-/// Every row uses the stage before it, so that a stage that is not finite shows in the point.
+/// Writes the point y + h Σⱼ aᵢⱼ kⱼ of row I. Stage I − 1 is still in `f`, and is copied to `k`; stage 0 is there
+/// already. Every row uses the stage before it, so that a stage that is not finite shows in the point.
 ///
-/// That stage comes last and by itself: it is known late, and two operations after it the point is complete.
+/// Stage I − 1 is added last and by itself: it is known late, and two operations after it the point is complete.
 #[inline]
 fn advance<S: Real, const I: usize>(
     a: &[Twice<S>; STAGES],
@@ -331,7 +332,7 @@ impl<S: Real> Stepper for Dop853<S> {
     fn prepare_inside<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> bool {
         let h = S::from_f64(self.t_new) - S::from_f64(self.t);
         self.has_end = self.has_end || self.evaluate(rhs, END, self.t_new).is_ok();
-        // The last stage of the step is evaluated next to its end.
+        // Without the derivative at the end, the last stage of the step replaces it: it is evaluated next to the end.
         let end = if self.has_end { END } else { END - 1 };
         let mut stages = || {
             self.inner_stage::<13, R>(rhs, h)?;

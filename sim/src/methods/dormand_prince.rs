@@ -1,8 +1,8 @@
-//! The Dormand–Prince 5(4) pair, the method of MATLAB's `ode45`.
+//! Coefficients of the Dormand–Prince 5(4) pair, the method of MATLAB's `ode45`.
 
 use super::tableau::Tableau;
 
-/// Dormand–Prince 5(4) with the continuous extension of degree 4 that `ode45` uses.
+/// Coefficients of Dormand–Prince 5(4), with the continuous extension of degree 4 that `ode45` uses.
 ///
 /// J. R. Dormand & P. J. Prince, "A family of embedded Runge–Kutta formulae", J. Comput. Appl.
 /// Math. 6 (1980) 19–26, method RK5(4)7M; the continuous extension as in L. F. Shampine & M. W.

@@ -1,4 +1,4 @@
-//! The coefficients of DOP853, as published.
+//! Coefficients of DOP853, as published.
 //!
 //! E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential Equations I. Nonstiff Problems*, 2nd edition
 //! (1993), §II.5 and §II.6; the digits are those of the authors' program `dop853.f`, subroutine `dp86co`.
@@ -8,24 +8,24 @@
 
 use tripos_traits::Real;
 
-/// A coefficient as it is published: more digits than an `f64` holds, and the nearest `f64`.
+/// A published coefficient of a method: its text, with more digits than an `f64` holds, and the nearest `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decimal {
-    /// In decimal notation.
+    /// Coefficient in decimal notation.
     pub text: &'static str,
-    /// Rounded by the compiler, so that the text need not be read at run time.
+    /// Coefficient rounded by the compiler, so that the text need not be read at run time.
     pub value: f64,
 }
 
 impl Decimal {
-    /// The coefficient, as exactly as the scalar can hold it.
+    /// Returns the coefficient, as exactly as the scalar can hold it.
     #[must_use]
     pub fn to<S: Real>(&self) -> S {
         if S::EPSILON < f64::EPSILON { S::decimal(self.text) } else { S::from_f64(self.value) }
     }
 }
 
-/// The entries of a row that are not 0: the stage, from 0, and its coefficient.
+/// Entries of a row of coefficients that are not 0: the stage, from 0, and its coefficient.
 pub type Row = &'static [(usize, Decimal)];
 
 macro_rules! row {
@@ -34,28 +34,28 @@ macro_rules! row {
     };
 }
 
-/// Dormand & Prince's method of order 8 as Hairer and Wanner complete it, with all
-/// digits. Stages 0 to 11 make the step; stage 12 is f at the new point; stages 13 to 15 serve the dense output.
+/// Coefficients of Dormand & Prince's method of order 8 as Hairer and Wanner complete it, with all digits. Stages 0 to
+/// 11 make the step; stage 12 is f at the new point; stages 13 to 15 serve the dense output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Published853 {
-    /// The instants cᵢ of the stages as parts of the step; times are `f64`.
+    /// Instants cᵢ of the stages as fractions of the step; times are `f64`.
     pub c: [f64; 16],
-    /// aᵢⱼ; row 12 holds the weights bⱼ of the new point.
+    /// Coefficients aᵢⱼ of the stages; row 12 holds the weights bⱼ of the new point.
     pub a: [Row; 16],
-    /// Weights of the error against a solution of order 5.
+    /// Weights of the stages in the error against a solution of order 5.
     pub error5: Row,
-    /// Weights of a solution of order 3, which the new point is compared with.
+    /// Weights of the stages in a solution of order 3, with which the new point is compared.
     pub error3: Row,
     /// Weights of the stages in the last four coefficients of the dense output.
     pub dense: [Row; 4],
 }
 
-/// Dormand–Prince 8(5,3).
+/// Coefficients of Dormand–Prince 8(5,3).
 ///
 /// P. J. Prince & J. R. Dormand, "High order embedded Runge–Kutta formulae", J. Comput. Appl. Math. 7 (1981) 67–75;
 /// the error estimates and the dense output of order 7 are Hairer's and Wanner's, see the head of this file.
 pub const DORMAND_PRINCE_853: Published853 = Published853 {
-    // c₁ = 2/3 c₂, c₂ = 2/3 c₃, c₃ = (6 − √6)/30, c₄ = (6 + √6)/30; the others are fractions.
+    // c₁ = 2/3 c₂, c₂ = 2/3 c₃, c₃ = (6 − √6)/30, c₄ = (6 + √6)/30; the other instants are fractions.
     c: [
         0.0,
         0.0526001519587677318785587544488,

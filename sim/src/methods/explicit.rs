@@ -1,8 +1,7 @@
-//! One step of an explicit Runge–Kutta pair.
+//! Steps of an explicit Runge–Kutta pair.
 //!
-//! Invariant: `k[0]` is the derivative at (t, y); after a trial step `k[S-1]` is the one at its
-//! end. Buffers are made once; a step allocates nothing. Absent on purpose: the choice of the step
-//! size.
+//! Invariant: `k[0]` is the derivative at (t, y); after a trial step `k[S-1]` is the derivative at its end. Buffers are
+//! made once; a step allocates nothing. Absent on purpose: the choice of the step size.
 
 use tripos_traits::Real;
 
@@ -11,13 +10,13 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
 use crate::tolerance::ErrorTest;
 
-/// Step length that multiplies the derivatives.
+/// Kind of the step length that multiplies the derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Length {
-    /// The step as it was chosen, before t + h was rounded, as in `ode45`. A scalar wider than `f64` takes the
-    /// other one, since the difference would be its largest error.
+    /// Step length as it was chosen, before t + h was rounded, as in `ode45`. A scalar wider than `f64` takes
+    /// [`Length::Exact`] instead, since the difference would be its largest error.
     Chosen,
-    /// From the time at the start to the time at the end.
+    /// Difference of the time at the end of the step and the time at its start.
     Exact,
 }
 
@@ -35,7 +34,7 @@ pub(crate) struct ExplicitRungeKutta<T, const S: usize> {
 }
 
 impl<T: Real, const S: usize> ExplicitRungeKutta<T, S> {
-    /// A method for `n` equations; [`Stepper::start`] must come first.
+    /// Creates the method for `n` equations; [`Stepper::start`] must come first.
     pub(crate) fn new(tableau: &Tableau<S>, length: Length, n: usize) -> Self {
         let zeros = || vec![T::from_f64(0.0); n];
         Self {
@@ -65,7 +64,7 @@ impl<T: Real, const S: usize> ExplicitRungeKutta<T, S> {
     }
 }
 
-/// sum = Σⱼ weight(j) kⱼ.
+/// Writes Σⱼ weight(j) kⱼ to `sum`.
 fn combine<T: Real>(sum: &mut [T], k: &[Vec<T>], weight: impl Fn(usize) -> T) {
     let zero = T::from_f64(0.0);
     sum.fill(zero);
@@ -159,7 +158,7 @@ impl<T: Real, const S: usize> Stepper for ExplicitRungeKutta<T, S> {
     }
 
     fn worst(&self, test: &ErrorTest) -> Option<usize> {
-        // `sum` is left as the error by the test.
+        // `sum` still holds the error estimate of the last attempt.
         test.worst(self.sum.iter().copied(), &self.y, &self.y_new)
     }
 

@@ -6,9 +6,9 @@
 //! Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §II.1, §IV.2, §VIII.6.
 //!
 //! The unknowns are the derivatives k₁, k₂, k₃ at the three points. They are found by Newton's method with the Jacobian
-//! at the start of the step, not to a tolerance but until rounding lets them shrink no further: an error left over
-//! would act like a force and let the invariants drift. What rounding cuts off a sum y + h Σ b k is carried to the next
-//! step, for the same reason.
+//! at the start of the step. It does not stop at a tolerance, but when rounding lets the changes shrink no further: an
+//! error left over would act like a force and let the invariants drift. For the same reason the rounding error of a sum
+//! y + h Σ b k is carried to the next step.
 
 use tripos_traits::{Real, largest};
 
@@ -18,10 +18,11 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
 use crate::tolerance::ErrorTest;
 
-/// Iterations after which a step is given up. Newton's method gains several digits in each, or the step is too long.
+/// Number of iterations after which a step is given up. Newton's method gains several digits in each, or the step is
+/// too long.
 const ITERATIONS: u32 = 30;
 
-/// The nodes cᵢ = ½ − s, ½, ½ + s with s = √15 / 10, and the matrix of the method.
+/// Nodes cᵢ = ½ − s, ½, ½ + s with s = √15 / 10, and the matrix A of the method.
 struct Nodes<S> {
     s: S,
     c: [S; 3],
@@ -46,8 +47,8 @@ impl<S: Real> Nodes<S> {
     }
 }
 
-/// u' of a step at one component, from its values at the nodes: k₂ + 2 first τ + 3 second τ², with τ the fraction of
-/// the step beyond its middle.
+/// Derivative u' of one component inside a step, from its values at the nodes: k₂ + 2 `first` τ + 3 `second` τ², with τ
+/// the fraction of the step beyond its middle.
 struct Slope<S> {
     middle: S,
     first: S,
@@ -55,58 +56,58 @@ struct Slope<S> {
 }
 
 impl<S: Real> Slope<S> {
-    /// Through the derivatives at the nodes.
+    /// Derivative through these values at the nodes.
     fn through(s: S, [k1, k2, k3]: [S; 3]) -> Self {
         let first = (k3 - k1) / (S::int(4) * s);
         let second = ((k1 - k2) + (k3 - k2)) / (S::int(6) * s * s);
         Self { middle: k2, first, second }
     }
 
-    /// u' at the fraction `theta` of the step.
+    /// Value of u' at the fraction `theta` of the step.
     fn at(&self, theta: S) -> S {
         let tau = theta - S::ratio(1, 2);
         self.middle + tau * (S::int(2) * self.first + S::int(3) * self.second * tau)
     }
 
-    /// (u − y) / h at the fraction `theta`: the integral of u' from the start.
+    /// Increment (u − y) / h at the fraction `theta` of the step: the integral of u' from the start.
     fn integral(&self, theta: S) -> S {
         let tau = theta - S::ratio(1, 2);
         let square = tau * tau;
         theta * self.middle + (square - S::ratio(1, 4)) * self.first + (square * tau + S::ratio(1, 8)) * self.second
     }
 
-    /// The coefficients of θ, θ² and θ³ in the integral.
+    /// Coefficients of θ, θ² and θ³ in the increment (u − y) / h.
     fn powers(&self) -> [S; 3] {
         let half = S::ratio(3, 2) * self.second;
         [self.middle - self.first + S::ratio(3, 4) * self.second, self.first - half, self.second]
     }
 }
 
-/// State of the method between and inside steps.
+/// State of Gauss's method between and inside steps.
 pub(crate) struct Gauss6<S> {
     nodes: Nodes<S>,
     t: f64,
     t_new: f64,
     y: Vec<S>,
     y_new: Vec<S>,
-    /// Parts that rounding cut off `y` and, in `carry_new`, off `y_new`.
+    /// Parts that rounding cut off `y`; `carry_new` has those of `y_new`.
     carry: Vec<S>,
     carry_new: Vec<S>,
     /// Derivatives at the nodes, all components of the first node first.
     k: Vec<S>,
-    /// Derivatives at the nodes of the step before, and its length.
+    /// Derivatives at the nodes of the step before; `h_before` is its length, s, or `None` in the first step.
     k_before: Vec<S>,
     h_before: Option<S>,
-    /// f at the ends of the step; the second one only with a test.
+    /// Derivative f at the start of the step; `slope_new` is f at its end, computed only with an error test.
     slope: Vec<S>,
     slope_new: Vec<S>,
-    /// ∂f/∂y at (t, y), if `has_jacobian`.
+    /// Jacobian ∂f/∂y at (t, y), row by row, if `has_jacobian` is true.
     jacobian: Vec<S>,
     has_jacobian: bool,
     newton: Lu<S>,
     residual: Vec<S>,
     point: Vec<S>,
-    /// The largest size of each component so far, by which rounding is measured.
+    /// Largest size of each component so far, by which rounding is measured.
     magnitudes: Vec<f64>,
     scales: Vec<f64>,
     evaluations: u64,
@@ -114,7 +115,7 @@ pub(crate) struct Gauss6<S> {
 }
 
 impl<S: Real> Gauss6<S> {
-    /// The method for `n` equations.
+    /// Creates the method for `n` equations.
     pub(crate) fn new(n: usize) -> Self {
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
         Self {
@@ -147,8 +148,8 @@ impl<S: Real> Gauss6<S> {
         Slope::through(self.nodes.s, [k[i], k[n + i], k[2 * n + i]])
     }
 
-    /// First values of k: the polynomial of the step before, continued; or f at the start where there is none, or the
-    /// step is much longer than the one before.
+    /// Sets the first values of k: the polynomial of the step before, continued. They are f at the start if there is no
+    /// step before, or if the step is much longer than that one.
     fn predict(&mut self, h: S) {
         let n = self.y.len();
         let ratio = self.h_before.map(|before| h / before).filter(|r| r.to_f64() <= 2.0);
@@ -160,7 +161,7 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// I − h A ⊗ ∂f/∂y, factored.
+    /// Factors the matrix I − h A ⊗ ∂f/∂y of Newton's method.
     fn prepare_newton<R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), Trouble> {
         let n = self.y.len();
         if !self.has_jacobian {
@@ -186,7 +187,7 @@ impl<S: Real> Gauss6<S> {
         if self.newton.factor() { Ok(()) } else { Err(Trouble::NotConverged { iterations: 0 }) }
     }
 
-    /// Solves k_i = f(t + c_i h, y + h Σ_j a_ij k_j).
+    /// Solves k_i = f(t + c_i h, y + h Σ_j a_ij k_j) for the derivatives k at the nodes.
     fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, trial: Trial, h: S) -> Result<(), Trouble> {
         self.set_scales(h);
         let mut last = f64::INFINITY;
@@ -201,7 +202,7 @@ impl<S: Real> Gauss6<S> {
             let scales = self.scales.iter().cycle();
             let sizes = self.residual.iter().zip(scales).map(|(d, scale)| (h * *d).to_f64().abs() / scale);
             let change = largest(sizes);
-            // No longer shrinking is the mark of rounding if the change is small, and of divergence if it is not.
+            // A change that no longer shrinks is rounding if it is small, and divergence if it is not.
             let at_rounding = change == 0.0 || (change >= last && last <= S::EPSILON.sqrt());
             if at_rounding {
                 return Ok(());
@@ -214,7 +215,7 @@ impl<S: Real> Gauss6<S> {
         if last <= S::EPSILON.sqrt() { Ok(()) } else { Err(Trouble::NotConverged { iterations: ITERATIONS }) }
     }
 
-    /// The residual f − k of a stage.
+    /// Computes the residual f − k of a stage.
     fn stage<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, trial: Trial, h: S) -> Result<(), Trouble> {
         let n = self.y.len();
         let [a1, a2, a3] = self.nodes.a[stage];
@@ -234,7 +235,7 @@ impl<S: Real> Gauss6<S> {
     }
 
     /// Sets the scale of each component, with which its changes are compared. The scale is the largest size so far, or
-    /// the change in the step if larger; for a component that never moved, the largest scale of all.
+    /// the change in the step if larger. A component that never moved has the largest scale of all.
     fn set_scales(&mut self, h: S) {
         let middle = &self.k[self.y.len()..];
         for ((scale, magnitude), k) in self.scales.iter_mut().zip(&self.magnitudes).zip(middle) {
@@ -247,7 +248,7 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// Computes y + h (5 k₁ + 8 k₂ + 5 k₃) / 18, and the rounding error of this sum.
+    /// Writes the new state y + h (5 k₁ + 8 k₂ + 5 k₃) / 18, and the rounding error of this sum.
     fn finish(&mut self, h: S) {
         let n = self.y.len();
         for i in 0..n {
@@ -260,13 +261,13 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// An estimate of the error from the defects f − u' at the ends of the step, where collocation did not ask for f.
+    /// Estimates the error from the defects f − u' at the ends of the step, where collocation does not ask for f.
     ///
     /// A defect d is of order h³, so that e₄ = h d₀ / 20 is of order h⁴ (¹⁄₂₀ is c₁ c₂ c₃, the weight of the third
     /// divided difference in it). Two vectors are of order h⁵: h (d₀ + d₁) / 20, whose leading terms cancel, and h² J
-    /// d₀ / 20. The first misses what is linear, since the defect is then a multiple of Legendre's polynomial and the
-    /// sum is 0; the second misses what depends on time alone. Their absolute values are added, e₅, and combined with
-    /// e₄ as in DOP853: e₅² / √(e₅² + 0.01 e₄²), of order h⁶, where the method's own error is of order h⁷.
+    /// d₀ / 20. The first misses linear equations, since the defect is then a multiple of Legendre's polynomial and the
+    /// sum is 0; the second misses terms of time alone. Their absolute values are added, e₅, and combined with e₄ as in
+    /// DOP853: e₅² / √(e₅² + 0.01 e₄²), of order h⁶, while the method's own error is of order h⁷.
     fn error(&mut self, h: S, test: &ErrorTest) -> f64 {
         let n = self.y.len();
         let (zero, one, factor) = (S::int(0), S::int(1), h * S::ratio(1, 20));
@@ -359,7 +360,7 @@ impl<S: Real> Stepper for Gauss6<S> {
     }
 
     fn worst(&self, test: &ErrorTest) -> Option<usize> {
-        // `point` is left as the error by the test.
+        // `point` still holds the error estimate of the last attempt.
         test.worst(self.point.iter().copied(), &self.y, &self.y_new)
     }
 

@@ -4,7 +4,7 @@ use super::control::{Earlier, Rules};
 use crate::tolerance::Norm;
 use tripos_traits::Method;
 
-/// Step size rules of a method; `None` if it estimates no error.
+/// Step size rules of a method; `None` if the method estimates no error.
 pub(crate) fn rules(method: Method) -> Option<Rules> {
     match method {
         Method::Rk4 => None,

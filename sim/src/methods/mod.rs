@@ -1,4 +1,4 @@
-//! Integration methods: one step of each, its error, and the solution inside it.
+//! Integration methods: a step of each, its error, and the solution inside it.
 
 pub(crate) mod control;
 pub(crate) mod dense;

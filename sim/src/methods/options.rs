@@ -1,4 +1,4 @@
-//! Options of a run, and the checks that refuse senseless ones.
+//! Options of a run, and the checks that refuse senseless options.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -9,41 +9,43 @@ use tripos_traits::{AbsoluteTolerance, Method, RTOL, Real};
 use crate::error::SimError;
 use crate::events::corners::Corner;
 
-/// The lowest and the highest order that a method without a fixed one takes.
+/// Lowest and highest order of a method whose order can be chosen.
 pub(crate) const ORDERS: (usize, usize) = (2, 60);
 
 /// Options of a run. The default is that of scene files: `ode45` to [`RTOL`] and [`AbsoluteTolerance::default`], with a
 /// limit of a million steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// The method.
+    /// Method of integration.
     pub method: Method,
-    /// Relative tolerance, 0 or more; positive ones below 100 ε are raised to that, with a warning.
+    /// Relative tolerance, 0 or more; a positive one below 100 ε is raised to 100 ε, with a warning.
     pub rtol: f64,
-    /// Absolute tolerance, 0 or more, in the units of the state. Not 0 where `rtol` is.
+    /// Absolute tolerance, 0 or more, in the units of the state. It must not be 0 if `rtol` is 0.
     pub atol: AbsoluteTolerance,
-    /// Longest step, in s; unless given, a tenth of the span for `ode45`, the span for the others. Never below 16
-    /// ulp of t.
+    /// Longest step, s. `None` allows a tenth of the span for `ode45` and `taylor`, and the span for other methods.
+    /// Never below 16 ulp of t.
     pub max_step: Option<f64>,
-    /// First step to try, in s; chosen from the derivative at the start unless given. A method that proposes its steps
-    /// may take a shorter one.
+    /// First step to try, s; `None` chooses it from the derivative at the start. A method that proposes its steps may
+    /// take a shorter one.
     pub initial_step: Option<f64>,
-    /// A fixed step, in s: the span is divided into equal steps, as few as are no longer than this. Errors are not
-    /// estimated then, and tolerances, `max_step` and `initial_step` play no part; a step that fails ends the run.
+    /// Fixed step, s: the span is divided into the smallest number of equal steps that are no longer than this. Errors
+    /// are not estimated then, and tolerances, `max_step` and `initial_step` are ignored; a step that fails ends the
+    /// run.
     pub step: Option<f64>,
-    /// The order of [`Method::Taylor`], from 2 to 60; unless given, it follows from the relative tolerance, or from the
-    /// smallest absolute one where there is no other. No other method has a choice.
+    /// Order of [`Method::Taylor`], from 2 to 60. `None` derives it from the relative tolerance, or from the smallest
+    /// absolute one if the relative one is 0. No other method has a choice.
     pub order: Option<usize>,
     /// Largest number of attempted steps, accepted and rejected together.
     pub step_limit: u64,
     /// Instants at which the right-hand side is not smooth in time, in any order. A step ends at each of them inside
-    /// the span, so that none goes across. Equal steps take no notice.
+    /// the span, so that no step goes across. Equal steps ignore corners.
     pub corners: Vec<Corner>,
-    /// The component of the state that is the time itself, if one is: next to a jump it is kept on its side as well.
+    /// Index of the state's component that is the time itself, if one is. Next to a jump it is kept on its side as
+    /// well.
     pub clock: Option<usize>,
     /// Points of the solution to keep.
     pub output: Output,
-    /// Asked after every accepted step whether to go on; it has no influence on the steps themselves.
+    /// Follower that is asked after every accepted step whether to go on; it has no influence on the steps themselves.
     pub poll: Option<Poll>,
 }
 
@@ -67,7 +69,8 @@ impl Default for Options {
 }
 
 impl Options {
-    /// The default but for its tolerances: relative, and absolute as one number or a list of one for each component.
+    /// Default options with other tolerances: relative, and absolute as one number or a list with one for each
+    /// component.
     ///
     /// ```
     /// use tripos_sim::{Method, Options};
@@ -79,38 +82,38 @@ impl Options {
     }
 }
 
-/// Points of a solution that are kept.
+/// Choice of the points of a solution that are kept.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Output {
-    /// The start, then `refine` points a step: its end and `refine` − 1 inside, evenly spaced in
-    /// time, from the dense output. `ode45` uses 4. Of more than 200 000 points every second is left out, as often as
-    /// there are more: memory does not grow with the number of steps.
+    /// The start, then `refine` points for each step: its end and `refine` − 1 inside, evenly spaced in time, from the
+    /// dense output. `ode45` uses 4. If there would be more than 200 000 points, every second one is dropped, as often
+    /// as needed: memory does not grow with the number of steps.
     Steps {
-        /// Points a step, at least 1.
+        /// Number of points for each step, at least 1.
         refine: usize,
     },
-    /// These times, in s, from the dense output: in the direction of the run, within its span.
-    /// They have no influence on the steps (in `ode45` the first one bounds the initial step).
-    /// Times beyond an early end are left out.
+    /// Points at these times, s, from the dense output: in the direction of the run, within its span. They have no
+    /// influence on the steps (in `ode45` the first one bounds the initial step). Times beyond an early end are left
+    /// out.
     At(Vec<f64>),
-    /// Start and end only: memory does not grow with the number of steps.
+    /// Start and end of the run only: memory does not grow with the number of steps.
     Ends,
 }
 
-/// Follower of a run. It is told the time, in s, that each accepted step has reached, and answers whether to go on.
+/// Follower of a run. It is told the time, s, that each accepted step has reached, and answers whether to go on.
 ///
-/// Whatever it answers, the steps are the same: a run that it ends has [`Stop::Interrupted`](crate::Stop::Interrupted),
-/// and the solution up to there.
+/// The steps are the same for any answers. A run that a follower ends has
+/// [`Stop::Interrupted`](crate::Stop::Interrupted), and the solution up to that time.
 #[derive(Clone)]
 pub struct Poll(Arc<dyn Fn(f64) -> ControlFlow<()> + Send + Sync>);
 
 impl Poll {
-    /// A follower that asks this function: it is told the time, s, and breaks to end the run.
+    /// Makes a follower that asks this function: it is told the time, s, and breaks to end the run.
     pub fn new(function: impl Fn(f64) -> ControlFlow<()> + Send + Sync + 'static) -> Self {
         Self(Arc::new(function))
     }
 
-    /// True if the follower ends the run that has reached `t`.
+    /// True if the follower ends the run, which has reached the time `t`, s.
     pub(crate) fn ends(poll: Option<&Self>, t: f64) -> bool {
         poll.is_some_and(|poll| (poll.0)(t).is_break())
     }
@@ -122,14 +125,14 @@ impl fmt::Debug for Poll {
     }
 }
 
-/// Equal if both ask one and the same function.
+/// Followers are equal if both ask one and the same function.
 impl PartialEq for Poll {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 }
 
-/// Refuses questions that cannot be run, tolerances aside.
+/// Refuses questions that cannot be run; tolerances are checked elsewhere.
 pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
     check_span(span, y0)?;
     check_steps(span, options)?;
@@ -142,7 +145,7 @@ pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> R
     check_output(span, &options.output)
 }
 
-/// Refuses a span without a length, and a start that is none.
+/// Refuses a span that is empty or not finite, and a start that is not finite.
 pub(crate) fn check_span<S: Real>((t0, t1): (f64, f64), y0: &[S]) -> Result<(), SimError> {
     if !(t0.is_finite() && t1.is_finite() && (t1 - t0).is_finite()) {
         return Err(SimError::NotFinite { what: format!("the span from {t0} s to {t1} s") });

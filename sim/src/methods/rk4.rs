@@ -1,4 +1,4 @@
-//! The classical Runge–Kutta method, with the cubic through the ends of a step as its dense output.
+//! Classical Runge–Kutta method, with the cubic through the ends of a step as its dense output.
 //!
 //! W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", Z. Math. Phys. 46 (1901)
 //! 435–453: k₁ = f(t, y), k₂ = f(t + h/2, y + h/2 k₁), k₃ = f(t + h/2, y + h/2 k₂), k₄ = f(t + h, y + h k₃), and
@@ -10,7 +10,7 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
 use crate::tolerance::ErrorTest;
 
-/// State of the method. `k[0]` is the derivative at the start of the step, `k[4]` that at its end.
+/// State of the classical Runge–Kutta method. `k[0]` is the derivative at the start of the step, `k[4]` at its end.
 pub(crate) struct Rk4<S> {
     t: f64,
     t_new: f64,
@@ -21,7 +21,7 @@ pub(crate) struct Rk4<S> {
 }
 
 impl<S: Real> Rk4<S> {
-    /// The method for `n` equations.
+    /// Creates the method for `n` equations.
     pub(crate) fn new(n: usize) -> Self {
         let zeros = || vec![S::from_f64(0.0); n];
         Self { t: 0.0, t_new: 0.0, y: zeros(), y_new: zeros(), k: [(); 5].map(|()| zeros()), evaluations: 0 }
@@ -33,7 +33,7 @@ impl<S: Real> Rk4<S> {
         evaluate(rhs, t, &self.y_new, &mut self.k[stage])
     }
 
-    /// The next point to evaluate: y + h k of the stage.
+    /// Writes the next point to evaluate, y + h k of the stage, to `y_new`.
     fn follow(&mut self, stage: usize, h: S) {
         for ((y_new, y), k) in self.y_new.iter_mut().zip(&self.y).zip(&self.k[stage]) {
             *y_new = *y + h * *k;

@@ -6,7 +6,7 @@
 
 use tripos_traits::Real;
 
-/// The fraction numerator / denominator.
+/// Fraction numerator / denominator.
 pub type Fraction = (i64, i64);
 
 /// An explicit embedded Runge–Kutta pair with S stages, whose last stage is evaluated at the new
@@ -17,21 +17,21 @@ pub type Fraction = (i64, i64);
 /// step is y(t + θ h) = y + h Σ kᵢ (dᵢ₀ θ + dᵢ₁ θ² + dᵢ₂ θ³ + dᵢ₃ θ⁴).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tableau<const S: usize> {
-    /// Order of the new point.
+    /// Order of the solution at the new point.
     pub order: u32,
-    /// Order of the solution the error is estimated against.
+    /// Order of the embedded solution, against which the error is estimated.
     pub embedded_order: u32,
     /// Order of the dense output.
     pub dense_order: u32,
-    /// aᵢⱼ, strictly lower triangular; the last row holds the weights of the new point.
+    /// Coefficients aᵢⱼ of the stages, strictly lower triangular; the last row holds the weights of the new point.
     pub a: [[Fraction; S]; S],
-    /// eᵢ: weights of the new point minus those of the embedded solution.
+    /// Weights eᵢ of the error: those of the new point minus those of the embedded solution.
     pub error: [Fraction; S],
-    /// dᵢ₀ … dᵢ₃.
+    /// Coefficients dᵢ₀ … dᵢ₃ of the dense output.
     pub dense: [[Fraction; 4]; S],
 }
 
-/// A [`Tableau`] rounded to a scalar.
+/// Coefficients of a [`Tableau`], rounded to a scalar.
 #[derive(Clone, Debug)]
 pub(crate) struct Coefficients<T, const S: usize> {
     pub(crate) a: [[T; S]; S],
@@ -55,7 +55,7 @@ fn round<T: Real>((numerator, denominator): Fraction) -> T {
     T::ratio(numerator, denominator)
 }
 
-/// The exact sum; the entries of one row are small enough for 128 bits.
+/// Exact sum of the fractions of a row; these are small enough for 128 bits.
 fn sum(row: &[Fraction]) -> Fraction {
     let (mut n, mut d) = (0_i128, 1_i128);
     for &(numerator, denominator) in row {

@@ -1,13 +1,13 @@
-//! Taylor's method: the solution inside a step is its Taylor polynomial at the start.
+//! Taylor's method: the solution inside a step is the Taylor polynomial at its start.
 //!
-//! Invariant: `x` has the coefficients at (t, y) row by row, row k of order k; after a trial step that passed the test
-//! `next` has those at its end. The coefficients come from the right-hand side, by recurrence; the order is fixed for a
-//! run and follows from its tolerance, and the length of a step follows from the last two coefficients before it is
-//! taken, so that steps are hardly ever rejected. The same polynomial is the dense output. A. Jorba & M. Zou, "A
-//! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
+//! Invariant: `x` has the coefficients at (t, y) row by row, row k of order k; after a trial step that passed its error
+//! test `next` has those at its end. The coefficients come from the right-hand side, by recurrence. The order is fixed
+//! for a run and follows from its tolerance. The length of a step follows from the last two coefficients before the
+//! step is taken, so that steps are hardly ever rejected. The same polynomial is the dense output. A. Jorba & M. Zou,
+//! "A software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
 //! Mathematics 14 (2005) 99–117, §3.
 //!
-//! The rounding error of a sum y + (the rest of the polynomial) is carried to the next step.
+//! The rounding error of a step's sum of terms is carried to the next step.
 
 use tripos_traits::Real;
 
@@ -16,52 +16,52 @@ use crate::rhs::RightHandSide;
 use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
 use crate::tolerance::ErrorTest;
 
-/// Digits of the tolerance, as natural logarithm, that an order is worth. Jorba and Zou have ½, from a cost of order
-/// p²; here the part of the cost that grows so is small.
+/// Orders per unit of the natural logarithm of the tolerance. Jorba and Zou have ½, from a cost of order p²; here the
+/// part of the cost that grows so is small.
 const ORDERS_PER_DIGIT: f64 = 0.7;
 
-/// Largest jump of the derivative from step to step, as an error over the allowed one. The jump holds the first term
-/// that was cut off, which a good step leaves below the allowed error, and all after it.
+/// Largest jump of the derivative from step to step, as an error over the allowed error. The jump holds the first term
+/// that was cut off, which a good step leaves below the allowed error, and all terms after it.
 pub(crate) const ALLOWED_JUMP: f64 = 10.0;
 
-/// The order that a tolerance is reached with at least cost.
+/// Order of Taylor's method that reaches a tolerance at the least cost, unless the options state an order.
 ///
-/// The relative tolerance counts; where there is none, the smallest absolute one.
+/// The relative tolerance decides, or the smallest absolute one if the relative one is 0.
 pub(crate) fn order_for(options: &Options) -> usize {
     let tolerance = if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() };
     let wanted = 2.0 - ORDERS_PER_DIGIT * tolerance.clamp(f64::MIN_POSITIVE, 0.1).ln();
-    // A cast of what is neither negative nor large.
+    // The cast number is neither negative nor large.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 3 and 500")]
     let order = wanted.ceil() as usize;
     options.order.unwrap_or(order).clamp(ORDERS.0, ORDERS.1)
 }
 
-/// State of the method between and inside steps.
+/// State of Taylor's method between and inside steps.
 pub(crate) struct Taylor<S> {
     n: usize,
     order: usize,
     t: f64,
     t_new: f64,
-    /// Coefficients at the start, and the highest order up to which all are finite.
+    /// Coefficients at the start of the step, row by row; `usable` is the highest order up to which all are finite.
     x: Vec<S>,
     usable: usize,
-    /// Coefficients at the end of the step last tried.
+    /// Coefficients at the end of the last tried step.
     next: Vec<S>,
     next_usable: usize,
-    /// Parts that rounding cut off the state at the start and, in `carry_new`, at the end.
+    /// Parts that rounding cut off the state at the start of the step; `carry_new` has those at its end.
     carry: Vec<S>,
     carry_new: Vec<S>,
-    /// Norms of the coefficients of the last two orders, over the allowed errors.
+    /// Norms of the coefficients of the last two orders, over the weights of the error test.
     norms: [f64; 2],
-    /// Jump of the derivative at the end of the step last tried, as an error of the state.
+    /// Jump of the derivative at the end of the last tried step, as an error of the state.
     jump: Vec<S>,
     evaluations: u64,
-    /// True if the state at the end of a step may be moved before the next: a step then computes its derivative alone.
+    /// True if the state may be moved after each step: a trial step then computes only the derivative at its end.
     moved: bool,
 }
 
 impl<S: Real> Taylor<S> {
-    /// The method for `n` equations.
+    /// Creates the method for `n` equations with this order.
     pub(crate) fn new(n: usize, order: usize) -> Self {
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
         Self {
@@ -82,9 +82,9 @@ impl<S: Real> Taylor<S> {
         }
     }
 
-    /// The coefficients up to this order at the end of the step, whose state is there.
+    /// Computes the coefficients up to this order at the end of the step, from the state in `next`.
     fn expand<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, order: usize) -> Result<(), Trouble> {
-        // The derivative alone costs little, as no sums are taken for it.
+        // The derivative alone costs little, as it needs no sums.
         self.evaluations += u64::from(order > 1);
         match rhs.taylor(t, order, &mut self.next[..(order + 1) * self.n]) {
             Some(outcome) => outcome.map_err(Trouble::Failed)?,
@@ -92,7 +92,7 @@ impl<S: Real> Taylor<S> {
         }
         let n = self.n;
         let row = |k: usize| &self.next[k * n..(k + 1) * n];
-        // Coefficients grow by a power of 1/(radius of convergence); where the highest overflow, fewer are used.
+        // Coefficients grow by powers of 1/(radius of convergence); if the highest overflow, fewer are used.
         let mut usable = order;
         while usable > 1 && check_finite(row(usable)).is_err() {
             usable -= 1;
@@ -101,7 +101,7 @@ impl<S: Real> Taylor<S> {
         check_finite(row(1))
     }
 
-    /// Computes y + Σ x_k hᵏ, and the rounding error of this sum.
+    /// Writes the state y + Σ x_k hᵏ at the end of the step to `next`, and its rounding error to `carry_new`.
     fn advance(&mut self, h: S) {
         let (n, x) = (self.n, &self.x);
         polynomial(x, n, self.usable, h, &mut self.next[..n]);
@@ -115,16 +115,16 @@ impl<S: Real> Taylor<S> {
         }
     }
 
-    /// The larger of the last two terms of the polynomial after `h` seconds, over the allowed error.
+    /// Larger of the last two terms of the polynomial after `h` seconds, over the allowed error.
     fn last_terms(&self, h: f64) -> f64 {
         let [before, last] = self.norms;
         let power = powi(h, self.usable - 1);
         (before * power).max(last * (power * h))
     }
 
-    /// Norm of the jump of the derivative, from that of the polynomial to that of the solution through its end. It is
-    /// taken as the error of the state that a term of the next order would make. It counts where the last terms happen
-    /// to vanish: of x'' = -x^3 through x = 0 only every fourth term stays.
+    /// Norm of the jump of the derivative at the end of the step, from the polynomial to the solution that starts
+    /// there. It is measured as the error of the state that a term of the next order would make. It matters if the last
+    /// terms happen to vanish: of x'' = -x^3 through x = 0 only every fourth term is not zero.
     fn jump(&mut self, test: &ErrorTest, h: S) -> f64 {
         let n = self.n;
         self.jump.fill(S::from_f64(0.0));
@@ -146,8 +146,8 @@ pub(crate) fn powi(h: f64, n: usize) -> f64 {
     h.powi(i32::try_from(n).unwrap_or(i32::MAX))
 }
 
-/// Size of the step, in s, after which the terms of the last two orders, of which `order` is the higher, are as large
-/// as the allowed errors. It follows from the norms of their coefficients.
+/// Size of a step, s, after which the terms of the last two orders are as large as the allowed errors. It follows from
+/// the norms of their coefficients; `order` is the higher of both.
 pub(crate) fn proposed_size(norms: [f64; 2], order: usize, tolerance: f64) -> f64 {
     let [before, last] = norms.map(|norm| norm / tolerance);
     // The term of order k is as large as the allowed error after norm^(−1/k) seconds.
@@ -157,7 +157,7 @@ pub(crate) fn proposed_size(norms: [f64; 2], order: usize, tolerance: f64) -> f6
     size * (1.0 - 1e-9)
 }
 
-/// Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for `n` polynomials.
+/// Writes Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for each of `n` polynomials.
 fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
     let mut at = 0;
     while at < n {
@@ -170,7 +170,8 @@ fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
     }
 }
 
-/// `N` of the polynomials, from `at` on; even and odd orders apart, so that they need not wait for each other.
+/// Evaluates `N` of the polynomials, from `at` on; even and odd orders apart, so that they need not wait for each
+/// other.
 #[inline]
 fn block<S: Real, const N: usize>(x: &[S], (n, at): (usize, usize), order: usize, h: S, out: &mut [S]) -> usize {
     let zero = [S::from_f64(0.0); N];

@@ -1,36 +1,36 @@
-//! The variables by which stretches of the motion are measured, and the kinetic energy along them.
+//! Variables by which stretches of a motion by quadrature are measured, and the kinetic energy along them.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
 use super::energy::Energy;
 use tripos_traits::Scalar;
 
-/// Map from the variable w ≥ 0 of a stretch to the coordinate.
+/// Map from the variable w ≥ 0 of a stretch of the motion to the coordinate q.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Chart {
-    /// From one of two turning points halfway to the other: q = end + side · length · sin²(w/2).
+    /// From a turning point halfway to the other one: q = end + side · length · sin²(w/2).
     Arc { end: f64, side: f64, length: f64 },
-    /// From the only turning point on: q = end + side · w²/2.
+    /// From the only turning point of the motion on: q = end + side · w²/2.
     Root { end: f64, side: f64 },
     /// From a place that is not a turning point: q = end + side · w.
     Line { end: f64, side: f64 },
     /// From the place where the kinetic energy is least, `kinetic` there: q = end + side · width · sinh w. So dt/dw
-    /// stays regular however little energy is left to pass the place with.
+    /// stays regular, however little kinetic energy is left at that place.
     Crest { end: f64, side: f64, width: f64, kinetic: f64 },
 }
 
-/// A place of a stretch, or one in each lane.
+/// A place on a stretch of the motion, or a place in each lane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<S = f64> {
     pub(super) q: S,
-    /// |q − end|.
+    /// Distance |q − end| from the start of the stretch.
     pub(super) offset: S,
-    /// dq/dw, up to its sign.
+    /// Slope dq/dw of the coordinate, up to its sign.
     pub(super) reach: S,
 }
 
 impl Chart {
-    /// The place at `w`.
+    /// Place of the stretch at the variable `w`.
     #[inline(always)]
     pub(super) fn at<S: Scalar>(&self, w: S) -> Place<S> {
         let (half, (end, side)) = (S::from_f64(0.5), self.start());
@@ -49,7 +49,7 @@ impl Chart {
         Place { q: S::from_f64(end) + S::from_f64(side) * offset, offset, reach }
     }
 
-    /// Coordinate where w is 0, and the sign of its growth with w.
+    /// Coordinate q where w is 0, and the sign of dq/dw.
     pub(super) fn start(&self) -> (f64, f64) {
         let (Self::Arc { end, side, .. }
         | Self::Root { end, side }
@@ -58,8 +58,9 @@ impl Chart {
         (end, side)
     }
 
-    /// T/(reach)² at a distance from the turning point: −V\[end, q\] over the distance to the other one (2 if there is
-    /// none). `slope` gives V\[a, b\]. Behind a crest both parts of T are positive.
+    /// Kinetic energy over the square of the reach, T/(dq/dw)². From a turning point it is −V\[end, q\] over the
+    /// distance from the other turning point (2 if there is none). `slope` gives V\[a, b\]. From a crest both parts of
+    /// T are positive.
     #[inline(always)]
     pub(super) fn level<S: Scalar>(&self, energy: &Energy<'_>, slope: impl Fn(S, S) -> S, at: &Place<S>) -> S {
         let (end, side) = self.start();
@@ -75,7 +76,7 @@ impl Chart {
         }
     }
 
-    /// T at a place: from where it is known last, or from the turning point.
+    /// Kinetic energy T at a place, computed from the anchor, or from the turning point if there is no anchor.
     #[inline(always)]
     pub(super) fn kinetic<S: Scalar>(
         &self,
@@ -101,15 +102,15 @@ pub(super) struct Anchor {
     pub(super) q: f64,
     pub(super) offset: f64,
     pub(super) kinetic: f64,
-    /// The sum of the energies that were added up to there, each with its rounding error.
+    /// Sum of the energies that were added up to this place, each with its rounding error.
     added: f64,
 }
 
 impl Anchor {
-    /// The end of a panel, where the energy `kinetic` follows from the anchor before.
+    /// Makes the anchor at the end of a panel, where the energy `kinetic` follows from the anchor before.
     ///
-    /// Energies larger than what is left of them leave their errors behind; then the start is the better place to count
-    /// from, if its own kinetic energy is smaller.
+    /// Energies that are larger than the remaining sum leave their rounding errors in it. Then the energy is counted
+    /// from the start of the motion, if the kinetic energy there is smaller.
     pub(super) fn next(before: Option<Self>, energy: &Energy<'_>, end: &Place, kinetic: f64) -> Self {
         let added = before.map_or(0.0, |before| before.added + before.kinetic) + kinetic;
         let Place { q, offset, .. } = *end;

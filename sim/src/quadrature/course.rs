@@ -1,57 +1,60 @@
-//! The whole motion as stretches, gone through to and fro.
+//! Whole motion of one degree of freedom as stretches, gone through to and fro.
 
 use super::chart::{Chart, Place};
 use super::energy::{Crest, Energy};
 use super::error::{NoQuadrature, Obstacle};
 use super::track::{Found, Goal, Scratch, Track};
 
-/// Panels of a stretch between turning points, those tried in vain included.
+/// Largest number of panels of a stretch between turning points, rejected attempts included.
 const PANELS_OF_SWING: u32 = 2000;
-/// Panels of a stretch without an end.
+/// Largest number of panels of a stretch without an end.
 const PANELS: u32 = 20_000;
-/// Panels in which a motion that seems not to turn is looked at.
+/// Number of panels in which a motion without a known turning point is examined for one.
 const EXPLORED: usize = 100;
 /// Largest number of times that the motion may meet a turning point that the search missed.
 const MISSED_LIMIT: u32 = 16;
 
-/// The shape of the motion; times τ are counted from a turning point where there is one, else from the start.
+/// Shape of a motion of one degree of freedom. Times τ, s, are counted from a turning point, if there is one, or else
+/// from the start.
 #[derive(Clone, Debug)]
 pub(super) enum Course {
-    /// At rest for ever.
+    /// The motion rests for ever.
     Rest,
-    /// To and fro between two turning points, from the lower (τ = 0) and from the upper half way each.
+    /// The motion goes to and fro between two turning points. One half of it starts from the lower (τ = 0), the other
+    /// from the upper turning point.
     Swing { halves: Box<[Track; 2]> },
-    /// Round and round; everything repeats after `length` of the coordinate. One half goes from where the kinetic
-    /// energy is least (τ = 0) half way on, the other from the next such place half way back.
+    /// The coordinate goes round; everything repeats after `length` of it. One half goes from the place of least
+    /// kinetic energy (τ = 0) half way on, the other from the next such place half way back.
     Rotation { halves: Box<[Track; 2]>, length: f64, rising: bool },
-    /// To a turning point (τ = 0) and back.
+    /// The motion goes to a turning point (τ = 0) and back.
     Return { track: Box<Track> },
-    /// Past the start (τ = 0), forward and backward, without a turn.
+    /// The motion goes past the start (τ = 0), forward and backward, without a turn.
     Pass { tracks: Box<[Track; 2]>, rising: bool },
 }
 
-/// Place of the motion at an instant: a stretch, a place of it, and the data that turn its quadratures into those of
-/// the motion.
+/// Place of the motion at an instant: a stretch, a place on it, and the data that turn the stretch's quadratures into
+/// those of the motion.
 pub(super) struct Spot<'c> {
     pub(super) track: &'c Track,
     pub(super) found: Found,
-    /// True if q rises.
+    /// True if the coordinate q rises at this instant.
     pub(super) rising: bool,
-    /// Whole periods before.
+    /// Number of whole periods before this instant.
     turns: f64,
-    /// Coordinate of the motion minus that of the place of the stretch.
+    /// Coordinate of the motion minus the coordinate of the place on the stretch.
     pub(super) shift: f64,
     /// True if a period goes both ways.
     returns: bool,
-    /// Both stretches, to which the place is counted back from the end of the second: their sums count with `sign`.
+    /// Both stretches of a period. If `whole` is true, the place is counted back from the end of the second; sums of
+    /// quadratures count with `sign`.
     halves: Option<&'c [Track; 2]>,
     whole: bool,
     sign: f64,
 }
 
 impl Course {
-    /// From the start of `energy`; `turns` are the turning points below and above, where known, and are added to where
-    /// the motion meets others. `q` is the state's coordinates.
+    /// Finds the course from the start of `energy`. `turns` are the turning points below and above, if they are known;
+    /// turning points that the motion meets are added. `q` holds the coordinates of the start.
     pub(super) fn new(
         energy: &Energy<'_>,
         q: &[f64],
@@ -117,7 +120,8 @@ impl Course {
         Ok(Self::Swing { halves })
     }
 
-    /// Round and round where all repeats after a length.
+    /// Course of a motion that goes round: everything repeats after `length` of the coordinate. An inner error is a
+    /// barrier that stops it.
     fn rotation(
         energy: &Energy<'_>,
         n: usize,
@@ -142,7 +146,7 @@ impl Course {
         Ok(Ok(Self::Rotation { halves, length: side * length, rising }))
     }
 
-    /// The time of the start.
+    /// Time τ of the start of the motion, s.
     pub(super) fn lead(&mut self, energy: &Energy<'_>, v: f64, scratch: &mut Scratch<'_>) -> Result<f64, Obstacle> {
         let rising = energy.orientation * v > 0.0;
         match self {
@@ -168,7 +172,7 @@ impl Course {
         }
     }
 
-    /// Goes on for a while where the motion seems not to turn: a narrow barrier shows in panels if not in the search.
+    /// Follows a motion that seems not to turn for some panels: a narrow barrier that the search missed may show there.
     pub(super) fn explore(&mut self, energy: &Energy<'_>, scratch: &mut Scratch<'_>) -> Result<(), Obstacle> {
         let track = match self {
             Self::Rest | Self::Swing { .. } | Self::Rotation { .. } => return Ok(()),
@@ -176,13 +180,13 @@ impl Course {
             Self::Pass { tracks, .. } => &mut tracks[0],
         };
         match track.extend(energy, scratch, Goal::Panels(EXPLORED), PANELS) {
-            // Panels that nobody asked for need not be resolved.
+            // Panels that were not needed for an answer may stay unresolved.
             Err(Obstacle::Unresolved(_)) | Ok(()) => Ok(()),
             barrier => barrier,
         }
     }
 
-    /// Integrates as far as the time τ needs.
+    /// Integrates the stretches as far as the time τ, s, needs.
     pub(super) fn cover(&mut self, energy: &Energy<'_>, tau: f64, scratch: &mut Scratch<'_>) -> Result<(), Obstacle> {
         match self {
             Self::Rest | Self::Swing { .. } | Self::Rotation { .. } => Ok(()),
@@ -194,7 +198,7 @@ impl Course {
         }
     }
 
-    /// The period.
+    /// Period of the motion, s; `None` if it does not repeat.
     pub(super) fn period(&self) -> Option<f64> {
         match self {
             Self::Swing { halves } => Some(2.0 * (halves[0].duration() + halves[1].duration())),
@@ -203,7 +207,7 @@ impl Course {
         }
     }
 
-    /// Place of the motion at the time τ. `None` at rest, and where the motion was not followed to.
+    /// Place of the motion at the time τ, s; `None` at rest, and at times that were not covered yet.
     pub(super) fn spot(&self, tau: f64) -> Option<Spot<'_>> {
         match self {
             Self::Rest => None,
@@ -238,7 +242,7 @@ impl Course {
 
     fn alone(track: &Track, tau: f64, rising: bool) -> Option<Spot<'_>> {
         if track.times.len() < 2 || tau.abs() > track.duration() {
-            // The start of a stretch without panels is not asked for by anybody but with τ = 0.
+            // A stretch without panels is used only at τ = 0.
             return None;
         }
         let sign = if tau >= 0.0 { 1.0 } else { -1.0 };
@@ -255,7 +259,7 @@ impl Course {
         })
     }
 
-    /// Times τ at which panels meet, in order, of one period where there is one.
+    /// Times τ at which panels meet, s, in order; those of one period if the motion has a period.
     pub(super) fn nodes(&self) -> Vec<f64> {
         let mut nodes: Vec<f64> = match self {
             Self::Rest => Vec::new(),
@@ -287,7 +291,7 @@ impl Course {
     }
 }
 
-/// Notes the turning point between the start and a barrier that the motion met.
+/// Adds the turning point between the start and a barrier that the motion met. An unresolved stretch is an error.
 pub(super) fn note(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],
@@ -303,7 +307,7 @@ pub(super) fn note(
     }
 }
 
-/// Notes a far coordinate where panels without an end are allowed.
+/// Adds a turning point like [`note`], for a motion that was followed without an end.
 pub(super) fn note_far(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],
@@ -313,7 +317,7 @@ pub(super) fn note_far(
 }
 
 impl Spot<'_> {
-    /// The quadrature i = 1, 2 … from τ = 0.
+    /// Quadrature of coordinate i = 1, 2 … from τ = 0 to this instant.
     pub(super) fn quadrature(&self, i: usize, count: usize) -> f64 {
         let along = |rising: bool| if rising { i } else { i + count };
         let own = self.track.value(&self.found, along(self.rising));
@@ -326,20 +330,20 @@ impl Spot<'_> {
 }
 
 impl Track {
-    /// The time at w.
+    /// Time at the variable w, s, from the start of the stretch.
     fn time_at(&self, w: f64) -> f64 {
         self.value(&self.at_variable(w), 0)
     }
 
-    /// True if q is above the start of the stretch.
+    /// True if q rises along the stretch.
     fn opens_upwards(&self) -> bool {
         self.chart.start().1 > 0.0
     }
 
-    /// The w of the start, if it lies in this half of a swing or a turn, or after this turning point.
+    /// Variable w of the motion's start; `None` if the start lies in the other half of a swing or a turn.
     ///
-    /// Next to the turning point by T₀ = (reach)² G, since from the difference of coordinates it would keep half of its
-    /// digits only.
+    /// Next to the turning point w follows from T₀ = (reach)² G: the difference of coordinates would keep only half of
+    /// its digits.
     fn phase(&self, energy: &Energy<'_>) -> Option<f64> {
         let (end, side) = self.chart.start();
         let offset = (side * (energy.start - end)).max(0.0);
@@ -360,7 +364,7 @@ impl Track {
             Chart::Root { .. } => Some(reach.unwrap_or_else(|| (2.0 * offset).sqrt())),
             Chart::Line { .. } => Some(0.0),
             Chart::Crest { width, .. } => {
-                // The middle of a turn is in one half at least, however it is rounded.
+                // The middle of a turn lies in at least one half, however it is rounded.
                 let half = self.chart.at(self.end()).offset;
                 (offset <= half * (1.0 + 1e-9)).then(|| (offset / width).asinh().min(self.end()))
             }

@@ -1,40 +1,40 @@
-//! The energy of one degree of freedom, and where it lets the motion turn.
+//! Energy of one degree of freedom, and the turning points of the motion.
 
 use tripos_traits::System;
 
 use super::error::{NoQuadrature, Obstacle};
 
-/// Iterations of the search for a turning point, each of which at least halves a bracket or the last step.
+/// Largest number of iterations for a turning point, each of which at least halves a bracket or the last step.
 const ITERATIONS: u32 = 2000;
-/// Steps in which a turning point is looked for; the first is a millionth of the size of the coordinate.
+/// Largest number of steps of the search for a turning point; the first is a millionth of the size of the coordinate.
 const SEARCH: u32 = 100;
-/// Steps in which a turning point is looked for along a turn.
+/// Largest number of steps of the search for a turning point along a coordinate that goes round.
 const SEARCH_OF_TURN: u32 = 1000;
-/// Places of a turn among which the least kinetic energy is looked for at first.
+/// Number of places of a turn among which the least kinetic energy is first sought.
 const SAMPLES: u32 = 64;
 
-/// One degree of freedom with its energy, which is that of its start.
+/// A system with one degree of freedom, with the energy of its start.
 #[derive(Clone, Debug)]
 pub(super) struct Energy<'a> {
     pub(super) system: Equations<'a>,
     pub(super) p: Vec<f64>,
-    /// The coordinate at the start.
+    /// Coordinate q₀ at the start.
     pub(super) start: f64,
-    /// The kinetic energy there, T₀.
+    /// Kinetic energy T₀ at the start, J.
     pub(super) kinetic: f64,
-    /// The sign of k in q′ = k v.
+    /// Sign of k in q′ = k v.
     pub(super) orientation: f64,
-    /// Length of the coordinate after which all repeats.
+    /// Length of the coordinate after which everything repeats; `None` if there is none.
     pub(super) repeats: Option<f64>,
 }
 
-/// Place where the kinetic energy is least.
+/// Place where the kinetic energy of a motion that goes round is least.
 pub(super) struct Crest {
-    /// The coordinate there.
+    /// Coordinate of the crest.
     pub(super) at: f64,
-    /// The kinetic energy there.
+    /// Kinetic energy at the crest, J.
     pub(super) kinetic: f64,
-    /// Distance at which the kinetic energy is about twice as large.
+    /// Distance from the crest at which the kinetic energy is about twice as large.
     pub(super) width: f64,
 }
 
@@ -49,7 +49,8 @@ impl std::fmt::Debug for Equations<'_> {
 }
 
 impl<'a> Energy<'a> {
-    /// The energy integral of the motion from (q, v).
+    /// Creates the energy integral of the motion from (q, v). An error if the kinetic energy or the rate is not
+    /// regular.
     pub(super) fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {
         let mut rates = vec![0.0; q.len()];
         system.coordinate_rates(p, q, &[1.0], &mut rates);
@@ -69,32 +70,33 @@ impl<'a> Energy<'a> {
         Ok(energy)
     }
 
-    /// m in T = ½ m v².
+    /// Inertia m of the coordinate q, as in T = ½ m v².
     pub(super) fn inertia(&self, q: &[f64]) -> f64 {
         2.0 * self.system.0.kinetic_energy(&self.p, q, &[1.0])
     }
 
-    /// q′ at (q, v).
+    /// Writes the rates q′ at (q, v).
     pub(super) fn rates(&self, q: &[f64], v: f64, out: &mut [f64]) {
         self.system.0.coordinate_rates(&self.p, q, &[v], out);
     }
 
-    /// V\[a, b\] = (V(b) − V(a))/(b − a).
+    /// Divided difference V\[a, b\] = (V(b) − V(a))/(b − a) of the potential energy.
     pub(super) fn slope(&self, a: f64, b: f64) -> f64 {
         self.system.0.potential_slope(&self.p, a, b)
     }
 
-    /// T at the coordinate `q`: T₀ − (q − q₀) V\[q₀, q\]. A place where that is not a number lies beyond a barrier.
+    /// Kinetic energy T at the coordinate `q`: T₀ − (q − q₀) V\[q₀, q\]. It is −∞ where that is not a number: such a
+    /// place lies beyond a barrier.
     pub(super) fn left(&self, q: f64) -> f64 {
         let left = self.kinetic - (q - self.start) * self.slope(self.start, q);
         if left.is_finite() { left } else { f64::NEG_INFINITY }
     }
 
-    /// The turning point on one side (1 above the start, −1 below); none if the search meets none.
+    /// Turning point on one side, 1 above the start or −1 below; `None` if the search meets no turning point.
     ///
-    /// Each step of the search goes no farther than to the zero of the parabola (or line) that T looks like, so that it
-    /// does not leap over a narrow barrier unless T shows nothing of it; nor does it go more than twice as far as the
-    /// step before. Where all repeats it looks along one length, by parts of it.
+    /// Each step of the search goes no farther than to the zero of the parabola (or line) that T looks like, and no
+    /// more than twice as far as the step before. So it does not leap over a narrow barrier unless T shows nothing of
+    /// it. If the motion repeats after a length of the coordinate, the search covers one such length, in small steps.
     pub(super) fn turning(&self, side: f64) -> Result<Option<f64>, NoQuadrature> {
         let mut step = self.start.abs().clamp(1e-6, 1.0) / 1_048_576.0;
         let mut good = self.start;
@@ -111,7 +113,7 @@ impl<'a> Energy<'a> {
                 }
             }
         }
-        // To rounding there is no kinetic energy below this.
+        // Below this size the kinetic energy is zero up to rounding.
         let least = 16.0 * f64::EPSILON * self.kinetic;
         let (reach, longest, steps) = match self.repeats {
             Some(length) => (length, length / f64::from(SAMPLES), SEARCH_OF_TURN),
@@ -139,8 +141,8 @@ impl<'a> Energy<'a> {
         Ok(None)
     }
 
-    /// True if the motion rests at its start: at an equilibrium, or so near to a stable one, and so slow, that rounding
-    /// alone moves it.
+    /// True if the motion rests at its start. The start is an equilibrium, or so near to a stable one, and so slow,
+    /// that only rounding would move it.
     pub(super) fn rests(&self) -> bool {
         let (q, blur) = (self.start, 8.0 * f64::EPSILON * self.start.abs());
         if self.kinetic <= 0.0 && self.slope(q, q).abs() <= 0.0 {
@@ -150,11 +152,11 @@ impl<'a> Energy<'a> {
         below <= 0.0 && above >= 0.0 && self.kinetic <= 0.25 * (above - below) * blur
     }
 
-    /// Finds the place where the kinetic energy is least along one `length`, after which all repeats, on one side of
-    /// the start or at it.
+    /// Finds the place of least kinetic energy within one `length` of the coordinate, after which everything repeats,
+    /// on one side of the start or at it.
     ///
-    /// A minimum that the samples miss costs more panels, but no accuracy. Fails with a barrier if no kinetic energy is
-    /// left there: the motion turns before it.
+    /// A minimum that the samples miss costs more panels, but no accuracy. The inner error is a barrier, if no kinetic
+    /// energy is left there: the motion turns before it.
     pub(super) fn crest(&self, length: f64, side: f64) -> Result<Result<Crest, Obstacle>, NoQuadrature> {
         let place = |part: u32| self.start - side * length * f64::from(part) / f64::from(SAMPLES);
         let lowest =
@@ -169,7 +171,7 @@ impl<'a> Energy<'a> {
                 if climb(at) > 0.0 { a = at } else { b = at }
             }
         }
-        // Behind the start the same place is a length on.
+        // A crest beyond the start is replaced by the equal place one length before it.
         if side * (at - self.start) > 0.0 {
             at -= side * length;
         }
@@ -187,7 +189,7 @@ impl<'a> Energy<'a> {
         Ok(Ok(Crest { at, kinetic, width: if width > 0.0 { width.min(length) } else { length } }))
     }
 
-    /// The turning point between the start and a place without kinetic energy.
+    /// Turning point between the start and a place without kinetic energy.
     pub(super) fn turning_before(&self, bad: f64) -> Result<f64, NoQuadrature> {
         let side = (bad - self.start).signum();
         let mut good = self.start;
@@ -200,7 +202,7 @@ impl<'a> Energy<'a> {
         self.checked(self.between(good, bad), side)
     }
 
-    /// The zero of T between a place with kinetic energy and one without, by Newton's method in the bracket.
+    /// Zero of T between a place with kinetic energy and a place without, by Newton's method in the bracket.
     fn between(&self, mut good: f64, mut bad: f64) -> f64 {
         let mut x = middle(good, bad);
         let mut before = (bad - good).abs();
@@ -231,8 +233,8 @@ impl<'a> Energy<'a> {
         good
     }
 
-    /// A turning point where the motion does turn: the force must be known to push back, wherever rounding puts the
-    /// point.
+    /// Accepts a turning point if the motion surely turns there: within the rounding error of the point, the force
+    /// pushes back.
     fn checked(&self, at: f64, side: f64) -> Result<f64, NoQuadrature> {
         let force = self.slope(at, at);
         let blur = 4.0 * f64::EPSILON * (at.abs() + self.kinetic / force.abs());
@@ -245,7 +247,8 @@ impl<'a> Energy<'a> {
     }
 }
 
-/// Halfway, by size where both are of one sign and far apart in size.
+/// Middle of two numbers: the geometric mean if they have one sign and differ by a factor of 4, else the arithmetic
+/// mean.
 fn middle(a: f64, b: f64) -> f64 {
     let ratio = a / b;
     if ratio > 4.0 || (ratio > 0.0 && ratio < 0.25) {

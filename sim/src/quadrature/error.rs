@@ -1,53 +1,54 @@
-//! Reasons why there is no answer by quadrature.
+//! Reasons why a motion is not given by quadrature.
 
 use std::fmt;
 
 use crate::error::SimError;
 
-/// Reason why a stretch is not integrated.
+/// Reason why a stretch of the motion is not integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Obstacle {
-    /// There is no kinetic energy at this coordinate.
+    /// Coordinate at which there is no kinetic energy.
     Barrier(f64),
-    /// The panels near this coordinate are too many.
+    /// Coordinate near which too many panels are needed.
     Unresolved(f64),
 }
 
-/// A motion that quadrature does not give. The equations can still be integrated step by step.
+/// Reason why quadrature does not give a motion. The equations can still be integrated step by step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoQuadrature {
-    /// The question makes no sense.
+    /// The question makes no sense; the error says why.
     Question(SimError),
-    /// There is not exactly one speed.
+    /// The equations do not have exactly one speed.
     NotOneDegree {
-        /// Number of speeds.
+        /// Number of speeds of the equations.
         speeds: usize,
     },
-    /// The equations do not bring the divided difference of their potential energy.
+    /// The equations have no divided difference of their potential energy.
     NoPotentialSlope,
-    /// A rate depends on a coordinate other than the degree of freedom, so it cannot be integrated along its motion.
+    /// A rate depends on a coordinate other than the degree of freedom, so the rate cannot be integrated along its
+    /// motion.
     NotQuadrature {
-        /// The coordinate it depends on, from 0.
+        /// Index of the coordinate on which a rate depends, from 0.
         coordinate: usize,
     },
-    /// At the start, the coefficient of the kinetic energy is not positive, or that of the rate is 0, or one of them is
-    /// not finite.
+    /// The start is not regular: the coefficient of the kinetic energy is not positive, or the rate of the coordinate
+    /// is 0, or one of both is not finite.
     Irregular,
-    /// The energy is, to rounding, that of an equilibrium which the motion approaches for ever.
+    /// The energy is, to rounding, that of an equilibrium that the motion approaches for ever.
     Asymptotic {
-        /// The coordinate there.
+        /// Coordinate of the equilibrium.
         at: f64,
     },
     /// The integrands vary too fast for the limit on panels, or have no value.
     Unresolved {
-        /// The coordinate there.
+        /// Coordinate near which the integrands are not resolved.
         at: f64,
-        /// The limit.
+        /// Largest number of panels that was allowed.
         panels: u32,
     },
-    /// An instant of an unbounded motion to which it was not followed.
+    /// The motion is unbounded, and was not followed to this instant.
     Uncovered {
-        /// The time from the start, in s.
+        /// Time of the instant from the start, s.
         t: f64,
     },
 }

@@ -1,17 +1,16 @@
-//! The motion of one degree of freedom by quadrature instead of stepping.
+//! Motion of one degree of freedom by quadrature instead of stepping.
 //!
 //! With the energy h = ½ m(q) v² + V(q) and q′ = k(q) v, time is an integral over the coordinate, dt = dq/(k √(2 (h −
-//! V)/m)), and so is every other coordinate whose rate depends on q and v alone. The integrals are taken once, as
-//! series of Legendre polynomials on panels that are halved until all series are resolved to rounding; the state at any
-//! instant follows by one inversion. Whole periods are added exactly, so that errors do not build up but by the
-//! rounding of the period.
+//! V)/m)). So is every other coordinate whose rate depends on q and v alone. The integrals are taken once, as series of
+//! Legendre polynomials on panels that are halved until all series are resolved to rounding. The state at any instant
+//! follows by one inversion. Whole periods are added exactly: errors grow only by the rounding error of the period.
 //!
-//! Invariants: the integrands are smooth where the motion turns, since they are stretches of half a swing each in a
-//! variable in which they are; and h − V is never a difference of nearly equal energies, since it is the divided
-//! difference of V times the distance from a turning point ([`System::potential_slope`]).
+//! Invariants: the integrands are smooth where the motion turns, since each stretch is half a swing in a variable that
+//! makes them smooth. The difference h − V is never computed from nearly equal energies: it is the divided difference
+//! of V times the distance from a turning point ([`System::potential_slope`]).
 //!
-//! Absent on purpose: friction, forces that depend on time, and unlimited work. What is not resolved by a stated number
-//! of panels is refused with its reason.
+//! Absent on purpose: friction, forces that depend on time, and unlimited work. A motion that a stated number of panels
+//! does not resolve is refused with its reason.
 
 mod chart;
 mod course;
@@ -31,7 +30,7 @@ pub use error::NoQuadrature;
 pub use solve::solve;
 use track::Scratch;
 
-/// The motion from one start of equations with one speed.
+/// Motion by quadrature of equations with one speed, from one start.
 ///
 /// ```
 /// # use tripos_traits::{Lengths, System};
@@ -67,26 +66,26 @@ use track::Scratch;
 #[derive(Clone, Debug)]
 pub struct OneDegree<'a> {
     energy: Energy<'a>,
-    /// q and v at the start, and the rates at rest there.
+    /// State [q; v] at the start; `rates` are the rates of the coordinates there.
     start: Vec<f64>,
     rates: Vec<f64>,
     turns: [Option<f64>; 2],
     course: Course,
-    /// τ at the start, and the quadratures from τ = 0 to there.
+    /// Time τ at the start, s; `sums` are the quadratures from τ = 0 to the start.
     lead: f64,
     sums: Vec<f64>,
 }
 
 impl<'a> OneDegree<'a> {
-    /// The motion from (q, v), with the parameters `p` of the equations.
+    /// Computes the motion from (q, v), with the parameters `p` of the equations.
     ///
-    /// The equations have one speed v and bring [`System::potential_slope`]. Coordinate 0 is the degree of freedom: q₀′
-    /// = k(q₀) v, T = ½ m(q₀) v² and V(q₀); the rates of all others depend on q₀ and v only, which is tested at the
-    /// start.
+    /// The equations must have one speed v and [`System::potential_slope`]. Coordinate 0 is the degree of freedom: q₀′
+    /// = k(q₀) v, T = ½ m(q₀) v² and V(q₀). The rates of all other coordinates must depend on q₀ and v only, which is
+    /// tested at the start.
     ///
     /// # Errors
     /// [`NoQuadrature`] if the equations are not of this kind, if the motion approaches an equilibrium for ever, or if
-    /// it is not resolved.
+    /// its integrals are not resolved.
     pub fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {
         check(system, p, q, v)?;
         let energy = Energy::new(system, p, q, v)?;
@@ -106,12 +105,12 @@ impl<'a> OneDegree<'a> {
         Ok(motion)
     }
 
-    /// Finds the course, and follows it to these times from the start.
+    /// Finds the course of the motion, and follows it to these times from the start, s.
     fn plan(&mut self, times: &[f64]) -> Result<(), NoQuadrature> {
         let n = self.start.len() - 1;
         let (q, v) = (&self.start[..n], self.start[n]);
         let mut scratch = Scratch::new(&self.energy, q);
-        // Each round meets a turning point that no search has met, or is the last.
+        // Each round either meets a turning point that the searches missed, or is the last round.
         loop {
             self.course = Course::new(&self.energy, q, v, &mut self.turns, &mut scratch)?;
             let mut follow = || {
@@ -142,11 +141,11 @@ impl<'a> OneDegree<'a> {
         Ok(())
     }
 
-    /// Follows an unbounded motion from the earliest to the latest of these times, s from the start; a motion between
-    /// two turning points, or round and round ([`System::coordinate_period`]), is known at all times.
+    /// Follows an unbounded motion from the earliest to the latest of these times, s from the start. A motion between
+    /// two turning points, or one that goes round ([`System::coordinate_period`]), is known at all times.
     ///
     /// # Errors
-    /// [`NoQuadrature`] if it is not resolved to there.
+    /// [`NoQuadrature`] if the integrals are not resolved up to these times.
     pub fn cover(&mut self, t0: f64, t1: f64) -> Result<(), NoQuadrature> {
         match self.course {
             Course::Rest | Course::Swing { .. } | Course::Rotation { .. } => Ok(()),
@@ -154,24 +153,24 @@ impl<'a> OneDegree<'a> {
         }
     }
 
-    /// The turning points below and above the start, where there are any; of an unbounded motion as far as it was
-    /// followed.
+    /// Coordinates of the turning points below and above the start; `None` if there is none. Those of an unbounded
+    /// motion are known only as far as it was followed.
     #[must_use]
     pub fn turning_points(&self) -> (Option<f64>, Option<f64>) {
         let [low, high] = self.turns;
         (low, high)
     }
 
-    /// The period of a motion between two turning points, or of one that goes round, s.
+    /// Period, s, of a motion between two turning points or of one that goes round; `None` for other motions.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.course.period()
     }
 
-    /// The state `t` seconds after the start (before it, if negative): q, then v.
+    /// State [q; v] of the motion `t` seconds after the start, or before it if `t` is negative.
     ///
     /// # Errors
-    /// [`NoQuadrature::Uncovered`] for an unbounded motion beyond what [`Self::cover`] was asked for.
+    /// [`NoQuadrature::Uncovered`] for an unbounded motion at a time to which [`Self::cover`] has not followed it.
     pub fn state(&self, t: f64) -> Result<Vec<f64>, NoQuadrature> {
         let mut y = vec![0.0; self.start.len()];
         self.state_into(t, &mut y)?;
@@ -181,7 +180,7 @@ impl<'a> OneDegree<'a> {
     /// Writes [q; v] at `t` seconds after the start to `y`, as [`Self::state`] returns it.
     ///
     /// # Errors
-    /// [`NoQuadrature`] if the motion cannot be followed that far.
+    /// [`NoQuadrature::Uncovered`], as for [`Self::state`].
     pub fn state_into(&self, t: f64, y: &mut [f64]) -> Result<(), NoQuadrature> {
         y.copy_from_slice(&self.start);
         if t == 0.0 {
@@ -210,7 +209,7 @@ impl<'a> OneDegree<'a> {
         Ok(())
     }
 
-    /// Points at which the integrands were evaluated.
+    /// Number of points at which the integrands were evaluated.
     #[must_use]
     pub fn evaluations(&self) -> u64 {
         let attempts: u64 = self.course.tracks().iter().map(|track| u64::from(track.attempts)).sum();
@@ -218,7 +217,7 @@ impl<'a> OneDegree<'a> {
     }
 }
 
-/// Refuses equations of another kind.
+/// Refuses equations and starts that quadrature cannot serve.
 fn check(system: &dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<(), NoQuadrature> {
     let Lengths { parameters, coordinates, variables: speeds, .. } = system.lengths();
     if speeds != 1 || q.is_empty() {
@@ -235,7 +234,7 @@ fn check(system: &dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<(), N
     if !system.has_potential_slope() {
         return Err(NoQuadrature::NoPotentialSlope);
     }
-    // What does not depend on a coordinate has the same bits wherever that is.
+    // Rates that do not depend on a coordinate have the same bits for any value of it.
     let rates = |q: &[f64]| {
         let mut out = vec![0.0; q.len()];
         system.coordinate_rates(p, q, &[if v == 0.0 { 1.0 } else { v }], &mut out);

@@ -1,4 +1,4 @@
-//! The integrands at the points of a panel: one by one, or as many at once as fill a register of the processor.
+//! Integrands at the points of a panel: one by one, or as many at once as fill a register of the processor.
 //!
 //! Invariant: all widths compute the same formulas; only products that lanes fuse differ by their rounding.
 
@@ -10,12 +10,12 @@ use super::error::Obstacle;
 use super::rule::{POINTS, Rule, Series};
 use tripos_traits::{AtPoints, Integrands, Lanes, Scalar, lane_width};
 
-/// Samples of the integrands at the points of one panel.
+/// Values of the integrands at the points of a panel.
 pub(super) struct Samples {
-    /// q, and |v|.
+    /// Coordinates q at the points; `speeds` are |v| there.
     places: Series,
     speeds: Series,
-    /// dt/dw, then the integrands while q rises, then those while it falls.
+    /// Values of dt/dw, then the integrands while q rises, then those while q falls.
     pub(super) values: Vec<Series>,
 }
 
@@ -26,29 +26,29 @@ impl Samples {
     }
 }
 
-/// A panel that is to be sampled.
+/// A panel that is to be sampled: a part of a stretch.
 #[derive(Clone, Copy)]
 pub(super) struct Panel<'a> {
     pub(super) energy: &'a Energy<'a>,
     pub(super) chart: Chart,
     pub(super) anchor: Option<Anchor>,
-    /// w where it begins, and half its width.
+    /// Variable w at which the panel begins; `half` is half its width.
     pub(super) from: f64,
     pub(super) half: f64,
 }
 
-/// Equations with room for their values at some points.
+/// Equations with space for their values at several points.
 pub(super) trait Sampler {
-    /// Takes dt/dw and the integrands while q rises.
+    /// Writes dt/dw and the integrands while q rises.
     ///
     /// # Errors
-    /// The first point at which there is no kinetic energy, or no finite rate.
+    /// [`Obstacle`] with the first point at which there is no kinetic energy, or no finite rate.
     fn rising(&mut self, panel: &Panel<'_>, samples: &mut Samples) -> Result<(), Obstacle>;
-    /// Takes the integrands while q falls, at the places of [`Sampler::rising`].
+    /// Writes the integrands while q falls, at the places of [`Sampler::rising`].
     fn falling(&mut self, energy: &Energy<'_>, samples: &mut Samples);
 }
 
-/// Sampler in the widest lanes that the equations come in and this processor computes best in.
+/// Makes the sampler with the widest lanes that the equations have and this processor computes best in.
 pub(super) fn sampler<'a>(energy: &'a Energy<'_>, q: &[f64]) -> Box<dyn Sampler + 'a> {
     match energy.system.0.at_points() {
         Some(AtPoints { eight, .. }) if lane_width() == 8 => Box::new(Wide::<Lanes<8>>::new(eight, energy, q)),
@@ -57,9 +57,9 @@ pub(super) fn sampler<'a>(energy: &'a Energy<'_>, q: &[f64]) -> Box<dyn Sampler 
     }
 }
 
-/// A number of doubles.
+/// A fixed number of doubles, as one number or in lanes.
 trait Packed: Scalar {
-    /// Number of doubles.
+    /// Number of doubles in a value.
     const WIDTH: usize;
     fn pack(values: &[f64]) -> Self;
     fn unpack(self, to: &mut [f64]);
@@ -89,7 +89,7 @@ impl<const N: usize> Packed for Lanes<N> {
     }
 }
 
-/// At one point after another.
+/// Integrands at one point after another.
 impl Integrands<f64> for Equations<'_> {
     fn coordinate_rates(&self, p: &[f64], q: &[f64], v: f64, out: &mut [f64]) {
         self.0.coordinate_rates(p, q, &[v], out);
@@ -102,7 +102,7 @@ impl Integrands<f64> for Equations<'_> {
     }
 }
 
-/// Equations at as many points at once as `S` holds.
+/// Sampler of equations at as many points at once as `S` holds.
 struct Wide<'a, S> {
     equations: &'a dyn Integrands<S>,
     p: Vec<S>,
@@ -116,7 +116,7 @@ impl<'a, S: Packed> Wide<'a, S> {
         Self { equations, p: all(&energy.p), q: all(q), rates: all(q) }
     }
 
-    /// The points from `at` on, while q rises.
+    /// Samples the points from number `at` on, while q rises.
     #[inline(always)]
     fn rise(&mut self, panel: &Panel<'_>, samples: &mut Samples, at: usize) {
         let Panel { energy, chart, anchor, from, half } = *panel;
@@ -140,7 +140,7 @@ impl<'a, S: Packed> Wide<'a, S> {
         }
     }
 
-    /// The points from `at` on, while q falls.
+    /// Samples the points from number `at` on, while q falls.
     #[inline(always)]
     fn fall(&mut self, energy: &Energy<'_>, samples: &mut Samples, at: usize) {
         let here = at..at + S::WIDTH;

@@ -1,33 +1,33 @@
-//! Gauss–Legendre points, and series of Legendre polynomials.
+//! Gauss–Legendre points on a panel, and series of Legendre polynomials.
 
 use std::sync::OnceLock;
 
 use tripos_traits::{DoubleDouble, Lanes, Real, Scalar};
 
-/// Points of the rule, and terms of a series.
+/// Number of points of the rule, and of terms of a series.
 pub(super) const POINTS: usize = 24;
 
 const HALF: usize = POINTS / 2;
 
-/// One function on a panel: a number for each point, or for each polynomial.
+/// A function on a panel: a number for each point, or for each polynomial.
 pub(super) type Series = [f64; POINTS];
 
-/// P₀(x) … P_n(x), n = [`POINTS`].
+/// Values P₀(x) … P_n(x) of Legendre polynomials, n = [`POINTS`].
 pub(super) type Values = [f64; POINTS + 1];
 
-/// The rule on [−1, 1].
+/// Gauss–Legendre rule on [−1, 1] for the coefficients of a series.
 pub(super) struct Rule {
-    /// Zeros of P_n, in increasing order.
+    /// Points of the rule, the zeros of P_n, in increasing order.
     pub(super) points: Series,
-    /// Row i: shares of the values at point i and opposite to it in the coefficients, (k + ½) wᵢ P_k(xᵢ). Their sum
-    /// adds to those of even k, their difference to those of odd k.
+    /// Shares (k + ½) wᵢ P_k(xᵢ), in row i, of the values at point i and at the opposite point in the coefficients. The
+    /// sum of both values counts for even k, their difference for odd k.
     shares: [[[f64; HALF]; 2]; HALF],
-    /// 1/(k + 1) and the factors of the recurrence, (2 k + 1)/(k + 1) and k/(k + 1).
+    /// Factors (2 k + 1)/(k + 1) and k/(k + 1) of the recurrence of Legendre polynomials, for each k.
     recurrence: [[f64; 2]; POINTS],
 }
 
 impl Rule {
-    /// The rule; its points and weights are computed once, in 32 digits.
+    /// Returns the rule of this program; its points and weights are computed once, in 32 digits.
     pub(super) fn shared() -> &'static Self {
         static RULE: OnceLock<Rule> = OnceLock::new();
         RULE.get_or_init(Self::new)
@@ -42,7 +42,7 @@ impl Rule {
         for i in 0..HALF {
             let guess = (std::f64::consts::PI * (i as f64 + 0.75) / (POINTS as f64 + 0.5)).cos();
             let mut x = DoubleDouble::from_f64(-guess);
-            // Newton's method: 3 digits at first, doubled by each step.
+            // Newton's method: the guess has 3 digits, and each step doubles them.
             for _ in 0..5 {
                 let p = legendre(x);
                 x = x - p[POINTS] / slope(x, &p);
@@ -58,7 +58,7 @@ impl Rule {
         rule
     }
 
-    /// Coefficients c_k of Σ c_k P_k through values at the points.
+    /// Coefficients c_k of the series Σ c_k P_k through these values at the points.
     pub(super) fn coefficients(&self, values: &Series) -> Series {
         let (even, odd) = Lanes::<4>::dispatch(
             #[inline(always)]
@@ -67,7 +67,7 @@ impl Rule {
         std::array::from_fn(|k| if k % 2 == 0 { even[k / 2] } else { odd[k / 2] })
     }
 
-    /// The coefficients of even and of odd polynomials.
+    /// Coefficients of the even and of the odd polynomials through these values at the points.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
     fn halves(&self, values: &Series) -> ([f64; HALF], [f64; HALF]) {
@@ -83,7 +83,7 @@ impl Rule {
         (even, odd)
     }
 
-    /// The polynomials at `x`, by (k + 1) P_{k+1} = (2 k + 1) x P_k − k P_{k−1}.
+    /// Values of the Legendre polynomials at `x`, by (k + 1) P_{k+1} = (2 k + 1) x P_k − k P_{k−1}.
     pub(super) fn values(&self, x: f64) -> Values {
         let mut p = [1.0; POINTS + 1];
         p[1] = x;
@@ -95,7 +95,7 @@ impl Rule {
     }
 }
 
-/// The coefficients of ∫₋₁ˣ Σ c_k P_k, by (2 k + 1) P_k = P′_{k+1} − P′_{k−1}.
+/// Coefficients of the integral ∫₋₁ˣ Σ c_k P_k, by (2 k + 1) P_k = P′_{k+1} − P′_{k−1}.
 pub(super) fn integrated(c: &Series) -> Values {
     let mut d = [0.0; POINTS + 1];
     d[0] = c[0];
@@ -109,7 +109,7 @@ pub(super) fn integrated(c: &Series) -> Values {
     d
 }
 
-/// Σ cᵢ xᵢ, four sums side by side.
+/// Sum of products Σ cᵢ xᵢ, as four sums side by side.
 pub(super) fn dot(c: &[f64], x: &[f64]) -> f64 {
     let (c, c_rest) = c.as_chunks::<4>();
     let (x, x_rest) = x.as_chunks::<4>();
@@ -133,7 +133,7 @@ fn legendre(x: DoubleDouble) -> [DoubleDouble; POINTS + 1] {
     p
 }
 
-/// P_n′ by (x² − 1) P_n′ = n (x P_n − P_{n−1}).
+/// Slope P_n′(x) from the values of the polynomials, by (x² − 1) P_n′ = n (x P_n − P_{n−1}).
 fn slope(x: DoubleDouble, p: &[DoubleDouble; POINTS + 1]) -> DoubleDouble {
     DoubleDouble::from_f64(POINTS as f64) * (x * p[POINTS] - p[POINTS - 1]) / (x * x - DoubleDouble::int(1))
 }

@@ -1,4 +1,4 @@
-//! A run by quadrature, with the output and the events of any other.
+//! Run by quadrature, with the output and the events of any other run.
 
 use tripos_traits::System;
 
@@ -11,15 +11,14 @@ use crate::methods::options::{self, Options, Output, Poll};
 use crate::solution::{Solution, Stop};
 use crate::stepper::{DenseStep, Interpolant, same};
 
-/// The motion from y0 = \[q; v\] over `span`, answered like [`crate::integrate`] answers it.
+/// Computes the motion from y0 = \[q; v\] over `span`, with the result of [`crate::integrate`].
 ///
-/// Among the options `output` and `step_limit` matter; method and tolerances do not. Steps are those of the panels:
-/// they count in the result, and [`Output::Steps`] refines them. Events are looked for on them as on steps of a method,
-/// and end the run where they say so. The quadratures, like all coordinates, are in the state; see [`OneDegree::new`]
-/// for what the equations must be.
+/// Of the options, only `output`, `step_limit` and `poll` are used. Steps are those of the panels: they count in the
+/// result, and [`Output::Steps`] refines them. Events are located on them as on steps of a method, and may end the run.
+/// The quadratures, like all coordinates, are in the state; see [`OneDegree::new`] for the demands on the equations.
 ///
 /// # Errors
-/// [`NoQuadrature`] if the question makes no sense ([`NoQuadrature::Question`]), or quadrature does not answer it.
+/// [`NoQuadrature`] if the question makes no sense ([`NoQuadrature::Question`]), or if quadrature gives no motion.
 pub fn solve(
     system: &dyn System<f64>,
     p: &[f64],
@@ -66,7 +65,7 @@ pub fn solve(
     })
 }
 
-/// A run under way.
+/// A run by quadrature in progress.
 struct Run<'m> {
     motion: &'m OneDegree<'m>,
     t0: f64,
@@ -84,7 +83,7 @@ impl Run<'_> {
         recorder: &mut Recorder<'_, f64>,
     ) -> Stop {
         let forward = span.1 > span.0;
-        // Nobody looks at the steps unless there are events, or each step is asked for.
+        // The steps matter only if there are events, or if the output asks for each step.
         let all = !watch.is_empty() || matches!(options.output, Output::Steps { .. });
         let mut nodes = Nodes::new(self.motion, if all { span.1 - span.0 } else { 0.0 });
         let mut step = Step { motion: self.motion, t0: self.t0, span: (span.0, span.0), ends: Default::default() };
@@ -95,7 +94,7 @@ impl Run<'_> {
             }
             let from = step.span.1;
             let next = if all { nodes.next_beyond(from - self.t0).map(|t| self.t0 + t) } else { None };
-            // What is left of the span after a node that differs from its end by rounding is no step.
+            // A rest of the span that is only rounding, after a node next to its end, is no step.
             let inside = |t: &f64| if forward { *t > from && *t < span.1 } else { *t < from && *t > span.1 };
             let to = next.filter(inside).unwrap_or(span.1);
             step.advance(to);
@@ -122,9 +121,9 @@ impl Run<'_> {
     }
 }
 
-/// Times from the start at which panels meet, in the order of the run.
+/// Times from the start at which panels meet, s, in the order of the run.
 struct Nodes {
-    /// Times τ of one period, or of all.
+    /// Times τ of the nodes of one period, s, or of all nodes if there is no period.
     times: Vec<f64>,
     period: Option<f64>,
     lead: f64,
@@ -134,11 +133,11 @@ struct Nodes {
 }
 
 impl Nodes {
-    /// Nodes of a motion in the direction of `span`.
+    /// Creates the nodes of a motion, in the direction of `span`, s.
     fn new(motion: &OneDegree<'_>, span: f64) -> Self {
         let forward = span >= 0.0;
         let mut times = if same(span, 0.0) { Vec::new() } else { motion.course.nodes() };
-        // Ends of panels in both directions of a swing, and of the two at once.
+        // Panels of both directions of a swing, and of both halves, may end at one time.
         times.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * motion.course.period().unwrap_or(0.0));
         if !forward {
             times.reverse();
@@ -148,7 +147,7 @@ impl Nodes {
         Self { times, period, lead: motion.lead, forward, at: 0, turns }
     }
 
-    /// The next one beyond the time `t` from the start.
+    /// Next node beyond the time `t` from the start, s; `None` if there is none.
     fn next_beyond(&mut self, t: f64) -> Option<f64> {
         loop {
             if self.at >= self.times.len() {
@@ -165,7 +164,7 @@ impl Nodes {
     }
 }
 
-/// The motion between two times, as one step of a method would give it.
+/// Part of the motion between two times, in the form of a step of a method.
 struct Step<'m> {
     motion: &'m OneDegree<'m>,
     t0: f64,
@@ -210,14 +209,14 @@ impl Interpolant for Step<'_> {
         }
     }
 
-    /// Time is a series in the coordinate, not the other way round.
+    /// Returns `None`: time is a series in the coordinate, not the coordinate a series in time.
     fn order_inside(&self) -> Option<usize> {
         None
     }
 
     fn coefficients(&self, _put: impl FnMut(usize, usize, f64)) {}
 
-    /// The time itself counts, not the fraction of a step that may be long.
+    /// State at the time `t`: the fraction `theta` of a long step would be less exact.
     fn sample(&self, _theta: f64, t: f64) -> Vec<f64> {
         let mut y = vec![0.0; self.ends.0.len()];
         self.at(t, &mut y);

@@ -1,8 +1,8 @@
-//! A stretch of the motion, integrated once: time and quadratures as series on panels.
+//! Stretch of the motion, integrated once: time and quadratures as series on panels.
 //!
-//! Each stretch is measured by a variable in which the motion is smooth where it turns: with T = ½ (reach)² · 2 G,
-//! where the reach is dq/dw, the speed is reach √(2 G/m) and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is
-//! computed as a divided difference of V, so that it keeps its digits next to a turning point.
+//! Each stretch is measured by a variable w in which the motion is smooth where it turns. With T = ½ (reach)² · 2 G and
+//! the reach dq/dw, the speed is reach √(2 G/m) and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is computed as a
+//! divided difference of V, so that it keeps its digits next to a turning point.
 
 use super::chart::{Anchor, Chart};
 use super::energy::Energy;
@@ -13,64 +13,64 @@ use tripos_traits::largest;
 
 /// Largest last term of a resolved series, relative to its largest term: rounding errors of the integrand.
 const RESOLVED: f64 = 16.0 * f64::EPSILON;
-/// Rounding errors of an integrand, relative to its largest value, for which no panel is made narrower: of both signs,
-/// they hardly add up.
+/// Relative rounding errors of an integrand for which no panel is made narrower. They have both signs, and hardly add
+/// up.
 const HARMLESS: f64 = 1e-14;
 /// Distance of a singularity from the middle of a panel, in half-widths, at which a series of [`POINTS`] terms is
 /// resolved: the terms fall like ρ^−k, with ρ = z + √(z² − 1).
 const FAR_ENOUGH: f64 = 2.7;
 
-/// Panels that there is room for without more memory.
+/// Number of panels for which memory is reserved.
 const ROOM: usize = 12;
 
-/// Goal up to which a stretch is to be integrated.
+/// Goal of the integration of a stretch.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Goal {
-    /// To this w, where it ends.
+    /// Up to this value of w, where the stretch ends.
     End(f64),
-    /// Past this w.
+    /// At least up to this value of w.
     Variable(f64),
-    /// This many panels on.
+    /// At least this many panels.
     Panels(usize),
-    /// Past this time.
+    /// At least up to this time from the start of the stretch, s.
     Time(f64),
 }
 
-/// A stretch with its panels.
+/// Stretch of the motion with its panels.
 ///
-/// Functions are numbered: 0 is the time; then the quadratures while q rises; then those while it falls.
+/// Functions have numbers: 0 is the time; then come the quadratures while q rises, then those while q falls.
 #[derive(Clone, Debug)]
 pub(super) struct Track {
     pub(super) chart: Chart,
     functions: usize,
-    /// Relative error of the integrands that comes with the turning points.
+    /// Relative error of the integrands that comes with the rounding of the turning points.
     noise: f64,
-    /// w and t where panels meet, the start and the end included.
+    /// Values of w at which panels meet, the start and the end included; `times` are the times there, s.
     ends: Vec<f64>,
     pub(super) times: Vec<f64>,
-    /// All functions there, one such place after the other.
+    /// Values of all functions at these ends of panels, one end after the other.
     sums: Vec<f64>,
-    /// For each panel the series of dt/dξ, and for each function that of its integral.
+    /// Series of dt/dξ for each panel, and for each function the series of its integral.
     series: Vec<f64>,
-    /// The end of the last panel but for a line.
+    /// Anchor of the kinetic energy: the end of the last panel; `None` at the start, and for lines and crests.
     ///
-    /// Far from a turning point next to a pole, V\[end, q\] is a difference of large terms; from panel to panel it is
-    /// not.
+    /// Far from a turning point that is next to a pole, V\[end, q\] is a difference of large terms. From panel to panel
+    /// it is not.
     anchor: Option<Anchor>,
-    /// Width to try next.
+    /// Width of the next panel, in w.
     width: f64,
-    /// For each function, the relative size of rounding errors that no narrower panel has made smaller; and that of the
-    /// last attempt that was given up for them.
+    /// Relative rounding errors of each function that no narrower panel has made smaller; and the level at which a
+    /// panel was last rejected because of them.
     floors: Vec<[f64; 2]>,
     pub(super) attempts: u32,
     pub(super) rejected: u32,
 }
 
-/// Sampler of a panel, and buffers for it.
+/// Sampler of panels, with its buffers.
 pub(super) struct Scratch<'a> {
     sampler: Box<dyn Sampler + 'a>,
     samples: Samples,
-    /// The series of each function.
+    /// Series of each function on the panel.
     series: Vec<Series>,
 }
 
@@ -83,7 +83,7 @@ impl<'a> Scratch<'a> {
 }
 
 impl Track {
-    /// A stretch of which nothing is integrated; `width` is tried first.
+    /// Creates a stretch without panels; `width` is the first width to try.
     pub(super) fn new(chart: Chart, coordinates: usize, noise: f64, width: f64) -> Self {
         let functions = 2 * coordinates - 1;
         Self {
@@ -102,22 +102,22 @@ impl Track {
         }
     }
 
-    /// All functions at the end.
+    /// Values of all functions at the end of the stretch.
     pub(super) fn totals(&self) -> &[f64] {
         &self.sums[self.sums.len() - self.functions..]
     }
 
-    /// The w to which it is integrated.
+    /// Value of w up to which the stretch is integrated.
     pub(super) fn end(&self) -> f64 {
         self.ends[self.ends.len() - 1]
     }
 
-    /// The time to the end.
+    /// Time from the start to the end of the stretch, s.
     pub(super) fn duration(&self) -> f64 {
         self.times[self.times.len() - 1]
     }
 
-    /// Integrates on until the goal is reached, with at most `limit` panels in all.
+    /// Adds panels until the goal is reached; an error after `limit` attempts in all.
     pub(super) fn extend(
         &mut self,
         energy: &Energy<'_>,
@@ -136,7 +136,7 @@ impl Track {
             if reached && self.times.len() > 1 {
                 return Ok(());
             }
-            // A sliver at the end costs as much as a panel.
+            // A narrow rest at the end would cost as much as a panel.
             let width = if left < 1.25 * self.width { left } else { self.width };
             let to = if left < 1.25 * self.width { from + left } else { from + width };
             self.attempts += 1;
@@ -147,14 +147,14 @@ impl Track {
         }
     }
 
-    /// Tries one panel, and keeps it if all functions are resolved.
+    /// Tries a panel from `from` to `to`, and keeps it if all functions are resolved.
     fn panel(&mut self, energy: &Energy<'_>, scratch: &mut Scratch<'_>, from: f64, to: f64) -> Result<(), Obstacle> {
         let rule = Rule::shared();
         let half = 0.5 * (to - from);
         let panel = Panel { energy, chart: self.chart, anchor: self.anchor, from, half };
         scratch.sampler.rising(&panel, &mut scratch.samples)?;
-        // Integrands while q falls cost as much again. They are looked at only if nothing shows yet that the panel is
-        // too wide.
+        // Integrands while q falls cost as much again. They are sampled only if the rising ones do not show that the
+        // panel is too wide.
         let rest = self.functions / 2;
         let mut nearest = f64::INFINITY;
         for function in 0..self.functions {
@@ -189,7 +189,8 @@ impl Track {
         Ok(())
     }
 
-    /// The series of one function, and how much wider the next panel may be; below 1 if this one is too wide.
+    /// Computes the series of a function on the panel. Returns the ratio of the next width to this one; below 1 the
+    /// panel is too wide.
     fn judge(&mut self, rule: &Rule, scratch: &mut Scratch<'_>, function: usize, half: f64) -> f64 {
         let c = rule.coefficients(&scratch.samples.values[function]);
         scratch.series[function] = c;
@@ -210,15 +211,15 @@ impl Track {
         let decay = -(last / size).max(1e-18).ln() / (POINTS as f64 - 1.5);
         let z = decay.cosh();
         if resolved {
-            // The singularity is taken to lie behind: one width further, it is that much farther.
+            // The singularity is assumed to lie behind: one width further on, it is one width farther away.
             (0.95 * (z + 1.0) / (FAR_ENOUGH - 1.0)).max(1.0)
         } else {
             (0.9 * (z - 1.0) / (FAR_ENOUGH - 1.0)).min(0.7)
         }
     }
 
-    /// Terms that fall no longer: rounding errors of the equations themselves, unless a narrower panel has far smaller
-    /// ones, as where energies cancel.
+    /// Judges a series whose terms no longer fall. They are rounding errors of the equations, unless a narrower panel
+    /// has far smaller ones, as where energies cancel. Returns the ratio of the next width to this one.
     fn judge_noise(&mut self, function: usize, level: f64) -> f64 {
         let [floor, before] = &mut self.floors[function];
         if level <= HARMLESS.max(2.0 * *floor) {
@@ -232,7 +233,7 @@ impl Track {
         0.25
     }
 
-    /// Place of the stretch after `time`: its panel, ξ in it and the polynomials there.
+    /// Place of the stretch at `time`, s: its panel, ξ in it and the polynomials there.
     pub(super) fn find(&self, time: f64) -> Found {
         let panel = self.times.partition_point(|t| *t <= time).min(self.times.len() - 1).max(1) - 1;
         let wanted = time - self.times[panel];
@@ -256,7 +257,7 @@ impl Track {
             let newton = x - step > low && x - step < high;
             x = if newton { x - step } else { 0.5 * (low + high) };
             p = rule.values(x);
-            // The error of Newton's method is squared.
+            // The error after this step is the square of the step.
             if newton && step.abs() <= 1e-9 {
                 break;
             }
@@ -264,7 +265,7 @@ impl Track {
         self.found(panel, x, p)
     }
 
-    /// Place of the stretch at `w`.
+    /// Place of the stretch at the variable `w`.
     pub(super) fn at_variable(&self, w: f64) -> Found {
         let panel = self.ends.partition_point(|end| *end <= w).min(self.ends.len() - 1).max(1) - 1;
         let (from, to) = (self.ends[panel], self.ends[panel + 1]);
@@ -277,13 +278,13 @@ impl Track {
         Found { panel, w: from + 0.5 * (1.0 + x) * (to - from), polynomials }
     }
 
-    /// |dw/dt| there.
+    /// Rate |dw/dt| at a place of the stretch.
     pub(super) fn pace(&self, at: &Found) -> f64 {
         let half = 0.5 * (self.ends[at.panel + 1] - self.ends[at.panel]);
         half / dot(self.rate(at.panel), &at.polynomials[..POINTS])
     }
 
-    /// A function there, from 0 at the start of the stretch.
+    /// Value of a function at a place of the stretch, from 0 at its start.
     pub(super) fn value(&self, at: &Found, function: usize) -> f64 {
         self.sums[at.panel * self.functions + function] + dot(self.integral(at.panel, function), &at.polynomials)
     }
@@ -302,7 +303,7 @@ impl Track {
     }
 }
 
-/// A place of a stretch by panel.
+/// Place of a stretch: its panel, w, and the values of the polynomials there.
 pub(super) struct Found {
     panel: usize,
     pub(super) w: f64,

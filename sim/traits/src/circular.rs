@@ -13,18 +13,19 @@
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
-/// Largest |x| that is reduced here: 2¹⁸, some forty thousand turns.
+/// Largest |x| that [`near`] reduces: 2¹⁸ rad, some forty thousand turns.
 pub(crate) const FAST: f64 = 262_144.0;
 
-/// π/2 = P1 + P2 + P3 to 2⁻¹³⁰. P1 and P2 have 35 bits, so that their products with whole numbers below 2¹⁸ are exact.
+/// First of three parts of π/2: P1 + P2 + P3 = π/2 to 2⁻¹³⁰. P1 and P2 have 35 bits, so that their products with whole
+/// numbers below 2¹⁸ are exact.
 const P1: f64 = f64::from_bits(0x3FF9_21FB_5444_0000);
 const P2: f64 = f64::from_bits(0x3D86_8C23_4C4C_0000);
 const P3: f64 = f64::from_bits(0x3B29_8A2E_0370_7345);
 
-/// 1.5 · 2⁵²: adding it rounds to a whole number, which then stands in the lowest bits.
+/// Number 1.5 · 2⁵²: a sum with it is rounded to a whole number, whose last bits stand in the lowest bits of the sum.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// Coefficients of r³, r⁵ … of the sine.
+/// Coefficients of r³, r⁵ … in the polynomial of the sine.
 const S: [f64; 6] = [
     -0.166_666_666_666_666_32,
     8.333_333_333_322_49e-3,
@@ -33,7 +34,7 @@ const S: [f64; 6] = [
     -2.505_076_025_340_686_3e-8,
     1.589_690_995_211_55e-10,
 ];
-/// Coefficients of r⁴, r⁶ … of the cosine.
+/// Coefficients of r⁴, r⁶ … in the polynomial of the cosine.
 const C: [f64; 6] = [
     4.166_666_666_666_66e-2,
     -1.388_888_888_887_411e-3,
@@ -43,9 +44,9 @@ const C: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
-/// x·a + b, rounded once or twice.
+/// Computes x·a + b for a kind of number: rounded once by some implementations, twice by others.
 pub(crate) trait MulAdd {
-    /// Computes x·a + b.
+    /// Computes x·a + b, rounded once or twice.
     fn mul_add(x: f64, a: f64, b: f64) -> f64;
 }
 
@@ -57,7 +58,7 @@ pub(crate) fn near<M: MulAdd>(x: f64) -> (f64, f64) {
     in_quadrant::<M>(reduced::<M>(x))
 }
 
-/// Sine and cosine of one number. A branch that is foreseen costs less than a reduction without need.
+/// Computes (sin x, cos x) of one number. Small angles take a branch: one that is foreseen costs less than a reduction.
 #[inline(always)]
 pub(crate) fn one<M: MulAdd>(x: f64) -> (f64, f64) {
     let size = x.abs();
@@ -70,7 +71,7 @@ pub(crate) fn one<M: MulAdd>(x: f64) -> (f64, f64) {
     }
 }
 
-/// x = r − `minus_tail` + n π/2, |r| ≤ π/4; n is `quadrant` in its last two bits.
+/// Reduced angle: x = r − `minus_tail` + n π/2 with |r| ≤ π/4; the last two bits of `quadrant` are those of n.
 struct Reduced {
     r: f64,
     minus_tail: f64,
@@ -111,7 +112,7 @@ fn in_quadrant<M: MulAdd>(Reduced { r, minus_tail, quadrant }: Reduced) -> (f64,
     (flipped(sine, sign(quadrant)), flipped(cosine, sign(quadrant.wrapping_add(1))))
 }
 
-/// (sin x, cos x) by the careful reduction of `libm`, for arguments that [`near`] cannot take.
+/// Computes (sin x, cos x) by the careful reduction of `libm`, for arguments that [`near`] cannot take.
 #[cold]
 #[inline(never)]
 pub(crate) fn far(x: f64) -> (f64, f64) {

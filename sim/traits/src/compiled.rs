@@ -1,63 +1,64 @@
-//! Equations that are compiled in: in doubles and in twice their precision, at several states at once, and with slopes.
+//! Equations that are compiled into a program: in doubles, in twice their precision, in lanes, and with slopes.
 //!
-//! Invariant: each of these traits is a part of [`System`] alone, so that a program compiles no more of the equations
+//! Invariant: each trait of this module is a part of [`System`], so that a program compiles no more of the equations
 //! for a kind of number than it needs.
 
 use crate::{DoubleDouble, Integrands, Lanes, Lengths, Scalar, System, Tangent, lane_width};
 
 /// A model whose equations are compiled in, with the hashes by which a program finds and trusts them.
 pub struct CompiledModel {
-    /// The folder's name under `models/`.
+    /// Name of the model's folder under `models/`.
     pub name: &'static str,
-    /// Hash of the model text the equations were derived from, as the deriving crate computes it.
+    /// Hash of the model text that the equations were derived from, as the deriving crate computes it.
     pub text_hash: &'static str,
     /// Hash of the text of the publication whose printed equations are compiled in; empty if there is none.
     pub publication_hash: &'static str,
-    /// Equations: each supported formulation (`kane`, `lagrange`, `newton-euler`), also in the distances that are
-    /// worth having, then those of the publication (`printed:ID`).
+    /// Equations of the model: each supported formulation (`kane`, `lagrange`, `newton-euler`), then those of the
+    /// publication (`printed:ID`). A formulation may come again in variables that measure the distance from a
+    /// singularity.
     pub systems: &'static [CompiledSystem],
-    /// The equations of its scenes.
+    /// Reduced equations of the model's scenes.
     pub scenes: &'static [CompiledScene],
 }
 
 /// The reduced equations of one scene, compiled in.
 pub struct CompiledScene {
-    /// The name of the scene's file without its ending.
+    /// Name of the scene's file without its ending.
     pub name: &'static str,
     /// A hash of everything that the equations depend on, as the deriving crate computes it: the model, the outputs
     /// that the scene asks for, and the parameters that it fixes.
     pub key: &'static str,
-    /// The equations.
+    /// Reduced equations of the scene.
     pub system: CompiledSystem,
 }
 
 /// One set of compiled equations, ready for each kind of number that runs are made in.
 pub struct CompiledSystem {
-    /// Its name; behind an `@` the distance that stands for a coordinate, as in `kane@q2-90deg`.
+    /// Name of the equations, as `kane`; behind an `@` the distance that replaces a coordinate, as in `kane@q2-90deg`.
     pub name: &'static str,
-    /// In doubles.
+    /// Equations in doubles.
     pub double: &'static (dyn System<f64> + Sync),
-    /// In twice that precision, for reference runs.
+    /// Equations in [`DoubleDouble`], twice the precision of doubles, for reference runs.
     pub extended: &'static (dyn System<DoubleDouble> + Sync),
-    /// The derivative of several states at once; `None` for equations whose accelerations were not solved for.
+    /// Rates of several states at once; `None` for equations whose accelerations were not solved for.
     pub lanes: Option<InLanes<'static>>,
 }
 
-/// The derivative of the state alone, as [`Derivative`] takes it from a [`System`].
+/// Rates q̇ and v̇ of a state, without the other functions of a [`System`]; see [`Derivative`].
 ///
 /// Batches are integrated with it. A program that runs a model in lanes need not compile all of [`System`] for them,
 /// which takes an optimizing compiler far longer than for single numbers.
 pub trait Rates<S: Scalar> {
-    /// Lengths of the arguments and results.
+    /// Lengths of parameters, coordinates and variables.
     fn lengths(&self) -> Lengths;
-    /// q̇ and v̇, as [`System::derivative`] writes them.
+    /// Writes q̇ and v̇, as [`System::derivative`] does.
     fn rates(&self, p: &[S], q: &[S], v: &[S], q_dot: &mut [S], v_dot: &mut [S]);
 }
 
-/// The derivative of a [`System`] whose [`System::has_accelerations`] holds.
+/// Adapter that makes [`Rates`], [`Flow`] and [`Series`] of a [`System`] with [`System::has_accelerations`].
 #[derive(Clone, Copy, Debug)]
 pub struct Derivative<E>(
-    /// The equations.
+    /// Equations whose accelerations were solved for.
     pub E,
 );
 
@@ -70,8 +71,8 @@ impl<S: Scalar, E: System<S>> Rates<S> for Derivative<E> {
     }
 }
 
-/// The derivative of the state, and the constraints, for runs in other numbers than doubles. These are the parts of a
-/// [`System`] that runs with sensitivities need.
+/// Rates of a state, and constraints, for runs in other numbers than doubles. These are the parts of a [`System`] that
+/// runs with sensitivities need.
 pub trait Flow<S: Scalar>: Rates<S> {
     /// Writes the constraint functions, as [`System::constraints`] does: they are zero where the constraints hold.
     fn constraints(&self, p: &[S], q: &[S], v: &[S], out: &mut [S]);
@@ -83,13 +84,13 @@ impl<S: Scalar, E: System<S>> Flow<S> for Derivative<E> {
     }
 }
 
-/// The Taylor coefficients of the motion alone, as [`Derivative`] takes them from a [`System`].
+/// Taylor coefficients of a motion, without the other functions of a [`System`]; see [`Derivative`].
 pub trait Series<S: Scalar> {
-    /// True if there are coefficients: [`System::has_taylor`].
+    /// True if [`Series::taylor`] has values, as [`System::has_taylor`] says.
     fn has_taylor(&self) -> bool;
-    /// The length of the workspace: [`System::taylor_work`].
+    /// Length of the workspace of [`Series::taylor`] for this order, as [`System::taylor_work`] gives it.
     fn taylor_work(&self, order: usize) -> usize;
-    /// Writes the coefficients: [`System::taylor`].
+    /// Writes the Taylor coefficients of the motion, as [`System::taylor`] does.
     fn taylor(&self, p: &[S], order: usize, x: &mut [S], work: &mut [S]);
 }
 
@@ -118,30 +119,30 @@ impl<S: Scalar, E: System<S>> Integrands<S> for Derivative<E> {
 }
 
 /// Equations with slopes along one and along four directions. Absent on purpose: Taylor coefficients with slopes, which
-/// would take compilers as long again as all the rest.
+/// would double the time of compilation.
 #[derive(Clone, Copy)]
 pub struct InTangents<'a> {
-    /// Slopes along one direction.
+    /// Equations with slopes along one direction.
     pub one: &'a (dyn Flow<Tangent<1>> + Sync),
-    /// Slopes along four directions at once.
+    /// Equations with slopes along four directions at once.
     pub four: &'a (dyn Flow<Tangent<4>> + Sync),
 }
 
-/// Equations in one or both widths of lanes, and with slopes.
+/// Equations in four lanes; where they are worth it, also in eight lanes, as Taylor coefficients, and with slopes.
 #[derive(Clone, Copy)]
 pub struct InLanes<'a> {
-    /// Four states at once.
+    /// Rates of four states at once.
     pub four: &'a (dyn Rates<Lanes<4>> + Sync),
-    /// Eight states at once; none of long equations, which leave no register for them.
+    /// Rates of eight states at once; `None` for long equations, which leave no register for eight lanes.
     pub eight: Option<&'a (dyn Rates<Lanes<8>> + Sync)>,
-    /// The Taylor coefficients of four motions at once; none of equations that have none, or very many.
+    /// Taylor coefficients of four motions at once; `None` if the equations have none, or very many.
     pub series: Option<&'a (dyn Series<Lanes<4>> + Sync)>,
-    /// One state with its slopes.
+    /// Equations at one state with slopes; `None` for long equations.
     pub tangents: Option<InTangents<'a>>,
 }
 
 impl<'a> InLanes<'a> {
-    /// Equations that are written for every scalar.
+    /// Equations that are written for every scalar: four and eight lanes and slopes, without Taylor coefficients.
     #[must_use]
     pub const fn of<E>(equations: &'a Derivative<E>) -> Self
     where
@@ -158,7 +159,7 @@ impl<'a> InLanes<'a> {
         Self { four: equations, eight: None, series: None, tangents: None }
     }
 
-    /// Rates alone, in both widths.
+    /// Rates alone, in four and in eight lanes.
     #[must_use]
     pub const fn of_rates<E: Rates<Lanes<4>> + Rates<Lanes<8>> + Sync>(equations: &'a E) -> Self {
         Self { four: equations, eight: Some(equations), series: None, tangents: None }

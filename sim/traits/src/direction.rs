@@ -3,10 +3,10 @@
 /// Direction of the crossings that an event counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Direction {
-    /// From negative to positive.
+    /// Crossings from negative to positive.
     Rising,
-    /// From positive to negative.
+    /// Crossings from positive to negative.
     Falling,
-    /// In both directions.
+    /// Crossings in both directions.
     Either,
 }

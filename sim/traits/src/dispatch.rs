@@ -2,28 +2,28 @@
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
-/// Number of [`crate::Lanes`] in which this processor computes best: 8 if it has registers of 512 bits, else 4. Results
-/// do not depend on it.
+/// Number of lanes of [`crate::Lanes`] in which this processor computes best: 8 if it has registers of 512 bits, else
+/// 4. Results do not depend on it.
 #[must_use]
 pub fn lane_width() -> usize {
     if matches!(level(), Level::Avx512) { 8 } else { 4 }
 }
 
-/// The instructions that code is compiled for a second time.
+/// Vector instructions that a second copy of the code is compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(not(all(feature = "std", target_arch = "x86_64")), allow(dead_code, reason = "nothing is looked for there"))]
 pub(crate) enum Level {
-    /// Instructions that the whole program is compiled for.
+    /// Only the instructions that the whole program is compiled for.
     Baseline,
-    /// Registers of 256 bits, fused products.
+    /// AVX2 and FMA: registers of 256 bits, fused products.
     Avx2,
-    /// Registers of 512 bits.
+    /// AVX-512: registers of 512 bits.
     Avx512,
 }
 
-/// Runs `work`, compiled for the instructions whose registers hold `N` lanes, if this processor has them; else as the
-/// rest of the program is. Eight lanes in registers of four are slower than four, and take compilers three times as
-/// long.
+/// Runs `work`, compiled for the instructions whose registers hold `N` lanes, if this processor has them. If not,
+/// `work` runs with the instructions of the rest of the program. Eight lanes in registers of four are slower than four
+/// lanes, and take compilers three times as long.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[inline(always)]
 #[allow(unsafe_code, reason = "the calls are safe where the instructions exist, which the level says")]
@@ -41,7 +41,7 @@ pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
     }
 }
 
-/// Runs `work` as it is: there is nothing to choose from.
+/// Runs `work` without a change: this target has no second copy of the code.
 #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
 #[inline(always)]
 pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
@@ -60,7 +60,7 @@ fn avx2<R>(work: impl FnOnce() -> R) -> R {
     work()
 }
 
-/// Vector instructions of the processor, asked once.
+/// Vector instructions of this processor, detected once.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[inline]
 pub(crate) fn level() -> Level {
@@ -84,7 +84,7 @@ pub(crate) fn level() -> Level {
         KNOWN.store(found as u8, Relaxed);
         found as u8
     }
-    // Threads that ask at the same time find the same.
+    // Threads that ask at the same moment find the same level.
     let known = match KNOWN.load(Relaxed) {
         UNKNOWN => ask(),
         known => known,

@@ -1,10 +1,10 @@
-//! About 32 decimal digits from two f64.
+//! Numbers of about 32 decimal digits, each made of two f64.
 //!
 //! Invariant: hi is the f64 nearest to hi + lo, so |lo| ≤ ulp(hi)/2 and a value has one representation; lo is 0 where
 //! hi is infinite or not a number.
 //!
-//! Bounds below are in units of [`DoubleDouble::EPSILON`] = 2⁻¹⁰⁴, relative to the result, for results between 1e-270
-//! and 1e299. Nearer to the ends of the range of f64 digits are lost gradually, down to those of f64.
+//! Bounds of errors below are in units of [`DoubleDouble::EPSILON`] = 2⁻¹⁰⁴, relative to the result, for results
+//! between 1e-270 and 1e299. Nearer to the ends of the range of f64 digits are lost gradually, down to those of f64.
 //!
 //! Methods: Dekker (1971) and Knuth (see `error_free`); Hida, Li & Bailey, "Algorithms for quad-double precision
 //! floating point arithmetic", ARITH-15 (2001) 155–162; bounds of the operations by Joldes, Muller & Popescu, "Tight
@@ -36,14 +36,14 @@ pub struct DoubleDouble {
 }
 
 impl DoubleDouble {
-    /// Not a number.
+    /// Value "not a number".
     pub const NAN: Self = Self { hi: f64::NAN, lo: 0.0 };
     /// Positive infinity.
     pub const INFINITY: Self = Self { hi: f64::INFINITY, lo: 0.0 };
     const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
     const ONE: Self = Self { hi: 1.0, lo: 0.0 };
 
-    /// The exact sum a + b, where it has no more than two parts: always, unless it overflows.
+    /// Exact sum a + b of two f64; infinite or "not a number" if the sum overflows.
     #[inline]
     #[must_use]
     pub fn sum(a: f64, b: f64) -> Self {
@@ -51,14 +51,14 @@ impl DoubleDouble {
         Self::finite_or(s, e, s)
     }
 
-    /// The leading part: the nearest f64.
+    /// Leading part of the value: the nearest f64.
     #[inline]
     #[must_use]
     pub fn hi(self) -> f64 {
         self.hi
     }
 
-    /// The trailing part: the value minus its leading part.
+    /// Trailing part: the value minus its leading part.
     #[inline]
     #[must_use]
     pub fn lo(self) -> f64 {
@@ -72,21 +72,21 @@ impl DoubleDouble {
         self.hi.is_finite()
     }
 
-    /// hi + lo, or `otherwise` alone where these are lost to infinities: the result as plain f64 has it. In sums and
-    /// products with their errors lo is not finite if hi is not, so one question is enough.
+    /// Makes a number of hi + lo, or of `otherwise` alone if lo is not finite. `otherwise` is the result in plain f64.
+    /// In sums and products with their errors lo is not finite if hi is not, so one test is enough.
     #[inline]
     fn finite_or(hi: f64, lo: f64, otherwise: f64) -> Self {
         if lo.is_finite() { Self { hi, lo } } else { Self { hi: otherwise, lo: 0.0 } }
     }
 
-    /// a + b where |a| ≥ |b|.
+    /// Sum a + b of two f64 with |a| ≥ |b|, as a number in normal form.
     #[inline]
     fn normalized(a: f64, b: f64) -> Self {
         let (hi, lo) = quick_two_sum(a, b);
         Self::finite_or(hi, lo, a)
     }
 
-    /// The exact product a b.
+    /// Exact product a b of two f64.
     #[inline]
     fn product(a: f64, b: f64) -> Self {
         let (p, e) = two_product(a, b);
@@ -98,7 +98,7 @@ impl DoubleDouble {
         Self { hi, lo }
     }
 
-    /// x + b, to 2 units of 2⁻¹⁰⁵.
+    /// Sum of this number and an f64, to 2 units of 2⁻¹⁰⁵.
     #[inline]
     fn plus(self, b: f64) -> Self {
         let (s, e) = two_sum(self.hi, b);
@@ -106,14 +106,14 @@ impl DoubleDouble {
         Self::finite_or(hi, lo, s)
     }
 
-    /// x b, to 2⁻¹⁰⁵.
+    /// Product of this number and an f64, to 2⁻¹⁰⁵.
     #[inline]
     fn times(self, b: f64) -> Self {
         let (p, e) = two_product(self.hi, b);
         Self::normalized(p, e + self.lo * b)
     }
 
-    /// x b for a power of two b: exact.
+    /// Exact product of this number and a power of two b.
     #[inline]
     fn scaled(self, b: f64) -> Self {
         Self::normalized(self.hi * b, self.lo * b)
@@ -131,13 +131,13 @@ impl DoubleDouble {
         Self::normalized(p, e + 2.0 * self.hi * self.lo)
     }
 
-    /// A whole number, exactly.
+    /// Whole number as a `DoubleDouble`, exact.
     #[inline]
     fn whole_64(n: i64) -> Self {
         if n.unsigned_abs() <= 1 << 53 { Self::from(n as f64) } else { Self::whole(n.into()) }
     }
 
-    /// A whole number below 2¹²⁷ in size; exact up to 2¹⁰⁶.
+    /// Whole number below 2¹²⁷ in size as a `DoubleDouble`; exact up to 2¹⁰⁶.
     #[allow(clippy::cast_possible_truncation, reason = "the difference is below 2⁷⁴ and is rounded once")]
     fn whole(n: i128) -> Self {
         let hi = n as f64;
@@ -162,7 +162,7 @@ impl Neg for DoubleDouble {
 
 impl Add for DoubleDouble {
     type Output = Self;
-    /// To 1 unit, also where the operands nearly cancel: the low parts are added exactly too.
+    /// Sum to 1 unit of 2⁻¹⁰⁴, also where the operands nearly cancel: the low parts are added exactly too.
     // Never inlined: generated code calls it by the thousand, and compiling that takes longer than running it.
     #[inline(never)]
     fn add(self, other: Self) -> Self {
@@ -184,7 +184,7 @@ impl Sub for DoubleDouble {
 
 impl Mul for DoubleDouble {
     type Output = Self;
-    /// To 2 units. The product of the low parts is below them and left out.
+    /// Product to 2 units of 2⁻¹⁰⁴. The product of the low parts is smaller and left out.
     // Never inlined: generated code calls it by the thousand, and compiling that takes longer than running it.
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
@@ -195,12 +195,12 @@ impl Mul for DoubleDouble {
 
 impl Div for DoubleDouble {
     type Output = Self;
-    /// To 2 units: long division in digits of 53 bits.
+    /// Quotient to 2 units of 2⁻¹⁰⁴: long division in digits of 53 bits.
     // Never inlined: generated code calls it by the thousand, and compiling that takes longer than running it.
     #[inline(never)]
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
-        // What is infinite, zero or not a number has no further digits, and asking for them would make it NaN.
+        // A quotient that is infinite, zero or not a number has no further digits; asking for them would make it NaN.
         if first == 0.0 || !first.is_finite() || !other.hi.is_finite() {
             return Self::from(first);
         }
@@ -213,7 +213,8 @@ impl Div for DoubleDouble {
 }
 
 impl Real for DoubleDouble {
-    /// 2⁻¹⁰⁴. Next to 1 there are closer values, 1 + 1e-300 among them, but operations do not keep such a distance.
+    /// Unit of the error bounds, 2⁻¹⁰⁴. Next to 1 there are closer values, as 1 + 1e-300, but operations lose such
+    /// digits.
     const EPSILON: f64 = 4.930_380_657_631_324e-32;
 
     #[inline]
@@ -227,8 +228,8 @@ impl Scalar for DoubleDouble {
     fn from_f64(x: f64) -> Self {
         Self::from(x)
     }
-    /// To 2 units where the last digit stands within 45 places of the point, to 16 elsewhere; digits after
-    /// the 38th are not looked at.
+    /// Number read from decimal notation. Its error is at most 2 units of 2⁻¹⁰⁴ if the last digit stands within 45
+    /// places of the point, and 16 units elsewhere. Digits after the 38th are ignored.
     fn decimal(text: &str) -> Self {
         text::parsed(text)
     }
@@ -240,12 +241,13 @@ impl Scalar for DoubleDouble {
     fn int(n: i64) -> Self {
         Self::whole_64(n)
     }
-    /// To 2 units.
+    /// Quotient of two whole numbers, to 2 units of 2⁻¹⁰⁴.
     #[inline]
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self::whole_64(numerator) / Self::whole_64(denominator)
     }
-    /// To 2 units for |x| ≤ 1e5, also next to the zeros; absolute up to 2⁴⁰ = 1.1e12; beyond to 16 digits.
+    /// Sine and cosine to 2 units of 2⁻¹⁰⁴ for |x| ≤ 1e5, also next to their zeros. From there to 2⁴⁰ = 1.1e12 the
+    /// bound is absolute. Larger angles give 16 digits.
     fn sin_cos(self) -> (Self, Self) {
         elementary::sin_cos(self)
     }
@@ -253,7 +255,7 @@ impl Scalar for DoubleDouble {
     fn sqrt(self) -> Self {
         elementary::sqrt(self)
     }
-    /// To 3 units, as are the next two.
+    /// Inverse sine to 3 units of 2⁻¹⁰⁴. The same bound holds for `acos` and `atan`.
     fn asin(self) -> Self {
         elementary::asin(self)
     }
@@ -263,15 +265,15 @@ impl Scalar for DoubleDouble {
     fn atan(self) -> Self {
         elementary::atan(self)
     }
-    /// To 2 units for |x| ≤ 600; results below 1e-270 lose digits.
+    /// Exponential to 2 units of 2⁻¹⁰⁴ for |x| ≤ 600; results below 1e-270 lose digits.
     fn exp(self) -> Self {
         elementary::exp(self)
     }
-    /// To 2 units, also next to 1.
+    /// Natural logarithm to 2 units of 2⁻¹⁰⁴, also next to 1.
     fn ln(self) -> Self {
         elementary::ln(self)
     }
-    /// To 3 units, also next to 0, as are the next two.
+    /// Hyperbolic sine to 3 units of 2⁻¹⁰⁴, also next to 0. The same bound holds for `cosh` and `tanh`.
     fn sinh(self) -> Self {
         elementary::sinh(self)
     }

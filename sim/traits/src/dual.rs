@@ -1,4 +1,4 @@
-//! A number with its slope along a direction.
+//! A number with its slope along one direction.
 
 use crate::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -17,21 +17,21 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<S> {
-    /// The value.
+    /// Value of the number.
     pub value: S,
-    /// Its derivative along the direction.
+    /// Derivative of the value along the direction.
     pub slope: S,
 }
 
 impl<S: Scalar> Dual<S> {
-    /// A constant along the direction: its slope is 0.
+    /// Number that is constant along the direction: its slope is 0.
     #[must_use]
     #[inline]
     pub fn constant(value: S) -> Self {
         Self { value, slope: S::int(0) }
     }
 
-    /// A function's value, and the slope that its derivative there gives.
+    /// Result f(x) of a function of this number x: `value` is f(x), `derivative` is df/dx.
     #[inline]
     fn through(self, value: S, derivative: S) -> Self {
         Self { value, slope: derivative * self.slope }

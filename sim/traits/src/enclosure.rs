@@ -1,14 +1,14 @@
-//! A function over a stretch of its argument: the range of its values, and that of its slope.
+//! Enclosure of a function over a range of its argument: the range of its values, and that of its slopes.
 //!
 //! Values and slopes are carried through every operation by the rules of differentiation, in ranges that are rounded
-//! outwards. Of |x| with x of either sign the slope is between those of its branches, so that the mean value theorem
-//! holds with it; of the sign of x, which jumps, it may be any.
+//! outwards. If x has either sign, the slope of |x| lies between those of its branches, so that the mean value theorem
+//! holds with it. The sign of x jumps there, and its slope may be any number.
 
 use crate::Scalar;
 use crate::interval::Interval;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The values of a function over a stretch of its argument, and the slopes that it has there.
+/// The values of a function over a range of its argument, and the slopes that it has there.
 ///
 /// ```
 /// use tripos_traits::{Enclosure, Interval, Scalar};
@@ -21,20 +21,20 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Enclosure {
-    /// All values.
+    /// Range that holds all values of the function.
     pub value: Interval,
-    /// All slopes.
+    /// Range that holds all slopes of the function.
     pub slope: Interval,
 }
 
 impl Enclosure {
-    /// A constant: its slope is 0.
+    /// Enclosure of a constant: its slope is 0.
     #[must_use]
     pub fn constant(value: Interval) -> Self {
         Self { value, slope: Interval::ZERO }
     }
 
-    /// f(x), of which the derivative is `derivative`.
+    /// Enclosure of f(x) for this x: `value` holds f(x), `derivative` holds df/dx.
     fn chain(self, value: Interval, derivative: Interval) -> Self {
         if value.is_undefined() {
             return Self { value, slope: Interval::UNDEFINED };
@@ -160,7 +160,7 @@ impl Scalar for Enclosure {
     }
 }
 
-/// 1/√(1 − x²).
+/// Slope 1/√(1 − x²) of the inverse sine.
 fn slope_of_asin(x: Interval) -> Interval {
     let square = Interval::point(1.0) - x.powi(2);
     Interval::new(square.lo().max(0.0), square.hi()).sqrt().powi(-1)

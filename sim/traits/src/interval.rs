@@ -1,17 +1,18 @@
 //! Ranges of a number that is not known exactly: every operation is rounded outwards.
 //!
-//! Invariant: the range of a result holds every result of numbers of the ranges it was made from. Where there may be
-//! none, as of √x with x of either sign, both ends are "not a number", and so is all that follows. A division by a
-//! range with 0 in it has an infinite end.
+//! Invariant: the range of a result holds the results of all numbers from the ranges of the operands. Where a result
+//! may not exist, as √x with x of either sign, both ends are "not a number", and so is all that follows. A division by
+//! a range with 0 in it has an infinite end.
 //!
 //! R. E. Moore, R. B. Kearfott & M. J. Cloud, *Introduction to Interval Analysis* (2009), §2 and §5.
 
 use core::f64::consts::PI;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Largest relative error of an elementary function: several times that of the functions of this crate.
+/// Largest relative error of an elementary function of the library: several times that of the functions of `libm`.
 const LIBRARY: f64 = 4.0 * f64::EPSILON;
-/// Angles beyond this are known to less than a turn's millionth part: their sines may be any.
+/// Largest angle, rad, whose sine is bounded. Larger angles are known only to a millionth of a turn: their sines may be
+/// any.
 const FAR: f64 = 1e9;
 
 /// All numbers from `lo` to `hi`, which may be infinite; both are "not a number" where there may be none.
@@ -21,14 +22,14 @@ pub struct Interval {
     hi: f64,
 }
 
-/// A little below; 0 stays, since sums that are 0 are exact.
+/// Number a little below x; 0 stays 0, since sums that are 0 are exact.
 #[inline]
 fn down(x: f64) -> f64 {
     let below = x - x.abs() * f64::EPSILON;
     if below < x { below } else { just_below(x) }
 }
 
-/// The next number below; 0 stays, since products with 0 are exact.
+/// Next f64 below x; 0 stays 0, since products with 0 are exact.
 fn just_below(x: f64) -> f64 {
     if x == 0.0 { x } else { x.next_down() }
 }
@@ -38,7 +39,7 @@ fn up(x: f64) -> f64 {
     -down(-x)
 }
 
-/// The ends of the range of a product: 0 times anything is 0, and a product that underflows has a sign.
+/// Product of two ends of ranges: 0 times anything is 0, and a product that underflows keeps its sign.
 #[inline]
 fn product(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 {
@@ -49,56 +50,56 @@ fn product(a: f64, b: f64) -> f64 {
 }
 
 impl Interval {
-    /// All numbers.
+    /// Range of all numbers.
     pub const WHOLE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
     /// Range of an expression that may have no value.
     pub const UNDEFINED: Self = Self { lo: f64::NAN, hi: f64::NAN };
-    /// The number 0.
+    /// Range that holds only 0.
     pub const ZERO: Self = Self { lo: 0.0, hi: 0.0 };
 
-    /// From one number to another, in any order.
+    /// Range from one number to another, given in any order; undefined if one of them is not a number.
     #[must_use]
     pub fn new(a: f64, b: f64) -> Self {
         if a.is_nan() || b.is_nan() { Self::UNDEFINED } else { Self { lo: a.min(b), hi: a.max(b) } }
     }
 
-    /// One number.
+    /// Range that holds only x.
     #[must_use]
     pub fn point(x: f64) -> Self {
         Self { lo: x, hi: x }
     }
 
-    /// A number and its neighbours: the range of numbers that are rounded to it.
+    /// Range of x and its neighbours: of all numbers that are rounded to x.
     #[must_use]
     pub fn rounded(x: f64) -> Self {
         Self { lo: x.next_down(), hi: x.next_up() }
     }
 
-    /// All within `radius` of `middle`.
+    /// Range of all numbers within `radius` of `middle`.
     #[must_use]
     pub fn around(middle: f64, radius: f64) -> Self {
         Self::outwards(middle - radius, middle + radius)
     }
 
-    /// The lower end.
+    /// Lower end of the range.
     #[must_use]
     pub fn lo(self) -> f64 {
         self.lo
     }
 
-    /// The upper end.
+    /// Upper end of the range.
     #[must_use]
     pub fn hi(self) -> f64 {
         self.hi
     }
 
-    /// The distance of the ends.
+    /// Distance between the ends of the range.
     #[must_use]
     pub fn width(self) -> f64 {
         self.hi - self.lo
     }
 
-    /// The largest size of a number in it.
+    /// Largest absolute value of a number in the range.
     #[must_use]
     pub fn size(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
@@ -110,19 +111,20 @@ impl Interval {
         self.lo > 0.0 || self.hi < 0.0
     }
 
-    /// True if there is a value, and all values are finite.
+    /// True if the expression has a value, and all its values are finite.
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
-    /// True if there may be no value.
+    /// True if the expression may have no value.
     #[must_use]
     pub fn is_undefined(self) -> bool {
         self.lo.is_nan()
     }
 
-    /// Intersection of two ranges of one and the same number.
+    /// Intersection of two ranges of one and the same number. This range if they do not meet or one of them is
+    /// undefined.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         let both = Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) };
@@ -134,7 +136,7 @@ impl Interval {
         Self { lo: down(lo), hi: up(hi) }
     }
 
-    /// Computes k x.
+    /// Computes k x for a number k.
     fn times(self, k: f64) -> Self {
         if k - 1.0 == 0.0 {
             return self;
@@ -147,7 +149,7 @@ impl Interval {
         self.lo <= 0.0 && self.hi >= 0.0
     }
 
-    /// From f's value at the lower end to that at the upper one, for a function that rises.
+    /// Range of f(x) for a function that rises: from its value at the lower end of x to that at the upper end.
     fn rising(self, f: impl Fn(f64) -> f64) -> Self {
         let (lo, hi) = (f(self.lo), f(self.hi));
         if lo.is_nan() || hi.is_nan() {
@@ -161,7 +163,7 @@ impl Interval {
         if self.is_undefined() { self } else { Self { lo: self.lo.max(low), hi: self.hi.min(high) } }
     }
 
-    /// Reciprocal 1/x.
+    /// Range of the reciprocal 1/x.
     fn reciprocal(self) -> Self {
         if self.is_undefined() || (self.lo == 0.0 && self.hi == 0.0) {
             Self::UNDEFINED
@@ -176,17 +178,19 @@ impl Interval {
         }
     }
 
-    /// cos x: 1 and −1 where the range holds even or odd multiples of π, else its values at the ends.
+    /// Range of cos x: reaches 1 and −1 where x holds even and odd multiples of π, else spans its values at the ends of
+    /// x.
     fn cos(self) -> Self {
         self.wave(0.0, libm::cos)
     }
 
-    /// Sine of x.
+    /// Range of sin x.
     fn sin(self) -> Self {
         self.wave(0.5, libm::sin)
     }
 
-    /// A function that is 1 at even multiples of π, −1 at odd ones, and monotone between, all moved by `shift` of π.
+    /// Range of a function that is 1 at even multiples of π, −1 at odd ones, and monotone between, all moved by `shift`
+    /// · π.
     fn wave(self, shift: f64, f: impl Fn(f64) -> f64) -> Self {
         const ALL: Interval = Interval { lo: -1.0, hi: 1.0 };
         if self.is_undefined() {
@@ -209,69 +213,69 @@ impl Interval {
         Self { lo, hi }.restricted(-1.0, 1.0)
     }
 
-    /// (sin x, cos x).
+    /// Ranges (sin x, cos x).
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
     }
 
-    /// Square root of x.
+    /// Range of √x; undefined if x may be negative.
     #[must_use]
     pub fn sqrt(self) -> Self {
         if self.lo >= 0.0 { self.rising(libm::sqrt).restricted(0.0, f64::INFINITY) } else { Self::UNDEFINED }
     }
 
-    /// Inverse sine.
+    /// Range of the inverse sine of x, in [−π/2, π/2]; undefined if |x| may exceed 1.
     #[must_use]
     pub fn asin(self) -> Self {
         self.rising(libm::asin)
     }
 
-    /// Inverse cosine.
+    /// Range of the inverse cosine of x, in [0, π]; undefined if |x| may exceed 1.
     #[must_use]
     pub fn acos(self) -> Self {
         // acos falls: −acos rises.
         -self.rising(|x| -libm::acos(x))
     }
 
-    /// Inverse tangent.
+    /// Range of the inverse tangent of x.
     #[must_use]
     pub fn atan(self) -> Self {
         self.rising(libm::atan)
     }
 
-    /// Exponential eˣ.
+    /// Range of the exponential eˣ.
     #[must_use]
     pub fn exp(self) -> Self {
         self.rising(libm::exp).restricted(0.0, f64::INFINITY)
     }
 
-    /// Natural logarithm.
+    /// Range of the natural logarithm of x; undefined if x may be negative.
     #[must_use]
     pub fn ln(self) -> Self {
         if self.lo >= 0.0 { self.rising(libm::log) } else { Self::UNDEFINED }
     }
 
-    /// Hyperbolic sine.
+    /// Range of the hyperbolic sine of x.
     #[must_use]
     pub fn sinh(self) -> Self {
         self.rising(libm::sinh)
     }
 
-    /// Hyperbolic cosine.
+    /// Range of the hyperbolic cosine of x.
     #[must_use]
     pub fn cosh(self) -> Self {
         // cosh x = cosh |x|, which rises.
         self.abs().rising(libm::cosh).restricted(1.0, f64::INFINITY)
     }
 
-    /// Hyperbolic tangent.
+    /// Range of the hyperbolic tangent of x.
     #[must_use]
     pub fn tanh(self) -> Self {
         self.rising(libm::tanh).restricted(-1.0, 1.0)
     }
 
-    /// Absolute value |x|.
+    /// Range of the absolute value |x|.
     #[must_use]
     pub fn abs(self) -> Self {
         if self.lo >= 0.0 || self.is_undefined() {
@@ -283,14 +287,14 @@ impl Interval {
         }
     }
 
-    /// The sign: −1, 0 or 1.
+    /// Range of the sign of x: −1, 0 or 1.
     #[must_use]
     pub fn sign(self) -> Self {
         let of = |x: f64| if x == 0.0 { 0.0 } else { x.signum() };
         Self { lo: of(self.lo), hi: of(self.hi) }
     }
 
-    /// xⁿ; n may be negative.
+    /// Range of xⁿ; n may be negative.
     #[must_use]
     pub fn powi(self, n: i32) -> Self {
         match n {
@@ -311,7 +315,7 @@ impl Interval {
         }
     }
 
-    /// xⁿ by multiplication, each rounded outwards, for ends of one sign.
+    /// Range of xⁿ by multiplications, each rounded outwards, for a range whose ends have one sign.
     fn power(self, mut n: u32) -> Self {
         let (mut base, mut result) = (self, Self::point(1.0));
         while n > 0 {

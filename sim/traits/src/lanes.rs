@@ -1,11 +1,11 @@
 //! Several doubles side by side, as the vector registers of a processor hold them.
 //!
-//! Invariant: a lane has the same bits whatever stands in the others, how many there are, and on whichever processor.
+//! Invariant: a lane has the same bits whatever the other lanes hold, however many they are, and on every processor.
 //! So products are fused everywhere or nowhere: [`Scalar::mul_add`] always, `*` followed by `+` never.
 //!
-//! Written as loops over arrays, which the compiler turns into vector instructions inside [`Scalar::dispatch`]; outside
-//! it they are those of the processor that is compiled for, and a fused product is a call where that has none. Absent
-//! on purpose: comparison. Lanes differ, so what depends on one is for the caller to decide lane by lane.
+//! Lanes are written as loops over arrays, which the compiler turns into vector instructions inside
+//! [`Scalar::dispatch`]. Outside it they use the instructions of the compilation target, and a fused product is a call
+//! if that has none. Absent on purpose: comparison. Lanes differ, so the caller decides lane by lane.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -16,7 +16,7 @@ use crate::scalar::Scalar;
 use crate::scalar::series::{self, Factors, Pair};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `N` numbers, on which every operation acts lane by lane; 4 and 8 fill a register.
+/// Vector of `N` doubles, on which every operation acts lane by lane; 4 and 8 of them fill a register.
 ///
 /// ```
 /// use tripos_traits::{Lanes, Scalar};
@@ -29,11 +29,11 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub struct Lanes<const N: usize>(
-    /// The numbers.
+    /// Numbers, one for each lane.
     pub [f64; N],
 );
 
-/// x·a + b, rounded once on every processor.
+/// Fused multiply–add: x·a + b, rounded once on every processor.
 struct Fused;
 
 impl MulAdd for Fused {
@@ -46,7 +46,7 @@ impl MulAdd for Fused {
     }
 }
 
-/// √x, correctly rounded.
+/// Square root √x, correctly rounded.
 #[inline(always)]
 fn sqrt(x: f64) -> f64 {
     #[cfg(feature = "std")]
@@ -55,8 +55,8 @@ fn sqrt(x: f64) -> f64 {
     return libm::sqrt(x);
 }
 
-/// Does something in each lane. Generated code has thousands of these: written out, a compiler is through with them in
-/// half the time that it needs to unroll as many loops.
+/// Repeats an expression for each lane. Generated code has thousands of these loops: written out, they compile in half
+/// the time that unrolling takes.
 macro_rules! each_lane {
     ($l:ident, $n:expr, $do:expr) => {
         if $n == 4 {
@@ -81,7 +81,7 @@ macro_rules! each_lane {
 pub(crate) use each_lane;
 
 impl<const N: usize> Lanes<N> {
-    /// The larger of two numbers in each lane, and the second where either is none, as [`larger_or_second`].
+    /// Larger of two numbers in each lane, and the second number where either is not a number, as [`larger_or_second`].
     #[inline(always)]
     #[must_use]
     pub fn larger_or_second(self, other: Self) -> Self {
@@ -90,7 +90,7 @@ impl<const N: usize> Lanes<N> {
         out
     }
 
-    /// The function of each lane.
+    /// Applies a function to each lane.
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> Self {
         let mut out = self;
@@ -126,7 +126,7 @@ impl<const N: usize> Neg for Lanes<N> {
     }
 }
 
-/// Sines and cosines again, with those of arguments that [`circular::near`] cannot take put right.
+/// Sines and cosines, corrected in the lanes whose arguments [`circular::near`] cannot take.
 #[cold]
 #[inline(never)]
 fn with_far_lanes<const N: usize>(x: [f64; N], (sine, cosine): (Lanes<N>, Lanes<N>)) -> (Lanes<N>, Lanes<N>) {
@@ -205,20 +205,22 @@ impl<const N: usize> Scalar for Lanes<N> {
     fn sign(self) -> Self {
         self.each(Scalar::sign)
     }
-    /// Rounded once, on every processor; in a call where the code that runs was not compiled for one that can.
+    /// Computes x·a + b, rounded once on every processor. It is a call if the code was compiled for a target without
+    /// it.
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         let mut out = self;
         each_lane!(l, N, out.0[l] = Fused::mul_add(self.0[l], a.0[l], b.0[l]));
         out
     }
-    /// Sums in blocks that fill the registers of four lanes.
+    /// Sums products of Taylor coefficients in blocks that fill the registers of four lanes.
     #[inline(always)]
     fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {
         series::read_twice::<Self, W, { series::LANES / 2 }>(history)
     }
-    /// Inside, with AVX-512 or with AVX2 and fused products where the processor has them. They reach only what is
-    /// inlined into `work`, and `work` itself: write `#[inline(always)] ||` before its body where that is long.
+    /// Runs `work` with AVX-512, or with AVX2 and fused products, where the processor has them. The instructions reach
+    /// only `work` itself and code that is inlined into it: write `#[inline(always)] ||` before its body if that is
+    /// long.
     #[inline(always)]
     fn dispatch<R>(work: impl FnOnce() -> R) -> R {
         dispatch::run::<N, R>(work)

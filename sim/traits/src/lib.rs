@@ -1,22 +1,22 @@
 //! Traits of generated equations of motion, and the numbers that the simulator runs them in.
 //!
-//! Two traits: [`Scalar`], the arithmetic a generated function body needs, so that one text serves
-//! `f64`, `f32` and every wider or narrower type; and [`System`], one formulation of one model as
-//! mass matrix, forcing and kinematic equations. And five more scalars: [`DoubleDouble`], a number of 32 digits,
-//! [`Lanes`], several doubles side by side, [`Dual`], a number with its slope, [`Tangent`], a double with several, and
-//! [`Enclosure`], the ranges of a function's values and slopes.
+//! Two traits: [`Scalar`], the arithmetic that a generated function body needs, so that one text serves `f64`, `f32`
+//! and every wider or narrower type; and [`System`], one formulation of one model as mass matrix, forcing and kinematic
+//! equations. And five more scalars: [`DoubleDouble`], a number of 32 digits, [`Lanes`], several doubles side by side,
+//! [`Dual`], a number with its slope, [`Tangent`], a double with several slopes, and [`Enclosure`], the ranges of a
+//! function's values and slopes.
 //!
 //! The feature `std`, on by default, lets lanes use the vector instructions that the processor turns out to have, and
 //! brings [`AbsoluteTolerance`], which scene files and the simulator have in common; without it the crate needs no
 //! standard library, and lanes give the same numbers more slowly.
 //!
-//! Beside them the words that scenes and the simulator share: [`Method`], [`Direction`], absolute tolerances, and
+//! Beside these: names that scenes and the simulator share, [`Method`], [`Direction`] and absolute tolerances, and
 //! maxima that know what NaN is ([`larger`]).
 //!
 //! Absent on purpose: names, units and files. They belong to the model, not to its numbers.
 #![no_std]
 
-// Only the standard library asks a processor what it can, and has a name for a fused product and sum.
+// Only the standard library detects the instructions of a processor, and has a fused product and sum.
 #[cfg(feature = "std")]
 #[macro_use]
 extern crate std;

@@ -3,20 +3,20 @@
 //! `f64::max` ignores an argument that is not a number: an error that has no value would become the best of all errors.
 //! Decisions take their maxima from here.
 
-/// The larger of two numbers, and not a number if either is none: a maximum that hides nothing.
+/// Larger of two numbers; not a number if either is not a number, so that no error is hidden.
 #[must_use]
 pub fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
-/// The largest size |x| of a list, and not a number if one of them is none; 0 for an empty list.
+/// Largest absolute value in a list; not a number if one of them is not a number; 0 for an empty list.
 #[must_use]
 pub fn largest(list: impl IntoIterator<Item = f64>) -> f64 {
     list.into_iter().map(f64::abs).fold(0.0, larger)
 }
 
-/// The larger of two numbers, and the second where either is none: one instruction, for the weights of loops whose
-/// values are looked at elsewhere.
+/// Larger of two numbers, and the second number where either is not a number. It takes one instruction, for weights in
+/// loops whose values are checked for NaN elsewhere.
 #[must_use]
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "one instruction, also inside code for wider registers")]

@@ -2,7 +2,7 @@
 //!
 //! The list is complete: a change that adds a method also says how it is run.
 
-/// A method of integration.
+/// A method of numerical integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Method {
     /// The classical Runge–Kutta method of order 4, with a fixed step only. W. Kutta, Z. Math. Phys. 46 (1901)
@@ -41,7 +41,7 @@ impl Method {
     pub const WITHOUT_SERIES: [Self; 6] =
         [Self::Rk4, Self::Ode45, Self::Dopri5, Self::Dop853, Self::Gauss6, Self::Radau5];
 
-    /// The name used on the command line, in files and in tables.
+    /// Name of the method on the command line, in files and in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

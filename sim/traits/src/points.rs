@@ -2,14 +2,14 @@
 
 use crate::{Lanes, Scalar};
 
-/// The functions of a [`crate::System`] with one variable v that quadrature needs, at a value of the coordinate in each
-/// lane.
+/// Functions of a [`crate::System`] with one motion variable v that quadrature needs. Each lane has its own value of
+/// the coordinate.
 pub trait Integrands<S: Scalar> {
-    /// q̇, as [`crate::System::coordinate_rates`] writes it.
+    /// Writes q̇, as [`crate::System::coordinate_rates`] does.
     fn coordinate_rates(&self, p: &[S], q: &[S], v: S, out: &mut [S]);
-    /// T, as [`crate::System::kinetic_energy`] gives it.
+    /// Kinetic energy T, as [`crate::System::kinetic_energy`] gives it.
     fn kinetic_energy(&self, p: &[S], q: &[S], v: S) -> S;
-    /// V\[a, b\], as [`crate::System::potential_slope`] gives it.
+    /// Divided difference V\[a, b\] of the potential energy, as [`crate::System::potential_slope`] gives it.
     fn potential_slope(&self, p: &[S], a: S, b: S) -> S;
 }
 

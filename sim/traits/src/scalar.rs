@@ -1,4 +1,4 @@
-//! The arithmetic that a generated function body needs.
+//! Arithmetic that a generated function body needs.
 
 pub mod series;
 
@@ -7,18 +7,18 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use series::{Factors, Pair};
 
-/// A number in which generated equations can be evaluated, or several in lanes.
+/// A number in which generated equations can be evaluated, or several numbers in lanes.
 ///
 /// Angles are in radians. Functions outside their domain return the type's "not a number", never
 /// panic: the simulator looks for it and stops the run with a reason.
 pub trait Scalar:
     Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// The nearest value to `x`.
+    /// Value of this type nearest to `x`.
     #[must_use]
     fn from_f64(x: f64) -> Self;
-    /// The nearest value to a number in decimal notation, such as `"-5.26e-2"`: coefficients of methods are
-    /// written with more digits than an `f64` holds. Not a number if `text` is none.
+    /// Value nearest to a number in decimal notation, such as `"-5.26e-2"`: coefficients of methods are written with
+    /// more digits than an `f64` holds. Not a number if `text` has another form.
     #[must_use]
     fn decimal(text: &str) -> Self;
     /// The number π.
@@ -29,12 +29,12 @@ pub trait Scalar:
     fn int(n: i64) -> Self {
         Self::ratio(n, 1)
     }
-    /// `numerator / denominator`, correctly rounded where both are exact in this type, as whole numbers up
-    /// to 2⁵³ are in `f64`.
+    /// Quotient `numerator / denominator`, correctly rounded where both are exact in this type, as whole numbers up to
+    /// 2⁵³ are in `f64`.
     #[must_use]
     fn ratio(numerator: i64, denominator: i64) -> Self;
-    /// (sin x, cos x), which cost less together than apart. In `f64` and in lanes to 0.9 ulp for |x| ≤ 2¹⁸, also next
-    /// to the zeros, and to 1 ulp beyond.
+    /// Computes (sin x, cos x), which cost less together than apart. The error in `f64` and in lanes is 0.9 ulp for |x|
+    /// ≤ 2¹⁸, also next to the zeros, and 1 ulp beyond.
     fn sin_cos(self) -> (Self, Self);
     /// Square root.
     #[must_use]
@@ -66,10 +66,10 @@ pub trait Scalar:
     /// Absolute value |x|.
     #[must_use]
     fn abs(self) -> Self;
-    /// −1, 0 or 1 with the sign of x; 0 at 0, as the derivative of |x| is taken there.
+    /// Sign of x: −1, 0 or 1; 0 at 0, as the derivative of |x| is taken there.
     #[must_use]
     fn sign(self) -> Self;
-    /// sin x/x, and 1 at 0.
+    /// Computes sin x/x, and 1 at x = 0.
     #[must_use]
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
@@ -78,7 +78,7 @@ pub trait Scalar:
         let at_zero = Self::int(1) - sign * sign;
         (self.sin_cos().0 + at_zero) / (self + at_zero)
     }
-    /// x·a + b, rounded once where the processor that is compiled for does that in one instruction (as
+    /// Computes x·a + b: rounded once if the target of compilation does that in one instruction (as
     /// `-C target-cpu=native` may say), else twice. Results then differ in their last bits from build to build, as
     /// those of any program do that a compiler may contract.
     #[must_use]
@@ -86,19 +86,19 @@ pub trait Scalar:
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
     }
-    /// `work`, compiled for the vector instructions that this processor has where the type gains by them. The numbers
-    /// are the same as those of `work()`.
+    /// Runs `work`, compiled for the vector instructions that this processor has where the type gains by them. The
+    /// numbers are the same as those of `work()`.
     #[inline]
     fn dispatch<R>(work: impl FnOnce() -> R) -> R {
         work()
     }
-    /// [`series::pair_sums`] for this type. The numbers do not depend on the processor.
+    /// Sums of products of Taylor coefficients, as [`series::pair_sums`]. The numbers do not depend on the processor.
     #[must_use]
     #[inline]
     fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {
         series::sums::<Self, W, { series::LANES }>(history)
     }
-    /// xⁿ by repeated multiplication; n may be negative.
+    /// Computes xⁿ by repeated multiplication; n may be negative.
     #[must_use]
     fn powi(self, n: i32) -> Self {
         let mut base = if n < 0 { Self::ratio(1, 1) / self } else { self };
@@ -115,26 +115,26 @@ pub trait Scalar:
     }
 }
 
-/// One real number, which can be compared: the scalar of a run.
+/// A real number that can be compared: the scalar of a run.
 pub trait Real: Scalar + PartialEq + PartialOrd {
-    /// The distance from 1 to the next larger value.
+    /// Distance from 1 to the next larger value; for [`crate::DoubleDouble`] the unit of its error bounds.
     const EPSILON: f64;
-    /// The nearest `f64`.
+    /// Nearest `f64` to the value.
     fn to_f64(self) -> f64;
-    /// Number of slopes that a value carries: none except in [`crate::Tangent`].
+    /// Number of slopes that a value carries: 0 except in [`crate::Tangent`].
     const SLOPES: usize = 0;
-    /// The slope along a direction, counted from 0; 0 where there is none.
+    /// Slope of the value along direction number `at`, counted from 0; 0 if the type carries no slopes.
     #[must_use]
     fn slope(self, _at: usize) -> f64 {
         0.0
     }
-    /// This value, its slope along a direction increased by the last argument.
+    /// Copy of the value whose slope along direction number `at` is increased by `by`.
     #[must_use]
     fn turned(self, _at: usize, _by: f64) -> Self {
         self
     }
-    /// `self` + k x with a number k that has no slopes, such as a coefficient of a method or the length of a step. It
-    /// is rounded as [`Scalar::mul_add`] is.
+    /// Computes `self` + k x with a number k that has no slopes, such as a coefficient of a method or the length of a
+    /// step. It is rounded as [`Scalar::mul_add`] is.
     #[must_use]
     #[inline]
     fn plus_multiple(self, k: Self, x: Self) -> Self {
@@ -232,7 +232,7 @@ macro_rules! float_scalar {
     };
 }
 
-/// Products and sums as [`Scalar::mul_add`] of `f64` makes them: fused where the processor fuses them.
+/// Products and sums as [`Scalar::mul_add`] of `f64` makes them: fused if the target of compilation fuses them.
 struct AsCompiled;
 
 impl MulAdd for AsCompiled {

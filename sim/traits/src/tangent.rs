@@ -28,21 +28,21 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Tangent<const K: usize> {
-    /// The value.
+    /// Value of the number.
     pub value: f64,
-    /// Its derivative along each direction.
+    /// Derivative of the value along each direction.
     pub slopes: [f64; K],
 }
 
 impl<const K: usize> Tangent<K> {
-    /// A constant along all directions: its slopes are 0.
+    /// Number that is constant along all directions: its slopes are 0.
     #[must_use]
     #[inline(always)]
     pub const fn constant(value: f64) -> Self {
         Self { value, slopes: [0.0; K] }
     }
 
-    /// A function's value, and the slopes that its derivative there gives.
+    /// Result f(x) of a function of this number x: `value` is f(x), `derivative` is df/dx.
     #[must_use]
     #[inline(always)]
     pub fn through(self, value: f64, derivative: f64) -> Self {
@@ -115,7 +115,7 @@ impl<const K: usize> PartialOrd for Tangent<K> {
     }
 }
 
-/// √(1 − x²).
+/// Computes √(1 − x²), the other leg of a right triangle with hypotenuse 1.
 fn leg(x: f64) -> f64 {
     Scalar::sqrt(1.0 - x * x)
 }
@@ -199,7 +199,7 @@ impl<const K: usize> Scalar for Tangent<K> {
     }
 }
 
-/// Real number of its value, with the slopes that a run carries along.
+/// The scalar of a run with sensitivities: compared and rounded by its value, with slopes carried along.
 impl<const K: usize> Real for Tangent<K> {
     const EPSILON: f64 = f64::EPSILON;
     const SLOPES: usize = K;

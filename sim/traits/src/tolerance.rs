@@ -2,24 +2,24 @@
 
 use alloc::vec::Vec;
 
-/// The relative tolerance where nothing is said.
+/// Relative tolerance of a run that states none.
 pub const RTOL: f64 = 1e-6;
-/// The absolute tolerance where nothing is said, in the units of the state.
+/// Absolute tolerance of a run that states none, in the units of the state.
 pub const ATOL: f64 = 1e-9;
 
-/// Absolute tolerance: the error that is acceptable in a component however small it is.
+/// Absolute tolerance of a step: the acceptable error of a component of the state, however small its value is.
 ///
-/// A number is a tolerance of all components, a list one of each: `1e-9.into()`, `vec![1e-9, 1e-6].into()`.
+/// It is made from a number for all components, or from a list: `1e-9.into()`, `vec![1e-9, 1e-6].into()`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AbsoluteTolerance {
-    /// One tolerance for every component.
+    /// Tolerance of every component alike.
     Uniform(f64),
-    /// One for each component of the state, each in its own unit: coordinates, then speeds.
+    /// Tolerance of each component of the state, in its own unit: coordinates, then speeds.
     Each(Vec<f64>),
 }
 
 impl AbsoluteTolerance {
-    /// The smallest of all components.
+    /// Smallest tolerance of all components.
     #[must_use]
     pub fn smallest(&self) -> f64 {
         match self {

@@ -1,8 +1,8 @@
-//! A derivation as a document, in no language yet: the meanings of symbols, all formulas of the text, and the conserved
+//! A derivation as a document in no language: the meanings of symbols, all formulas of the text, and the conserved
 //! quantities.
 //!
-//! Invariant: nothing here is in a language of documents. Formulas are trees of marks and left sides data; words are as
-//! the model has them.
+//! Invariant: nothing here depends on a language of documents. Formulas are trees, left sides are data, and words are
+//! those of the model.
 
 use crate::words::NAMED;
 use tripos_derive::Model;
@@ -17,123 +17,123 @@ use tripos_derive::mechanics::{
 };
 use tripos_derive::prove::Integral;
 
-/// A document about a model.
+/// A document about the derivation of a model's equations.
 pub struct Document {
-    /// The model's name.
+    /// Title of the model.
     pub title: String,
-    /// Paragraphs about the model.
+    /// Paragraphs about the model, before the symbols.
     pub about: Vec<String>,
-    /// Meanings of the symbols.
+    /// Meanings of the model's symbols.
     pub symbols: Vec<Meaning>,
-    /// The rest, in order.
+    /// Headings, paragraphs and equations after the symbols, in order.
     pub blocks: Vec<Block>,
 }
 
-/// Meaning of a symbol.
+/// Meaning of a symbol of the model.
 pub struct Meaning {
-    /// The symbol.
+    /// Formula that shows the symbol.
     pub symbol: View,
-    /// Its description, in words; often empty.
+    /// Description of the symbol in words; often empty.
     pub about: String,
-    /// Its unit; empty where there is none to say.
+    /// Unit of the symbol; empty if it has none.
     pub unit: String,
 }
 
-/// A piece of a document.
+/// A block of a document.
 pub enum Block {
-    /// A heading.
+    /// A heading with its level.
     Heading(Level, Vec<Run>),
-    /// A paragraph.
+    /// A paragraph of words.
     Words(String),
-    /// Equations below one another; none where there is nothing to list.
+    /// Equations below one another; the list may be empty.
     Equations(Vec<Equation>),
-    /// Equations of motion.
+    /// Equations of motion as a linear system.
     System(System),
 }
 
-/// Extent of the text under a heading.
+/// Level of a heading, by the extent of the text under it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Level {
-    /// A formulation, or all that is conserved.
+    /// Heading over a formulation, or over all conserved quantities.
     Section,
-    /// A step of a derivation.
+    /// Heading over a step of a derivation.
     Step,
-    /// One thing that is conserved.
+    /// Heading over a single conserved quantity.
     Item,
 }
 
-/// A stretch of a heading.
+/// Part of a heading: words or a formula.
 pub enum Run {
-    /// Plain words.
+    /// Plain words of a heading.
     Words(String),
-    /// A formula.
+    /// Formula in a heading.
     Formula(Left),
 }
 
 /// Left and right side of an equation.
 pub type Equation = (Left, View);
 
-/// The left side of an equation.
+/// Left side of an equation.
 pub enum Left {
-    /// A symbol.
+    /// Symbol of the model or of the derivation.
     Symbol(View),
     /// The number 0.
     Zero,
-    /// d(T + V)/dt.
+    /// Rate d(T + V)/dt of the energy.
     EnergyRate,
-    /// An entry of what a letter stands for, by its places from 1: f₁, M₁₂.
+    /// Entry of a vector or matrix that the letter names, by its places from 1: f₁, M₁₂.
     Entry(char, Vec<usize>),
-    /// The part of a force along a motion variable.
+    /// Component of a generalized force, by its letter, along a motion variable.
     Along(char, View),
-    /// A vector.
+    /// Vector of a point, frame or body.
     Vector(Vector),
-    /// A component of a vector.
+    /// Component of a vector along an axis.
     Component(Vector, Axis),
-    /// A component of the partial derivative of a vector by a speed.
+    /// Component, along an axis, of the partial derivative of a vector by a speed.
     Partial(Vector, View, Axis),
 }
 
-/// A vector of a point, frame or body in a frame.
+/// Vector of a point, frame or body in a frame, such as a velocity.
 pub struct Vector {
     pub name: VectorName,
-    /// The frame's name.
+    /// Name of the frame in which the vector is measured.
     pub frame: String,
-    /// The name of the point, frame or body.
+    /// Name of the point, frame or body whose vector it is.
     pub of: String,
 }
 
-/// A basis vector of a frame.
+/// Basis vector of a frame.
 pub struct Axis {
-    /// The frame's name in small letters.
+    /// Name of the axis's frame, in small letters.
     pub frame: String,
-    /// 1, 2 or 3.
+    /// Number of the axis in its frame: 1, 2 or 3.
     pub number: usize,
 }
 
-/// The linear system M x = f.
+/// Equations of motion as a linear system M x = f.
 pub struct System {
-    /// Names of the rows: the speed or the equation that each belongs to.
+    /// Names of the rows: the speed or the equation to which each row belongs.
     pub rows: Vec<String>,
-    /// The unknowns x.
+    /// Unknowns x of the system.
     pub unknowns: Vec<View>,
-    /// M, row by row.
+    /// Matrix M, row by row.
     pub matrix: Vec<Vec<View>>,
-    /// The places of its entries that are not 0, from 0.
+    /// Places (row, column) of the entries of M that are not 0, from 0.
     pub filled: Vec<(usize, usize)>,
-    /// The right side f.
+    /// Right side f of the system.
     pub forcing: Vec<View>,
 }
 
 impl Document {
-    /// A document without its derivations.
+    /// Makes a document about a model, without derivations yet.
     pub fn new(model: &Model, moving: &[MovingPlace]) -> Self {
         let about = std::iter::once(format!("{}.", model.count()));
         let about = about.chain(moving.iter().map(|place| place.text(model))).collect();
         Self { title: model.title.clone(), about, symbols: symbols(model), blocks: Vec::new() }
     }
 
-    /// Adds one formulation: steps, equations of motion, accelerations, energies, and where the kinematic equations are
-    /// singular.
+    /// Adds a formulation to the document: steps, equations of motion, accelerations, energies, and divisors of the
+    /// kinematic equations.
     pub fn formulation(&mut self, model: &Model, derivation: &DerivationInSteps, solved: Option<&Elimination>) {
         let DerivationInSteps { arena, equations: e, steps } = derivation;
         self.heading(Level::Section, e.formulation.title());
@@ -165,7 +165,7 @@ impl Document {
         }
     }
 
-    /// Adds what is conserved.
+    /// Adds the conserved quantities to the document.
     pub fn integrals(&mut self, model: &Model, arena: &Arena, list: &[Integral]) {
         self.heading(Level::Section, "First integrals");
         if list.is_empty() {
@@ -241,14 +241,14 @@ impl System {
 }
 
 impl Vector {
-    /// A vector of a point, frame or body in the inertial frame.
+    /// Vector of a point, frame or body in the inertial frame; `of` is its index in the model.
     fn new(model: &Model, name: VectorName, of: usize) -> Self {
         Self { name, frame: model.frames[0].name.clone(), of: name.owner_name(model, of).to_owned() }
     }
 }
 
 impl Left {
-    /// The name of a line of a derivation.
+    /// Left side for the name of a line of a derivation.
     fn of_line(model: &Model, name: &LineName) -> Self {
         let basis =
             |frame: usize, axis: usize| Axis { frame: model.frames[frame].name.to_lowercase(), number: axis + 1 };

@@ -5,18 +5,18 @@ use tripos_derive::algebra::text::print::{latex_lines, latex_name, latex_of, typ
 use tripos_derive::algebra::text::view::View;
 use tripos_derive::mechanics::VectorName;
 
-/// A language of formulas.
+/// Functions that write formulas in a language of documents.
 pub struct Language {
-    /// A formula in lines that are each about so wide, in tenths of an em.
+    /// Function that writes a formula in lines that are each about this wide, in tenths of an em.
     pub lines: fn(&View, usize) -> Vec<String>,
-    /// The left side of an equation.
+    /// Function that writes the left side of an equation.
     pub left: fn(&Left) -> String,
 }
 
-/// LaTeX with amsmath.
+/// Writer of formulas for LaTeX with amsmath.
 pub const LATEX: Language = Language { lines: latex_lines, left: latex_left };
 
-/// Formulas for Typst.
+/// Writer of formulas for Typst.
 pub const TYPST: Language = Language { lines: typst_lines, left: typst_left };
 
 fn latex_left(left: &Left) -> String {
@@ -44,7 +44,7 @@ fn latex_vector(vector: &Vector) -> String {
     format!("{{}}^{{{}}}{letter}^{{{}}}", latex_name(&vector.frame), latex_name(&vector.of))
 }
 
-/// Basis vector b₂ of frame B.
+/// Writes a basis vector in LaTeX, such as b₂ of frame B.
 fn latex_axis(axis: &Axis) -> String {
     format!("\\mathbf{{{}}}_{{{}}}", axis.frame.replace('_', "\\_"), axis.number)
 }
@@ -78,12 +78,12 @@ fn typst_axis(axis: &Axis) -> String {
     format!("bold(upright({}))_{}", typst_word(&axis.frame), axis.number)
 }
 
-/// A letter as it is, a word between quotes.
+/// Writes a single letter without quotes, and a longer word between quotes, as Typst needs it.
 fn typst_word(word: &str) -> String {
     if word.len() == 1 { word.to_owned() } else { format!("\"{word}\"") }
 }
 
-/// Places with commas between them.
+/// Places of an entry as text, with commas between them.
 fn listed(places: &[usize]) -> String {
     places.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
 }

@@ -1,9 +1,9 @@
 //! A derivation as JSON, for programs.
 //!
 //! Invariants:
-//! - Every name in a formula is a symbol of the model or is defined in `named`, or for accelerations before it among
-//!   their steps.
-//! - No formula grows beyond what it is made of: parts that long formulas share stand by names of their own.
+//! - Every name in a formula is a symbol of the model, or is defined in `named`. In accelerations it may also be
+//!   defined before the formula among their steps.
+//! - No formula grows beyond its parts: parts that long formulas share have names of their own.
 
 use super::Derived;
 use rustc_hash::FxHashSet;
@@ -15,7 +15,7 @@ use tripos_derive::algebra::text::view::Shared;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, Step};
 
-/// One formulation.
+/// Makes the JSON of a formulation.
 pub fn formulation(model: &Model, Derived { derivation, solved }: &Derived) -> Value {
     let DerivationInSteps { arena, equations: e, steps } = derivation;
     let (solved, divisors) = solved.as_ref().map_or((&[][..], &[][..]), |solved| (&solved.steps, &solved.divisors));
@@ -46,18 +46,18 @@ pub fn formulation(model: &Model, Derived { derivation, solved }: &Derived) -> V
     })
 }
 
-/// Every formula but those of accelerations and definitions.
+/// Lists every formula of the equations and steps, except those of accelerations and definitions.
 fn shown(e: &Equations, steps: &[Step]) -> Vec<Expr> {
     let lists = [&e.unknowns, &e.forcing, &e.coordinate_rates, &e.divisors].into_iter().chain(&e.matrix).flatten();
     let lines = steps.iter().flat_map(|step| step.lines.iter().map(|(_, value)| value));
     lists.chain(lines).chain(&[e.kinetic_energy, e.potential_energy, e.power]).copied().collect()
 }
 
-/// Writes formulas with names for the parts of long ones.
+/// Writer of formulas as text, with names for the shared parts of long formulas.
 struct Writer<'a> {
     arena: &'a Arena,
     names: Shared,
-    /// The parts in the order in which they need one another.
+    /// Parts with names, each after the parts that it needs.
     parts: Vec<Expr>,
     defined: FxHashSet<Expr>,
 }
@@ -86,7 +86,7 @@ impl<'a> Writer<'a> {
         list.iter().map(|e| self.text(*e)).collect()
     }
 
-    /// Definitions, each part before what first needs it, and then the parts that these formulas need.
+    /// Writes definitions, each with the parts that it needs before it, and then the parts that these formulas need.
     fn definitions(&mut self, list: &[Definition], formulas: &[Expr]) -> Vec<Value> {
         let mut out = Vec::new();
         for step in list {

@@ -1,7 +1,7 @@
-//! A derivation in LaTeX: a document, or its sections for one.
+//! A derivation in LaTeX: a document, or the sections for another document.
 //!
-//! Invariant: whatever a model is called, the result compiles with `amsmath` alone. Text is escaped, and what is
-//! printed is read back by [`tripos_derive::algebra::text::notation`] as the term that it was.
+//! Invariant: for any names in a model, the result compiles with `amsmath` alone. Text is escaped, and printed formulas
+//! are read back as their terms by [`tripos_derive::algebra::text::notation`].
 
 use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
@@ -11,19 +11,19 @@ use std::fmt::Write;
 use tripos_derive::algebra::text::print::latex_of;
 use tripos_derive::algebra::text::view::View;
 
-/// Columns that a matrix has without asking for more.
+/// Number of columns that a matrix of amsmath has by default.
 const COLUMNS: usize = 10;
 
-/// Extent of the LaTeX that is written.
+/// Extent of the LaTeX text: a document, or its sections.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// A document that compiles as it is.
+    /// A whole document, which compiles by itself.
     Document,
-    /// Its sections, for another document to `\\input`.
+    /// Sections of the document, for another document to `\\input`.
     Fragment,
 }
 
-/// A document, or its sections.
+/// Writes a document, or its sections, in LaTeX.
 pub fn latex(document: &Document, part: Part) -> String {
     let title = escape(&document.title);
     let about: Vec<String> = document.about.iter().map(|words| escape(words) + "\n").collect();
@@ -73,7 +73,7 @@ fn run(run: &Run) -> String {
     }
 }
 
-/// The system M x = f, as far as matrices fit into a line; the entries of others one by one.
+/// Writes the system M x = f with matrices if they fit into a line; else lists the entries one by one.
 fn system(system: &System) -> String {
     let extent = extent(system);
     let mut out = format!("One row for each of {}.\n\n", escape(&system.rows.join(", ")));
@@ -98,7 +98,7 @@ fn system(system: &System) -> String {
     out + &equations(&entries(system, extent))
 }
 
-/// Equations below one another, each in as many lines as it needs.
+/// Writes equations below one another, each in as many lines as it needs.
 fn equations(list: &[Equation]) -> String {
     if list.is_empty() {
         return String::new();

@@ -8,27 +8,27 @@ use super::formulas::{LATEX, Language};
 use tripos_derive::algebra::text::print::formula_width;
 use tripos_derive::algebra::text::view::View;
 
-/// Characters of a formula's source after which it is not printed: nobody reads on.
+/// Number of characters in a formula's source above which it is not printed: nobody would read it.
 const LONGEST: usize = 20_000;
-/// Characters of a line's source after which it is not printed: TeX measures no line of that length.
+/// Number of characters in a line's source above which the formula is not printed: TeX measures no such line.
 const LONGEST_LINE: usize = 4_000;
-/// The width of a line, in tenths of an em.
+/// Width of a line on the page, in tenths of an em.
 const LINE: usize = 380;
-/// The width of matrices, which have a line for themselves, in tenths of an em.
+/// Largest width of matrices, which have a line for themselves, in tenths of an em.
 const MATRIX: usize = 430;
 
-/// Words in place of a formula that is too long.
+/// Words that replace a formula that is too long.
 pub const TOO_LONG: &str = "an expression too long to print here";
 
-/// An equation on a page.
+/// An equation as it stands on a page.
 pub struct Laid {
-    /// The left side.
+    /// Left side of the equation, in the language of the document.
     pub left: String,
-    /// The lines of the right side; none of one that is too long.
+    /// Lines of the right side; `None` if it is too long.
     pub lines: Option<Vec<String>>,
 }
 
-/// Equations as they stand on a page.
+/// Lays equations out for a page, in a language.
 pub fn lay(list: &[Equation], language: &Language) -> Vec<Laid> {
     let one = |(left, right): &Equation| {
         let lines = (language.lines)(right, LINE - left_width(left));
@@ -39,7 +39,7 @@ pub fn lay(list: &[Equation], language: &Language) -> Vec<Laid> {
     list.iter().map(one).collect()
 }
 
-/// About how wide a left side is, and what goes on in front of the lines after the first.
+/// Estimated width of a left side, and of the indentation of the lines after the first, in tenths of an em.
 fn left_width(left: &Left) -> usize {
     let shown = (LATEX.left)(left);
     let shown =
@@ -47,14 +47,14 @@ fn left_width(left: &Left) -> usize {
     (4 * shown.chars().filter(char::is_ascii_alphanumeric).count()).min(120) + 40
 }
 
-/// Layout of equations of motion on a page.
+/// Layout of a linear system of equations of motion on a page.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// M x = f in a line.
+    /// The whole system M x = f in a line.
     Whole,
-    /// M for itself, the entries of f one by one.
+    /// The matrix M for itself, the entries of f one by one.
     Matrix,
-    /// The entries of both one by one, but for those of M that are 0.
+    /// Entries of M and f one by one, except the entries of M that are 0.
     Entries,
 }
 
@@ -71,7 +71,7 @@ pub fn extent(system: &System) -> Extent {
     }
 }
 
-/// The entries of a system that are listed one by one.
+/// Entries of a system that are listed one by one in this layout.
 pub fn entries(system: &System, extent: Extent) -> Vec<Equation> {
     let mut entries = Vec::new();
     if extent == Extent::Entries {
@@ -85,7 +85,7 @@ pub fn entries(system: &System, extent: Extent) -> Vec<Equation> {
     entries
 }
 
-/// A unit as words, its powers raised.
+/// Writes a unit with raised powers; `words` and `power` write its parts in a language.
 pub fn raised(unit: &str, words: fn(&str) -> String, power: fn(&str) -> String) -> String {
     let unit = unit.replace('*', " ");
     let mut parts = unit.split('^');

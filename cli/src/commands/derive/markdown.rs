@@ -1,7 +1,7 @@
 //! A derivation in Markdown as GitHub shows it: formulas are LaTeX, between dollars or in blocks of `math`.
 //!
-//! Invariant: whatever a model is called, its words stay words. Characters that Markdown, HTML or the search for
-//! formulas would read otherwise are escaped.
+//! Invariant: for any names in a model, its words stay words. Characters that Markdown, HTML or the search for formulas
+//! would read otherwise are escaped.
 
 use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
@@ -10,10 +10,10 @@ use std::fmt::Write;
 use tripos_derive::algebra::text::print::latex_of;
 use tripos_derive::algebra::text::view::View;
 
-/// Equations of one block: browsers set each block as a whole, and thousands of lines take them long.
+/// Largest number of equations in a block of `math`: browsers set each block as a whole, which takes long.
 const ROWS: usize = 25;
 
-/// A document.
+/// Writes a document in Markdown.
 pub fn markdown(document: &Document) -> String {
     let mut out = format!("# {}\n", escape(&document.title));
     for words in &document.about {
@@ -55,8 +55,8 @@ fn run(run: &Run) -> String {
     }
 }
 
-/// A formula among words. Between bare dollars Markdown takes a backslash before a mark away, as in `\_`; between
-/// dollars and backticks it takes nothing, but fewer programs know these.
+/// Writes a formula among words. Between bare dollars Markdown removes a backslash before a mark, as in `\_`. Between
+/// dollars and backticks it removes nothing, but fewer programs know these.
 fn inline(formula: &str) -> String {
     let mut after_backslash = formula.split('\\').skip(1);
     let is_plain = after_backslash.all(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()));
@@ -64,11 +64,11 @@ fn inline(formula: &str) -> String {
 }
 
 fn math(formula: &str) -> String {
-    // The name is not allowed on GitHub; both set a word upright.
+    // GitHub does not allow `\operatorname`; both commands set a word upright.
     format!("\n```math\n{}\n```\n", formula.replace("\\operatorname{", "\\mathrm{"))
 }
 
-/// The system M x = f, as far as matrices fit into a line; the entries of others one by one.
+/// Writes the system M x = f with matrices if they fit into a line; else lists the entries one by one.
 fn system(system: &System) -> String {
     let extent = extent(system);
     let mut out = format!("\nOne row for each of {}.\n", escape(&system.rows.join(", ")));
@@ -90,7 +90,7 @@ fn system(system: &System) -> String {
     out + &equations(&entries(system, extent))
 }
 
-/// Equations below one another, each in as many lines as it needs.
+/// Writes equations below one another, each in as many lines as it needs.
 fn equations(list: &[Equation]) -> String {
     let row = |Laid { left, lines }: &Laid| match lines {
         Some(lines) => format!("{left} &= {}", lines.join(" \\\\\n  &\\qquad ")),
@@ -103,11 +103,11 @@ fn equations(list: &[Equation]) -> String {
     lay(list, &LATEX).chunks(ROWS).map(block).collect()
 }
 
-/// Words as Markdown reads them.
+/// Escapes words, so that Markdown reads them as words.
 fn escape(text: &str) -> String {
     let mut out = String::new();
     for (at, c) in text.char_indices() {
-        // A line may begin with what would make a list or a heading of it.
+        // At the beginning of a line some characters would make a list or a heading.
         let before = &text[..at];
         let begins = match c {
             '-' | '+' | '=' => before.is_empty(),

@@ -1,12 +1,12 @@
 //! A derivation as a program in Python that defines it for SymPy.
 //!
 //! Invariants:
-//! - Numbers are exact, and nothing is expanded: a term that stands by a name stays a symbol with a definition, each
-//!   after those that it mentions.
-//! - Whatever a model's symbols are called, the program runs. A name that Python or the program has itself gets an
+//! - Numbers are exact, and nothing is expanded: a named term stays a symbol with a definition, each definition after
+//!   those of the terms in it.
+//! - For any names of a model's symbols, the program runs. A name that Python or the program itself uses gets an
 //!   underscore behind it.
 //!
-//! Symbols are plain, also those of coordinates and rates: they can be put in, differentiated by and compiled one by
+//! Symbols are plain, also those of coordinates and rates: they can be replaced, differentiated by and compiled one by
 //! one.
 
 use super::Derived;
@@ -19,7 +19,7 @@ use tripos_derive::algebra::text::print::{sympy_of, whole_view};
 use tripos_derive::algebra::text::view::{Shared, View};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Words that cannot be variables, or that the program uses.
+/// Words that must not be names of variables in the program: Python's, and those that the program uses.
 const TAKEN: [&str; 42] = [
     "False",
     "None",
@@ -76,7 +76,7 @@ def evaluated(formulation, values):
     return values
 "#;
 
-/// The program.
+/// Writes the Python program that defines the equations of each formulation for SymPy.
 ///
 /// # Errors
 /// [`Failure::Refused`] if a formula is too long to be written out.
@@ -104,7 +104,7 @@ impl Names {
     fn new(model: &Model, derived: &[Derived]) -> Self {
         let positive = model.parameters.iter().filter(|p| p.positive).map(|p| p.name.clone()).collect();
         let mut names = Self { list: Vec::new(), by_name: FxHashMap::default(), positive };
-        // Those without primes first: `q1_dot` may be the name of a parameter.
+        // Names without primes come first: `q1_dot` may be the name of a parameter.
         let mut all: Vec<String> = model.parameters.iter().map(|p| p.name.clone()).collect();
         all.extend(model.coordinates.iter().map(|c| c.name.clone()));
         all.extend(model.speeds.iter().map(|s| s.name.clone()));
@@ -151,7 +151,7 @@ impl Names {
         self.by_name.get(name).map_or(name, |at| &self.list[*at].1)
     }
 
-    /// A line for each symbol.
+    /// Writes a line that declares each symbol.
     fn declare(&self, out: &mut String) {
         out.push('\n');
         for (name, variable) in &self.list {
@@ -161,11 +161,11 @@ impl Names {
     }
 }
 
-/// Writes terms of one arena.
+/// Writer of the terms of one arena as Python.
 struct Writer<'a> {
     arena: &'a Arena,
     names: &'a Names,
-    /// Symbols by what they are called in the program.
+    /// Names in the program of the arena's symbols.
     symbols: Shared,
 }
 
@@ -231,7 +231,7 @@ impl<'a> Writer<'a> {
         Ok(if list.is_empty() { "sp.zeros(0, 1)".to_owned() } else { format!("sp.Matrix([{}])", self.list(list)?) })
     }
 
-    /// Pairs of a symbol and its value, a line each.
+    /// Writes pairs of a symbol and its value, a line each.
     fn definitions(&self, list: &[Definition]) -> Result<String, Failure> {
         let pair =
             |step: &Definition| Ok(format!("    ({}, {}),\n", self.formula(step.symbol)?, self.formula(step.value)?));

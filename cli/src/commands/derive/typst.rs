@@ -1,6 +1,6 @@
-//! A derivation in Typst: a document that compiles as it is.
+//! A derivation in Typst: a document that compiles by itself.
 //!
-//! Invariant: whatever a model is called, the result compiles, and its words are words.
+//! Invariant: for any names in a model, the result compiles, and its words stay words.
 
 use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::TYPST;
@@ -9,7 +9,7 @@ use std::fmt::Write;
 use tripos_derive::algebra::text::print::typst_of;
 use tripos_derive::algebra::text::view::View;
 
-/// A document.
+/// Writes a document in Typst.
 pub fn typst(document: &Document) -> String {
     let mut out =
         "#set page(paper: \"a4\", margin: 25mm)\n#show math.equation: set block(breakable: true)\n".to_owned();
@@ -58,7 +58,7 @@ fn math(formula: &str) -> String {
     format!("\n$ {formula} $\n")
 }
 
-/// The system M x = f, as far as matrices fit into a line; the entries of others one by one.
+/// Writes the system M x = f with matrices if they fit into a line; else lists the entries one by one.
 fn system(system: &System) -> String {
     let extent = extent(system);
     let mut out = format!("\nOne row for each of {}.\n", escape(&system.rows.join(", ")));
@@ -79,7 +79,7 @@ fn system(system: &System) -> String {
     out + &equations(&entries(system, extent))
 }
 
-/// Equations below one another, each in as many lines as it needs.
+/// Writes equations below one another, each in as many lines as it needs.
 fn equations(list: &[Equation]) -> String {
     if list.is_empty() {
         return String::new();
@@ -91,17 +91,17 @@ fn equations(list: &[Equation]) -> String {
     math(&rows.collect::<Vec<_>>().join(" \\\n  "))
 }
 
-/// Words as Typst reads them.
+/// Escapes words, so that Typst reads them as words.
 fn escape(text: &str) -> String {
     let mut out = String::new();
     for (at, c) in text.char_indices() {
         let (before, after) = (&text[..at], &text[at + c.len_utf8()..]);
         let is_escaped = match c {
             '\\' | '*' | '_' | '`' | '$' | '#' | '<' | '>' | '@' | '[' | ']' | '~' => true,
-            // Comments, and dashes.
+            // These characters begin comments or dashes.
             '/' => before.is_empty() || after.starts_with(['/', '*']),
             '-' => before.is_empty() || after.starts_with(['-', '?']),
-            // A line may begin with what would make a list or a heading of it.
+            // At the beginning of a line these characters would make a list or a heading.
             '+' | '=' => before.is_empty(),
             '.' => after.starts_with("..") || (!before.is_empty() && before.bytes().all(|b| b.is_ascii_digit())),
             _ => false,

@@ -1,7 +1,6 @@
-//! `tripos diff OLD NEW`: what an edit changed in the equations of motion, in what the model declares, and in its
-//! scenes.
+//! `tripos diff OLD NEW`: changes by an edit of a model in its equations of motion, its declarations and its scenes.
 //!
-//! A person reads a screenful: an entry is its difference, in a line; `--json` has all entries, old, new and
+//! The text fits a screen: an entry is shown by its difference, in a line; `--json` has all entries, old, new and
 //! difference.
 
 use crate::failure::{Failure, print, print_json, status};
@@ -24,10 +23,10 @@ use tripos_derive::mechanics::derive_all;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::prove::prove;
 
-/// Lines of one kind that are shown before the rest is counted.
+/// Largest number of lines of one kind that are shown; further lines are only counted.
 const SHOWN: usize = 16;
 
-/// Compares two models; exit status 1 if anything differs that a number depends on.
+/// Compares two models, their declarations and scenes; exit status 1 if anything differs on which a number depends.
 pub fn diff(old: &Model, new: &Model, as_json: bool) -> Result<u8, Failure> {
     let (difference, arena) = compared(old, new, true)?;
     let scenes = scenes(&old.source.path, &new.source.path)?;
@@ -39,8 +38,8 @@ pub fn diff(old: &Model, new: &Model, as_json: bool) -> Result<u8, Failure> {
     Ok(if difference.is_empty() && scenes.is_empty() { 0 } else { status::NO })
 }
 
-/// Derives both models and compares them, with the arena of the terms of the difference. First integrals cost a proof
-/// and are compared if `with_integrals`.
+/// Derives both models and compares them; the arena holds the terms of the difference. First integrals cost a proof and
+/// are compared only if `with_integrals`.
 fn compared(old: &Model, new: &Model, with_integrals: bool) -> Result<(ModelDifference, Arena), Diagnostics> {
     let mut before = derive_all(old).map_err(|error| old.diagnose(&error))?;
     let mut after = derive_all(new).map_err(|error| new.diagnose(&error))?;
@@ -54,7 +53,7 @@ fn compared(old: &Model, new: &Model, with_integrals: bool) -> Result<(ModelDiff
     Ok((difference, after.kinematics.arena))
 }
 
-/// Lines about the changes of the equations of motion; `None` if they mean the same.
+/// Lines about the changes of the equations of motion; `None` if both models have the same equations.
 ///
 /// # Errors
 /// [`Diagnostics`] if a model cannot be derived.
@@ -65,7 +64,7 @@ pub fn changed_equations(old: &Model, new: &Model) -> Result<Option<String>, Dia
     Ok((!difference.has_same_equations()).then(|| out + &names_text(&arena, &shown(&difference))))
 }
 
-/// Change of a scene, under its name beside the model.
+/// Change of a scene; its name is that of the file beside the model.
 struct SceneChange {
     name: String,
     kind: SceneEdit,
@@ -77,8 +76,8 @@ enum SceneEdit {
     Changed(Vec<Setting>),
 }
 
-/// Changes between the scenes of two models. Empty if either has no scene: a model file alone does not mean that its
-/// scenes were removed.
+/// Changes between the scenes of two models. Empty if one of the models has no scene: a model file alone does not mean
+/// that its scenes were removed.
 fn scenes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
     let (before, after) = (scene_files(old), scene_files(new));
     let mut list = Vec::new();
@@ -187,7 +186,7 @@ fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
     out + &names_text(arena, &shown(difference))
 }
 
-/// Writes the changes of the equations of motion.
+/// Writes lines about the changes of the equations of motion to `out`.
 fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
     let (count, compared) = (difference.changes.len(), entries(difference.compared));
     if difference.has_same_equations() {
@@ -204,13 +203,13 @@ fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
     list(out, &difference.changes.iter().map(|change| change_line(arena, change)).collect::<Vec<_>>());
 }
 
-/// The formulas of the changes that are shown.
+/// Formulas of the changes that are shown.
 fn shown(difference: &ModelDifference) -> Vec<Expr> {
     let changes = difference.changes.iter().take(SHOWN);
     changes.flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
 }
 
-/// Lines under a heading; of many only the first, and how many more there are.
+/// Writes lines under a heading; of many lines only the first, and the number of the others.
 fn list(out: &mut String, lines: &[String]) {
     for line in lines.iter().take(SHOWN) {
         let _ = writeln!(out, "  {}", shortened(line));
@@ -220,7 +219,7 @@ fn list(out: &mut String, lines: &[String]) {
     }
 }
 
-/// Line about a changed entry: its difference, or both values where that is shorter to read.
+/// Line about a changed entry: its difference, or its old and new value if these are shorter.
 fn change_line(arena: &Arena, change: &Change) -> String {
     let (name, text) = (&change.name, |e| text(arena, e));
     match (change.old, change.new, change.difference) {
@@ -239,7 +238,7 @@ fn change_line(arena: &Arena, change: &Change) -> String {
     }
 }
 
-/// Changed declarations, a line for each kind: `defaults differ: R 1 -> 2, g 9.81 -> 1.62`.
+/// Lines about changed declarations, one for each kind: `defaults differ: R 1 -> 2, g 9.81 -> 1.62`.
 fn declaration_lines(declarations: &[Declaration]) -> Vec<String> {
     let named = |d: &Declaration| format!("{} {}", d.section.noun(), d.name);
     let changed = |wanted: Property, of: fn(Section) -> bool| {

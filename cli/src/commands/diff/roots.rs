@@ -1,17 +1,17 @@
-//! The root mistakes of a publication, as text and as JSON.
+//! Root mistakes of a publication, as text and as JSON.
 
 use crate::words::{entries, shortened};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos_derive::diff::{Difference, Finding, Follower, Link, Root};
 
-/// Columns of a list of ids.
+/// Largest number of characters in a line of ids.
 const WIDTH: usize = 120;
-/// The links in the order of a list, with what stands before the ids.
+/// Links from a root mistake to wrong entries, in the order of a list, with the words before the ids.
 const LINKS: [(Link, &str); 3] =
     [(Link::Repeated, "repeated in "), (Link::Follows, "follows     "), (Link::Contradicts, "contradicts ")];
 
-/// The list of root mistakes, each with the entries that come of it; nothing where there are none.
+/// List of the root mistakes, each with the entries that follow from it; empty if there are none.
 pub fn list(difference: &Difference) -> String {
     let Difference { findings, roots, .. } = difference;
     if roots.is_empty() {
@@ -34,7 +34,7 @@ pub fn list(difference: &Difference) -> String {
     out
 }
 
-/// An id, with what it follows from where that is not the root itself, and with the other roots that it comes of.
+/// Id of a wrong entry, with the entries from which it follows if these are not the root, and with its other roots.
 fn item(findings: &[Finding], root: &Root, follower: &Follower) -> String {
     let ids = |list: &[usize]| list.iter().map(|at| findings[*at].id.as_str()).collect::<Vec<_>>().join(" and ");
     let mut out = findings[follower.finding].id.clone();
@@ -47,7 +47,7 @@ fn item(findings: &[Finding], root: &Root, follower: &Follower) -> String {
     out
 }
 
-/// Items with commas, in lines.
+/// Joins items with commas, in lines of at most `WIDTH` characters.
 fn wrapped(items: &[String]) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for (at, item) in items.iter().enumerate() {
@@ -77,7 +77,7 @@ pub fn source(difference: &Difference, finding: usize) -> Option<String> {
     Some(format!("{words} {}, of root mistake {}", ids.join(" and "), at + 1))
 }
 
-/// The root mistakes in the order of the file.
+/// Root mistakes as JSON, in the order of the publication file.
 pub fn json_of(difference: &Difference) -> Vec<Value> {
     let ids = |list: &[usize]| list.iter().map(|at| difference.findings[*at].id.clone()).collect::<Vec<_>>();
     let follower = |f: &Follower| {

@@ -1,10 +1,11 @@
-//! Rest and steady motion in closed form, in words and in JSON.
+//! Conditions of rest and of steady motion in closed form, in words and in JSON.
 
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::studies::steady::{ClosedForm, Conditions, Formula, Solved, Told};
 
-/// Branches that are shown of each kind of motion, and letters of a formula; JSON has all of them.
+/// Largest number of branches in the text for each kind of motion; `MOST_LETTERS` is the largest length of a formula in
+/// it. JSON has all branches and whole formulas.
 const MOST_BRANCHES: usize = 6;
 const MOST_LETTERS: usize = 240;
 
@@ -64,7 +65,7 @@ fn plural(count: usize, one: &'static str, more: &'static str) -> &'static str {
     if count == 1 { one } else { more }
 }
 
-/// A formula, folded where nobody would read it.
+/// Shortens a formula that is too long to read.
 fn short(text: &str) -> String {
     let letters = text.chars().count();
     if letters <= MOST_LETTERS {

@@ -1,4 +1,4 @@
-//! Figures of steady motions that were followed: eigenvalues over a number, and where stability changes over two.
+//! Figures of followed steady motions: eigenvalues over a number, and changes of stability over two numbers.
 
 use crate::failure::{Failure, say};
 use crate::output::{keep_inputs, table};
@@ -10,10 +10,10 @@ use tripos::{Error, Mechanism};
 use tripos_codegen::files::would_change;
 use tripos_derive::plain::path_in_line;
 
-/// Refuses a figure of another kind, and one over what is read.
+/// Refuses a figure of an unknown kind, and a figure that would overwrite an input file.
 ///
 /// # Errors
-/// [`Failure`] that says which.
+/// [`Failure`] that names the file and the reason.
 pub fn check(out: &Path, model: &Mechanism, from: &Path) -> Result<(), Failure> {
     kind(out)?;
     let data = out.with_extension("csv");
@@ -24,12 +24,12 @@ pub fn check(out: &Path, model: &Mechanism, from: &Path) -> Result<(), Failure> 
     keep_inputs(model, None, [out, &data])
 }
 
-/// The kind of figure that is asked for.
+/// Kind of the figure, by the ending of its file's name.
 fn kind(out: &Path) -> Result<Kind, Failure> {
     picture::kind(out, "; its data go beside it, in .csv")
 }
 
-/// Real and imaginary parts of all eigenvalues over a number.
+/// Draws the real and imaginary parts of all eigenvalues over a number, and writes their data.
 ///
 /// # Errors
 /// [`Failure`] if a file cannot be written.
@@ -47,7 +47,7 @@ pub fn modes(out: &Path, name: &str, course: &Course) -> Result<(), Failure> {
     write(out, &panels, &[name, "real", "imaginary"], rows)
 }
 
-/// Draws the map of stability changes: each kind of crossing by the first number, for each value of the second.
+/// Draws the map of stability changes: the first number at each kind of crossing, for each value of the second.
 ///
 /// # Errors
 /// [`Failure`] if a file cannot be written.
@@ -81,14 +81,14 @@ pub fn map(out: &Path, [first, second]: [&str; 2], found: &Map) -> Result<(), Fa
     write(out, &panels, &[second, "kind", first, "frequency"], rows)
 }
 
-/// The look of points that are unstable: a pale one.
+/// Style of the points of unstable motions: a pale one.
 const UNSTABLE: usize = 14;
 
-/// Points that are no curve.
+/// Series of separate points, without a line between them.
 fn marks(label: &str, style: usize, points: &[(f64, f64)]) -> Series {
     let apart = points.iter().flat_map(|point| [*point, (f64::NAN, f64::NAN)]).collect();
     let mut series = Series::curve(label.to_owned(), style, apart);
-    // A bar of no length for each: measurements carry a marker each.
+    // A bar without length for each point: series with bars have a marker for each point.
     series.spread = points.iter().flat_map(|(x, _)| [(*x, *x), (f64::NAN, f64::NAN)]).collect();
     series
 }

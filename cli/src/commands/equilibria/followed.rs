@@ -1,4 +1,4 @@
-//! A steady motion along a number, or over two.
+//! Steady motion followed along one number, or over two.
 
 use super::super::linearise::value_text;
 use super::figure;
@@ -14,10 +14,10 @@ use tripos::studies::steady::{Course, Crossing, CrossingKind, Map, Point, follow
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 
-/// Follows a steady motion along a number.
+/// Follows a steady motion along a number, prints it, and draws it if `out` is given. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if there is none to begin with, or the figure cannot be written.
+/// [`Failure`] if there is no steady motion at the first value, or if the figure cannot be written.
 pub fn along(
     model: &mut Mechanism,
     source: &Source,
@@ -40,10 +40,10 @@ pub fn along(
     Ok(0)
 }
 
-/// Follows a steady motion along one number for each value of another.
+/// Follows a steady motion along one number for each value of another, prints the map, and draws it if `out` is given.
 ///
 /// # Errors
-/// [`Failure`] if there is none at any of them, or the figure cannot be written.
+/// [`Failure`] if there is no steady motion for any value, or if the figure cannot be written.
 pub fn over_two(
     model: &mut Mechanism,
     source: &Source,

@@ -1,22 +1,22 @@
-//! The range of an option `NAME=FROM:TO:COUNT`.
+//! Range of values from an option `NAME=FROM:TO:COUNT`.
 
 use tripos::{Error, Mechanism};
 use tripos_derive::diagnostic::nearest;
 use tripos_derive::scene::Asked;
 
-/// Values of a number of a state file or a model.
+/// Values of a number of a state file or a model, along which a motion is followed.
 pub struct Range {
-    /// Its name.
+    /// Name of the number.
     pub name: String,
-    /// The values, in order.
+    /// Values of the number, in order.
     pub values: Vec<f64>,
 }
 
 impl Range {
-    /// Reads it.
+    /// Reads a range from the text `NAME=FROM:TO:COUNT` of an option.
     ///
     /// # Errors
-    /// [`Error::Request`] if it is none, or there is no such number.
+    /// [`Error::Request`] if the text is no range, or if the model and the state file have no such number.
     pub fn new(model: &Mechanism, asked: &Asked, over: &str) -> Result<Self, Error> {
         let how = "write NAME=FROM:TO:COUNT, such as v=0:10:11";
         let wrong = || Error::request(format!("`{over}` are no values to follow"), how);

@@ -1,6 +1,7 @@
 //! A linear system for other programs and for documents: Python, MATLAB and LaTeX.
 //!
-//! Numbers have all their digits in programs, six in documents. If symbols were kept, matrices are functions of them.
+//! Numbers have all their digits in programs, six in documents. If symbols were kept, the matrices are functions of
+//! these.
 
 use super::{kind_of, names, taking_part, value_text};
 use crate::arguments::Notation;
@@ -11,16 +12,16 @@ use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::text::print::{latex, latex_of, python_of};
 
-/// The matrices of a system, each entry in words of one notation.
+/// Matrices of a linear system, each entry as text in a notation.
 struct Written {
-    /// A, B, C and D.
+    /// Entries of A, B, C and D, row by row.
     matrices: [Vec<Vec<String>>; 4],
-    /// The widths of the four, which rows that are not there do not tell.
+    /// Numbers of columns of A, B, C and D; a matrix without rows does not show its own.
     widths: [usize; 4],
     letters: Vec<String>,
 }
 
-/// The system in a notation that is not text.
+/// Writes a linear system in a notation for programs or documents.
 pub fn written(model: &Mechanism, found: &About, letters: Option<&Letters>, notation: Notation) -> String {
     let (states, system) = (names(found, &found.system.kept), &found.system);
     let widths = [states.len(), found.inputs.len(), states.len(), found.inputs.len()];
@@ -38,7 +39,7 @@ pub fn written(model: &Mechanism, found: &About, letters: Option<&Letters>, nota
     }
 }
 
-/// Comment lines at the head: the state, and the eigenvalues with the states that move in their modes.
+/// Comment lines at the head of the text: the state, and the eigenvalues with the states that move in their modes.
 fn head(model: &Mechanism, found: &About, mark: &str) -> String {
     let mut out = format!("{mark} {}: near {}, in SI units\n", model.title, kind_of(found));
     let at: Vec<String> = found.states().map(|(name, x)| format!("{name} = {x:?}")).collect();
@@ -65,7 +66,8 @@ fn in_letters(letters: &Letters, at: usize, notation: Notation) -> Vec<Vec<Strin
     letters.matrices[at].iter().map(|row| row.iter().map(entry).collect()).collect()
 }
 
-/// Six significant digits, without zeros at the end of decimals; a power of ten where there would be many zeros.
+/// Text of a number with six significant digits, without zeros at the end of decimals; very large and small numbers
+/// have a power of ten.
 fn six_digits(x: f64) -> String {
     if x.abs() <= 0.0 {
         return "0".to_owned();
@@ -152,7 +154,7 @@ impl Written {
             }
             let rows: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
             let most = self.widths[at];
-            // amsmath takes ten columns unless it is told of more.
+            // amsmath sets matrices of up to ten columns unless it is told of more.
             if most > 10 {
                 let _ = writeln!(out, "\\setcounter{{MaxMatrixCols}}{{{most}}}");
             }
@@ -163,7 +165,7 @@ impl Written {
     }
 }
 
-/// The name of a state, or the formula of an output, as mathematics.
+/// Writes the name of a state, or the formula of an output, as mathematics in LaTeX.
 fn name_in_latex(name: &str) -> String {
     let mut arena = Arena::new();
     parse_free(&mut arena, name).map_or_else(|_| format!("\\text{{{name}}}"), |e| latex(&arena, e))

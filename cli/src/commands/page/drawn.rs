@@ -1,6 +1,6 @@
-//! Figures of a scene's runs: states and energies, drawn, with what they plot beside the page.
+//! Figures of a scene's runs: drawn states and energies, with their data in tables beside the page.
 //!
-//! Invariant: a row of the table is a point that was given to the plot, so that the two cannot differ.
+//! Invariant: a row of a table is a point that was given to the plot, so that both cannot differ.
 
 use crate::failure::Failure;
 use crate::output::{folder, table, text};
@@ -13,8 +13,8 @@ use tripos_codegen::scene_files::name_beside;
 use tripos_derive::plain::is_forbidden;
 use tripos_derive::scene::Scene;
 
-/// The folder of a scene's tables, as seen from the page: that of its name. A scene beside the model gives way to one
-/// in `scenes/`.
+/// Folder of a scene's tables, relative to the page: it has the scene's name. If a scene in `scenes/` has the same name
+/// as a scene beside the model, the latter gets a longer one.
 pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
     let (model, path) = (&model.source.path, &scene.source.path);
     let stem = folder_name(&path.file_stem().unwrap_or_default().to_string_lossy());
@@ -27,28 +27,29 @@ pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
     name.into()
 }
 
-/// A name that is one folder in that of the page, whatever a file is called: neither a way out of it, nor the page
-/// itself, nor anything that steers a terminal.
+/// Makes a name for a folder inside that of the page from any name of a file. The folder lies in no other place, is not
+/// the page itself, and its name holds no character that controls a terminal.
 fn folder_name(stem: &str) -> String {
     let plain: String = stem.chars().map(|c| if is_forbidden(c) || c == '/' || c == '\\' { '_' } else { c }).collect();
     if plain.trim_matches('.').is_empty() || plain == "index.html" { format!("scene {plain}") } else { plain }
 }
 
-/// Draws figures of one scene and writes their tables.
+/// Drawer of a scene's figures, which also writes their tables.
 pub struct Drawn<'a> {
-    /// The folder of the page.
+    /// Folder of the page.
     pub out: &'a Path,
-    /// In it, that of the scene.
+    /// Folder of the scene, inside that of the page.
     pub folder: PathBuf,
-    /// Number of figures of each name.
+    /// Number of figures so far, by the name of the figure.
     pub names: BTreeMap<String, usize>,
 }
 
 impl Drawn<'_> {
-    /// Panels as a figure: `NAME.svg` and `NAME.csv`, a second one of the name `NAME-2`.
+    /// Draws panels as a figure, and writes it to `NAME.svg` and its data to `NAME.csv`. A second figure of the name is
+    /// `NAME-2`.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if it cannot be drawn, [`Failure::Output`] if a file cannot be written.
+    /// [`Failure::Refused`] if the figure cannot be drawn, [`Failure::Output`] if a file cannot be written.
     pub fn figure(&mut self, name: &str, caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
         let count = self.names.entry(name.to_owned()).or_default();
         *count += 1;
@@ -64,7 +65,7 @@ impl Drawn<'_> {
     }
 }
 
-/// The points of a panel.
+/// Rows of the table of a panel, one for each point: quantity, equations, t and value.
 fn rows(panel: &Panel) -> impl Iterator<Item = Vec<String>> + '_ {
     panel.series.iter().flat_map(move |series| {
         let row = |(t, value): &(f64, f64)| {
@@ -74,10 +75,10 @@ fn rows(panel: &Panel) -> impl Iterator<Item = Vec<String>> + '_ {
     })
 }
 
-/// Panels as a figure of the page alone.
+/// Draws panels as a figure of the page, without a table.
 ///
 /// # Errors
-/// [`Failure::Refused`] if it cannot be drawn.
+/// [`Failure::Refused`] if the figure cannot be drawn.
 pub fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
     let svg = draw(panels, columns)
         .map_err(|error| Error::Stopped(format!("the figure `{caption}` cannot be drawn: {error}")))?;

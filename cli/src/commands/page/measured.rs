@@ -1,6 +1,6 @@
-//! Figures of a scene that take runs of their own: speed against accuracy, passages, conditioning.
+//! Figures of a scene that need runs of their own: speed against accuracy, passages, conditioning.
 //!
-//! Invariant: every point of such a figure is in a table beside the page, in a folder named after the scene.
+//! Invariant: every point of these figures is in a table beside the page, in the folder of the scene.
 
 use super::drawn::after;
 use crate::chart::words::{TARGETS, caption, fastest, lead};
@@ -15,30 +15,30 @@ use tripos::studies::chart::{Plan, session};
 use tripos::studies::stability::{Findings, Run, Study, conditioning, ladder};
 use tripos_derive::scene::{FigureKind, Scene};
 
-/// Measurements of a scene, as far as its figures ask for them.
+/// Measurements of a scene, as far as its figures need them.
 pub struct Measured<'a> {
     model: &'a Mechanism,
     scene: &'a Scene,
-    /// The folder of the page, and in it that of the scene.
+    /// Folder of the page; `folder` is that of the scene, inside it.
     out: &'a Path,
     folder: PathBuf,
     findings: Findings,
-    /// Recommendation that follows from the chart.
+    /// Recommendation of a method from the speed chart; `None` if it was not measured.
     pub advice: Option<Advice>,
-    /// Figures that this scene cannot have, and why.
+    /// Figures that this scene cannot have, each with the reason.
     pub not_drawn: Vec<String>,
 }
 
 impl<'a> Measured<'a> {
-    /// Nothing is measured yet.
+    /// Creates the measurements of a scene, with nothing measured yet.
     pub fn new(model: &'a Mechanism, scene: &'a Scene, out: &'a Path, folder: PathBuf) -> Self {
         Self { model, scene, out, folder, findings: Findings::default(), advice: None, not_drawn: Vec::new() }
     }
 
-    /// The figure, measured; nothing if the scene cannot have it, which [`Self::not_drawn`] then explains.
+    /// Measures and draws a figure; `None` if the scene cannot have it. [`Self::not_drawn`] then has the reason.
     ///
     /// # Errors
-    /// [`Failure::Output`] if its table cannot be written.
+    /// [`Failure::Output`] if the table of the figure cannot be written.
     pub fn figure(&mut self, kind: FigureKind, own: &str) -> Result<Option<Figure>, Failure> {
         let result = match kind {
             FigureKind::WorkPrecision => self.work_precision(),
@@ -49,7 +49,7 @@ impl<'a> Measured<'a> {
         match result {
             Ok(figure) => Ok(figure.map(|figure| Figure { caption: after(own, &figure.caption), ..figure })),
             Err(Failure::Output(path, error)) => Err(Failure::Output(path, error)),
-            // The page has other things to show.
+            // A figure that fails does not stop the page.
             Err(failure) => {
                 let why = failure.to_string().trim_start_matches("error: ").replace('\n', "; ");
                 self.not_drawn.push(format!("The figure `{}` cannot be drawn: {why}", kind.name()));
@@ -58,7 +58,7 @@ impl<'a> Measured<'a> {
         }
     }
 
-    /// Folder for a table, and the link from the page to it.
+    /// Makes the folder for a table, and returns it with the link from the page to the table.
     fn table(&self, name: &str) -> Result<(PathBuf, String), Failure> {
         let folder = self.out.join(&self.folder);
         make(&folder)?;
@@ -103,14 +103,15 @@ impl<'a> Measured<'a> {
         Ok(Some(Figure { caption: words::conditioning(self.model, &self.findings), svg, remark: None, data }))
     }
 
-    /// Writes what was found. It is written anew after each study: the tables have the numbers of all.
+    /// Writes the findings so far. They are written again after each study: the tables have the numbers of all studies.
     fn tables(&self, names: &[&str]) -> Result<Vec<String>, Failure> {
         let (folder, _) = self.table("")?;
         tables(&self.findings, &folder)?;
         names.iter().map(|name| Ok(self.table(name)?.1)).collect()
     }
 
-    /// Runs a study of stability and gives its figure; without one the scene has no such place.
+    /// Runs a study of stability and draws its figure; `None` if the motion passes no place where the kinematic
+    /// equations divide by zero.
     fn study(&mut self, kind: FigureKind, run: Run) -> Result<Option<String>, Failure> {
         let before = self.findings.figures.len();
         run(&Study { model: self.model, scene: self.scene, quick: true, progress: &() }, &mut self.findings)?;

@@ -1,4 +1,4 @@
-//! The scene whose motion the page shows, and its figure: the viewer of `tripos view`, in the page.
+//! Scene whose motion the page shows, and the figure of the motion: the viewer of `tripos view`, in the page.
 
 use crate::failure::Failure;
 use crate::follow;
@@ -8,7 +8,7 @@ use tripos::Mechanism;
 use tripos::pictures::view::{Motion, View};
 use tripos_derive::scene::Scene;
 
-/// The motion of one of the scenes; nothing where none was finished, or somebody interrupts.
+/// Figure of the motion of one scene; `None` if no scene was finished, or after an interruption.
 pub fn moving(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) -> Option<Moving> {
     if follow::asked() {
         return None;
@@ -18,7 +18,7 @@ pub fn moving(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) ->
     Some(Moving { scene, viewer })
 }
 
-/// The scene that is worth a look: whose run is right and arrives, of these the longest, of these the first.
+/// Index of the scene to show: one whose run is right and reaches its end; of these the longest, and then the first.
 fn best(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
     let rank = |at: usize| {
         let first = sections[at].runs.iter().find(|run| run.printed.is_none());

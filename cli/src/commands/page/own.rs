@@ -1,4 +1,5 @@
-//! A scene's own equations on the page: what they are, their run, and what runs of whole equations show beside it.
+//! Reduced equations of a scene on the page: their description, their run, and the same outputs from runs of whole
+//! equations.
 
 use crate::failure::Failure;
 use crate::page::Needs;
@@ -8,24 +9,24 @@ use tripos_codegen::plan::costs;
 use tripos_derive::scene::{Scene, Solve};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
-/// A scene's own equations, and their run.
+/// Reduced equations of a scene, and their run.
 pub struct Own {
-    /// Reduced equations of the scene, and the cost of a call.
+    /// Reduced equations of the scene, with their costs.
     pub needs: Needs,
-    /// Run by these equations.
+    /// Run of the scene by its reduced equations.
     pub run: Run,
-    /// Watched quantities along the run, if it shows every state.
+    /// Watched quantities along the run; `None` if the equations do not show every state.
     pub course: Option<Course>,
 }
 
 impl Own {
-    /// Derives and runs them.
+    /// Derives the reduced equations of a scene and runs them.
     ///
     /// # Errors
-    /// [`Failure`] if the scene has no equations of its own, or they cannot be run.
+    /// [`Failure`] if the scene has no reduced equations, or if they cannot be run.
     pub fn new(model: &Mechanism, scene: &Scene, watch: &Watch) -> Result<Self, Failure> {
         let mut reduced = Reduced::new(model, scene)?;
-        // They are solved: nothing is left to a numeric solve.
+        // Reduced equations are solved for the accelerations: a numeric solve has nothing to do.
         reduced.scene.integration.solve = Some(Solve::Eliminated);
         let code = reduced.code(model)?;
         let watch = (!scene.states_outputs).then_some(watch);
@@ -37,12 +38,12 @@ impl Own {
     }
 }
 
-/// A state in twice its precision.
+/// Copy of a state in twice the precision of doubles.
 pub fn wide(state: &[f64]) -> Vec<DoubleDouble> {
     state.iter().copied().map(DoubleDouble::from_f64).collect()
 }
 
-/// Values of a scene's outputs along a run, sample by sample; NaN if whole states do not give an output.
+/// Values of a scene's outputs along a run, sample by sample; NaN if whole states do not determine an output.
 pub fn shown(compared: &Compared, run: &Run) -> Vec<Vec<f64>> {
     if run.by.is_reduced() {
         return run.states.clone();

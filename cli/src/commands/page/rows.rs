@@ -6,7 +6,7 @@ use tripos::{Course, Digits, Mechanism, Run, method_words, state_names};
 use tripos_derive::scene::Scene;
 use tripos_sim::Stop;
 
-/// The course of a run along which nothing was watched.
+/// Empty course, for a run along which no quantity was watched.
 pub static UNWATCHED: Course = Course {
     t: Vec::new(),
     integrals: Vec::new(),
@@ -15,13 +15,13 @@ pub static UNWATCHED: Course = Course {
     divisors: Vec::new(),
 };
 
-/// The title of a scene; without one, its file's name.
+/// Title of a scene, or the name of its file if it has no title.
 pub fn title(scene: &Scene) -> String {
     let stem = || scene.source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
     if scene.title.is_empty() { stem() } else { scene.title.clone() }
 }
 
-/// The impacts of a run, in words; nothing where there are none.
+/// Impacts of a run in words; `None` if it has none.
 pub fn impacts(run: &Run) -> Option<(&'static str, Fact)> {
     let list = run.impacts();
     let (first, last) = (list.first()?, list.last()?);
@@ -52,7 +52,7 @@ pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Fact)> {
     numbers.chain(words.map(|(what, words)| (what, Fact::Words(words)))).collect()
 }
 
-/// The row of a run.
+/// Row about a run in the page's table of runs.
 pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> RunRow {
     let solution = &run.solution;
     RunRow {
@@ -81,18 +81,18 @@ pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> Run
     }
 }
 
-/// From when on a run has fewer than three digits, s; nothing if it keeps them, or that was not assessed.
+/// Time from which on a run has fewer than three digits, s; `None` if it keeps them, or if this was not assessed.
 fn few_from(run: &Run) -> Option<f64> {
     let digits = run.digits.as_ref()?;
     digits.first_with_few().map(|(instant, _)| digits.t[instant])
 }
 
-/// The row of the scene's own equations.
+/// Row about the run by the scene's reduced equations in the page's table of runs.
 pub fn own_row(scene: &Scene, own: &Own, standing: Standing) -> RunRow {
     row(scene, &own.run, own.course.as_ref().unwrap_or(&UNWATCHED), standing)
 }
 
-/// The least and the greatest of some values.
+/// Smallest and largest of the values that are numbers; `None` without such values.
 fn range(values: &[f64]) -> Option<(f64, f64)> {
     let numbers = || values.iter().copied().filter(|x| !x.is_nan());
     Some((numbers().min_by(f64::total_cmp)?, numbers().max_by(f64::total_cmp)?))

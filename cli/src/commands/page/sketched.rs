@@ -1,4 +1,4 @@
-//! The sketch at the top of the page.
+//! Sketch of the mechanism at the top of the page.
 
 use crate::page::Drawing;
 use crate::sketch::figure;
@@ -6,8 +6,8 @@ use tripos::Mechanism;
 use tripos::pictures::sketch::Sketch;
 use tripos_derive::scene::Scene;
 
-/// The sketch of a mechanism, at the start of a scene if one is given, as `tripos sketch` draws it; or why there is
-/// none.
+/// Draws the sketch of a mechanism, at the start of a scene if one is given, as `tripos sketch` does; an error is the
+/// reason why there is no sketch.
 pub fn sketched(mechanism: &Mechanism, scene: Option<&Scene>) -> Result<Drawing, String> {
     let sketch = scene.map_or_else(|| Sketch::of_model(mechanism), |scene| Sketch::of_scene(mechanism, scene));
     let sketch = sketch.map_err(|error| error.first_line())?;

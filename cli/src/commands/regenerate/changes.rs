@@ -1,6 +1,6 @@
-//! Changes that an edit makes to the equations of a model of the workspace. The model that the committed equations were
-//! derived from is derived again, and compared with the model as it is. No text of equations is read: most of it stands
-//! by names that mean something else after an edit.
+//! Changes that an edit makes to the equations of a model of the workspace. The model from which the committed
+//! equations were derived is derived again, and compared with the model as it is now. The text of equations is not
+//! compared: most names in it mean something else after an edit.
 
 use crate::commands::diff::changed_equations;
 use std::path::Path;
@@ -10,17 +10,17 @@ use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::model::load;
 use tripos_derive::plain::path_in_line;
 
-/// Result of comparing the equations of a model before and after an edit.
+/// Comparison of the equations of a model before and after an edit.
 pub enum Equations {
-    /// They mean what they meant.
+    /// The equations have the same meaning.
     Same,
-    /// Changes, in lines.
+    /// The equations changed; the text has a line for each change.
     Changed(String),
-    /// Why that is not known.
+    /// The comparison failed, for this reason.
     Unknown(String),
 }
 
-/// Compares the equations of the model in a folder with the committed ones.
+/// Compares the equations of the model in a folder with the committed equations.
 pub fn equations_of(models: &Path, committed: &Path, folder: &str) -> Equations {
     let (path, before) = (models.join(folder).join("model.toml"), committed.join(folder).join(DERIVED_FROM));
     let Ok(text) = std::fs::read_to_string(&before) else {
@@ -39,7 +39,7 @@ fn compared(path: &Path, before: String) -> Result<Option<String>, Diagnostics> 
     if new.source.text == before {
         return Ok(None);
     }
-    // What a model names beside itself lies where it lay.
+    // Files that the old model names are sought beside the model as it is now.
     let old = load(&Source { path: path.to_owned(), text: before })?;
     changed_equations(&old, &new)
 }

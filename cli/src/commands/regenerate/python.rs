@@ -1,4 +1,4 @@
-//! A Python that has the SymPy of `tests/sympy/requirements.txt`, and programs that get only so much time.
+//! Search for a Python with the SymPy of `tests/sympy/requirements.txt`, and runs of programs with a time limit.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -7,13 +7,13 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 use tripos_derive::reference::environment_name;
 
-/// Importing SymPy takes a second or two, on a cold disk more.
+/// Longest time for an import of SymPy: it takes a second or two, from a cold disk more.
 const TIME_TO_IMPORT: Duration = Duration::from_secs(60);
-/// More than any program here writes.
+/// Largest number of bytes that are read from a program: more than any program here writes.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// The interpreter that runs the reference: the variable `TRIPOS_PYTHON`; else the environment that the tests made,
-/// if they did; else `python3`. Why there is none, otherwise.
+/// Finds the interpreter that runs the reference. It is the variable `TRIPOS_PYTHON`; else the environment that the
+/// tests made, if they did; else `python3`. An error is the reason why none of these serves.
 pub fn find(root: &Path) -> Result<PathBuf, String> {
     let requirements = root.join("tests/sympy/requirements.txt");
     let requirements =
@@ -32,7 +32,7 @@ fn candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
     if let Some(python) = std::env::var_os("TRIPOS_PYTHON").filter(|path| !path.is_empty()) {
         return vec![python.into()];
     }
-    // Cargo marks its folder for what it builds; this program stands in it, whatever it is called.
+    // Cargo marks its target folder with a file; this program lies in that folder, even if it has another name.
     let program = std::env::current_exe().unwrap_or_default();
     let built = program.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file());
     let python = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
@@ -61,25 +61,25 @@ fn check(python: &Path, requirements: &str) -> Result<(), String> {
     }
 }
 
-/// Exit status and output of a program.
+/// Exit status and output of a program that ended.
 pub struct Output {
-    /// The exit status.
+    /// Exit status of the program.
     pub status: ExitStatus,
-    /// Standard output.
+    /// Text of the program's standard output.
     pub stdout: String,
-    /// Standard error.
+    /// Text of the program's standard error.
     pub stderr: String,
 }
 
 impl Output {
-    /// The last line on standard error, where Python says what went wrong; else how it ended.
+    /// Last line on standard error, where Python says what went wrong; else the exit status.
     pub fn last_line(&self) -> String {
         let line = self.stderr.lines().map(str::trim).rfind(|line| !line.is_empty());
         line.map_or_else(|| self.status.to_string(), str::to_owned)
     }
 }
 
-/// Runs a program to its end, which is brought about when the time is over.
+/// Runs a program to its end, or stops it when the time limit is over; an error is the reason why there is no output.
 pub fn run(command: &mut Command, limit: Duration) -> Result<Output, String> {
     let end = Instant::now() + limit;
     let command = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -87,12 +87,12 @@ pub fn run(command: &mut Command, limit: Duration) -> Result<Output, String> {
     let (stdout, stderr) = (reader(child.stdout.take()), reader(child.stderr.take()));
     let late = || format!("it took more than {} s and was stopped", limit.as_secs_f64());
     let Some(status) = wait(&mut child, end).map_err(|error| error.to_string())? else {
-        // It may have ended just now; either way nothing of it stays.
+        // The program may have ended just now; in either case nothing of it remains.
         let _ = child.kill();
         let _ = child.wait();
         return Err(late());
     };
-    // A program that it started may hold the pipes open: that gets no more time either.
+    // A program that the child started may hold the pipes open: it gets no more time either.
     let collect = |text: Receiver<Vec<u8>>| {
         let left = end.saturating_duration_since(Instant::now()).max(Duration::from_millis(100));
         let bytes = text.recv_timeout(left).map_err(|_| late())?;
@@ -113,14 +113,14 @@ fn wait(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitStatus>> 
     }
 }
 
-/// Reads beside the program, so that a full pipe does not stop it.
+/// Reads the output of a child process in a thread of its own, so that a full pipe does not stop the child.
 fn reader(pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
         let mut bytes = Vec::new();
         if let Some(mut pipe) = pipe {
             let _ = pipe.by_ref().take(MOST_BYTES).read_to_end(&mut bytes);
-            // Nobody waits for what comes after.
+            // Output beyond the limit is read and dropped.
             let _ = std::io::copy(&mut pipe, &mut std::io::sink());
         }
         let _ = sender.send(bytes);

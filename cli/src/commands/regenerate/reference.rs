@@ -1,4 +1,4 @@
-//! The reference beside each model, derived by SymPy: renewed where there is a Python, recorded only where it agrees.
+//! Reference beside each model, derived by SymPy: renewed if there is a Python, and recorded only if it agrees.
 
 use super::python::{find, run};
 use crate::failure::{Failure, print, status, warn};
@@ -18,21 +18,21 @@ use tripos_derive::reference::{Compared, Reference, compare};
 /// Time limit for SymPy on one model; the models of the library take seconds.
 const TIME: Duration = Duration::from_secs(120);
 
-/// Outcome of checking one model.
+/// Outcome of renewing the SymPy reference of one model.
 enum Outcome {
-    /// It agrees in so many entries, and is recorded now.
+    /// The reference agrees in this number of entries, and is recorded now.
     Recorded(usize),
-    /// It agrees in so many entries, as recorded.
+    /// The reference agrees in this number of entries, as it was recorded.
     Unchanged(usize),
-    /// SymPy does not derive this model, which is recorded with its reason.
+    /// SymPy does not derive this model; the reference records the reason.
     NotDerived(String),
-    /// There is none, for a reason that says nothing about the equations.
+    /// SymPy did not run to its end, for a reason that says nothing about the equations.
     NotRenewed(String),
-    /// It disagrees, or cannot be compared: lines for people.
+    /// The reference disagrees, or cannot be compared: lines for people.
     Refused(String),
 }
 
-/// Derives every model anew by SymPy and records what agrees; exit status 1 if anything does not.
+/// Derives every model anew by SymPy and records references that agree; exit status 1 if one does not.
 pub fn renew(root: &Path, models: &[String]) -> Result<u8, Failure> {
     let python = match find(root) {
         Ok(python) => python,
@@ -103,7 +103,7 @@ fn record(reference: &Source, count: usize) -> Outcome {
     }
 }
 
-/// Number of compared entries, and some lines for each that does not agree.
+/// Compares a model with its reference. Returns the number of entries, and lines about each that does not agree.
 fn disagreements(model: &Path, reference: &Source) -> Result<(usize, Vec<String>), String> {
     let model = Model::read(model).map_err(|error| error.to_string())?;
     let reference = Reference::read(reference).map_err(|error| error.to_string())?;
@@ -133,7 +133,7 @@ fn describe(arena: &Arena, entry: &Compared) -> String {
     out
 }
 
-/// Recorded references that are missing, broken or of another model text, each in a line. Runs no Python.
+/// Lines about recorded references that are missing, broken or of another model text. No Python is run.
 pub fn check(root: &Path, models: &[String]) -> Vec<String> {
     let mut lines = Vec::new();
     for name in models {
@@ -143,7 +143,7 @@ pub fn check(root: &Path, models: &[String]) -> Vec<String> {
             lines.push(format!("missing  {file}"));
             continue;
         }
-        // A model that cannot be read is an error of its own.
+        // A model that cannot be read is reported elsewhere.
         let Ok(model) = Source::read(&path.with_file_name("model.toml")) else { continue };
         let reference = match Source::read(&path) {
             Ok(source) => Reference::read(&Source { path: file.clone().into(), ..source }),

@@ -1,4 +1,4 @@
-//! The gradient of what a run shows at its end, as `tripos simulate --gradient` prints it.
+//! Gradient of a number at the end of a run, as `tripos simulate --gradient` prints it.
 
 use super::derivatives::of_unit;
 use super::{as_json, as_text, shown_failure};
@@ -11,6 +11,7 @@ use tripos::studies::sensitivity::gradient::Slope;
 use tripos::{Gradient, Mechanism, gradient};
 use tripos_derive::scene::Scene;
 
+<<<<<<< HEAD
 /// Runs the scene and prints how it ended, and the derivatives of one number there by all others.
 pub fn simulate(
     request: &Simulate,
@@ -19,6 +20,10 @@ pub fn simulate(
     set: &[(String, f64)],
     of: &str,
 ) -> Result<u8, Failure> {
+=======
+/// Runs a scene and prints its end, with the derivatives of one number there by all parameters and start values.
+pub fn simulate(request: &Simulate, (model, scene): (&Mechanism, &Scene), of: &str) -> Result<u8, Failure> {
+>>>>>>> comments
     check(request)?;
     follow::listen();
     follow::show(scene.span);
@@ -35,7 +40,7 @@ pub fn simulate(
     Ok(status)
 }
 
-/// Refuses what does not go together with a gradient.
+/// Refuses options that cannot be combined with a gradient.
 fn check(request: &Simulate) -> Result<(), Failure> {
     let refuse = |what: &str, help: &str| Err(Failure::request(what.to_owned(), help.to_owned()));
     if !request.sensitivity.is_empty() {
@@ -59,7 +64,7 @@ fn add_to(whole: &mut Value, of: &Gradient) {
     whole.insert("gradient_assessed_by".to_owned(), json!(of.assessed_by));
 }
 
-/// The derivatives, a line each.
+/// Text of the gradient, a line for each derivative.
 fn in_words(of: &Gradient) -> String {
     let what = if of.is_total { "in all, as that instant moves" } else { "at that instant" };
     let mut out = format!("\ngradient of {} at t = {} s, {what}\n", of.of, of.run.solution.t_end);

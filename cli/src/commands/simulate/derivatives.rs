@@ -6,7 +6,7 @@ use tripos::Sensitivities;
 use tripos_derive::model::TIME;
 use tripos_sim::Stop;
 
-/// The places of what is shown: time changes with nothing.
+/// Indices of the values that are shown: all except the time, whose derivatives are shown apart.
 fn shown(of: &Sensitivities) -> impl Iterator<Item = usize> {
     (0..of.names.len()).filter(|at| of.names[*at] != TIME)
 }
@@ -37,7 +37,7 @@ pub fn add_to(whole: &mut Value, of: &Sensitivities) {
     }
 }
 
-/// The derivatives at the end, a line each.
+/// Text of the derivatives at the end of the run, a line each.
 pub fn in_words(of: &Sensitivities) -> String {
     let mut out = String::new();
     for (k, by) in of.by.iter().enumerate() {
@@ -64,17 +64,17 @@ pub fn in_words(of: &Sensitivities) -> String {
     out + &why
 }
 
-/// A unit behind a number; nothing if it is none, or not known.
+/// Unit as text behind a number; empty if the quantity has no unit, or if it is not known.
 pub fn of_unit(unit: Option<&String>) -> String {
     unit.filter(|unit| *unit != "1").map_or_else(String::new, |unit| format!(" {unit}"))
 }
 
-/// The names of the columns of the samples.
+/// Names of the columns of derivatives in the table of samples.
 pub fn header(of: &Sensitivities) -> impl Iterator<Item = String> {
     of.by.iter().flat_map(move |by| shown(of).map(move |at| format!("d({})/d({by})", of.names[at])))
 }
 
-/// The columns of a sample.
+/// Derivatives at a sample, in the order of the columns of [`header`].
 pub fn row(of: &Sensitivities, sample: usize) -> impl Iterator<Item = f64> {
     of.samples.iter().flat_map(move |list| shown(of).map(move |at| list[sample][at]))
 }

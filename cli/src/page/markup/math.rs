@@ -1,4 +1,4 @@
-//! Names and formulas as MathML.
+//! Names and formulas of the page as MathML.
 
 use crate::page::markup::html::{count, each, escape};
 use tripos_derive::Model;
@@ -8,12 +8,12 @@ use tripos_derive::algebra::text::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{BalanceName, LineName, QuantityKind, RowName, Stage, VectorName};
 
-/// Characters of plain text, half a printed page, above which only a formula's number of operations is told: nobody
-/// reads on.
+/// Number of characters of plain text, half a printed page, above which the page shows only a formula's number of
+/// operations: nobody would read it.
 const LONGEST: usize = 1_500;
-/// Characters of plain text that a formula in a sentence, or in a row of a table, may have.
+/// Largest number of characters of plain text of a formula in a sentence, or in a row of a table.
 const LONGEST_IN_WORDS: usize = 420;
-/// A formula that is wider, in tenths of an em, may stand on several lines: about half of a phone.
+/// Width, in tenths of an em, above which a formula may break over several lines: about half of a phone.
 const PIECE: usize = 120;
 
 /// Number of characters of a formula's plain text; `None` if it is too long to be printed.
@@ -28,7 +28,7 @@ pub fn is_short(arena: &Arena, e: Expr) -> bool {
     length(arena, e).is_some_and(|length| length <= LONGEST_IN_WORDS)
 }
 
-/// A formula in one piece; of one that nobody would read the number of its operations.
+/// Formula as MathML, in one piece; a formula that is too long to read becomes the number of its operations.
 pub fn formula(arena: &Arena, e: Expr) -> String {
     match length(arena, e) {
         Some(_) => print::mathml(arena, e),
@@ -54,16 +54,16 @@ pub fn unread(command: &str) -> String {
     )
 }
 
-/// One side of an equation that is laid out in lines.
+/// Side of an equation that is laid out in lines.
 pub enum Side {
     /// MathML that stays in one piece.
     Whole(String),
-    /// Marks that may be broken at their signs.
+    /// Formula that may be broken over lines at its signs.
     Marks(View),
 }
 
 impl Side {
-    /// A formula; of one that nobody would read the number of its operations.
+    /// Side for a formula; if it is too long to read, the number of its operations.
     pub fn of(arena: &Arena, e: Expr) -> Self {
         match length(arena, e) {
             Some(_) => Self::Marks(print::view_of(arena, e)),
@@ -71,12 +71,12 @@ impl Side {
         }
     }
 
-    /// A formula in a sentence; of one that is too long for it the number of its operations.
+    /// Side for a formula in a sentence; if it is too long for that, the number of its operations.
     pub fn short(arena: &Arena, e: Expr) -> Self {
         if is_short(arena, e) { Self::of(arena, e) } else { Self::Whole(unprinted(arena, e)) }
     }
 
-    /// The pieces between which a line may end.
+    /// MathML of the pieces between which a line may end.
     fn pieces(&self) -> Vec<String> {
         match self {
             Self::Whole(content) => vec![content.clone()],
@@ -90,13 +90,13 @@ impl Side {
     }
 }
 
-/// Sides of an equation, or one formula, in pieces that may stand on several lines. It breaks after `=` and before
-/// signs; where it is wide, also inside parentheses.
+/// HTML of an equation by its sides, or of one formula, in pieces that may stand on several lines. It breaks after `=`
+/// and before signs; a wide formula also breaks inside parentheses.
 pub fn wrapped<'a>(sides: impl IntoIterator<Item = &'a Side>) -> String {
     let mut pieces: Vec<String> = Vec::new();
     for side in sides {
         if let Some(end) = pieces.last_mut() {
-            // The space between pieces stands for its own.
+            // The space between pieces replaces the space behind the sign.
             end.push_str("<mo form=\"infix\" rspace=\"0\">=</mo>");
         }
         pieces.extend(side.pieces());
@@ -104,7 +104,7 @@ pub fn wrapped<'a>(sides: impl IntoIterator<Item = &'a Side>) -> String {
     pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ")
 }
 
-/// Components as (x, y, z); where one is wide they may stand on several lines.
+/// HTML of components as (x, y, z); if one of them is wide, they may stand on several lines.
 pub fn tuple(arena: &Arena, components: &[Expr; 3]) -> String {
     let comma = "<mo separator=\"true\">,</mo>";
     let sides = components.map(|e| Side::of(arena, e));
@@ -130,12 +130,12 @@ pub fn tuple(arena: &Arena, components: &[Expr; 3]) -> String {
     pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ")
 }
 
-/// A formula in a sentence; of a long one the number of its operations.
+/// HTML of a formula in a sentence; if it is long, the number of its operations.
 pub fn said(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) { wrapped(&[Side::of(arena, e)]) } else { operations(arena, e) }
 }
 
-/// Words that say, in a sentence, that a term is zero.
+/// HTML of words for a sentence that says that a term is zero.
 pub fn vanishing(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) {
         wrapped(&[Side::of(arena, e), Side::Whole("<mn>0</mn>".to_owned())])
@@ -144,7 +144,7 @@ pub fn vanishing(arena: &Arena, e: Expr) -> String {
     }
 }
 
-/// Visible characters of the longest term of some marks: what cannot stand on several lines.
+/// Number of visible characters of the longest term of a formula: a term cannot stand on several lines.
 pub fn widest(view: &View) -> usize {
     match view {
         View::Sum(terms) => terms.iter().map(|(_, term)| 1 + factor_width(term)).max().unwrap_or(0),
@@ -152,7 +152,7 @@ pub fn widest(view: &View) -> usize {
     }
 }
 
-/// Visible characters of some marks beside each other.
+/// Number of visible characters of a formula in one line.
 fn width(view: &View) -> usize {
     match view {
         View::Number(text) | View::Name(text) | View::Word(text) | View::Shared(text) => text.chars().count(),
@@ -169,12 +169,12 @@ fn width(view: &View) -> usize {
     }
 }
 
-/// Visible characters of marks as a factor: a sum stands in parentheses.
+/// Number of visible characters of a formula as a factor: a sum stands in parentheses.
 fn factor_width(view: &View) -> usize {
     width(view) + if matches!(view, View::Sum(_)) { 2 } else { 0 }
 }
 
-/// A formula of the verdicts on a publication; of a long one the beginning, as text.
+/// HTML of a formula in the verdicts on a publication; a long formula is cut, and shown as text.
 pub fn value(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) {
         return wrapped(&[Side::of(arena, e)]);
@@ -188,7 +188,7 @@ pub fn value(arena: &Arena, e: Expr) -> String {
     )
 }
 
-/// A number with up to six significant digits.
+/// MathML of a number with up to six significant digits.
 pub fn decimal(x: f64) -> String {
     let short = format!("{x:.5e}").parse::<f64>().unwrap_or(x);
     let sign = if short < 0.0 { "<mo form=\"prefix\">−</mo>" } else { "" };
@@ -202,12 +202,12 @@ pub fn decimal(x: f64) -> String {
     format!("<mrow>{sign}<mn>{digits}</mn><mo>×</mo><msup><mn>10</mn><mn>{power}</mn></msup></mrow>")
 }
 
-/// A formula in the text.
+/// HTML of a formula among words, from its MathML.
 pub fn inline(content: &str) -> String {
     format!("<math>{content}</math>")
 }
 
-/// A symbol's name.
+/// MathML of a symbol's name.
 pub fn symbol(name: &str) -> String {
     match name.strip_suffix("star") {
         Some(letter) if !letter.is_empty() => {
@@ -217,7 +217,7 @@ pub fn symbol(name: &str) -> String {
     }
 }
 
-/// The name of a symbol of a model, told apart from one that would look like it.
+/// MathML of the name of a model's symbol, different from that of a symbol that would look like it.
 pub fn told_apart(model: &Model, name: &str) -> String {
     match print::symbol_view(&model.arena, name) {
         word @ View::Word(_) => print::mathml_of(&word),
@@ -225,17 +225,17 @@ pub fn told_apart(model: &Model, name: &str) -> String {
     }
 }
 
-/// A bold upright letter: a vector.
+/// MathML of a vector's letter: bold and upright.
 fn vector(letter: &str) -> String {
     format!("<mi mathvariant=\"normal\" class=\"vector\">{}</mi>", escape(letter))
 }
 
-/// Basis vector b₂ of frame B, for the axis 1 that is counted from 0.
+/// MathML of a basis vector, such as b₂ of frame B for the axis 1; axes are counted from 0.
 pub fn basis(frame: &str, axis: usize) -> String {
     format!("<msub>{}<mn>{}</mn></msub>", vector(&frame.to_lowercase()), axis + 1)
 }
 
-/// A vector of a point, frame or body in the inertial frame, such as ᴺωᶜ.
+/// MathML of a vector of a point, frame or body in the inertial frame, such as ᴺωᶜ.
 fn motion(model: &Model, name: VectorName, of: usize) -> String {
     let letter = match name {
         VectorName::AngularVelocity => "ω",
@@ -247,7 +247,7 @@ fn motion(model: &Model, name: VectorName, of: usize) -> String {
     format!("<mmultiscripts>{base}<mrow></mrow>{of}<mprescripts/><mrow></mrow>{inertial}</mmultiscripts>")
 }
 
-/// Left side of a line of a derivation.
+/// MathML of the left side of a line of a derivation.
 pub fn line_name(model: &Model, name: &LineName) -> String {
     match name {
         LineName::Quantity(kind) => quantity(model, kind),
@@ -273,19 +273,19 @@ fn quantity(model: &Model, kind: &QuantityKind) -> String {
     }
 }
 
-/// A generalized force of a speed or coordinate.
+/// MathML of the generalized force along a speed or coordinate.
 fn force(letter: &str, of: &str) -> String {
     format!("<msub><mi>{letter}</mi><mrow>{}</mrow></msub>", symbol(of))
 }
 
-/// The heading of a step, with a velocity typeset, as HTML.
+/// HTML of the heading of a derivation's step, with a velocity typeset.
 pub fn stage_title(model: &Model, stage: Stage) -> String {
     let Stage::Velocities { vector, of, frame } = stage else { return escape(&stage.title(model)) };
     let (of, frame) = (inline(&motion(model, vector, of)), inline(&symbol(&model.frames[frame].name)));
     format!("Velocity and partial velocities: {of}, components in {frame}")
 }
 
-/// Name of a row: a speed, a coordinate, or words such as `disk force along b₁`.
+/// HTML of the name of a row of equations: a speed, a coordinate, or words such as `disk force along b₁`.
 pub fn row_name(model: &Model, row: &RowName) -> String {
     match row {
         RowName::Speed(_) | RowName::Coordinate(_) => inline(&told_apart(model, &row.text(model))),
@@ -299,14 +299,14 @@ pub fn row_name(model: &Model, row: &RowName) -> String {
     }
 }
 
-/// Rows in square brackets. The brackets are drawn by the style sheet: without a mathematical font a
+/// MathML of a matrix in square brackets. The brackets are drawn by the style sheet: without a mathematical font a
 /// browser does not stretch them.
 pub fn matrix(rows: &[Vec<String>]) -> String {
     let row = |cells: &Vec<String>| format!("<mtr>{}</mtr>\n", each(cells, |cell| format!("<mtd>{cell}</mtd>")));
     format!("<mtable class=\"matrix\">\n{}</mtable>", each(rows, row))
 }
 
-/// Lines `left = right` under each other at their equals signs; what is wide may stand on several lines.
+/// HTML of lines `left = right`, aligned at their equals signs; a wide side may stand on several lines.
 pub fn lines(lines: &[(Side, Side)]) -> String {
     format!("<table class=\"lines\">\n<tbody>\n{}</tbody>\n</table>\n", each(lines, line))
 }

@@ -1,11 +1,11 @@
-//! Transcribed formulas as marks, term by term as they are printed.
+//! Formulas of a publication as trees for typesetting, term by term as they are printed.
 //!
 //! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do: a reader finds the
-//! printed formula again. What is not a formula is left to be shown as text.
+//! printed formula again. Text that is no formula is left to be shown as text.
 
 use tripos_derive::algebra::text::view::View;
 
-/// Parentheses inside one another beyond this many are shown as text.
+/// Largest depth of nested parentheses; a formula with more is shown as text.
 const DEEPEST: usize = 40;
 
 const FUNCTIONS: [&str; 16] = [
@@ -13,7 +13,7 @@ const FUNCTIONS: [&str; 16] = [
     "sign",
 ];
 
-/// The sides of `left = right`, or one formula, as marks; nothing if the text is not in the language of model files.
+/// Trees of the sides of `left = right`, or of one formula; `None` if the text is not in the language of model files.
 pub fn typeset(text: &str) -> Option<Vec<View>> {
     text.split(" = ").map(formula).collect()
 }
@@ -30,14 +30,14 @@ struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    /// Takes `token` if it comes next.
+    /// Takes `token` if it comes next; true if it did.
     fn take(&mut self, token: char) -> bool {
         let next = self.rest.strip_prefix(token);
         self.rest = next.unwrap_or(self.rest).trim_start();
         next.is_some()
     }
 
-    /// Takes what comes next as far as its characters belong.
+    /// Takes the next characters as far as they belong to a word.
     fn word(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
         let end = self.rest.find(|c| !belongs(c)).unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at(end);
@@ -52,7 +52,7 @@ impl<'a> Parser<'a> {
         }
         let mut terms = Vec::new();
         loop {
-            // In `a + -b` the first sign says nothing.
+            // In `a + -b` the first sign has no meaning.
             let negative = self.take('-');
             terms.push((negative, self.product()?));
             if !self.take('+') && !self.rest.starts_with('-') {

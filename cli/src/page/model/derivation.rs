@@ -1,4 +1,4 @@
-//! One formulation: its equations, and apart from these the derivation step by step.
+//! Equations of motion of one formulation, and apart from these its derivation step by step.
 
 use super::laws::law;
 use crate::page::content::Page;
@@ -16,18 +16,20 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
 
-/// A step of more lines than this is folded.
+/// Number of lines above which a step of a derivation is folded.
 const MANY_LINES: usize = 14;
-/// A step of more characters of plain text than this is folded.
+/// Number of characters of plain text above which a step of a derivation is folded.
 const LONG: usize = 900;
-/// Entries of more characters stand as M_ij, with their values below: the first that makes the system fit.
+/// Largest lengths of entries that are written in the matrix, the first of which makes the system fit. Longer entries
+/// are shown as M_ij, with their values below.
 const WIDE: [usize; 5] = [56, 48, 40, 34, 28];
-/// Characters of plain text that fit the page as mathematics, beside each other.
+/// Number of characters of plain text, as mathematics, that fit beside each other on the page.
 const PAGE: usize = 110;
-/// Equations of more characters in all, three printed pages, are not repeated row by row and in LaTeX.
+/// Number of characters of all equations, three printed pages, above which they are not repeated row by row and in
+/// LaTeX.
 const TOO_LONG: usize = 8_000;
 
-/// The equations of one formulation.
+/// HTML of the section on the equations of one formulation.
 pub fn section(page: &Page, formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
     let (name, title) = (formulation.name(), escape(formulation.title()));
     let content = match result {
@@ -44,8 +46,8 @@ pub fn section(page: &Page, formulation: Formulation, result: &Result<Derivation
     )
 }
 
-/// The derivation of one formulation, folded; empty for one that is not derived. `shown` collects steps, so that a
-/// repeated one is folded.
+/// HTML of the derivation of one formulation, folded; empty if it was not derived. `shown` collects steps, so that a
+/// repeated step is folded.
 pub fn steps(
     page: &Page,
     formulation: Formulation,
@@ -61,24 +63,23 @@ pub fn steps(
     part(&place(formulation), &escape(formulation.title()), &(shown + &rest))
 }
 
-/// Anchor of the derivation on the page.
+/// Id of the derivation of a formulation on the page.
 fn place(formulation: Formulation) -> String {
     format!("{}-steps", formulation.name())
 }
 
-/// The command that has its formulas whole.
+/// Command that prints the whole formulas of a formulation.
 fn command(page: &Page, formulation: Formulation) -> String {
     format!("tripos derive {} --by {} --format json", page.file, formulation.name())
 }
 
-/// Definitions of the named terms in these formulas, as far as the formulas are printed: a reader must find each name
-/// defined.
+/// HTML of the definitions of the named terms in these formulas. Formulas that are not printed need none.
 pub fn named_terms(arena: &Arena, shown: &[Expr]) -> String {
     let printed: Vec<Expr> = shown.iter().copied().filter(|e| length(arena, *e).is_some()).collect();
     definitions(arena, &glossary(arena, &printed))
 }
 
-/// Terms that stand by a name, folded.
+/// HTML of definitions of named terms, folded.
 fn definitions(arena: &Arena, list: &[Definition]) -> String {
     if list.is_empty() {
         return String::new();
@@ -89,7 +90,7 @@ fn definitions(arena: &Arena, list: &[Definition]) -> String {
     folded(&format!("{NAMED} <span class=\"quiet\">({} lines)</span>", pairs.len()), &content)
 }
 
-/// The principle, in a sentence.
+/// HTML of the principle of a formulation, in a sentence.
 fn principle(formulation: Formulation, model: &Model) -> String {
     let (principle, law) = (formulation.method().principle, law(formulation, model));
     if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline(&law)) }
@@ -122,7 +123,8 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
     }
 }
 
-/// The system, what is to be known of it, and in a row what leads on: entries, the equations otherwise, the derivation.
+/// HTML of the linear system with remarks on it, then in a row its entries, the equations in other forms, and a link to
+/// the derivation.
 fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     let DerivationInSteps { arena, equations, .. } = derivation;
     let (mut out, mut known, mut more) = (String::new(), Vec::new(), String::new());
@@ -169,7 +171,7 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     out + &format!("<div class=\"side\">\n{more}<p>{steps}.</p>\n</div>\n")
 }
 
-/// Number of characters up to which an entry is written in the system. Longer ones stand by their names.
+/// Largest length of an entry that is written in the linear system. Longer entries are shown by their names.
 fn widest(arena: &Arena, equations: &Equations) -> usize {
     let named = "M12".len();
     let width = |e: Expr, limit: usize| length(arena, e).filter(|n| *n <= limit).unwrap_or(named);
@@ -178,11 +180,11 @@ fn widest(arena: &Arena, equations: &Equations) -> usize {
         let matrix: usize = (0..equations.unknowns.len()).map(|j| column(j) + 2).sum();
         matrix + equations.forcing.iter().map(|e| width(*e, *limit)).max().unwrap_or(0) <= PAGE
     };
-    // What fits at no width scrolls.
+    // A system that fits at no length scrolls.
     WIDE.into_iter().find(fits).unwrap_or(WIDE[2])
 }
 
-/// matrix · unknowns = forcing, and the entries that are too wide for it as (name, value).
+/// MathML of matrix · unknowns = forcing, and the entries that are too long for it as (name, value).
 fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
     let wide = widest(arena, equations);
     let mut named = Vec::new();
@@ -201,7 +203,7 @@ fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
         for (j, e) in row.iter().enumerate() {
             let below = equations.symmetric && j < i;
             let (a, b) = if below { (j, i) } else { (i, j) };
-            // One digit each needs no comma.
+            // Indices of one digit each need no comma.
             let comma = if equations.matrix.len() > 9 { "<mo separator=\"true\">,</mo>" } else { "" };
             let name = format!("<msub><mi>M</mi><mrow><mn>{}</mn>{comma}<mn>{}</mn></mrow></msub>", a + 1, b + 1);
             cells.push(entry(*e, name, below));
@@ -216,7 +218,7 @@ fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
 }
 
 fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
-    // Terms are joined here, in a store of their own.
+    // Terms are joined in a copy of the arena.
     let mut arena = arena.clone();
     let mut out = String::from("<table class=\"lines\">\n<tbody>\n");
     for ((row, name), forcing) in equations.matrix.iter().zip(&equations.rows).zip(&equations.forcing) {
@@ -233,7 +235,7 @@ fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
     out + "</tbody>\n</table>\n"
 }
 
-/// Terms in their order, as one sum.
+/// Tree of the sum of these terms, in their order.
 fn joined(arena: &Arena, terms: &[Expr]) -> View {
     let terms = terms.iter().flat_map(|term| match view_of(arena, *term) {
         View::Sum(terms) => terms,

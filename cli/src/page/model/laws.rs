@@ -2,7 +2,7 @@
 
 use tripos_derive::{Formulation, Model};
 
-/// Law of a formulation as presentation MathML without its row, then the addition for motion constraints.
+/// Law of a formulation as MathML without a row element, and the terms that motion constraints add to it.
 struct Law {
     /// Name of the formulation.
     formulation: &'static str,
@@ -10,7 +10,7 @@ struct Law {
     of_constraints: &'static str,
 }
 
-/// A formulation that is not listed has its principle in words alone.
+/// Laws of the formulations that have a formula; a formulation that is not listed has its principle in words only.
 const LAWS: [Law; 2] = [
     Law {
         formulation: "kane",
@@ -33,8 +33,8 @@ const LAWS: [Law; 2] = [
     },
 ];
 
-/// The law of a formulation for this model, as presentation MathML; empty where words say it. The constraints c are
-/// functions of q and q̇ that are zero.
+/// MathML of the law of a formulation for this model; empty if the formulation has only words. The constraints c in it
+/// are functions of q and q̇ that are zero.
 pub fn law(formulation: Formulation, model: &Model) -> String {
     let law = LAWS.iter().find(|law| law.formulation == formulation.name());
     law.map_or_else(String::new, |Law { formula, of_constraints, .. }| {

@@ -1,4 +1,4 @@
-//! The model as it was read: what is given, what moves, what it is made of.
+//! Section of the page on the model as it was read: parameters, coordinates, constraints, bodies and loads.
 
 use crate::page::markup::html::{escape, folded, number, table};
 use crate::page::markup::math::{Side, basis, formula, inline, matrix, symbol, told_apart, tuple, wrapped};
@@ -8,10 +8,10 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::moving_places;
 use tripos_derive::model::{Place, ReactionKind, Tie, Turn, Unit};
 
-/// Parameters that are seen at once.
+/// Largest number of parameters in a table that is not folded.
 const SEEN: usize = 10;
 
-/// The section of the mechanism.
+/// HTML of the section on the mechanism.
 pub fn section(model: &Model) -> String {
     let mut out =
         format!("<section id=\"mechanism\">\n<h2>Mechanism</h2>\n<p class=\"count\">{}.</p>\n", escape(&model.count()));
@@ -27,7 +27,7 @@ pub fn section(model: &Model) -> String {
     out + "</section>\n"
 }
 
-/// A unit as HTML; `plain` is what stands for a quantity without a unit.
+/// HTML of a unit; `plain` is shown for a quantity without a unit.
 fn unit(unit: &Unit, plain: &str) -> String {
     let text = match unit.to_string().as_str() {
         "1" => plain.to_owned(),
@@ -190,7 +190,7 @@ fn loads(model: &Model) -> String {
     some("Loads", &["Name", "On", "Vector"], &rows) + &moving(model)
 }
 
-/// Paragraphs on the points of action of loads that move in their bodies.
+/// HTML of paragraphs on the points of action of loads that move in their bodies.
 fn moving(model: &Model) -> String {
     let line = |text: String| format!("<p>{}</p>\n", escape(&text));
     match moving_places(model) {
@@ -199,12 +199,12 @@ fn moving(model: &Model) -> String {
     }
 }
 
-/// Components as (x, y, z) in a frame.
+/// HTML of components as (x, y, z) in a frame.
 fn components_in(model: &Model, frame: usize, components: &[Expr; 3]) -> String {
     format!("{} in {}", tuple(&model.arena, components), inline(&symbol(&model.frames[frame].name)))
 }
 
-/// A table, or nothing if it has no rows.
+/// HTML of a table; empty if it has no rows.
 fn some(caption: &str, head: &[&str], rows: &[Vec<String>]) -> String {
     if rows.is_empty() { String::new() } else { table(caption, head, rows) }
 }

@@ -1,4 +1,4 @@
-//! Proofs: equivalence of the formulations, first integrals, and singularities of matrices.
+//! Section on proofs: equivalence of the formulations, first integrals, and singularities of matrices.
 
 use crate::page::content::Page;
 use crate::page::markup::html::{each, escape, head, part, table, words};
@@ -10,7 +10,7 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Integral, IntegralKind, Pair, Singularity, There};
 use tripos_derive::{Formulation, Model};
 
-/// The section.
+/// HTML of the section on proofs.
 pub fn section(page: &Page) -> String {
     let (model, study) = (page.model, page.study);
     let arena = &study.derivations.kinematics.arena;
@@ -66,7 +66,7 @@ pub fn section(page: &Page) -> String {
     out + "</section>\n"
 }
 
-/// Every formula of the section.
+/// Lists every formula of the section on proofs, so that their names can be defined.
 fn formulas(page: &Page) -> Vec<Expr> {
     let (proof, arena) = (&page.study.proof, &page.study.derivations.kinematics.arena);
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
@@ -78,7 +78,7 @@ fn formulas(page: &Page) -> Vec<Expr> {
     all.chain(singular).collect()
 }
 
-/// First integrals, a line each, with formulas that unfold.
+/// HTML of the first integrals, a line each, with formulas that unfold.
 fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> String {
     let mut out = String::from("<h3 id=\"integrals\">First integrals</h3>\n");
     out += if list.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
@@ -102,7 +102,7 @@ fn pair(pair: &Pair) -> Vec<String> {
     vec![format!("{left} ⇔ {right}"), verdict(&pair.verdict), typed(&pair.map)]
 }
 
-/// A verdict in words, with what decided.
+/// HTML of a verdict in words, with the engine that decided it, a witness or a reason.
 fn verdict(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Equal(engine) => format!("proved <span class=\"quiet\">({})</span>", escape(&engine.to_string())),
@@ -113,7 +113,7 @@ fn verdict(verdict: &Verdict) -> String {
     }
 }
 
-/// The two values, with what they are, and where they occur.
+/// HTML of a witness: two values with the given labels, and the point at which they differ.
 pub fn witness(witness: &Witness, [left, right]: [&str; 2]) -> String {
     let last = witness.at.len().saturating_sub(1);
     let at = witness.at.iter().enumerate().map(|(at, (name, x))| {
@@ -126,7 +126,7 @@ pub fn witness(witness: &Witness, [left, right]: [&str; 2]) -> String {
     format!("{left} {}, {right} {}{place}", value(witness.left), value(witness.right))
 }
 
-/// Plain text with rates as a person writes them.
+/// HTML of plain text in which rates such as q' are written with a dot.
 fn typed(text: &str) -> String {
     escape(text).replace("q'", "q̇")
 }
@@ -148,12 +148,12 @@ fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) 
     )
 }
 
-/// I with its number, which counts from 0 here.
+/// MathML of the symbol I with its number from 1; `at` counts from 0.
 pub fn integral_symbol(at: usize) -> String {
     format!("<msub><mi>I</mi><mn>{}</mn></msub>", at + 1)
 }
 
-/// All that a first integral is, with the definition of a coordinate's momentum typeset.
+/// HTML of all names of a first integral, with the definition of a coordinate's momentum typeset.
 pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> String {
     let kinds = integral.kinds.iter().zip(&integral.of_places).zip(integral.names(model, arena));
     let names = kinds.map(|((kind, of_place), words)| match kind {
@@ -165,7 +165,7 @@ pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> Strin
     names.collect::<Vec<_>>().join("; ")
 }
 
-/// p_q = ∂L/∂q̇ for a coordinate.
+/// MathML of the momentum p_q = ∂L/∂q̇ of a coordinate.
 fn momentum(coordinate: &str) -> String {
     format!(
         "<mrow><msub><mi>p</mi><mrow>{}</mrow></msub><mo>=</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>L</mi></mrow><mrow>\
@@ -196,7 +196,7 @@ fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
     )
 }
 
-/// Proved statements about the zeros of a determinant, and about entries of its matrix without a value.
+/// HTML of proved statements on the zeros of a determinant, and on entries of its matrix that divide by zero.
 pub fn zeros(arena: &Arena, singularity: &Singularity) -> String {
     if singularity.determinant == Expr::ZERO {
         return "everywhere".to_owned();

@@ -1,5 +1,5 @@
-//! A published derivation against the derived one: root mistakes with the entries that follow from each, and their
-//! effect on the motion.
+//! Section that compares a published derivation with the derived one: root mistakes with the entries that follow from
+//! each, and their effect on the motion.
 
 use crate::page::content::Page;
 use crate::page::markup::html::{breakable, each, escape, folded, table};
@@ -14,7 +14,7 @@ use tripos::studies::study::Published;
 use tripos_derive::algebra::Arena;
 use tripos_derive::diff::{Difference, Finding, Follower, Judgement, Link, Root};
 
-/// Verdicts in the order of the counts, with the words of a heading.
+/// Verdicts in the order of the table of counts, with the words of their headings.
 const VERDICTS: [(&str, &str); 5] = [
     ("equal", "Equal"),
     ("scaled", "Equal up to a factor"),
@@ -23,17 +23,17 @@ const VERDICTS: [(&str, &str); 5] = [
     ("stated", "Stated only"),
 ];
 
-/// The ways in which entries hang on a root, with the words before their list.
+/// Links from a root mistake to wrong entries, with the words before their list.
 const LINKS: [(Link, &str); 3] = [
     (Link::Repeated, "Repeated in"),
     (Link::Follows, "From it follow"),
     (Link::Contradicts, "It contradicts, directly or through others,"),
 ];
 
-/// Visible characters of a printed term that fit beside its label.
+/// Largest number of visible characters of a printed term that fits beside its label.
 const WIDEST: usize = 80;
 
-/// The section.
+/// HTML of the section on the errata of a publication.
 pub fn section(page: &Page, published: &Published) -> String {
     let arena = &page.study.derivations.kinematics.arena;
     let difference = &published.difference;
@@ -59,12 +59,12 @@ pub fn section(page: &Page, published: &Published) -> String {
     out + "</section>\n"
 }
 
-/// The place of a root mistake in the page.
+/// Id of a root mistake in the page; mistakes are counted from 0.
 pub fn anchor(root: usize) -> String {
     format!("mistake-{}", root + 1)
 }
 
-/// The root mistakes, with the entries that come of each folded under it.
+/// HTML of the root mistakes, with the entries that follow from each folded under it.
 fn mistakes(arena: &Arena, difference: &Difference) -> String {
     let Difference { findings, roots, .. } = difference;
     if roots.is_empty() {
@@ -81,7 +81,7 @@ fn mistakes(arena: &Arena, difference: &Difference) -> String {
     )
 }
 
-/// One root mistake: what is wrong, where it is repeated, what follows from it, and its entries.
+/// HTML of one root mistake: its description, its repetitions, the entries that follow from it, and all of its entries.
 fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &Root) -> String {
     let shown = std::iter::once((root.finding, None)).chain(root.followers.iter().map(|f| (f.finding, Some(f))));
     let rows: String =
@@ -98,7 +98,7 @@ fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &Root) -> Strin
     )
 }
 
-/// The entries that hang on a root in one way, as a sentence.
+/// HTML of a sentence with the entries that have this link to a root mistake; empty if there are none.
 fn links(findings: &[Finding], root: &Root, link: Link, words: &str) -> String {
     let ids: Vec<String> = root.linked(link).map(|f| code(findings, f.finding)).collect();
     if ids.is_empty() { String::new() } else { format!("<p>{words} {}.</p>\n", ids.join(", ")) }
@@ -108,7 +108,7 @@ fn code(findings: &[Finding], at: usize) -> String {
     format!("<code>{}</code>", escape(&findings[at].id))
 }
 
-/// Words for the entries from which a wrong entry follows.
+/// HTML of words for the entries from which a wrong entry follows.
 fn source(findings: &[Finding], follower: &Follower) -> String {
     let ids = |list: &[usize]| list.iter().map(|at| code(findings, *at)).collect::<Vec<_>>().join(" and ");
     let words = match follower.link {
@@ -121,7 +121,7 @@ fn source(findings: &[Finding], follower: &Follower) -> String {
     format!("{words} {}{also}", ids(&follower.from))
 }
 
-/// Entries of which it is not known whether they are right.
+/// HTML of the entries that could not be judged; empty if there are none.
 fn undecided(arena: &Arena, findings: &[Finding]) -> String {
     let open: Vec<&Finding> = findings.iter().filter(|f| matches!(f.judgement, Judgement::Undecided(_))).collect();
     if open.is_empty() {
@@ -130,7 +130,7 @@ fn undecided(arena: &Arena, findings: &[Finding]) -> String {
     errata("What is not decided", &each(&open, |finding| entry(arena, finding, None)))
 }
 
-/// A table of errata.
+/// HTML of a table of errata; `rows` is HTML.
 fn errata(caption: &str, rows: &str) -> String {
     format!(
         "<table class=\"errata\">\n<caption>{caption}</caption>\n<colgroup><col class=\"entry\"><col class=\"label\"><col></colgroup>\n<thead><tr><th scope=\"col\">Entry</th>\
@@ -142,7 +142,7 @@ fn is_wrong(finding: &Finding) -> bool {
     matches!(finding.judgement, Judgement::Different | Judgement::Undecided(_))
 }
 
-/// Table of the number of entries with each verdict, for each section.
+/// HTML of a table with the number of entries for each verdict and section.
 fn counts(findings: &[Finding]) -> String {
     let mut sections: Vec<&str> = Vec::new();
     for finding in findings {
@@ -164,11 +164,11 @@ fn counts(findings: &[Finding]) -> String {
     table("Verdicts", &columns, &rows).replacen("<table>", "<table class=\"counts\">", 1)
 }
 
-/// One erratum: the entry, beside what it hangs on, a line each for what is printed, what is derived, and so on.
+/// HTML of one erratum: the id of the entry, with lines for its printed and derived form, difference and remarks.
 fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     let mut lines = vec![("printed", printed(&finding.printed))];
     if let Some(derived) = finding.derived {
-        // Of a row of a linear system: everything on one side.
+        // A row of a linear system has all of its terms on one side.
         let zero =
             if finding.printed.contains(" = ") { inline("<mo form=\"infix\">=</mo><mn>0</mn>") } else { String::new() };
         lines.push(("derived", format!("{} {zero}", value(arena, derived))));
@@ -179,7 +179,7 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     if let Some(factor) = finding.factor {
         lines.push(("factor", value(arena, factor)));
     }
-    // Where nothing is derived, a remark says what it is compared with.
+    // If no form is derived, a remark names the form for comparison.
     if let (Some(found), true) = (&finding.witness, finding.derived.is_some()) {
         lines.push(("for instance", witness(found, ["printed", "derived"])));
     }
@@ -202,7 +202,7 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     format!("<tbody>\n{rows}</tbody>\n")
 }
 
-/// The printed text: typeset if it is a formula that fits, otherwise as code.
+/// HTML of a printed text: typeset if it is a formula that fits, otherwise as code.
 fn printed(text: &str) -> String {
     match typeset(text) {
         Some(sides) if sides.iter().all(|side| widest(side) <= WIDEST) => {
@@ -212,7 +212,7 @@ fn printed(text: &str) -> String {
     }
 }
 
-/// Entries that are right but for a factor: of the row of a linear system.
+/// HTML of the entries that are right up to a factor: entries of a row of a linear system.
 fn scaled(arena: &Arena, findings: &[Finding]) -> String {
     let list: Vec<&Finding> = findings.iter().filter(|f| f.judgement == Judgement::Scaled).collect();
     if list.is_empty() {
@@ -226,7 +226,7 @@ fn scaled(arena: &Arena, findings: &[Finding]) -> String {
     folded(&format!("Equal up to a factor <span class=\"quiet\">({})</span>", entries(list.len())), &items)
 }
 
-/// Words for the domain of an equality; empty if it holds everywhere.
+/// Words for the domain in which an entry holds; empty if it holds everywhere.
 fn place(finding: &Finding) -> String {
     finding.holds.words().map_or_else(String::new, |words| format!(" {words}"))
 }

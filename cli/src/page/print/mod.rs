@@ -1,4 +1,4 @@
-//! The publication beside the model: errata, verdict, effect on the motion.
+//! Sections of the page on the publication beside the model: errata, verdict, effect on the motion.
 
 pub(super) mod errata;
 pub(super) mod motion;

@@ -11,7 +11,7 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::{Consequences, Difference};
 use tripos_derive::prove::Singularity;
 
-/// The part of the errata; nothing if no system is printed whole.
+/// HTML of the part of the errata on the motion; empty if no system is printed as a whole.
 pub fn consequences(page: &Page, published: &Published) -> String {
     let list = &published.difference.consequences;
     if list.is_empty() {
@@ -48,7 +48,7 @@ fn yes_or_no(verdict: &Verdict, yes: &str, no: &str) -> String {
     }
 }
 
-/// All systems at a glance.
+/// HTML of a table with the verdicts on all printed systems, a row each.
 fn overview(page: &Page, list: &[Consequences]) -> String {
     let symbols: Vec<String> = (0..page.study.proof.integrals.len()).map(|at| inline(&integral_symbol(at))).collect();
     let columns =
@@ -69,7 +69,7 @@ fn overview(page: &Page, list: &[Consequences]) -> String {
     table("Printed systems at a glance", &columns, &list.iter().map(row).collect::<Vec<_>>())
 }
 
-/// Sentences on the printed systems that give the same motion as one another.
+/// HTML of sentences on the printed systems that give equal motions.
 fn agreement(difference: &Difference) -> String {
     let agreements = &difference.agreements;
     if agreements.is_empty() {
@@ -100,7 +100,7 @@ fn agreement(difference: &Difference) -> String {
     format!("<p>{}</p>\n", sentences.join(" "))
 }
 
-/// One system: its determinant and the rates of the first integrals.
+/// HTML of the details of one printed system: its determinant and the rates of the first integrals.
 fn details(page: &Page, system: &Consequences, singularity: Option<&Singularity>) -> String {
     let arena = &page.study.derivations.kinematics.arena;
     let mut lines =
@@ -139,7 +139,7 @@ fn details(page: &Page, system: &Consequences, singularity: Option<&Singularity>
     )
 }
 
-/// The time derivative dI/dt of a first integral.
+/// MathML of the time derivative dI/dt of a first integral, counted from 0.
 fn derivative(at: usize) -> String {
     let d = "<mi mathvariant=\"normal\">d</mi>";
     format!("<mfrac><mrow>{d}{}</mrow><mrow>{d}<mi>t</mi></mrow></mfrac>", integral_symbol(at))

@@ -1,24 +1,24 @@
-//! The verdict on a published derivation, in sentences for the abstract.
+//! Verdict on a published derivation, in sentences for the abstract of the page.
 
 use crate::page::markup::html::{escape, listed};
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::diff::{Consequences, Difference};
 
-/// Systems that a sentence names.
+/// Largest number of systems that a sentence names.
 const NAMED: usize = 4;
 
-/// Root mistakes that a sentence names: those of which most comes.
+/// Largest number of root mistakes that a sentence names: those with the most entries.
 const MISTAKES: usize = 3;
 
-/// Sentences as HTML, each with the place of its evidence: the number of wrong entries, the mistakes that cause them,
-/// and their effect on the motion.
+/// Sentences as HTML, each with the id of the section that has its evidence. They give the number of wrong entries, the
+/// mistakes that cause them, and their effect on the motion.
 pub fn abstract_of_verdict(difference: &Difference) -> Vec<(&'static str, String)> {
     let counted = std::iter::once(("errata", entries(difference)));
     let mistakes = mistakes(difference).map(|said| ("mistakes", said));
     counted.chain(mistakes).chain(systems(difference).map(|said| ("effects", said))).collect()
 }
 
-/// Sentence on the number of root mistakes, and on those that cause most wrong entries; `None` if there is at most one
+/// Sentence on the number of root mistakes, and on those that cause most wrong entries. `None` if there is at most one
 /// mistake, and it causes no other.
 fn mistakes(difference: &Difference) -> Option<String> {
     let Difference { roots, findings, .. } = difference;
@@ -54,7 +54,7 @@ fn entries(difference: &Difference) -> String {
     format!("Of {all} {printed}: {}.", listed(&list))
 }
 
-/// Sentence on the accelerations and the energy by the printed systems; `None` if there is no system.
+/// Sentence on the accelerations and the energy of the printed systems; `None` if there is no system.
 fn systems(difference: &Difference) -> Option<String> {
     let list = &difference.consequences;
     let of = |is: &dyn Fn(&Consequences) -> bool| list.iter().filter(|system| is(system)).collect::<Vec<_>>();

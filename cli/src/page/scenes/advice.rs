@@ -6,7 +6,7 @@ use crate::page::markup::html::{escape, number, rounded, table};
 
 const HEAD: [&str; 7] = ["Error below", "Equations", "Accelerations", "Method", "Tolerance", "Time of a run", "Error"];
 
-/// The paragraph and the table, at a place of the page.
+/// HTML of the recommendation, a paragraph and a table, with the id `place`.
 pub fn section(advice: &Advice, place: &str) -> String {
     let rows: Vec<Vec<String>> = advice
         .rows

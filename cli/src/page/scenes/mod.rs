@@ -1,4 +1,4 @@
-//! Runs of scenes: rows, outcomes, objections, advice.
+//! Sections of the page on scenes: runs, outcomes, reduced equations, singular places, advice.
 
 pub(super) mod advice;
 pub(super) mod moving;

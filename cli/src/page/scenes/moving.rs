@@ -1,11 +1,11 @@
-//! The motion of one scene, to be looked at, and how to see those of the others.
+//! Section with the moving figure of one scene, and the commands that show the motions of the other scenes.
 
 use crate::page::content::{Moving, Page, SceneSection};
 use crate::page::markup::html::{anchor, count, each, escape, folded, link};
 use crate::page::scenes::outcome::title;
 use std::fmt::Write;
 
-/// The section; nothing where there is no scene.
+/// HTML of the section on the motion.
 pub fn section(page: &Page, moving: &Moving) -> String {
     let mut out = String::from("<section id=\"motion\">\n<h2>The motion</h2>\n");
     match &moving.viewer {
@@ -25,7 +25,7 @@ pub fn section(page: &Page, moving: &Moving) -> String {
     out + &others(page, moving) + "</section>\n"
 }
 
-/// The commands that show the motions of the other scenes.
+/// HTML of the commands that show the motions of the other scenes; empty if there are none.
 fn others(page: &Page, moving: &Moving) -> String {
     let shown = moving.viewer.is_ok().then_some(moving.scene);
     let list: Vec<&SceneSection> =

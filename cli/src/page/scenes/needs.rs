@@ -1,4 +1,4 @@
-//! Reduced equations of a scene: the states that they keep and leave out, and why that is exact.
+//! Reduced equations of a scene: the states that they keep and leave out, and the reasons why that is exact.
 
 use crate::page::content::{Needs, Page, SceneSection};
 use crate::page::markup::html::{escape, folded, number, rounded, scroll, table};
@@ -10,7 +10,7 @@ use tripos_derive::algebra::text::print::{mathml_of, text};
 use tripos_derive::algebra::{Arena, Expr, Node};
 use tripos_derive::reduce::{Omission, Output, Piece, Prose, Quantity};
 
-/// The part of one scene.
+/// HTML of the part on a scene's reduced equations.
 pub fn section(page: &Page, scene: &SceneSection) -> String {
     let needs = match &scene.needs {
         Ok(needs) => needs,
@@ -34,7 +34,7 @@ pub fn section(page: &Page, scene: &SceneSection) -> String {
     out
 }
 
-/// Numbers of states, integrals and operations that are left, in words.
+/// HTML of the numbers of remaining states, integrals and operations, in words.
 fn summary(page: &Page, needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let states = page.model.coordinates.len() + page.model.speeds.len();
@@ -70,7 +70,7 @@ fn summary(page: &Page, needs: &Needs) -> String {
     out
 }
 
-/// True if all of its formulas are short enough to be read.
+/// True if all formulas of the reduced equations are short enough to be read.
 fn is_read(needs: &Needs) -> bool {
     let reduction = &needs.reduced.reduction;
     let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
@@ -81,7 +81,7 @@ fn is_read(needs: &Needs) -> bool {
     values.all(|e| length(arena, e).is_some()) && divisors.all(|e| is_short(arena, e))
 }
 
-/// A term without a number as its factor: it vanishes where the term does.
+/// Removes a numeric factor from a term: the result vanishes where the term does.
 fn without_number(arena: &Arena, e: Expr) -> Expr {
     match arena.node(e) {
         Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
@@ -89,7 +89,7 @@ fn without_number(arena: &Arena, e: Expr) -> Expr {
     }
 }
 
-/// States, integrals and constants, with what they are.
+/// HTML of a table of the kept states, integrals and constants, with their meanings.
 fn kept(needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let arena = reduction.terms();
@@ -102,7 +102,7 @@ fn kept(needs: &Needs) -> String {
     table("Kept", &["Kind", "Symbol", "Value", "What it is"], &rows)
 }
 
-/// Definitions, rates and accelerations, a line each.
+/// HTML of the reduced equations: definitions, rates and accelerations, a line each.
 fn equations(needs: &Needs) -> String {
     let e = &needs.reduced.reduction.derivation.equations;
     let mut arena = needs.reduced.reduction.terms().clone();
@@ -121,13 +121,13 @@ fn equations(needs: &Needs) -> String {
     scroll("The scene's own equations", &lines(&list))
 }
 
-/// Outputs of the scene, as functions of the kept states.
+/// HTML of the outputs of the scene, as functions of the kept states.
 fn outputs(needs: &Needs) -> String {
     let reduction = &needs.reduced.reduction;
     let arena = reduction.terms();
     let line = |o: &Output| {
         let name = typeset(&o.name).map_or_else(|| symbol(&o.name), |sides| sides.iter().map(mathml_of).collect());
-        // What is kept shows itself.
+        // An output that is a kept quantity itself needs no line.
         (name != formula(arena, o.value)).then(|| (Side::Whole(name), Side::of(arena, o.value)))
     };
     let list: Vec<_> = reduction.outputs.iter().filter_map(line).collect();
@@ -139,7 +139,7 @@ fn left_out(arena: &Arena, omitted: &[Omission]) -> String {
     table("Left out", &["What", "Why", "How that is known"], &omitted.iter().map(row).collect::<Vec<_>>())
 }
 
-/// Words with the formulas that stand in them typeset.
+/// HTML of words in which the formulas are typeset.
 fn prose(arena: &Arena, prose: &Prose) -> String {
     let piece = |piece: &Piece| match piece {
         Piece::Words(words) => escape(words),

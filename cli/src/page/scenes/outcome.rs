@@ -1,7 +1,7 @@
-//! Outcome of a scene, in a sentence or two: how the derived runs went and why, and how the printed equations ran.
+//! Outcome of a scene, in a sentence or two: the course of the derived runs, and that of the printed equations.
 //!
 //! Invariant: every sentence is made of the values of runs. Only right equations are called loose. Printed equations
-//! are called wrong if they do not give the derived accelerations, however their runs end.
+//! are called wrong if they do not give the derived accelerations, for any end of their runs.
 
 use crate::page::content::{RunRow, SceneSection, Standing};
 use crate::page::markup::html::{count, escape, listed, number, rounded, words};
@@ -10,19 +10,19 @@ use crate::page::scenes::singular::name;
 use crate::page::scenes::standing::two_digits;
 use std::fmt::Write;
 
-/// Printed runs that a sentence names.
+/// Largest number of printed runs that a sentence names.
 const NAMED: usize = 4;
 
-/// Severity of the end of a run, the worst last.
+/// Grade of the end of a run, in the order of severity, the worst last.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Grade {
-    /// It came to its end with its digits.
+    /// The run reached its end and kept its digits.
     Arrived,
-    /// Its domain or an event ended it.
+    /// The run ended early, by its domain or an event.
     Ended,
-    /// Right, at tolerances that leave few digits.
+    /// The run is right, at tolerances that leave few digits.
     Loose,
-    /// It could not go on.
+    /// The run could not go on.
     Stopped,
 }
 
@@ -39,12 +39,12 @@ fn derived_runs(scene: &SceneSection) -> Vec<&RunRow> {
     scene.runs.iter().filter(|run| run.printed.is_none()).collect()
 }
 
-/// The worst that happened to a derived run; nothing where none ran.
+/// Worst grade among the derived runs; `None` if none ran.
 pub fn worst(scene: &SceneSection) -> Option<Grade> {
     derived_runs(scene).into_iter().map(grade).max()
 }
 
-/// Outcome of the derived runs, as HTML.
+/// HTML of the outcome of the derived runs.
 pub fn derived(scene: &SceneSection) -> String {
     let runs = derived_runs(scene);
     let Some(worst) = worst(scene) else { return "No derived equations ran.".to_owned() };
@@ -66,7 +66,7 @@ pub fn derived(scene: &SceneSection) -> String {
     }
 }
 
-/// Why a run is loose: from when on it has few digits, and the error that its tolerances leave; else what it warns of.
+/// Words on why a run is loose: the time from which on it has few digits, and its error; else its first warning.
 fn loose(run: &RunRow) -> String {
     let Standing::Loose { how, error } = &run.standing else { return String::new() };
     let few = run.few_from.map(|t| format!("fewer than three digits from t = {} s on", number(&rounded(t, 4))));
@@ -79,7 +79,7 @@ fn loose(run: &RunRow) -> String {
     }
 }
 
-/// Digits and energy that the runs keep, if all arrived.
+/// Words on the digits and the energy that runs keep which all reach their ends.
 fn kept(runs: &[&RunRow]) -> String {
     let digits = runs.iter().filter_map(|run| run.digits).reduce(f64::min);
     let drift = runs.iter().filter_map(|run| run.energy_drift).reduce(f64::max);
@@ -93,7 +93,7 @@ fn kept(runs: &[&RunRow]) -> String {
     }
 }
 
-/// Outcome of the printed equations, as HTML; `None` if none ran.
+/// HTML of the outcome of the printed equations; `None` if none ran.
 pub fn printed(scene: &SceneSection) -> Option<String> {
     let runs: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     if runs.is_empty() {
@@ -121,7 +121,8 @@ pub fn printed(scene: &SceneSection) -> Option<String> {
     Some(out + "." + &far(&runs))
 }
 
-/// The printed run that arrives with the most energy lost or won.
+/// HTML of a sentence on the wrong printed run that reaches its end with the largest energy drift; empty if there is
+/// none.
 fn far(runs: &[&RunRow]) -> String {
     let wrong = runs.iter().filter(|run| run.arrived && run.standing == Standing::Wrong);
     let known = wrong.filter_map(|run| Some((run, run.energy_drift.filter(|drift| drift.is_finite())?)));
@@ -129,7 +130,7 @@ fn far(runs: &[&RunRow]) -> String {
     format!(" {} arrives, with total energy off by {} J.", name(run), energy(drift))
 }
 
-/// The title of a scene in quotation marks.
+/// HTML of the title of a scene in quotation marks.
 pub fn title(scene: &SceneSection) -> String {
     format!("“{}”", escape(&scene.title))
 }

@@ -1,4 +1,4 @@
-//! The runs of a scene, a row each: how they went, and how much each first integral changed along them.
+//! Tables of the runs of a scene, a row each: their results, and the largest changes of each first integral.
 
 use crate::page::content::{Page, RunRow, SceneSection, Standing};
 use crate::page::markup::html::{escape, head, number, rounded, scroll, words};
@@ -19,7 +19,7 @@ const HEAD: [&str; 8] = [
     "Method, code",
 ];
 
-/// The table of all runs, derived and printed.
+/// HTML of the table of all runs of a scene, derived and printed.
 pub fn table(page: &Page, scene: &SceneSection) -> String {
     let of = |printed: bool| scene.runs.iter().filter(move |row| row.printed.is_some() == printed);
     let rows_of = |printed: bool| -> String {
@@ -52,7 +52,7 @@ pub fn table(page: &Page, scene: &SceneSection) -> String {
     scroll(&format!("Runs of {}", scene.title), &table)
 }
 
-/// Number of wrong ones among the printed equations that ran, in words.
+/// Words for the number of wrong systems among the printed equations that ran.
 fn how_many_are_wrong(scene: &SceneSection) -> String {
     let printed: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     match (printed.iter().filter(|run| run.standing == Standing::Wrong).count(), printed.len()) {
@@ -63,7 +63,7 @@ fn how_many_are_wrong(scene: &SceneSection) -> String {
     }
 }
 
-/// The largest change of each first integral in each run.
+/// HTML of a table with the largest change of each first integral in each run.
 pub fn changes(page: &Page, scene: &SceneSection) -> String {
     let integrals = &page.study.proof.integrals;
     let heads: Vec<String> = (0..integrals.len()).map(|at| inline(&integral_symbol(at))).collect();
@@ -109,8 +109,8 @@ fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
     rate.is_some_and(|rate| matches!(rate.verdict, Verdict::Different(_)))
 }
 
-/// One row of numbers. Below it: the standing of its equations, its early end unless the row before says the same, and
-/// warnings.
+/// HTML of the row of a run, with its numbers. A row below has the standing of its equations, the reason of an early
+/// end unless the row before has the same, and warnings.
 fn run(run: &RunRow, before: Option<&RunRow>) -> String {
     let is_like_before = before.is_some_and(|before| !before.arrived && before.stop == run.stop);
     let result = match run.arrived {
@@ -145,7 +145,7 @@ fn run(run: &RunRow, before: Option<&RunRow>) -> String {
     out
 }
 
-/// Two significant digits.
+/// HTML of an energy with two significant digits.
 pub fn energy(drift: f64) -> String {
     if !drift.is_finite() {
         return "<strong>not finite</strong>".to_owned();

@@ -1,4 +1,4 @@
-//! One simulated scene: what came of it in a sentence, its runs, figures, and what was given; what is long is folded.
+//! Section of a simulated scene: its outcome in sentences, its runs, figures, and given data; long parts are folded.
 
 use crate::page::content::{Fact, Figure, Page, SceneSection};
 use crate::page::markup::html::{address, anchor, escape, folded, part, words};
@@ -10,19 +10,19 @@ use crate::page::scenes::singular;
 use crate::plot::{pretty, slim};
 use std::fmt::Write;
 
-/// Figures of a scene that are seen at once.
+/// Largest number of figures of a scene that are not folded.
 const SEEN: usize = 2;
 
-/// Part of a scene that is seen without unfolding it.
+/// Part of a scene's section that is seen without unfolding.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
-    /// Its runs and first figures.
+    /// The runs and the first figures of the scene are seen too.
     Open,
-    /// Only its outcome.
+    /// Only the outcome of the scene is seen.
     InASentence,
 }
 
-/// The part of one scene. `figures` counts figures over the whole page.
+/// HTML of the section of one scene. `figures` counts figures over the whole page.
 pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: Shown, figures: &mut usize) -> String {
     let place = anchor(at);
     let mut out = format!("<article id=\"{place}\">\n<h3>{}</h3>\n", escape(&scene.title));
@@ -41,7 +41,7 @@ pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: Shown, figur
     out + "</article>\n"
 }
 
-/// Everything but the title and the sentences, the long parts folded.
+/// HTML of everything except the title and the sentences, with long parts folded.
 fn content(page: &Page, scene: &SceneSection, place: &str, figures: &mut usize) -> String {
     let id = |what: &str| format!("{place}-{what}");
     let mut out = String::new();
@@ -70,7 +70,7 @@ fn content(page: &Page, scene: &SceneSection, place: &str, figures: &mut usize) 
     out + &given(scene, &id("given"))
 }
 
-/// Parameters, start, span, tolerances.
+/// HTML of the given data of a scene: parameters, start, span, tolerances; empty without any.
 fn given(scene: &SceneSection, place: &str) -> String {
     if scene.facts.is_empty() {
         return String::new();
@@ -97,7 +97,7 @@ fn figure(figure: &Figure, count: &mut usize) -> String {
     )
 }
 
-/// `q₁ = 0.2, q₂ = 1e−3`, or words as they are.
+/// Writes given data as `q₁ = 0.2, q₂ = 1e−3`, or as their words.
 fn fact(fact: &Fact) -> String {
     match fact {
         Fact::Words(words) => words.clone(),

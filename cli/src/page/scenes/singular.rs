@@ -1,6 +1,6 @@
-//! Does a matrix become singular? What is proved of the determinants, and what was met along the runs of a scene.
+//! Statements on singular matrices: what is proved of the determinants, and what was met along the runs of a scene.
 //!
-//! Invariant: every sentence is computed. A proof speaks of all configurations, a run only of where it has been.
+//! Invariant: every sentence is computed. A proof speaks of all configurations, a run only of those that it met.
 
 use crate::page::content::{Page, RunRow, SceneSection};
 use crate::page::markup::html::{each, escape, head, number, rounded, scroll};
@@ -10,10 +10,10 @@ use std::fmt::Write;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{Singularity, There};
 
-/// Characters of plain text that a divisor in the head of a table may have.
+/// Largest number of characters of plain text of a divisor in the head of a table.
 const SHORT: usize = 40;
 
-/// The statements and the table below the figure of determinants.
+/// HTML of the statements and the table below the figure of determinants.
 pub fn statements(page: &Page, scene: &SceneSection) -> String {
     let divisors = divisors(page);
     let mut items = long_divisors(page);
@@ -24,24 +24,24 @@ pub fn statements(page: &Page, scene: &SceneSection) -> String {
     format!("<ul>\n{items}</ul>\n{}", table(scene, &divisors))
 }
 
-/// Divisors of the kinematic equations, typeset; those too long for the head of a table by their names.
+/// MathML of the divisors of the kinematic equations; those too long for the head of a table are shown by names.
 fn divisors(page: &Page) -> Vec<String> {
     let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
     let typeset = |(at, e): (usize, &Expr)| if is_long(arena, *e) { name_of(at) } else { formula(arena, *e) };
     list.iter().enumerate().map(typeset).collect()
 }
 
-/// True if a divisor is so long that it stands by a name.
+/// True if a divisor is too long for the head of a table, and is shown by a name.
 fn is_long(arena: &Arena, e: Expr) -> bool {
     length(arena, e).is_none_or(|length| length > SHORT)
 }
 
-/// The name of a long divisor, which counts from 0 here.
+/// MathML of the name of a long divisor, numbered from 1; `at` counts from 0.
 fn name_of(at: usize) -> String {
     format!("<msub><mi>d</mi><mn>{}</mn></msub>", at + 1)
 }
 
-/// Definitions of the names of long divisors.
+/// HTML of the definitions of the names of long divisors.
 fn long_divisors(page: &Page) -> Vec<String> {
     let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
     let definition = |(at, e): (usize, &Expr)| {
@@ -51,7 +51,7 @@ fn long_divisors(page: &Page) -> Vec<String> {
     list.iter().enumerate().filter(|(_, e)| is_long(arena, **e)).map(definition).collect()
 }
 
-/// Each set of equations whose determinant is known as a formula: its name as HTML, and what is proved.
+/// Sets of equations whose determinant is known as a formula: the name as HTML, and the proved statements.
 fn determinants<'a>(page: &'a Page<'_>) -> Vec<(String, &'a Singularity)> {
     let derived = page.study.singular.iter().map(|(f, s)| (escape(f.title()), s));
     let printed = page.study.published.iter().flat_map(|published| {
@@ -61,7 +61,7 @@ fn determinants<'a>(page: &'a Page<'_>) -> Vec<(String, &'a Singularity)> {
     derived.chain(printed).collect()
 }
 
-/// Statements that hold in every configuration.
+/// HTML of statements that hold in every configuration.
 fn proved(page: &Page, divisors: &[String]) -> Vec<String> {
     let list = determinants(page);
     let named = |of: &dyn Fn(&Singularity) -> bool| {
@@ -103,7 +103,7 @@ fn proved(page: &Page, divisors: &[String]) -> Vec<String> {
     items
 }
 
-/// The worst condition among derived and among printed equations.
+/// HTML of sentences on the smallest reciprocal condition number among derived and among printed equations.
 fn conditions(scene: &SceneSection) -> Vec<String> {
     let worst = |printed: bool| {
         let runs = scene.runs.iter().filter(|run| run.printed.is_some() == printed);
@@ -128,8 +128,8 @@ fn conditions(scene: &SceneSection) -> Vec<String> {
     [sentence("the derived", worst(false)), sentence("printed", worst(true))].into_iter().flatten().collect()
 }
 
-/// Least absolute value of a divisor of the kinematic equations in the derived runs, in a sentence; `None` if no run
-/// has it.
+/// HTML of a sentence on the least absolute value of a divisor of the kinematic equations in the derived runs; `None`
+/// if no run has it.
 fn divisor_met(scene: &SceneSection, at: usize, divisor: &str) -> Option<String> {
     let runs = scene.runs.iter().filter(|run| run.printed.is_none());
     let list = runs.filter_map(|run| Some((run, (*run.nearest.divisors.get(at)?)?)));
@@ -145,7 +145,7 @@ fn divisor_met(scene: &SceneSection, at: usize, divisor: &str) -> Option<String>
     ))
 }
 
-/// A run in a sentence.
+/// HTML of the name of a run in a sentence.
 pub fn name(run: &RunRow) -> String {
     match &run.printed {
         Some(id) => format!("<code>printed:{}</code>", escape(id)),
@@ -153,7 +153,7 @@ pub fn name(run: &RunRow) -> String {
     }
 }
 
-/// The extremes of every run.
+/// HTML of the table with the extremes of every run.
 fn table(scene: &SceneSection, divisors: &[String]) -> String {
     let mut columns = vec![
         "Equations".to_owned(),
@@ -171,7 +171,7 @@ fn table(scene: &SceneSection, divisors: &[String]) -> String {
     }
     let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
     let mut rows = String::new();
-    // A run that does not show every state was not watched.
+    // Runs that do not show every state were not watched.
     for run in scene.runs.iter().filter(|run| !run.nearest.divisors.is_empty() || run.nearest.determinant.is_some()) {
         let nearest = &run.nearest;
         let pair = |pair: Option<(f64, f64)>| match pair {

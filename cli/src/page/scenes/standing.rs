@@ -1,13 +1,13 @@
-//! Standing of a run: whether its equations are the derived ones, and whether its tolerances leave it any digits.
+//! Standing of a run: if its equations are the derived ones, and if its tolerances leave it enough digits.
 //!
-//! The two are told apart everywhere in the same words and colours: wrong equations are wrong however their run ends,
-//! and a loose run has right equations.
+//! Wrong and loose runs have different words and colours everywhere: wrong equations are wrong for any end of their
+//! run, and a loose run has right equations.
 
 use crate::page::content::{RunRow, Standing};
 use crate::page::markup::html::escape;
 
 impl Standing {
-    /// The word for it; none for right equations that run well.
+    /// Word for the standing; `None` for right equations that run well.
     pub fn word(&self) -> Option<&'static str> {
         match self {
             Self::Right => None,
@@ -18,10 +18,10 @@ impl Standing {
         }
     }
 
-    /// Remark below the row of a run, if there is any.
+    /// Remark below the row of a run; `None` if it needs none.
     pub fn remark(&self, t_end: f64) -> Option<String> {
         match self {
-            // What is wrong is said once, above the printed equations.
+            // Wrong equations are named once, above the printed equations.
             Self::Right | Self::Stopped | Self::Wrong => None,
             Self::Loose { how, error: Ok(error) } => Some(format!(
                 "right equations, loosely integrated: {how} leaves an error of {} at t = {t_end} s, the largest \
@@ -38,7 +38,7 @@ impl Standing {
     }
 }
 
-/// A size in two digits.
+/// Positive number as text with two significant digits.
 pub fn two_digits(size: f64) -> String {
     let short = format!("{size:.1e}");
     match short.parse::<f64>() {
@@ -47,7 +47,7 @@ pub fn two_digits(size: f64) -> String {
     }
 }
 
-/// The class of a row of a run, with a space before more of them.
+/// HTML attribute with the classes of a run's row; `more` is another class, or empty.
 pub fn class(run: &RunRow, more: &str) -> String {
     let printed = run.printed.as_ref().map(|_| "printed");
     let standing = run.standing.word();
@@ -55,7 +55,7 @@ pub fn class(run: &RunRow, more: &str) -> String {
     if list.is_empty() { String::new() } else { format!(" class=\"{}\"", list.join(" ")) }
 }
 
-/// The name of a run, with the word for its standing.
+/// HTML of the name of a run, with the word for its standing.
 pub fn name(run: &RunRow) -> String {
     let name = match &run.printed {
         Some(id) => format!("<code>printed:{}</code>", escape(id)),

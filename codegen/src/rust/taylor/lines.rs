@@ -1,4 +1,4 @@
-//! The statements of a function `taylor`: order 0, order 1, and the loop over the others.
+//! Statements of a generated function `taylor`: order 0, order 1, and the loop over the higher orders.
 
 use super::Text;
 use crate::rust::text::comment;
@@ -8,17 +8,17 @@ use quote::{format_ident, quote};
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::{Expr, Function as Elementary};
 
-/// Order of the coefficients that a line computes.
+/// Order of the coefficients that a line of a generated function `taylor` computes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Stage {
-    /// Order 1, where no convolution has inner terms.
+    /// Order 1, at which no convolution has inner terms.
     One,
-    /// Order k above 1.
+    /// Order k, above 1.
     Later,
 }
 
 impl Text<'_> {
-    /// Σ weight · value + constant, what is known late added late.
+    /// Sum Σ weight · value + constant. Values that are computed late are added late.
     fn linear(
         &self,
         constant: Option<Expr>,
@@ -48,7 +48,7 @@ impl Text<'_> {
         sum.unwrap_or_else(|| quote!(S::int(0)))
     }
 
-    /// All series at order 0, and the first rates.
+    /// Statements that compute all series at order 0, and the inverses that higher orders need.
     pub(super) fn start(&self) -> TokenStream {
         let mut tokens = comment("Order 0.");
         let mut angles: Vec<usize> = Vec::new();
@@ -104,7 +104,7 @@ impl Text<'_> {
         tokens
     }
 
-    /// Sine and cosine at order 0.
+    /// Statement that computes the sine and the cosine of an angle at order 0.
     fn circle(&self, of: usize, angles: &mut Vec<usize>) -> TokenStream {
         angles.push(of);
         let place = |f: Elementary| {
@@ -120,7 +120,7 @@ impl Text<'_> {
         quote!(let (#sine, #cosine) = #angle.sin_cos();)
     }
 
-    /// Order 1, and the loop over the others.
+    /// Statements that compute order 1, and the loop over the higher orders.
     pub(super) fn orders(&self) -> TokenStream {
         let list = self.plan.list;
         let mut rates = [TokenStream::new(), TokenStream::new(), TokenStream::new()];
@@ -184,7 +184,8 @@ impl Text<'_> {
         }
     }
 
-    /// The left and right factors of the convolution of a series, and whether the left one is j times a coefficient.
+    /// Left and right factors of the convolution of a series; true if j times the left coefficient j is a factor.
+    /// `None` for a series without convolution.
     fn factors(&self, at: usize) -> Option<(usize, usize, bool)> {
         match self.plan.list.series[at].rule {
             Rule::Product(x, y) => Some((x, y, false)),
@@ -268,7 +269,8 @@ impl Text<'_> {
         ]
     }
 
-    /// The convolution of a series at an odd order k, its terms with coefficients of orders 1 and k − 1 added.
+    /// Convolution of a series at an odd order k: the prepared sum plus the terms with coefficients of orders 1 and k −
+    /// 1.
     fn ends(&self, at: usize) -> TokenStream {
         let Some((left, right, weighted)) = self.factors(at) else { return TokenStream::new() };
         let slot = Literal::usize_unsuffixed(self.plan.slots[&at]);
@@ -281,7 +283,7 @@ impl Text<'_> {
         quote!(#left_1.mul_add(#right_last, #left_last.mul_add(#right_1, next[#slot])))
     }
 
-    /// The line of one series at order 1, or at order k.
+    /// Statement that computes the coefficient of one series at order 1 or at order k.
     fn coefficient(&self, at: usize, stage: Stage) -> TokenStream {
         let name = |x: usize| if stage == Stage::One { self.at_one(x) } else { self.now(x) };
         let z = name(at);

@@ -1,4 +1,4 @@
-//! The generated function `taylor`: one line for each series at order 0, and one for its coefficient of order k.
+//! Generated function `taylor`: one line for each series at order 0, and one line for its coefficient of order k.
 
 mod lines;
 
@@ -11,7 +11,7 @@ use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::text::view::view;
 
-/// The `use` items of the function's file; only those of its `System` if the function itself stands elsewhere.
+/// Items `use` of a file with the function `taylor`; only those of its `System` if the function is in another file.
 pub fn imports(plan: &TaylorPlan<'_>, is_here: bool) -> TokenStream {
     match plan.list.convolutions() {
         _ if !is_here => quote!(
@@ -29,7 +29,7 @@ pub fn imports(plan: &TaylorPlan<'_>, is_here: bool) -> TokenStream {
     }
 }
 
-/// The function that computes the coefficients, given its parameters in this struct.
+/// Rust function `taylor` that computes the coefficients. It gets its parameters in this struct.
 pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
     let (list, text) = (plan.list, Text { plan });
     let (p, unpack_p) = (signature(&plan.parameters, parameters), unpack(&plan.parameters, parameters));
@@ -59,43 +59,43 @@ pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
     }
 }
 
-/// The function under way: the variables of its plan as tokens.
+/// Text of a function `taylor`: the variables of its plan as tokens.
 struct Text<'a> {
     plan: &'a TaylorPlan<'a>,
 }
 
 impl Text<'_> {
-    /// The coefficient of order 0 of a series.
+    /// Variable of a series' coefficient of order 0.
     fn first(&self, at: usize) -> TokenStream {
         ident(&format!("{}_0", self.plan.names[at]))
     }
 
-    /// The coefficient of order 1.
+    /// Variable of a series' coefficient of order 1.
     fn at_one(&self, at: usize) -> TokenStream {
         ident(&format!("{}_1", self.plan.names[at]))
     }
 
-    /// The coefficient of order k − 1.
+    /// Variable of a series' coefficient of order k − 1.
     fn last(&self, at: usize) -> TokenStream {
         ident(&format!("{}_last", self.plan.names[at]))
     }
 
-    /// The coefficient of order k.
+    /// Variable of a series' coefficient of order k.
     fn now(&self, at: usize) -> TokenStream {
         ident(&self.plan.names[at])
     }
 
-    /// The inverse of a series at order 0.
+    /// Variable of the inverse of a series at order 0.
     fn over(&self, at: usize) -> TokenStream {
         ident(&self.plan.over[&at])
     }
 
-    /// 1/(2 z) of a root z at order 0.
+    /// Variable of 1/(2 z) for a root z at order 0.
     fn over_twice(&self, at: usize) -> TokenStream {
         ident(&self.plan.over_twice[&at])
     }
 
-    /// A weight: its variable, or a number.
+    /// Expression for a weight: its variable, or a number.
     fn weight(&self, e: Expr) -> TokenStream {
         match self.plan.weights.get(&e).or_else(|| self.plan.variables.of.get(&e)) {
             Some(name) => ident(name),

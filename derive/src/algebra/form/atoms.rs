@@ -1,14 +1,14 @@
-//! Sums of symbols that are left alone: a sum of masses is as good as one mass.
+//! Sums of symbols that simplification treats as atoms: a sum of masses is as good as one mass.
 //!
-//! Expanding (m₁ + … + m₂₀) l₁ l₂ cos q to twenty terms and factoring them again finds nothing. It could only where two
-//! sums stand before one and the same rest, as in (a + b) x − a x. So the sums are taken for atoms, and the polynomial
-//! in them tells whether that happens; if it does, they are expanded after all.
+//! Expanding (m₁ + … + m₂₀) l₁ l₂ cos q to twenty terms and factoring them again gains nothing. It could gain only if
+//! two sums have the same cofactor, as in (a + b) x − a x. So sums of symbols are treated as atoms first. If the
+//! polynomial in these atoms shows such a case, they are expanded after all.
 
 use super::polynomial::{Monomial, Polynomial};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Sums of symbols, and the symbols in them.
+/// Sums of symbols that are treated as atoms, and the symbols in them.
 #[derive(Default)]
 pub struct SumAtoms {
     sums: FxHashSet<Expr>,
@@ -16,7 +16,7 @@ pub struct SumAtoms {
 }
 
 impl SumAtoms {
-    /// The sums of symbols that are factors, with a positive exponent, among these terms.
+    /// Finds the sums of symbols that are factors with positive exponents in the products among `parts`.
     pub fn new(arena: &Arena, parts: &[Expr]) -> Self {
         let mut found = Self::default();
         for part in parts {
@@ -39,13 +39,13 @@ impl SumAtoms {
         self.sums.is_empty()
     }
 
-    /// True if this term is one of the sums.
+    /// True if the term `e` is one of the sums of symbols.
     pub fn contains(&self, e: Expr) -> bool {
         self.sums.contains(&e)
     }
 
     /// True if expanding the sums cannot shorten the polynomial: any two of its terms that differ in the sums or their
-    /// symbols differ in other atoms too. Sines and cosines do not count as such, since they are related.
+    /// symbols differ in other atoms too. Sines and cosines do not count as other atoms, since they are related.
     pub fn stay_apart(&self, arena: &Arena, polynomial: &Polynomial) -> bool {
         let mut seen: FxHashMap<Monomial, Monomial> = FxHashMap::default();
         polynomial.terms.keys().all(|monomial| {
@@ -67,8 +67,8 @@ pub fn is_circular(arena: &Arena, e: Expr) -> bool {
     matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
 }
 
-/// True if any two terms of a polynomial differ in more than sines and cosines, and none divides by one. Then no
-/// trigonometric identity can join two of them.
+/// True if any two terms of a polynomial differ in more than sines and cosines, and no term divides by a sine or
+/// cosine. Then no trigonometric identity can join two terms.
 pub fn differ_beside_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
     let mut seen: FxHashSet<Monomial> = FxHashSet::default();
     polynomial.terms.keys().all(|monomial| {
@@ -109,7 +109,7 @@ pub fn is_plain_product(arena: &Arena, e: Expr) -> bool {
     }
 }
 
-/// A polynomial that is one atom.
+/// Polynomial that consists of the single atom `e`.
 pub fn atom(e: Expr) -> Polynomial {
     Polynomial::monomial(vec![(e, 1)], &Rational::ONE)
 }

@@ -1,25 +1,24 @@
 //! Fractions of polynomials of a [`Ring`], over factored denominators.
 //!
-//! Invariants: the denominator is a product of primitive polynomials that are not constant, single generators among
-//! them, none dividing the numerator; a fraction is zero by meaning iff its numerator is. Two equal
-//! fractions may still have different denominators, since factors are found by trial and not by
-//! factorization.
+//! Invariants: the denominator is a product of primitive polynomials that are not constant and do not divide the
+//! numerator. Some of them are single generators. A fraction is zero by meaning iff its numerator is. Two equal
+//! fractions may still have different denominators, since factors are found by trial and not by factorization.
 
 use super::ring::{Poly, Ring};
 use crate::algebra::Rational;
 use std::rc::Rc;
 
-/// numerator / Π factor^exponent.
+/// Fraction of polynomials, numerator / Π factor^exponent.
 #[derive(Clone, PartialEq, Eq, Default)]
 pub struct Fraction {
     /// Polynomial above the fraction bar.
     pub numerator: Poly,
-    /// Denominator: factors and exponents, at least 1.
+    /// Factors of the denominator with their exponents, at least 1.
     pub denominator: Vec<(Poly, u32)>,
 }
 
 impl Fraction {
-    /// A polynomial.
+    /// Fraction with this numerator and the denominator 1.
     pub fn whole(numerator: Poly) -> Self {
         Self { numerator, denominator: Vec::new() }
     }
@@ -29,7 +28,7 @@ impl Fraction {
         self.numerator.is_zero()
     }
 
-    /// The product; `None` beyond the budget.
+    /// Product of two fractions; `None` beyond the ring's budget.
     pub fn mul(&self, ring: &mut Ring, other: &Self) -> Option<Self> {
         let numerator = ring.mul(&self.numerator, &other.numerator)?;
         let mut denominator = self.denominator.clone();
@@ -41,7 +40,7 @@ impl Fraction {
         if whole { Some(product) } else { product.cancelled(ring) }
     }
 
-    /// Σ k · fraction, over one common denominator.
+    /// Linear combination Σ k · fraction, over one common denominator; `None` beyond the ring's budget.
     pub fn sum(ring: &mut Ring, parts: &[(&Self, Rational)]) -> Option<Self> {
         let common = common_denominator(parts.iter().map(|(part, _)| *part));
         if common.is_empty() {
@@ -64,7 +63,7 @@ impl Fraction {
         Self { numerator, denominator: common }.cancelled(ring)
     }
 
-    /// The fraction to a power; `None` beyond the budget, or for a negative power of 0.
+    /// Power of the fraction; `None` beyond the ring's budget, or for a negative power of 0.
     pub fn pow(&self, ring: &mut Ring, n: i32) -> Option<Self> {
         let base = if n < 0 { self.inverse(ring)? } else { self.clone() };
         let n = n.unsigned_abs();
@@ -102,7 +101,8 @@ impl Fraction {
         Self { numerator: numerator.scaled(&k), denominator }.cancelled(ring)
     }
 
-    /// Divides out what numerator and denominator share, as far as trial division finds it.
+    /// Cancels common factors of numerator and denominator, as far as trial division finds them; `None` if the ring's
+    /// budget has ended.
     fn cancelled(mut self, ring: &mut Ring) -> Option<Self> {
         if self.numerator.is_zero() {
             return Some(Self::default());
@@ -120,10 +120,10 @@ impl Fraction {
     }
 }
 
-/// Fractions of one denominator: their numerators with coefficients.
+/// Fractions with one denominator: the denominator, and the numerators with their coefficients.
 type Group<'a> = (&'a [(Poly, u32)], Vec<(&'a Poly, Rational)>);
 
-/// Numerators of fractions over one denominator that all of them have.
+/// Numerators of fractions after all are brought over one common denominator; `None` beyond the ring's budget.
 pub fn over_common_denominator(ring: &mut Ring, list: &[Rc<Fraction>]) -> Option<Vec<Poly>> {
     let common = common_denominator(list.iter().map(Rc::as_ref));
     list.iter().map(|part| raised(ring, &part.numerator, &part.denominator, &common)).collect()
@@ -140,7 +140,7 @@ fn common_denominator<'a>(list: impl Iterator<Item = &'a Fraction>) -> Vec<(Poly
     common
 }
 
-/// A numerator over `denominator` as one over `common`.
+/// Numerator of a fraction over `common`, given its numerator over `denominator`; `None` beyond the ring's budget.
 fn raised(ring: &mut Ring, numerator: &Poly, denominator: &[(Poly, u32)], common: &[(Poly, u32)]) -> Option<Poly> {
     let mut numerator = numerator.clone();
     for (factor, most) in common {

@@ -1,4 +1,4 @@
-//! Forms of terms: the normal form, and shorter ones.
+//! Forms of terms: the normal form, and forms with fewer operations.
 
 pub(super) mod atoms;
 pub(super) mod fraction;

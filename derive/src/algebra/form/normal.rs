@@ -1,9 +1,9 @@
 //! The normal form: fractions of polynomials over ℚ in symbols, sines and cosines of base angles, and roots.
 //!
-//! Every angle is brought to base angles: expanded to Σ k·atom, each atom divided by the common
-//! denominator of its k, sums and multiples by the addition theorems. Then sin² = 1 − cos² and √x² = x
-//! leave no relation between the generators unless roots or functions without rules occur, so a
-//! fraction is zero by meaning iff its numerator has no terms ([`Normalizer::zero`] says which case it is).
+//! Every angle is expanded to Σ k·atom. The base angle of an atom is the atom divided by the common denominator of its
+//! k. The addition theorems then give the sine and cosine of each angle in those of base angles. With sin² = 1 − cos²
+//! and √x² = x, no relation is left between the generators, unless roots or functions without rules occur. So a
+//! fraction is zero by meaning iff its numerator has no terms; [`Normalizer::zero`] says which case it is.
 
 use super::fraction::Fraction;
 use super::polynomial::{Monomial, Polynomial};
@@ -19,21 +19,21 @@ use std::rc::Rc;
 /// Answer of the normal form to the question whether an expression is zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Zero {
-    /// It is zero: proved.
+    /// The expression is proved to be zero.
     Yes,
-    /// It is not zero: proved, since the generators are independent.
+    /// The expression is proved not to be zero, since the generators are independent.
     No,
-    /// Its form is not zero, but roots or functions without rules may be related in ways unknown here.
+    /// The normal form is not zero, but its roots or functions without rules may be related in unknown ways.
     Unknown,
-    /// It has no normal form within the budget.
+    /// The expression has no normal form within the budget.
     TooLarge,
 }
 
-/// Brings expressions to their normal form and remembers what it has done.
+/// Brings expressions to their normal form and remembers the forms that it has found.
 pub struct Normalizer {
     ring: Ring,
     forms: FxHashMap<Expr, Option<Rc<Fraction>>>,
-    /// Base angles are these fractions of their atoms.
+    /// Divisor of each angle atom: the base angle is the atom divided by this number.
     parts_of_turn: FxHashMap<Expr, i64>,
 }
 
@@ -44,16 +44,16 @@ impl Default for Normalizer {
 }
 
 impl Normalizer {
-    /// Multiplications of terms that one expression may cost: about a second.
+    /// Largest number of multiplications of terms for one expression: about a second.
     pub const BUDGET: u64 = 2_000_000;
 
-    /// With a budget for everything that will be asked of it.
+    /// Creates a normalizer. The budget counts multiplications of terms in all its work.
     #[must_use]
     pub fn new(budget: u64) -> Self {
         Self { ring: Ring::new(budget), forms: FxHashMap::default(), parts_of_turn: FxHashMap::default() }
     }
 
-    /// Sets how many multiplications of terms may still be done.
+    /// Sets the number of multiplications of terms that are still allowed.
     pub fn allow(&mut self, budget: u64) {
         if self.ring.size() == GENERATORS {
             self.ring = Ring::new(0);
@@ -65,7 +65,7 @@ impl Normalizer {
         self.ring.budget = budget;
     }
 
-    /// Tests if `e` is zero by meaning.
+    /// Tests if the expression `e` is zero by meaning.
     pub fn zero(&mut self, arena: &mut Arena, e: Expr) -> Zero {
         match self.fraction(arena, e) {
             None => Zero::TooLarge,
@@ -80,7 +80,7 @@ impl Normalizer {
         }
     }
 
-    /// The normal form; `None` if it is too large, or divides by zero.
+    /// Normal form of the expression `e`; `None` if it is too large, or divides by zero.
     pub fn fraction(&mut self, arena: &mut Arena, e: Expr) -> Option<Rc<Fraction>> {
         if let Some(done) = self.forms.get(&e) {
             return done.clone();
@@ -96,13 +96,13 @@ impl Normalizer {
         self.forms[&e].clone()
     }
 
-    /// Makes the base angles fine enough for all of these at once.
+    /// Makes the base angles fine enough for all expressions of a list.
     pub fn prepare(&mut self, arena: &Arena, list: &[Expr]) {
         let parts = arena.reachable(list);
         self.refine_angles(arena, &parts);
     }
 
-    /// The ring of all forms so far.
+    /// Ring in which all normal forms so far are written.
     pub fn ring(&mut self) -> &mut Ring {
         &mut self.ring
     }
@@ -113,14 +113,14 @@ impl Normalizer {
         self.ring.expression(generator)
     }
 
-    /// The generators that depend on nothing but these symbols.
+    /// Numbers of the generators that depend on no symbols other than these.
     #[must_use]
     pub fn generators_in(&self, arena: &Arena, symbols: &[Expr]) -> Vec<usize> {
         let known = |e: &Expr| arena.symbol_name(*e).is_none() || symbols.contains(e);
         (0..self.ring.size()).filter(|at| arena.reachable(&[self.ring.expression(*at)]).iter().all(known)).collect()
     }
 
-    /// Makes base angles fine enough for these terms; forms over coarser ones are forgotten.
+    /// Makes base angles fine enough for the angles in `parts`. Normal forms over coarser base angles are forgotten.
     fn refine_angles(&mut self, arena: &Arena, parts: &[Expr]) {
         let mut finer = false;
         for part in parts {
@@ -193,7 +193,7 @@ impl Normalizer {
         Some(Fraction::whole(Ring::variable(number)))
     }
 
-    /// sin or cos of Σ k·atom by the addition theorems.
+    /// Sine or cosine of the angle Σ k·atom, by the addition theorems; `None` if it is too large.
     fn circular(&mut self, arena: &mut Arena, f: Function, argument: Expr) -> Option<Fraction> {
         let one = Poly::constant(&Rational::ONE);
         let mut total = (Poly::default(), one);
@@ -210,7 +210,7 @@ impl Normalizer {
         Some(Fraction::whole(if f == Function::Sin { total.0 } else { total.1 }))
     }
 
-    /// The angle as Σ k·atom with atoms that are products, so that equal angles have equal atoms.
+    /// Angle as Σ k·atom with atoms that are products, so that equal angles have equal atoms.
     fn expanded_angle(&mut self, arena: &mut Arena, argument: Expr) -> Option<Vec<(Expr, Rational)>> {
         let atoms = angle_atoms(arena, argument);
         let plain = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_) | Node::Number(_) | Node::Pi);
@@ -241,7 +241,7 @@ impl Normalizer {
         self.repeated(&unit, n)
     }
 
-    /// (sin, cos) of n times an angle.
+    /// (sin, cos) of n times an angle, from its (sin, cos) `unit`.
     fn repeated(&mut self, unit: &(Poly, Poly), n: i64) -> Option<(Poly, Poly)> {
         let mut result = (Poly::default(), Poly::constant(&Rational::ONE));
         for _ in 0..n.unsigned_abs() {
@@ -253,7 +253,7 @@ impl Normalizer {
         Some(result)
     }
 
-    /// An exact number as a polynomial in roots.
+    /// Exact number as a polynomial in square roots; `None` if it is a fraction or too large.
     fn whole(&mut self, arena: &mut Arena, e: Expr) -> Option<Poly> {
         for part in arena.reachable(&[e]) {
             if !self.forms.contains_key(&part) {
@@ -275,7 +275,7 @@ impl Normalizer {
         Some((sine, cosine))
     }
 
-    /// A normal form as a term of the arena, expanded.
+    /// Normal form as a term of the arena, with expanded numerator and denominator factors.
     pub fn expression(&self, arena: &mut Arena, form: &Fraction) -> Expr {
         let above = self.polynomial(&form.numerator).expand(arena);
         let mut factors = vec![(above, 1)];
@@ -286,7 +286,7 @@ impl Normalizer {
         arena.try_product(&factors).expect("factors below are not zero")
     }
 
-    /// The polynomial with terms of the arena as atoms.
+    /// Polynomial of the ring as a polynomial with terms of the arena as atoms.
     #[must_use]
     pub fn polynomial(&self, p: &Poly) -> Polynomial {
         let mut result = Polynomial::default();

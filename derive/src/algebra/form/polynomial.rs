@@ -1,24 +1,24 @@
 //! Laurent polynomials over ℚ in arbitrary atoms: the working form of [`super::simplify`].
 //!
-//! Invariant: no zero coefficients; monomials are sorted by atom and have no zero exponents.
-//! Apart from `ring`, whose generators are numbered and have known squares: here every atom is free and may stand
-//! below.
+//! Invariant: no coefficient is zero; monomials are sorted by atom and have no zero exponents. These polynomials are
+//! separate from those of `ring`, whose generators are numbered and have known squares. Here every atom is independent
+//! and may have negative exponents.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use std::collections::BTreeMap;
 
-/// Π atom^exponent, sorted by atom; the empty product is 1.
+/// Monomial Π atom^exponent, sorted by atom; the empty product is 1.
 pub type Monomial = Vec<(Expr, i32)>;
 
-/// Σ coefficient · monomial.
+/// Laurent polynomial Σ coefficient · monomial.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Polynomial {
-    /// Coefficients by monomial.
+    /// Coefficients of the polynomial by monomial, none of them zero.
     pub terms: BTreeMap<Monomial, Rational>,
 }
 
 impl Polynomial {
-    /// coefficient · monomial.
+    /// Polynomial with the single term coefficient · monomial.
     #[must_use]
     pub fn monomial(monomial: Monomial, coefficient: &Rational) -> Self {
         let mut result = Self::default();
@@ -26,13 +26,13 @@ impl Polynomial {
         result
     }
 
-    /// A constant.
+    /// Polynomial that is a constant.
     #[must_use]
     pub fn constant(value: &Rational) -> Self {
         Self::monomial(Vec::new(), value)
     }
 
-    /// Adds coefficient · monomial.
+    /// Adds coefficient · monomial to the polynomial.
     pub fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
         if coefficient.is_zero() {
             return;
@@ -52,14 +52,14 @@ impl Polynomial {
         }
     }
 
-    /// Adds k · other.
+    /// Adds k · other to the polynomial.
     pub fn add_scaled(&mut self, other: &Self, k: &Rational) {
         for (monomial, coefficient) in &other.terms {
             self.add_term(monomial.clone(), &coefficient.mul(k));
         }
     }
 
-    /// The product, or `None` if it could have more than `limit` terms.
+    /// Product of two polynomials; `None` if it could have more than `limit` terms.
     #[must_use]
     pub fn mul(&self, other: &Self, limit: usize) -> Option<Self> {
         if self.terms.len().saturating_mul(other.terms.len()) > limit {
@@ -74,8 +74,8 @@ impl Polynomial {
         Some(result)
     }
 
-    /// The n-th power for n ≥ 0, or any power of a single term; `None` beyond `limit` terms or for
-    /// a negative power of a sum.
+    /// Power of the polynomial: n ≥ 0, or any n for a single term. `None` beyond `limit` terms or for a negative power
+    /// of a sum.
     #[must_use]
     pub fn pow(&self, n: i32, limit: usize) -> Option<Self> {
         if let (1, Some((monomial, k))) = (self.terms.len(), self.terms.first_key_value()) {
@@ -89,14 +89,14 @@ impl Polynomial {
         Some(result)
     }
 
-    /// The sum as an expression, term by term.
+    /// The polynomial as an expression: the sum of its terms.
     pub fn expand(&self, arena: &mut Arena) -> Expr {
         let terms: Vec<_> = self.terms.iter().map(|(m, k)| (monomial_expr(arena, m), k.clone())).collect();
         arena.linear_combination(&terms)
     }
 
-    /// Replaces f(x)^k for k ≥ 2 by (1 − g(x)²)^⌊k/2⌋ · f(x)^(k mod 2): pythagoras, always sound.
-    /// `None` beyond `limit` terms.
+    /// Replaces f^k for k ≥ 2 by (1 − g²)^⌊k/2⌋ · f^(k mod 2). `f` and `g` must be sine and cosine of one angle, in any
+    /// order. `None` beyond `limit` terms.
     #[must_use]
     pub fn pythagoras(&self, f: Expr, g: Expr, limit: usize) -> Option<Self> {
         // Each power becomes as many terms as half its exponent: high powers in many terms are left alone.
@@ -132,13 +132,13 @@ impl Polynomial {
         self.terms.keys().flatten().any(|(e, n)| *e == atom && *n >= 2)
     }
 
-    /// True if one of these two atoms has a negative exponent in some term.
+    /// True if atom `a` or atom `b` has a negative exponent in some term.
     #[must_use]
     pub fn divides_by(&self, a: Expr, b: Expr) -> bool {
         self.terms.keys().flatten().any(|(e, n)| (*e == a || *e == b) && *n < 0)
     }
 
-    /// The angles whose sine or cosine is among the atoms.
+    /// Angles whose sine or cosine is among the atoms of the polynomial.
     #[must_use]
     pub fn angles(&self, arena: &Arena) -> Vec<Expr> {
         let mut angles: Vec<Expr> = self
@@ -156,7 +156,7 @@ impl Polynomial {
     }
 }
 
-/// The product of two monomials.
+/// Product of two monomials.
 #[must_use]
 pub fn multiply(a: &[(Expr, i32)], b: &[(Expr, i32)]) -> Monomial {
     let mut result = Vec::with_capacity(a.len() + b.len());

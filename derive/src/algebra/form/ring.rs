@@ -5,23 +5,24 @@
 //! Over such a ring a polynomial is zero by meaning iff it has no terms, as long as the generators
 //! are otherwise independent; [`super::normal`] says when they are.
 //!
-//! Apart from `polynomial`: falling order and reduction by squares are what makes forms normal and division exact, at a
-//! cost that [`super::simplify`] need not pay.
+//! These polynomials are separate from those of `polynomial`. Falling order and reduction by squares make forms normal
+//! and division exact, at a cost that [`super::simplify`] need not pay.
 //!
-//! Work is counted, not timed: [`Ring::budget`] multiplications of terms, then `None`, the same on
-//! every machine. Absent on purpose: greatest common divisors. Fractions cancel by trial division,
-//! which is exact here, and a zero test needs no more.
+//! Work is counted, not timed: after [`Ring::budget`] multiplications of terms the result is `None`, on every machine
+//! alike. Absent on purpose: greatest common divisors. Fractions cancel by trial division, which is exact here, and a
+//! zero test needs no more.
 
 use crate::algebra::{Expr, Rational};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
-/// Most generators that a ring can have.
+/// Largest number of generators of a ring.
 pub const GENERATORS: usize = 64;
-/// Terms of a square root up to which it is looked for.
+/// Largest number of terms of a square root that is looked for.
 const MOST_ROOT_TERMS: usize = 60;
 
-/// Exponents of all generators; the order is lexicographic, and a monomial order.
+/// Exponents of a monomial, one for each generator of the ring. They compare lexicographically, which is a monomial
+/// order.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Powers([u8; GENERATORS]);
 
@@ -29,7 +30,7 @@ impl Powers {
     /// The monomial 1: all exponents are 0.
     pub const ONE: Self = Self([0; GENERATORS]);
 
-    /// The exponent of a generator.
+    /// Exponent of a generator in the monomial.
     pub fn of(&self, generator: usize) -> u8 {
         self.0[generator]
     }
@@ -39,7 +40,7 @@ impl Powers {
         self
     }
 
-    /// The product; `None` if an exponent passes 255.
+    /// Product of two monomials; `None` if an exponent exceeds 255.
     fn times(&self, other: &Self) -> Option<Self> {
         let mut result = *self;
         for (a, b) in result.0.iter_mut().zip(&other.0) {
@@ -48,7 +49,7 @@ impl Powers {
         Some(result)
     }
 
-    /// The quotient; `None` if it is no monomial.
+    /// Quotient of two monomials; `None` if it is no monomial.
     fn over(&self, other: &Self) -> Option<Self> {
         let mut result = *self;
         for (a, b) in result.0.iter_mut().zip(&other.0) {
@@ -57,7 +58,7 @@ impl Powers {
         Some(result)
     }
 
-    /// The root, if that is a monomial.
+    /// Square root of the monomial; `None` if it is no monomial.
     pub fn halved(&self) -> Option<Self> {
         let mut result = *self;
         for n in &mut result.0 {
@@ -69,7 +70,7 @@ impl Powers {
         Some(result)
     }
 
-    /// The part in these generators, and the rest.
+    /// Splits the monomial into its part in these generators and the rest.
     pub fn split(&self, generators: &[usize]) -> (Self, Self) {
         let (mut inside, mut outside) = (Self::ONE, *self);
         for at in generators {
@@ -91,12 +92,12 @@ impl Powers {
 /// A polynomial of a [`Ring`].
 #[derive(Clone, PartialEq, Eq, Hash, Default)]
 pub struct Poly {
-    /// Terms, leading term first.
+    /// Terms as (exponents, coefficient), leading term first.
     pub terms: Vec<(Powers, Rational)>,
 }
 
 impl Poly {
-    /// A constant.
+    /// Polynomial that is a constant.
     pub fn constant(value: &Rational) -> Self {
         if value.is_zero() { Self::default() } else { Self { terms: vec![(Powers::ONE, value.clone())] } }
     }
@@ -106,7 +107,7 @@ impl Poly {
         self.terms.is_empty()
     }
 
-    /// The value, if this is a constant other than 0.
+    /// Value of a constant polynomial; `None` for 0 and for polynomials that are not constant.
     pub fn as_constant(&self) -> Option<&Rational> {
         match self.terms.as_slice() {
             [(Powers::ONE, k)] => Some(k),
@@ -114,12 +115,13 @@ impl Poly {
         }
     }
 
-    /// Times a number other than 0.
+    /// The polynomial times a number other than 0.
     pub fn scaled(&self, k: &Rational) -> Self {
         Self { terms: self.terms.iter().map(|(m, c)| (*m, c.mul(k))).collect() }
     }
 
-    /// content · primitive: integer coefficients without common factor, the first one positive.
+    /// Splits the polynomial into content · primitive part. The primitive part has integer coefficients without common
+    /// factor, the first one positive.
     pub fn split_content(&self) -> (Rational, Self) {
         let Some((_, first)) = self.terms.first() else { return (Rational::ONE, Self::default()) };
         let size = self.terms.iter().fold(Rational::ZERO, |g, (_, k)| g.common_content(k));
@@ -128,7 +130,7 @@ impl Poly {
         (content, self.scaled(&inverse))
     }
 
-    /// The monomial that divides every term.
+    /// Largest monomial that divides every term of the polynomial.
     pub fn common_powers(&self) -> Powers {
         let mut terms = self.terms.iter();
         let first = terms.next().map_or(Powers::ONE, |(m, _)| *m);
@@ -140,28 +142,28 @@ impl Poly {
     }
 }
 
-/// The square of a generator, where it is known.
+/// Known square of a generator of a ring.
 #[derive(Clone)]
 pub enum Square {
-    /// The generator is independent of the others.
+    /// The generator is independent: its square is not known.
     Free,
-    /// A sine; the number of its cosine.
+    /// The generator is a sine; the number is that of its cosine.
     Sine(usize),
-    /// A square root of this polynomial.
+    /// The generator is a square root of this polynomial.
     Root(Poly),
 }
 
-/// The generators of a polynomial ring, and the work it may do.
+/// Polynomial ring: its generators, and the work that it may still do.
 #[derive(Clone)]
 pub struct Ring {
     generators: Vec<(Expr, Square)>,
     numbers: FxHashMap<Expr, usize>,
-    /// Multiplications of terms that are still allowed.
+    /// Number of multiplications of terms that are still allowed.
     pub budget: u64,
 }
 
 impl Ring {
-    /// A ring without generators.
+    /// Creates a ring without generators; the budget counts multiplications of terms.
     pub fn new(budget: u64) -> Self {
         Self { generators: Vec::new(), numbers: FxHashMap::default(), budget }
     }
@@ -176,7 +178,7 @@ impl Ring {
         self.generators.len()
     }
 
-    /// The number of a generator, new if there was none; `None` when the ring is full.
+    /// Number of the generator that stands for `e`, which is added if it is new; `None` when the ring is full.
     pub fn generator(&mut self, e: Expr, square: impl FnOnce(&mut Self) -> Option<Square>) -> Option<usize> {
         if let Some(&number) = self.numbers.get(&e) {
             return Some(number);
@@ -190,7 +192,7 @@ impl Ring {
         Some(self.generators.len() - 1)
     }
 
-    /// A generator as a polynomial.
+    /// Polynomial that consists of one generator.
     pub fn variable(generator: usize) -> Poly {
         Poly { terms: vec![(Powers::ONE.with(generator, 1), Rational::ONE)] }
     }
@@ -201,7 +203,7 @@ impl Ring {
         left.map(|_| ())
     }
 
-    /// The linear combination Σ k · p; `None` beyond the budget.
+    /// Linear combination Σ k · p of polynomials; `None` beyond the budget.
     pub fn sum<'a>(&mut self, parts: impl Iterator<Item = (&'a Poly, Rational)>) -> Option<Poly> {
         let mut sum: FxHashMap<Powers, Rational> = FxHashMap::default();
         for (part, k) in parts {
@@ -213,7 +215,7 @@ impl Ring {
         Some(sorted(sum))
     }
 
-    /// a · b; `None` beyond the budget.
+    /// Product a · b; `None` beyond the budget.
     pub fn mul(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
         for (one, other) in [(a, b), (b, a)] {
             if let Some(k) = one.as_constant() {
@@ -230,7 +232,7 @@ impl Ring {
         Some(sorted(product))
     }
 
-    /// Adds a term, with squares replaced by what they are.
+    /// Adds the term k · powers to a sum, with known squares of generators replaced; `None` beyond the budget.
     fn reduce_into(&mut self, sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) -> Option<()> {
         let mut pending = vec![(powers, k)];
         while let Some((powers, k)) = pending.pop() {
@@ -280,10 +282,10 @@ impl Ring {
         Some(result)
     }
 
-    /// a / b if that is a polynomial; `None` if it is none or the budget ends.
+    /// Exact quotient a / b; `None` if it is no polynomial or the budget ends.
     ///
-    /// Over the polynomials without sines those with one are free on {1, sin}, so a / b is one of them
-    /// iff a · b̄ is divisible term by term by the norm b · b̄, which has no sine left.
+    /// Every polynomial is p + q · sin, with unique p and q that have no sine. So a / b is a polynomial iff a · b̄ is
+    /// divisible by the norm b · b̄, which has no sine left, term by term.
     pub fn divide(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
         let (mut above, mut below) = (a.clone(), b.clone());
         // Latest first: a root's radicand has only earlier generators.
@@ -298,8 +300,8 @@ impl Ring {
         self.divide_plainly(above, &below)
     }
 
-    /// The polynomial p with p² = `square`, found leading term by leading term. `None` if no polynomial without sines
-    /// and roots has this square.
+    /// Polynomial p with p² = `square`, found leading term by leading term. `None` if no polynomial without sines and
+    /// roots has this square.
     pub fn square_root(&mut self, square: &Poly) -> Option<Poly> {
         let (lead, k) = square.terms.first()?;
         let half = lead.halved()?;
@@ -335,7 +337,7 @@ impl Ring {
     }
 }
 
-/// The root of a number, if that is rational.
+/// Square root of a number; `None` if it is not rational, or if the number is too large for 64 bits.
 fn root_of(k: &Rational) -> Option<Rational> {
     let root = |n: i64| {
         let near = u64::try_from(n).ok()?.isqrt();
@@ -346,7 +348,7 @@ fn root_of(k: &Rational) -> Option<Rational> {
     Rational::fraction(root(n)?, root(d)?)
 }
 
-/// The polynomial with one generator's sign changed.
+/// The polynomial with the sign of one generator changed.
 fn conjugate(p: &Poly, generator: usize) -> Poly {
     let flip = |(m, k): &(Powers, Rational)| (*m, if m.of(generator) % 2 == 1 { k.neg() } else { k.clone() });
     Poly { terms: p.terms.iter().map(flip).collect() }

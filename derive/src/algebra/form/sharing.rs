@@ -1,14 +1,14 @@
-//! Fewer operations: common sub-sums and sub-products over everything that one function computes.
+//! Sharing of common sub-sums and sub-products among all values that one function computes, so that it needs fewer
+//! operations.
 //!
-//! The values become sums of monomials over atoms, and two kinds of common divisor are taken out, one at a time, the
-//! one that saves most first: a sum of two terms, whatever monomial stands before it (this is factoring where it occurs
-//! once, and sharing where it occurs more often), and a product of two factors. Longer ones arise by repetition, so
-//! that what grows along a chain is added up once along it. Reciprocals are atoms too: what many terms divide by is
-//! inverted once.
+//! The values become sums of monomials over atoms. Two kinds of common divisors are taken out, one at a time, the one
+//! that saves most first. The first is a sum of two terms, times any monomial: this is factoring if it occurs once, and
+//! sharing if it occurs more often. The second is a product of two factors. Longer divisors arise by repetition, so a
+//! sum along a chain is computed once along it. Reciprocals are atoms too: a divisor of many terms is inverted once.
 //!
 //! Invariant: the value of every step and output is the same function as before; only polynomial identities are used.
-//! Absent on purpose: names. New symbols are called `#1`, `#2`, …, or `#sin(q1 - q2)` after what they hold, which no
-//! model file can contain; who writes them down gives them better ones.
+//! Absent on purpose: names. New symbols are called `#1`, `#2`, …, or `#sin(q1 - q2)` after their values, which no
+//! model file can contain. The printers give them better names.
 //!
 //! Source: greedy extraction of double-cube and single-cube divisors, J. Rajski & J. Vasudevamurthy, "The
 //! testability-preserving concurrent decomposition and factorization of Boolean expressions", IEEE Trans. CAD 11
@@ -31,7 +31,7 @@ use network::Network;
 pub use rebuild::{Shared, is_shared_symbol};
 pub use same::is_same;
 
-/// Preparation of the values before common divisors are looked for.
+/// Preparation of the values before sharing looks for common divisors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reading {
     /// Extent to which products are multiplied out.
@@ -43,29 +43,30 @@ pub struct Reading {
 /// Treatment of sines and cosines of sums of angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Angles {
-    /// They are computed as such.
+    /// Sines and cosines of sums are computed directly.
     Kept,
-    /// They come from those of the parts by the addition theorems, where that saves sines and cosines.
+    /// Sines and cosines of sums come from those of the parts by the addition theorems, if that saves sines and
+    /// cosines.
     Composed,
-    /// Angles are composed, and the theorems are multiplied out with the rest.
+    /// Angles are composed, and the addition theorems are multiplied out with the rest of the values.
     Open,
 }
 
 /// Extent to which products are multiplied out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Products {
-    /// Products stay as they are factored.
+    /// Products stay factored.
     Factored,
-    /// Multiplied out, as far as that stays short.
+    /// Products are multiplied out, as long as the value stays short.
     Expanded,
-    /// Multiplied out, with 1 − cos² for sin².
+    /// Products are multiplied out, with 1 − cos² for sin².
     Cosines,
-    /// Multiplied out, with 1 − sin² for cos².
+    /// Products are multiplied out, with 1 − sin² for cos².
     Sines,
 }
 
 impl Reading {
-    /// All of them.
+    /// All readings: every treatment of products with every treatment of angles.
     pub const ALL: [Self; 12] = {
         let mut all = [Self { products: Products::Factored, angles: Angles::Kept }; 12];
         let mut at = 0;
@@ -77,7 +78,7 @@ impl Reading {
         all
     };
 
-    /// Those that win most often.
+    /// Readings that most often give the fewest operations.
     pub const SAMPLE: [Self; 3] = [
         Self { products: Products::Factored, angles: Angles::Kept },
         Self { products: Products::Expanded, angles: Angles::Kept },
@@ -86,10 +87,10 @@ impl Reading {
 }
 
 impl Products {
-    /// Terms beyond which a value is read as it is factored.
+    /// Largest number of terms of a value that is multiplied out; a longer one stays factored.
     const LIMIT: usize = 60;
 
-    /// A value as this reading has it.
+    /// Multiplies a value out as far as this treatment says; a value that would become too long stays factored.
     fn read(self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
         if self == Self::Factored {
             return e;
@@ -110,7 +111,7 @@ impl Products {
 
 /// Takes common sub-sums and sub-products out of steps and values.
 ///
-/// `None` if there is nothing that this reading reads otherwise than one before it.
+/// `None` if no angle can be composed as the reading asks, or if an exponent becomes too large for the arena.
 pub fn share(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

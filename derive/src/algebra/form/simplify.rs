@@ -1,10 +1,10 @@
 //! Shorter forms of the same meaning, for people and for generated code.
 //!
-//! An expression is expanded to a Laurent polynomial in its atoms, squares of sines or cosines are
-//! traded by sin² + cos² = 1 where that leaves fewer terms, and the result is factored again,
-//! Horner-fashion. Where it divides by sums, the normal form over one denominator is a candidate too. The shortest of
-//! the candidates wins and a tie keeps the input, so the result is never longer. What would expand beyond
-//! [`Simplifier::LIMIT`] terms, or has more than [`Simplifier::PARTS`] to begin with, is returned as it was.
+//! An expression is expanded to a Laurent polynomial in its atoms. Squares of sines or cosines are traded by sin² +
+//! cos² = 1 where that leaves fewer terms, and the result is factored again, Horner-fashion. If it divides by sums, the
+//! normal form over one denominator is a candidate too. The shortest candidate wins and a tie keeps the input, so the
+//! result is never longer. An expression that would expand beyond [`Simplifier::LIMIT`] terms, or has more than
+//! [`Simplifier::PARTS`] subterms, is returned unchanged.
 
 use super::atoms::{SumAtoms, atom, differ_beside_angles, is_circular, is_plain_product};
 use super::normal::Normalizer;
@@ -14,23 +14,23 @@ use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// Simplifies expressions and remembers what it has done.
+/// Simplifies expressions and remembers the results.
 #[derive(Clone, Default)]
 pub struct Simplifier {
     memo: FxHashMap<Expr, Expr>,
 }
 
 impl Simplifier {
-    /// Terms in an expanded polynomial above which an expression is left alone.
+    /// Number of terms of an expanded polynomial above which an expression is left alone.
     pub const LIMIT: usize = 600;
-    /// Multiplications of terms that bringing an expression over one denominator may cost.
+    /// Largest number of multiplications of terms for bringing an expression over one denominator.
     pub const FRACTION_BUDGET: u64 = 50_000;
-    /// The most multiplications for bringing multiple angles and sums of angles to single ones.
+    /// Largest number of multiplications of terms for rewriting multiple angles and sums of angles in single angles.
     pub const ANGLE_BUDGET: u64 = 5_000;
-    /// Different terms in an expression above which it is not even looked at.
+    /// Number of different subterms above which an expression is returned unchanged.
     pub const PARTS: usize = 5000;
 
-    /// The shortest known form of `e`.
+    /// Shortest form of the expression `e` that is found.
     pub fn simplify(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if let Some(&done) = self.memo.get(&e) {
             return done;
@@ -73,7 +73,8 @@ impl Simplifier {
         }
     }
 
-    /// `e` as a Laurent polynomial in symbols, function values and inverse sums; `None` beyond the limit.
+    /// The expression `e` as a Laurent polynomial in symbols, function values and inverse sums; `None` beyond
+    /// [`Self::LIMIT`] terms or [`Self::PARTS`] subterms.
     pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
         let parts = arena.shown(&[e]);
         if parts.len() > Self::PARTS {
@@ -82,7 +83,8 @@ impl Simplifier {
         self.polynomial_over(arena, &parts, &SumAtoms::default())
     }
 
-    /// The term multiplied out, but sums of symbols stay together where no term is lost by that.
+    /// Multiplies an expression out, but keeps sums of symbols whose expansion cannot cancel a term; `None` beyond the
+    /// limits.
     fn expanded(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
         let parts = arena.shown(&[e]);
         if parts.len() > Self::PARTS {
@@ -98,8 +100,8 @@ impl Simplifier {
         self.polynomial_over(arena, &parts, &SumAtoms::default())
     }
 
-    /// The last of `parts`, which are all that it is built from, as a Laurent polynomial in symbols, function values,
-    /// inverse sums and the sums taken for atoms; `None` beyond the limit.
+    /// Last expression of `parts` as a Laurent polynomial in symbols, function values, inverse sums and the sums in
+    /// `sums`. `parts` must hold all its subterms, operands first. `None` beyond [`Self::LIMIT`] terms.
     fn polynomial_over(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<Polynomial> {
         let mut forms: FxHashMap<Expr, Polynomial> = FxHashMap::default();
         for &part in parts {
@@ -161,7 +163,7 @@ impl Simplifier {
     }
 }
 
-/// True if a sum of several terms divides by a sum: then one fraction bar may do for all.
+/// True if a polynomial of several terms divides by a sum. One common denominator may then be shorter.
 fn divides_by_sums(arena: &Arena, polynomial: &Polynomial) -> bool {
     let inverse_sum = |(e, n): &(Expr, i32)| *n < 0 && matches!(arena.node(*e), Node::Sum(..));
     polynomial.terms.len() > 1 && polynomial.terms.keys().flatten().any(inverse_sum)
@@ -176,7 +178,7 @@ fn mixes_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
         .any(|angle| angle_atoms(arena, angle).into_iter().any(|(atom, _)| *seen.entry(atom).or_insert(angle) != angle))
 }
 
-/// The normal form, its numerator and the factors of its denominator each in short form.
+/// Normal form of `e` with its numerator and the factors of its denominator in short form; `None` beyond the budget.
 fn as_fraction(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
     let mut normalizer = Normalizer::new(budget);
     let form = normalizer.fraction(arena, e)?;
@@ -192,7 +194,7 @@ fn as_fraction(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
     arena.try_product(&factors).ok()
 }
 
-/// Reads an expression as a sum of monomials in whatever its factors are, without expanding.
+/// Reads an expression as a sum of monomials in its factors, without expanding it.
 fn as_monomials(arena: &Arena, e: Expr) -> Polynomial {
     let monomial = |e: Expr| match arena.node(e) {
         Node::Product(factors) => factors.to_vec(),
@@ -239,14 +241,14 @@ fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
     if canonical.terms.len() < best.terms.len() { canonical } else { best }
 }
 
-/// Terms, then sines and cosines: what trading squares should lessen.
+/// Size that trading squares should lessen: number of terms, then number of different sines and cosines.
 fn size(arena: &Arena, polynomial: &Polynomial) -> (usize, usize) {
     let circular: std::collections::BTreeSet<Expr> =
         polynomial.terms.keys().flatten().map(|(e, _)| *e).filter(|e| is_circular(arena, *e)).collect();
     (polynomial.terms.len(), circular.len())
 }
 
-/// Factors a sum of monomials: common factors out, then the atom that most terms share, again and again.
+/// Factors a sum of monomials: takes out common factors, then the atom that most terms share, repeatedly.
 fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
     let polynomial = Polynomial { terms: terms.clone() };
     let (monomial, content, rest) = extract_common(&polynomial);
@@ -275,7 +277,7 @@ fn join(arena: &mut Arena, monomial: &Monomial, content: &Rational, inner: Expr)
     arena.scale(product, content)
 }
 
-/// polynomial = monomial · content · rest, with nothing common left in the rest.
+/// Splits a polynomial into monomial · content · rest, where the terms of the rest have no common factor.
 fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
     let Some(first) = polynomial.terms.keys().next() else {
         return (Vec::new(), Rational::ONE, Polynomial::default());
@@ -286,7 +288,7 @@ fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
         content = content.common_content(k);
         for (atom, n) in &mut common {
             let m = monomial.iter().find(|(e, _)| e == atom).map_or(0, |(_, m)| *m);
-            // The part of the exponent that both share, from zero outwards.
+            // The part of the exponent that both monomials share, from zero outwards.
             *n = if *n > 0 { (*n).min(m).max(0) } else { (*n).max(m).min(0) };
         }
     }
@@ -306,7 +308,8 @@ fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
     (common, content, rest)
 }
 
-/// The atom (and the sign of its exponent) in most terms, if in two at least; the first such in order.
+/// Atom, and true for a positive exponent, that most terms share: the first of several. `None` if no two terms share
+/// one.
 fn most_shared(polynomial: &Polynomial) -> Option<(Expr, bool)> {
     let mut counts: BTreeMap<(Expr, bool), usize> = BTreeMap::new();
     for (atom, n) in polynomial.terms.keys().flatten() {
@@ -316,13 +319,14 @@ fn most_shared(polynomial: &Polynomial) -> Option<(Expr, bool)> {
     counts.into_iter().find(|(_, count)| *count == most).map(|(key, _)| key)
 }
 
-/// Operations in an expression, each shared term counted once, what has a name not at all: what "shorter" means here.
+/// Number of operations in an expression: the measure of short forms. A shared term counts once, a named term not at
+/// all.
 #[must_use]
 pub fn cost(arena: &Arena, e: Expr) -> usize {
     cost_of_all(arena, &[e])
 }
 
-/// Operations in several expressions together.
+/// Number of operations in several expressions together. A shared term counts once, a named term not at all.
 #[must_use]
 pub fn cost_of_all(arena: &Arena, list: &[Expr]) -> usize {
     arena

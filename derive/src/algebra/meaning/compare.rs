@@ -1,4 +1,4 @@
-//! Equality of meaning: one question, three answers.
+//! Comparison of two terms by meaning: equal, different or undecided.
 //!
 //! ```
 //! use tripos_derive::algebra::{Arena, parse::parse_free};
@@ -10,14 +10,15 @@
 //! assert!(matches!(Comparer::default().compare(&mut arena, a, b), Verdict::Equal(_)));
 //! ```
 //!
-//! A [`Comparer`] asks it of all states, or of permitted ones ([`super::permitted`]): on constraints, and in a domain.
+//! A [`Comparer`] compares in all states, or in permitted states only ([`super::permitted`]): those on constraints and
+//! in a domain.
 //!
-//! Two engines stand behind it. [`crate::algebra::value::modular`] evaluates exactly at random points of random prime
-//! fields: one value other than zero proves that the sides differ. Where it sees zeros only,
-//! [`crate::algebra::form::normal`] proves equality; what is too large for it is equal with the error bound of the
-//! first. Floating point decides nothing: it only finds a state that shows a difference which is proved already. Where
-//! roots or functions without rules occur, a difference counts only if a real state proves it, by intervals rounded
-//! outwards (module `interval`): √x² is x for some x and not for others.
+//! Two engines decide. [`crate::algebra::value::modular`] evaluates exactly at random points of random prime fields:
+//! one value other than zero proves that the sides differ. If it finds zeros only, [`crate::algebra::form::normal`]
+//! proves equality. Terms that are too large for it are equal with the error bound of the first engine. Floating point
+//! decides nothing: it only finds a state that shows a difference which is proved already. With roots or functions
+//! without rules, a difference counts only if a real state proves it, by intervals rounded outwards (module
+//! `interval`): √x² is x for some x and not for others.
 
 use super::permitted::{Holds, Permitted, View};
 use super::signs::Signs;
@@ -33,14 +34,14 @@ use std::fmt;
 
 pub use super::witness::Witness;
 
-/// Proof of an equality.
+/// Engine that proved an equality.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Engine {
     /// The difference has the normal form 0.
     NormalForm,
     /// The difference is 0 at random points of random prime fields; wrong with a probability below 2^−exponent.
     Modular {
-        /// The exponent of the bound.
+        /// Exponent of the error bound 2^−exponent.
         exponent: f64,
     },
 }
@@ -56,7 +57,7 @@ impl fmt::Display for Engine {
     }
 }
 
-/// The answer to "do these two mean the same?".
+/// Result of comparing two terms by meaning.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// The two terms are equal; with the proof.
@@ -75,10 +76,10 @@ impl Verdict {
     }
 }
 
-/// Multiplications of terms that the angles of one question may cost.
+/// Largest number of multiplications of terms for the angles of one comparison.
 const ANGLES: u64 = 100_000;
 
-/// Answer of exact algebra about a difference.
+/// Answer of exact algebra to the question whether a difference is zero.
 #[derive(Clone, Copy)]
 enum Answer {
     Zero(Engine),
@@ -91,7 +92,7 @@ enum Answer {
 /// Compares terms of one arena and remembers their normal forms.
 pub struct Comparer {
     normalizer: Normalizer,
-    /// Budget left for all normal forms together: many large questions must not add up to hours.
+    /// Budget left for all normal forms together: many large comparisons must not add up to hours.
     budget: u64,
     permitted: Permitted,
 }
@@ -103,14 +104,14 @@ impl Default for Comparer {
 }
 
 impl Comparer {
-    /// Compares in permitted states only: equal terms are equal in all of them, and different terms differ in at least
-    /// one.
+    /// Creates a comparer for permitted states: equal terms are equal in all of them, and different terms differ in at
+    /// least one.
     #[must_use]
     pub fn within(permitted: Permitted) -> Self {
         Self { normalizer: Normalizer::default(), budget: 10 * Normalizer::BUDGET, permitted }
     }
 
-    /// The permitted states.
+    /// Permitted states in which terms are compared.
     pub fn permitted(&mut self) -> &mut Permitted {
         &mut self.permitted
     }
@@ -120,7 +121,7 @@ impl Comparer {
         self.compare_where(arena, left, right).0
     }
 
-    /// [`Self::compare`], and for an equality where it holds.
+    /// Compares two terms like [`Self::compare`], and says in which states an equality holds.
     pub fn compare_where(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Verdict, Holds) {
         let (everywhere, difference) = self.settle(arena, left, right);
         if let Answer::Zero(engine) = everywhere {
@@ -141,7 +142,8 @@ impl Comparer {
         }
     }
 
-    /// Two sides that are not equal everywhere, in permitted states.
+    /// Compares two sides, which are not proved equal in all states, in permitted states. The error is the verdict if
+    /// they are not proved equal there either.
     fn where_permitted(
         &mut self,
         arena: &mut Arena,
@@ -166,7 +168,7 @@ impl Comparer {
         }
         let defined = arena.restrictions().to_vec();
         let defined = defined.into_iter().map(|e| self.permitted.put(arena, e)).collect();
-        // With what occurs, what it depends on: a state tells by itself that it is permitted.
+        // A state also shows the symbols that its dependent symbols depend on, so that a reader can check it.
         let mentioned = symbols_in(arena, &[left, right]);
         let values: Vec<Expr> = mentioned.iter().map(|s| self.permitted.put(arena, *s)).collect();
         let free = if self.permitted.is_told() { symbols_in(arena, &values) } else { Vec::new() };
@@ -178,7 +180,7 @@ impl Comparer {
         Err(shown(arena, &Asked { sides, defined, positive, signs, shown: shown_symbols }, answer))
     }
 
-    /// Answer of exact algebra about left − right, and that difference.
+    /// Answer of exact algebra about left − right, and the difference, with plain angles.
     fn settle(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Answer, Expr) {
         let difference = arena.sub(left, right);
         if difference == Expr::ZERO {
@@ -203,14 +205,14 @@ impl Comparer {
         (answer, difference)
     }
 
-    /// Compares a term with zero, by meaning.
+    /// Compares a term with zero by meaning.
     pub fn is_zero(&mut self, arena: &mut Arena, e: Expr) -> Verdict {
         self.compare(arena, e, Expr::ZERO)
     }
 
-    /// Angles such as (a + b)² written as sums of products, so that equal angles are equal terms.
+    /// Writes angles such as (a + b)² as sums of products, so that equal angles are equal terms.
     ///
-    /// This is allowed whatever else has been spent: without it there is no answer, and angles are short.
+    /// This step has a budget of its own: without it there is no answer, and angles are short.
     pub(crate) fn with_plain_angles(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.normalizer.allow(ANGLES);
         let mut pairs = Vec::new();
@@ -229,12 +231,12 @@ impl Comparer {
     }
 }
 
-/// The symbols that terms mention.
+/// Symbols that occur in terms.
 fn symbols_in(arena: &Arena, terms: &[Expr]) -> Vec<Expr> {
     arena.reachable(terms).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect()
 }
 
-/// Why nothing was decided.
+/// Reason why a comparison is undecided, in words.
 fn reason(arena: &Arena, difference: Expr) -> String {
     let parts = arena.reachable(&[difference]);
     let divisors = parts.iter().flat_map(|p| match arena.node(*p) {
@@ -258,7 +260,7 @@ fn reason(arena: &Arena, difference: Expr) -> String {
     }
 }
 
-/// A difference, shown at a state.
+/// Verdict on two sides that are not proved equal: a state that shows their difference, or the reason why none decides.
 fn shown(arena: &Arena, asked: &Asked<'_>, zero: Answer) -> Verdict {
     let roots = has_roots(arena, &arena.reachable(&[asked.sides[2]]));
     if let Answer::Disputed = zero {
@@ -267,7 +269,7 @@ fn shown(arena: &Arena, asked: &Asked<'_>, zero: Answer) -> Verdict {
     match (witness(arena, asked), zero) {
         (Some((witness, true)), _) => Verdict::Different(witness),
         (Some((witness, false)), Answer::NonZero) if !roots => Verdict::Different(witness),
-        // What exact arithmetic cannot reach, only a real state settles: its interval excludes 0.
+        // Where exact arithmetic decides nothing, only a real state does: its interval excludes 0.
         (_, Answer::Unknown) => Verdict::Undecided(reason(arena, asked.sides[2])),
         (Some(_), _) => Verdict::Undecided("the sides differ formally, but at no real state that was tried".to_owned()),
         (None, _) => {

@@ -1,9 +1,9 @@
 //! Permitted states: those in which equations hold and conditions are fulfilled.
 //!
-//! Permitted states are described by free symbols. A *dependent* symbol has a value in terms of these, such as a rate
-//! in terms of speeds, or a length in terms of the coordinates that it ties. A statement about all values of the free
-//! symbols then holds in all permitted states, except where something divides by 0. It is proved by the algebra that
-//! serves everywhere else, and nothing is approximated.
+//! Permitted states are described by free symbols. A *dependent* symbol has a value in terms of the free symbols, such
+//! as a rate in terms of speeds, or a length in terms of the coordinates that it ties. A statement about all values of
+//! the free symbols then holds in all permitted states, except where a divisor is 0. It is proved by exact algebra, as
+//! everywhere else, and nothing is approximated.
 
 use super::signs::Signs;
 use crate::algebra::term::calculus::{Substitution, without_names};
@@ -14,17 +14,17 @@ use std::ops::BitOr;
 /// States in which an equality holds: all states, or permitted ones only.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Holds {
-    /// It needs the equations that permitted states fulfil.
+    /// True if the equality needs the equations that permitted states fulfil.
     pub on_constraints: bool,
-    /// It needs the conditions that they fulfil.
+    /// True if the equality needs the conditions that permitted states fulfil.
     pub in_domain: bool,
 }
 
 impl Holds {
-    /// In every state.
+    /// The equality holds in every state.
     pub const EVERYWHERE: Self = Self { on_constraints: false, in_domain: false };
 
-    /// The place in words, for an equality that does not hold everywhere.
+    /// Permitted states in words, such as "on the constraints"; `None` for an equality in all states.
     #[must_use]
     pub const fn words(self) -> Option<&'static str> {
         match (self.on_constraints, self.in_domain) {
@@ -43,7 +43,7 @@ impl BitOr for Holds {
     }
 }
 
-/// The permitted states of a mechanism; by default all.
+/// Permitted states of a mechanism; by default all states.
 #[derive(Clone, Default)]
 pub struct Permitted {
     put: Substitution,
@@ -56,25 +56,25 @@ pub struct Permitted {
     free_signs: Signs,
     conditions: Vec<Expr>,
     free_conditions: Vec<Expr>,
-    /// True if the dependent symbols are reported where an equality needs them.
+    /// True if results say that an equality needs the dependent symbols, and states show their values.
     is_told: bool,
     /// Shorter terms that replace sums to which the equations make them equal.
     shorter: Substitution,
-    /// Why not every equation is solved for a symbol.
+    /// Reason why an equation is solved for no symbol; `None` if all equations are solved.
     open: Option<String>,
 }
 
-/// Two sides as they are in permitted states.
+/// Two sides of a comparison, rewritten for permitted states.
 pub struct View {
     /// Constraints and conditions of the permitted states that were used.
     pub holds: Holds,
-    /// The sides.
+    /// Left and right side, rewritten.
     pub sides: (Expr, Expr),
 }
 
 impl Permitted {
-    /// The states in which each of `dependent` has its value and `conditions` are positive. The values are in symbols
-    /// that are not dependent. The sine and the cosine of a dependent angle may be given beside it.
+    /// Creates the states in which each term of `dependent` has its value and all `conditions` are positive. The values
+    /// must not contain dependent symbols. The sine and the cosine of a dependent angle may be given beside it.
     pub fn new(arena: &mut Arena, dependent: Vec<(Expr, Expr)>, conditions: Vec<Expr>) -> Self {
         let mut put = Substitution::new(&dependent);
         let has_angles = dependent.iter().any(|(e, _)| arena.symbol_name(*e).is_none());
@@ -99,32 +99,33 @@ impl Permitted {
         }
     }
 
-    /// With a reason why some permitted states may be none: an equation that is solved for no symbol.
+    /// Adds the reason why some of these states may not be permitted: an equation that is solved for no symbol.
     #[must_use]
     pub fn with_open(self, open: Option<String>) -> Self {
         Self { open, ..self }
     }
 
-    /// With dependent symbols that nobody needs to be told of, such as the rate of time.
+    /// Leaves the dependent symbols out of results: readers need not know of symbols such as the rate of time.
     #[must_use]
     pub fn untold(self) -> Self {
         Self { is_told: false, ..self }
     }
 
-    /// With sums that equations make equal to shorter terms.
+    /// Adds pairs (sum, shorter term) that the equations make equal.
     #[must_use]
     pub fn with_shorter(self, shorter: &[(Expr, Expr)]) -> Self {
         Self { shorter: Substitution::new(shorter), ..self }
     }
 
-    /// A term as it may be written in permitted states, with shorter terms for sums; as it is if it has none of those.
+    /// Replaces sums in a term by shorter terms that are equal in permitted states. A term without such sums is
+    /// returned unchanged.
     pub fn shortened(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         let whole = without_names(arena, e);
         let short = self.shorter.apply(arena, whole);
         if short == whole { e } else { short }
     }
 
-    /// True if a state shows the symbols that its dependent symbols depend on.
+    /// True if a state that shows a difference also shows the symbols that its dependent symbols depend on.
     #[must_use]
     pub const fn is_told(&self) -> bool {
         self.is_told
@@ -136,19 +137,20 @@ impl Permitted {
         self.dependent.is_empty() && self.conditions.is_empty() && self.open.is_none()
     }
 
-    /// Why an equation is solved for no symbol, so that no difference is proved.
+    /// Reason why an equation is solved for no symbol, so that no difference is proved; `None` if all equations are
+    /// solved.
     #[must_use]
     pub fn open(&self) -> Option<&str> {
         self.open.as_deref()
     }
 
-    /// A term in free symbols; as it is where a divisor would be 0.
+    /// Writes a term in free symbols. A part whose divisor would become 0 stays as it is.
     pub fn put(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         let e = if self.has_angles { single_angles(arena, e) } else { e };
         self.put.apply(arena, e)
     }
 
-    /// The two sides in permitted states, as views that use more and more known facts; views that change nothing are
+    /// Views of two sides in permitted states, in the order of more and more facts used. Views that change nothing are
     /// left out. `None` if the sides divide by a term that is 0 in all permitted states.
     pub fn views(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> Option<Vec<View>> {
         let mut list: Vec<View> = Vec::new();
@@ -172,13 +174,13 @@ impl Permitted {
         Some(list)
     }
 
-    /// Conditions of a state, in free symbols.
+    /// Terms in free symbols that are positive in permitted states.
     #[must_use]
     pub fn free_conditions(&self) -> &[Expr] {
         &self.free_conditions
     }
 
-    /// Known signs, in free symbols.
+    /// Signs of terms that follow from the conditions, in free symbols.
     #[must_use]
     pub(in crate::algebra) fn free_signs(&self) -> &Signs {
         &self.free_signs

@@ -30,7 +30,7 @@ impl Sign {
         matches!(self, Self::Positive | Self::Negative)
     }
 
-    /// The sign of the negative of the term.
+    /// Sign of the term multiplied by −1.
     pub const fn negated(self) -> Self {
         match self {
             Self::Positive => Self::Negative,
@@ -45,7 +45,7 @@ impl Sign {
         matches!(self, Self::Positive | Self::NotNegative)
     }
 
-    /// The sign of k times the term, for k other than 0.
+    /// Sign of k times the term, for k other than 0; `negative` is true for k < 0.
     const fn scaled(self, negative: bool) -> Self {
         if negative { self.negated() } else { self }
     }
@@ -70,10 +70,10 @@ impl Sign {
     }
 }
 
-/// Constants between which a term lies, neither reached; `None` where there is no bound.
+/// Constant bounds of a term, which it does not reach; `None` where there is no bound.
 #[derive(Clone, Debug)]
 pub struct Bounds {
-    /// The term: often a symbol.
+    /// Term that is bounded, often a symbol.
     pub of: Expr,
     /// Constant that the term exceeds.
     pub low: Option<Expr>,
@@ -88,11 +88,11 @@ pub struct Signs {
     bounds: Vec<Bounds>,
 }
 
-/// Multiplications of terms that the root of a radicand may cost.
+/// Largest number of multiplications of terms for finding the square root of a radicand.
 const ROOT: u64 = 50_000;
 
 impl Signs {
-    /// Signs in states where each of these terms is positive.
+    /// Creates the signs in states where each term of `positive` is positive.
     pub fn new(arena: &mut Arena, positive: &[Expr]) -> Self {
         let mut signs = Self { positive: positive.to_vec(), bounds: Vec::new() };
         for term in positive {
@@ -106,12 +106,12 @@ impl Signs {
         self.positive.is_empty()
     }
 
-    /// The bounds of a term.
+    /// Known bounds of a term; `None` if there are none.
     pub fn bounds_of(&self, e: Expr) -> Option<&Bounds> {
         self.bounds.iter().find(|b| b.of == e)
     }
 
-    /// Bounds that a positive constant + k · term states.
+    /// Adds the bound of a term that follows from constant + k · term > 0.
     fn bound(&mut self, arena: &mut Arena, positive: Expr) {
         let (constant, terms) = match arena.node(positive).clone() {
             Node::Sum(constant, terms) => (constant, terms.to_vec()),
@@ -145,13 +145,14 @@ impl Signs {
         }
     }
 
-    /// The term with every root of a square, absolute value and sign resolved of which the sign is known.
+    /// Rewrites a term: roots of squares, absolute values and signs are resolved where the sign of their argument is
+    /// known.
     pub fn resolved(&self, arena: &mut Arena, e: Expr) -> Expr {
         let is_bent = |f: Function| matches!(f, Function::Sqrt | Function::Abs | Function::Sign);
         let bent: Vec<Expr> = arena.reachable(&[e]);
         let bent = bent.into_iter().filter(|part| matches!(arena.node(*part), Node::Apply(f, _) if is_bent(*f)));
         let bent: Vec<Expr> = bent.collect();
-        // Operands come first, so that what stands inside is resolved already.
+        // Operands come first, so that inner terms are resolved already.
         let mut put = Substitution::default();
         for part in bent {
             let Node::Apply(f, argument) = *arena.node(part) else { continue };
@@ -162,7 +163,7 @@ impl Signs {
         put.apply(arena, e)
     }
 
-    /// f(argument) for a root, an absolute value or a sign.
+    /// Value of f(argument), where f is a root, an absolute value or a sign.
     fn value(&self, arena: &mut Arena, f: Function, argument: Expr) -> Expr {
         match (f, self.sign(arena, argument)) {
             (Function::Sqrt, _) => self.root(arena, argument),
@@ -174,7 +175,7 @@ impl Signs {
         }
     }
 
-    /// √argument with the squares in it taken out as far as the signs of their bases are known.
+    /// Square root of an argument, with its squares taken out as far as the signs of their bases are known.
     fn root(&self, arena: &mut Arena, argument: Expr) -> Expr {
         let (content, primitive) = arena.split_content(argument);
         let (content, primitive) = match arena.node(argument) {
@@ -196,7 +197,7 @@ impl Signs {
                 }
             }
         }
-        // What is left may be the square of a sum, multiplied out.
+        // A remaining factor may be the square of a sum, multiplied out.
         for (base, n) in &mut inside {
             if *n == 1
                 && let Some(root) = square_root(arena, *base)
@@ -213,7 +214,7 @@ impl Signs {
         arena.try_product(&outside).unwrap_or_else(|_| arena.apply(Function::Sqrt, argument))
     }
 
-    /// |e|, if the sign of e is known.
+    /// Absolute value |e|; `None` if the sign of e is unknown.
     fn size(&self, arena: &mut Arena, e: Expr) -> Option<Expr> {
         match self.sign(arena, e) {
             Sign::Positive | Sign::NotNegative => Some(e),
@@ -222,7 +223,7 @@ impl Signs {
         }
     }
 
-    /// The sign of a term.
+    /// Sign of the term `e`, as far as it follows from the known signs.
     pub fn sign(&self, arena: &mut Arena, e: Expr) -> Sign {
         let roots: Vec<Expr> = self.positive.iter().copied().chain([e]).collect();
         let mut known: FxHashMap<Expr, Sign> = FxHashMap::default();
@@ -236,7 +237,7 @@ impl Signs {
         known[&e]
     }
 
-    /// The sign that the operands of a term give it.
+    /// Sign of a term that follows from the signs of its operands.
     fn by_form(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
         match arena.node(e).clone() {
             Node::Number(value) => Sign::of_number(&value),
@@ -276,7 +277,7 @@ impl Signs {
         Sign::Unknown
     }
 
-    /// Cosine between −π/2 and π/2, sine between 0 and π or −π and 0.
+    /// Sign of the cosine of an angle between −π/2 and π/2, or of the sine of an angle between 0 and π or −π and 0.
     fn of_wave(&self, arena: &mut Arena, f: Function, argument: Expr) -> Sign {
         let Some(Bounds { low: Some(low), high: Some(high), .. }) = self.bounds_of(argument).cloned() else {
             return Sign::Unknown;
@@ -293,7 +294,7 @@ impl Signs {
         }
     }
 
-    /// The sign of a term that is a multiple of a positive one, and more of the same sign.
+    /// Sign of a term that is a multiple of a positive term plus a rest of the same sign.
     fn by_known(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
         for positive in &self.positive {
             let Some(k) = common_multiple(arena, e, *positive) else { continue };
@@ -314,7 +315,7 @@ impl Signs {
     }
 }
 
-/// The sign of constant + Σ k · term, where all parts have one sign.
+/// Sign of the sum constant + Σ k · term if all its parts have one sign; unknown otherwise.
 fn sign_of_sum(constant: &Rational, terms: &[(Expr, Rational)], known: &FxHashMap<Expr, Sign>) -> Sign {
     let mut parts: Vec<Sign> = terms.iter().map(|(term, k)| known[term].scaled(k.is_negative())).collect();
     if !constant.is_zero() {
@@ -329,7 +330,8 @@ fn sign_of_sum(constant: &Rational, terms: &[(Expr, Rational)], known: &FxHashMa
     if parts.iter().all(is_not_positive) { sign.negated() } else { Sign::Unknown }
 }
 
-/// The factor of a term of the second sum in the first, for the first term that both have.
+/// Quotient of the coefficients, in `e` and in `positive`, of the first term that both sums have; `None` if they share
+/// none.
 fn common_multiple(arena: &Arena, e: Expr, positive: Expr) -> Option<Rational> {
     let terms = |e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),
@@ -342,7 +344,7 @@ fn common_multiple(arena: &Arena, e: Expr, positive: Expr) -> Option<Rational> {
     })
 }
 
-/// True if a constant is proved not to be below another.
+/// True if constant `a` is proved to be at least constant `b`.
 fn is_at_least(arena: &Arena, a: Expr, b: Expr) -> bool {
     if a == b {
         return true;
@@ -352,7 +354,7 @@ fn is_at_least(arena: &Arena, a: Expr, b: Expr) -> bool {
     Interval::is_above(a, b)
 }
 
-/// p with p² = e, of either sign, if e is the square of a polynomial.
+/// Polynomial p with p² = e, of either sign; `None` if none is found.
 fn square_root(arena: &mut Arena, e: Expr) -> Option<Expr> {
     if !matches!(arena.node(e), Node::Sum(..)) {
         return None;

@@ -1,4 +1,4 @@
-//! States at which two sides differ, for people to type in.
+//! Witnesses: states at which two sides differ, in numbers that people can type.
 
 use super::signs::{Bounds, Signs};
 use crate::algebra::value::evaluate::Tape;
@@ -10,29 +10,29 @@ use rustc_hash::FxHashMap;
 /// A state where two sides have different values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Witness {
-    /// The symbols that occur, with their values.
+    /// Symbols that occur, as (name, value).
     pub at: Vec<(String, f64)>,
-    /// The left side there.
+    /// Value of the left side at the state.
     pub left: f64,
-    /// The right side there.
+    /// Value of the right side at the state.
     pub right: f64,
-    /// Left − right, evaluated as one expression.
+    /// Value of left − right at the state, evaluated as one expression.
     pub difference: f64,
 }
 
 /// Number of states tried for a witness.
 const STATES: usize = 100;
-/// Number of states tried where conditions exclude many.
+/// Number of states tried if conditions exclude many states.
 const STATES_WITH_CONDITIONS: usize = 2000;
 
 /// Requirements on a witness.
 #[derive(Clone, Debug)]
 pub struct Asked<'a> {
-    /// Left, right, and their difference.
+    /// Left side, right side, and their difference.
     pub sides: [Expr; 3],
-    /// Terms that must have a value.
+    /// Terms that must have a value at the state.
     pub defined: Vec<Expr>,
-    /// Terms that must be positive.
+    /// Terms that must be positive at the state.
     pub positive: &'a [Expr],
     /// Known signs of terms.
     pub signs: &'a Signs,
@@ -40,8 +40,9 @@ pub struct Asked<'a> {
     pub shown: Vec<(Expr, Expr)>,
 }
 
-/// A state where the sides differ, and whether that is proved by an interval of the difference that excludes 0. What
-/// was written has a value there, also what has cancelled.
+/// Finds a state where the sides differ. The second value is true if an interval of the difference that excludes 0
+/// proves it. All terms of `defined` have a value there, so terms that cancelled are respected. `None` if no state was
+/// found.
 pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
     let symbols_of = |roots: &[Expr]| {
         let parts = arena.reachable(roots).into_iter();
@@ -50,7 +51,7 @@ pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
     let values_shown: Vec<Expr> = asked.shown.iter().map(|(_, value)| *value).collect();
     let mut symbols = symbols_of(&[&asked.sides, values_shown.as_slice()].concat());
     let mut generator = Generator(symbols.len() as u64);
-    // A condition of what does not occur excludes no value of what does.
+    // A condition on symbols that do not occur excludes no value of the symbols that do.
     let positive: Vec<Expr> = asked.positive.iter().copied().filter(|e| mentions_any(arena, *e, &symbols)).collect();
     let others = [asked.defined.as_slice(), &positive].concat();
     symbols.extend(symbols_of(&others).into_iter().filter(|s| symbols.binary_search(s).is_err()).collect::<Vec<_>>());
@@ -87,7 +88,7 @@ pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
     best.map(|((proved, _), witness)| (witness, proved))
 }
 
-/// A value for a symbol: within its bounds where there are some.
+/// Random value for a symbol, within its bounds if there are some.
 fn value_of(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generator) -> f64 {
     let plain = handy_number(generator, arena.is_positive(symbol));
     let Some(Bounds { low, high, .. }) = signs.bounds_of(symbol) else { return plain };
@@ -99,7 +100,7 @@ fn value_of(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generato
     if low.is_none_or(|low| plain > low) && high.is_none_or(|high| plain < high) {
         return plain;
     }
-    // Between both bounds, or as far from the one as the number is from 0.
+    // Between both bounds, or as far from the single bound as the number is from 0.
     match (low, high) {
         (Some(low), Some(high)) => low + (high - low) * (plain.abs() / LARGEST),
         (Some(low), None) => low + plain.abs(),
@@ -113,10 +114,10 @@ fn mentions_any(arena: &Arena, e: Expr, symbols: &[Expr]) -> bool {
     arena.reachable(&[e]).iter().any(|part| symbols.binary_search(part).is_ok())
 }
 
-/// Above every number that people are asked to type.
+/// Upper limit of the size of all numbers that people are asked to type.
 const LARGEST: f64 = 3.2;
 
-/// A number with two decimals, away from 0: people will type it.
+/// Random number with two decimals, which people can type: its size is 0.2 to 2.99.
 fn handy_number(generator: &mut Generator, positive: bool) -> f64 {
     let size = (20 + generator.next() % 280) as f64 / 100.0;
     if positive || generator.next().is_multiple_of(2) { size } else { -size }

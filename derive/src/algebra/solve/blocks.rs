@@ -15,11 +15,12 @@ use petgraph::algo::{maximum_matching, tarjan_scc};
 use petgraph::graph::{DiGraph, UnGraph};
 use rustc_hash::FxHashMap;
 
-/// The largest block that is solved by cofactors as it is, and the largest that is left of others.
+/// Largest number of rows of a block that is solved by cofactors directly.
 const LARGEST: usize = 4;
+/// Largest number of rows of the rest of a block, after elimination, that is solved by cofactors.
 const LARGEST_LEFT: usize = 6;
 
-/// Solves A x = b, A square; returns x and what was divided by.
+/// Solves A x = b with a square matrix A, block by block. Returns x and the divisors.
 ///
 /// # Errors
 /// [`Singular`] if A is singular identically.
@@ -53,7 +54,8 @@ pub fn solve_blocks(
     Ok((x, divisors))
 }
 
-/// Eliminates with entries that are zero nowhere, and solves what is left by cofactors if it is small.
+/// Solves a block: eliminates with entries that are zero nowhere, and solves the rest by cofactors if it is small.
+/// Returns the solution and the divisors.
 fn by_parts(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -112,7 +114,8 @@ fn by_parts(
     Ok((x, divisors))
 }
 
-/// The shortest entry that is zero nowhere, in a row and a column that were not taken.
+/// Row and column of the shortest entry that is zero nowhere, among rows and columns without a pivot; `None` if there
+/// is none.
 fn sure_pivot(arena: &Arena, rows: &[Vec<Expr>], order: &[(usize, usize)], n: usize) -> Option<(usize, usize)> {
     let mut best: Option<(usize, usize, usize)> = None;
     for (r, row) in rows.iter().enumerate().filter(|(r, _)| !order.iter().any(|(row, _)| row == r)) {
@@ -129,7 +132,7 @@ fn sure_pivot(arena: &Arena, rows: &[Vec<Expr>], order: &[(usize, usize)], n: us
     best.map(|(_, r, c)| (r, c))
 }
 
-/// The connected blocks of a matrix: rows and columns that share entries which are not 0.
+/// Connected blocks of a matrix: the rows and columns that share nonzero entries.
 fn blocks(a: &[Vec<Expr>]) -> Vec<(Vec<usize>, Vec<usize>)> {
     let n = a.len();
     let (mut row_seen, mut result) = (vec![false; n], Vec::new());
@@ -188,7 +191,7 @@ fn one_after_another(a: &[Vec<Expr>], (rows, columns): (Vec<usize>, Vec<usize>))
             needs.add_edge(nodes[row], nodes[other], ());
         }
     }
-    // What a component needs comes before it.
+    // A component comes after all components that it needs.
     let parts = tarjan_scc(&needs).into_iter().map(|part| {
         let mut part_rows: Vec<usize> = part.iter().map(|node| rows[node.index()]).collect();
         let mut part_columns: Vec<usize> = part.iter().map(|node| columns[own[node.index()]]).collect();
@@ -199,7 +202,7 @@ fn one_after_another(a: &[Vec<Expr>], (rows, columns): (Vec<usize>, Vec<usize>))
     parts.collect()
 }
 
-/// The right side of a row for some unknowns, those that were solved for put in.
+/// Right-hand side of a row for the unknowns in `columns`, with the values of all other unknowns put in.
 fn right_side(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -221,7 +224,7 @@ fn right_side(
     simplifier.simplify(arena, sum)
 }
 
-/// x = adj(A) b / det A.
+/// Solves A x = b by cofactors, x = adj(A) b / det A. Returns x and the determinant as its divisor.
 fn by_cofactors(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>], b: &[Expr]) -> (Vec<Expr>, Vec<Expr>) {
     let n = a.len();
     let all: Vec<usize> = (0..n).collect();
@@ -235,7 +238,7 @@ fn by_cofactors(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>],
             let columns: Vec<usize> = all.iter().copied().filter(|c| *c != column).collect();
             let cofactor = minors.minor(arena, simplifier, &rows, &columns);
             let signed = if (row + column) % 2 == 0 { cofactor } else { arena.neg(cofactor) };
-            // Each quotient for itself: a cofactor often cancels the determinant where their sum hides it.
+            // Each quotient is simplified by itself: a cofactor often cancels the determinant where their sum hides it.
             let factor = arena.div(signed, determinant).expect("the rank is full, so the determinant is not 0");
             let factor = simplifier.simplify(arena, factor);
             terms.push(arena.mul(factor, *right));
@@ -253,7 +256,7 @@ struct Minors<'a> {
 }
 
 impl Minors<'_> {
-    /// The determinant of the chosen rows and columns, by expansion along the first row.
+    /// Determinant of the chosen rows and columns of the matrix, by expansion along the first row.
     fn minor(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, rows: &[usize], columns: &[usize]) -> Expr {
         let Some((first, rest)) = rows.split_first() else { return Expr::ONE };
         if let Some(known) = self.known.get(&(rows.to_vec(), columns.to_vec())) {

@@ -1,13 +1,12 @@
-//! Linear systems with symmetric or general matrices, solved in the arena for generated code. Apart from `blocks`,
-//! which divides by determinants alone, `linear`, which only reads coefficients, and `reduce::pivots`, which solves
-//! rows for some columns.
+//! Linear systems with symmetric or general matrices, solved in the arena for generated code. Separate from `blocks`,
+//! which divides by determinants alone, from `linear`, which only reads coefficients, and from `reduce::pivots`, which
+//! solves rows for some columns.
 //!
-//! Gaussian elimination in an order that keeps the fill-in low, every entry in its short form. While
-//! entries stay short they are written out, so that what cancels by meaning is gone: a small system ends in a closed
-//! form. An entry that grows gets a name, and later ones mention that name: a large system ends in the shared
-//! arithmetic of a sparse L D Lᵀ factorization. Absent on purpose: choosing pivots by value. A pivot of a
-//! symmetric positive definite matrix is never zero; others are taken where they are proved never to be zero, if
-//! there are such.
+//! The method is Gaussian elimination in an order that keeps the fill-in low, with every entry in its short form. Short
+//! entries are written out, so that terms that are zero by meaning disappear: a small system ends in a closed form. An
+//! entry that grows gets a name, and later entries mention that name: a large system ends in the shared arithmetic of a
+//! sparse L D Lᵀ factorization. Absent on purpose: choosing pivots by value. A pivot of a symmetric positive definite
+//! matrix is never zero. In other matrices, pivots that are proved never to be zero go first, if there are any.
 
 use super::linear::Singular;
 use crate::algebra::form::sharing::{Reading, share};
@@ -17,35 +16,35 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::range::never_zero;
 use crate::algebra::{Arena, Expr, Node};
 
-/// Operations in an entry above which it gets a name of its own: what is tried first leaves room for what only
-/// cancels some pivots later; in the last trial nothing is written out.
+/// Number of operations above which an entry gets a name of its own, for each trial. The first trial keeps long
+/// entries, which may cancel some pivots later. The last trial names every entry.
 const LONGEST: [usize; 3] = [150, 40, 0];
 
-/// A x = b with A square.
+/// Linear system A x = b with a square matrix A.
 #[derive(Clone, Copy)]
 pub struct LinearSystem<'a> {
-    /// A, row by row.
+    /// Matrix A, row by row.
     pub matrix: &'a [Vec<Expr>],
     /// The right-hand side b.
     pub right: &'a [Expr],
-    /// The symbols of x.
+    /// Symbols of the unknowns x.
     pub unknowns: &'a [Expr],
     /// True if A is symmetric, and positive definite wherever it is regular.
     pub symmetric: bool,
-    /// True if entries get names at once, and none is written out in the hope that it cancels.
+    /// True if every entry gets a name at once, without the search for entries that cancel.
     pub is_large: bool,
 }
 
 /// The solution of a linear system, step by step.
 #[derive(Clone, Debug, Default)]
 pub struct Elimination {
-    /// In the order of computation: named entries, and each unknown.
+    /// Definitions of named entries and of all unknowns, in the order of computation.
     pub steps: Vec<Definition>,
     /// Divisors of the steps, each base once, in order of appearance, without plain numbers.
     pub divisors: Vec<Expr>,
 }
 
-/// Solves a linear system.
+/// Solves a linear system by the cheapest of several eliminations.
 ///
 /// # Errors
 /// [`Singular`] if the matrix is singular identically.
@@ -61,7 +60,7 @@ pub fn eliminate(
     }
     let mut best: Option<(usize, Arena, Simplifier, Vec<Definition>)> = None;
     for longest in LONGEST {
-        // In stores of their own, so that the names of an attempt that loses are not taken.
+        // Each trial has an arena of its own, so that the names of a trial that loses stay free.
         let (mut arena, mut simplifier) = (arena.clone(), simplifier.clone());
         let steps = solve(&mut arena, &mut simplifier, system, longest)?;
         let total = least_cost(&arena, &steps, system.unknowns);
@@ -69,7 +68,7 @@ pub fn eliminate(
         if best.as_ref().is_none_or(|(least, ..)| total < *least) {
             best = Some((total, arena, simplifier, steps));
         }
-        // Where nothing was long enough for a name, a lower limit is for systems that are larger.
+        // If no entry was long enough for a name, lower limits are not tried: they are for larger systems.
         if !has_names {
             break;
         }
@@ -80,7 +79,7 @@ pub fn eliminate(
     Ok(Elimination { steps, divisors })
 }
 
-/// Operations of a solution once common parts are taken out, which is how it will be computed.
+/// Number of operations of a solution after common parts are shared, as they will be in the generated code.
 fn least_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
     let counts = Reading::SAMPLE.into_iter().filter_map(|reading| {
         let mut arena = arena.clone();
@@ -91,7 +90,7 @@ fn least_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
     counts.min().unwrap_or(0)
 }
 
-/// The steps of one elimination, entries of more than `longest` operations named.
+/// Steps of one elimination, in which entries of more than `longest` operations get names.
 fn solve(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -110,20 +109,21 @@ fn solve(
     Ok(work.steps)
 }
 
-/// An elimination under way.
+/// State of an elimination between two pivots.
 struct Work<'a> {
     arena: &'a mut Arena,
     simplifier: &'a mut Simplifier,
     matrix: Vec<Vec<Expr>>,
     right: Vec<Expr>,
     symmetric: bool,
-    /// Rows and columns that had no pivot yet.
+    /// True for each row that had no pivot yet.
     rows: Vec<bool>,
+    /// True for each column that had no pivot yet.
     columns: Vec<bool>,
-    /// The pivots so far.
+    /// Pivots so far, as (row, column).
     order: Vec<(usize, usize)>,
     steps: Vec<Definition>,
-    /// Operations in an entry above which it is named.
+    /// Number of operations above which an entry gets a name.
     longest: usize,
 }
 
@@ -150,14 +150,14 @@ impl<'a> Work<'a> {
         work
     }
 
-    /// The short form; the literal 0 for what is 0 by meaning.
+    /// Short form of an entry; the literal 0 if it is 0 by meaning.
     fn short(&mut self, e: Expr) -> Expr {
         let e = self.simplifier.simplify(self.arena, e);
         let zero = matches!(self.arena.node(e), Node::Sum(..)) && zero_test(self.arena, e) == ZeroTest::Zero;
         if zero { Expr::ZERO } else { e }
     }
 
-    /// `e`, or a name for it if it is long.
+    /// Returns the entry `e`, or a new name for it if it is long.
     fn named(&mut self, e: Expr, name: &str) -> Expr {
         if cost(self.arena, e) <= self.longest {
             return e;
@@ -167,7 +167,7 @@ impl<'a> Work<'a> {
         symbol
     }
 
-    /// The best pivot: proved never to be zero, then with least fill-in, then the shortest.
+    /// Best pivot as (row, column): proved never to be zero, then with least fill-in, then the shortest.
     fn pivot(&self) -> Option<(usize, usize)> {
         let n = self.right.len();
         let active = |flags: &[bool]| -> Vec<usize> { (0..n).filter(|i| flags[*i]).collect() };
@@ -189,7 +189,8 @@ impl<'a> Work<'a> {
         best.map(|(.., row, column)| (row, column))
     }
 
-    /// Takes the pivot's column out of all rows that are left: a_ij − (a_ic / d) a_rj.
+    /// Eliminates the pivot's column from all remaining rows: a_ij becomes a_ij − (a_ic / d) a_rj, with pivot d in row
+    /// r.
     fn clear(&mut self, row: usize, column: usize) {
         let n = self.right.len();
         let d = self.named(self.matrix[row][column], "d");
@@ -223,9 +224,9 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// The unknowns, the last pivot's first, each in terms of those before it.
+    /// Adds the steps of the unknowns, the last pivot's first, each in terms of the unknowns before it.
     fn substitute_back(&mut self, unknowns: &[Expr]) {
-        // What stands for an unknown in the others: itself, or its value where that is 0.
+        // Term that stands for an unknown in other steps: its symbol, or 0 if its value is 0.
         let mut known: Vec<Option<Expr>> = vec![None; unknowns.len()];
         for (row, column) in self.order.clone().into_iter().rev() {
             let mut terms = vec![self.right[row]];
@@ -244,7 +245,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Divisors of these terms: the bases of negative powers, each once.
+/// Divisors in terms: the bases of negative powers, each once.
 #[must_use]
 pub fn divisors(arena: &Arena, values: &[Expr]) -> Vec<Expr> {
     let mut found = Vec::new();

@@ -6,14 +6,14 @@
 //! last first: each named term is replaced by the terms that it is made of. An unknown that no remaining name depends
 //! on is eliminated at once, while few terms stand beside it. On a chain this is the recursion of articulated bodies
 //! (A. F. Vereshchagin, 1974; R. Featherstone, Int. J. Robotics Research 2 (1983) 13–30), found as an elimination in
-//! the order of the names: the least value is Gauss's principle.
+//! the order of the names. The form that is least is then that of Gauss's principle.
 //!
 //! An unknown may occur in one name only, as the rate of a relative angle does in the angular acceleration of its body.
 //! Then the name may take the place of the unknown. This avoids terms that cancel later, and the unknown follows from
 //! the name at the end.
 //!
-//! Invariant: pivots are values of the form along one unknown with the best of all others, positive where the form is
-//! positive definite.
+//! Invariant: a pivot is the value of the form along one unknown, with all others chosen best. It is positive where the
+//! form is positive definite.
 
 mod form;
 
@@ -25,51 +25,51 @@ use form::{Form, Part, Replaced, turn};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// ½ Σ K_ij e_i e_j + Σ b_i e_i, with K symmetric.
+/// Part of a quadratic form: ½ Σ K_ij e_i e_j + Σ b_i e_i, with K symmetric.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// The components e, linear in the unknowns by way of names.
+    /// Components e of the block, linear in the unknowns by way of names.
     pub components: [Expr; 3],
-    /// The symmetric matrix K.
+    /// Symmetric matrix K of the block.
     pub tensor: [[Expr; 3]; 3],
-    /// The coefficients b of the linear part.
+    /// Coefficients b of the block's linear part.
     pub linear: [Expr; 3],
 }
 
-/// A sum of blocks and of a linear form in the unknowns.
+/// Quadratic form: the sum of blocks and of a linear form in the unknowns.
 #[derive(Clone, Debug)]
 pub struct Sum {
-    /// The blocks.
+    /// Blocks of the quadratic form.
     pub blocks: Vec<Block>,
-    /// The factor of each unknown.
+    /// Factor of each unknown in the linear form.
     pub linear: Vec<Expr>,
 }
 
-/// Order in which terms are taken out of the form.
+/// Order in which terms are taken out of the quadratic form.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Order {
-    /// First the term that depends on most unknowns, and among equals the one with most names between it and them. On
-    /// an arm these are all terms of its last body, then all of the one before it.
+    /// First the term that depends on most unknowns, and among equals the one with most names between it and the
+    /// unknowns. On an arm these are all terms of its last body, then all of the body before it.
     Farthest,
     /// First the term with fewest terms beside it: good on a chain whose angles are all measured from one frame.
     Fewest,
 }
 
-/// Terms that are solved for.
+/// Kind of terms that the quadratic form is solved for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum SolvedFor {
-    /// The unknowns.
+    /// The unknowns themselves.
     Unknowns,
-    /// The names in which single unknowns stand alone.
+    /// Names that take the place of single unknowns, where an unknown occurs in one name only.
     Names,
 }
 
-/// Number of unknowns that a name depends on, and number of names between it and them.
+/// Number of unknowns that a name depends on, and number of names between the name and the unknowns.
 type Depth = (usize, usize);
 
-/// The unknowns that make a sum least, in terms of names and of unknowns before them, in the order in which they are to
-/// be computed. The cheaper order of elimination is chosen. Some names may be stated among them, from which unknowns
-/// follow. `None` if a component is not linear in the unknowns, or if they are not determined.
+/// Unknowns that make a quadratic form least, in terms of names and of earlier unknowns, in the order of computation.
+/// The cheapest of several orders of elimination is chosen. Some steps may define names, from which unknowns follow.
+/// `None` if a component is not linear in the unknowns, or if they are not determined.
 pub fn least(arena: &mut Arena, simplifier: &mut Simplifier, sum: &Sum, unknowns: &[Expr]) -> Option<Vec<Definition>> {
     let mut both = Vec::new();
     let mut most = usize::MAX;
@@ -86,7 +86,7 @@ pub fn least(arena: &mut Arena, simplifier: &mut Simplifier, sum: &Sum, unknowns
     both.into_iter().min_by_key(|(cost, _)| *cost).map(|(_, solved)| solved)
 }
 
-/// Operations of steps, and of all that stands behind names in them but for the names that they state.
+/// Number of operations of steps and of all named terms that they use, except the names that the steps define.
 fn cost_with_names(arena: &Arena, steps: &[Definition]) -> usize {
     let stated: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
@@ -141,7 +141,7 @@ fn least_in(
         let part = parts.remove(&by)?;
         following.push(form.replace(unknown, by, sign, &part));
     }
-    // How many names each end is left in: what is left in none can be taken out.
+    // Number of remaining names that contain each end. An end that none contains can be taken out.
     let mut left: FxHashMap<Expr, usize> = FxHashMap::default();
     for (of, _) in parts.values().flat_map(|part| &part.terms) {
         *left.entry(*of).or_default() += 1;
@@ -181,7 +181,7 @@ fn least_in(
     is_whole.then_some(solved)
 }
 
-/// Depth of each name: the unknowns that it depends on and the names between, as numbers. Both are 0 for an order that
+/// Depth of each name: number of unknowns that it depends on, and number of names between. Both are 0 for an order that
 /// does not use them.
 fn depths(order: Order, named: &[Expr], parts: &FxHashMap<Expr, Part>, unknowns: &[Expr]) -> FxHashMap<Expr, Depth> {
     let mut reach: FxHashMap<Expr, BTreeSet<Expr>> = unknowns.iter().map(|e| (*e, BTreeSet::from([*e]))).collect();
@@ -196,7 +196,7 @@ fn depths(order: Order, named: &[Expr], parts: &FxHashMap<Expr, Part>, unknowns:
     depth
 }
 
-/// The names behind these terms that depend on the unknowns, operands first.
+/// Named terms within `terms` that depend on the unknowns, operands first.
 fn depending(arena: &Arena, terms: &[Expr], unknowns: &[Expr]) -> Vec<Expr> {
     let mut varying: FxHashSet<Expr> = unknowns.iter().copied().collect();
     let mut parts = arena.reachable(terms);

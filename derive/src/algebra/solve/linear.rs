@@ -8,9 +8,9 @@ use crate::algebra::{Arena, Expr, Function, Node};
 /// An expression that is not linear in the stated symbols.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct NotLinear {
-    /// The symbol in which it is not linear.
+    /// Symbol in which the expression is not linear.
     pub symbol: Expr,
-    /// The derivative, which should not depend on the symbols and does; or the whole expression.
+    /// Derivative that depends on the symbols, though it should not; or the whole expression.
     pub coefficient: Expr,
 }
 
@@ -23,7 +23,7 @@ pub struct LinearForm {
 }
 
 impl LinearForm {
-    /// In these symbols.
+    /// Creates the extraction of coefficients of these symbols.
     #[must_use]
     pub fn new(symbols: &[Expr]) -> Self {
         let zeros: Vec<_> = symbols.iter().map(|s| (*s, Expr::ZERO)).collect();
@@ -35,7 +35,7 @@ impl LinearForm {
         }
     }
 
-    /// e = Σ coefficient_i · symbol_i + rest: the coefficients, then the rest.
+    /// Splits e = Σ coefficient_i · symbol_i + rest: returns the coefficients and the rest.
     ///
     /// # Errors
     /// [`NotLinear`] if a coefficient depends on one of the symbols by meaning.
@@ -87,7 +87,7 @@ impl LinearForm {
             coefficients.push(at_zero);
         }
         let rest = self.at_zero.apply(arena, e);
-        // The decisive question: does the linear form mean the same? Jumps such as sign(u) have no slope.
+        // Decisive test: is the linear form equal to the expression? Jumps such as sign(u) have no slope.
         let mut terms: Vec<Expr> = coefficients.iter().zip(&self.symbols).map(|(c, s)| arena.mul(*c, *s)).collect();
         terms.push(rest);
         let form = arena.sum(&terms);
@@ -105,9 +105,9 @@ impl LinearForm {
 /// A linear system whose matrix has no full rank.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Singular {
-    /// Number of independent rows.
+    /// Number of independent rows of the matrix.
     pub rank: usize,
-    /// The first row that depends on the ones before it.
+    /// First row of the matrix that depends on the rows before it.
     pub row: usize,
 }
 
@@ -163,7 +163,7 @@ pub fn solve(
 
 /// The determinant of a square matrix, simplified; 0 if it is singular identically.
 ///
-/// Elimination with simple pivots, as in [`solve`]; what they divide by cancels again.
+/// It eliminates with simple pivots, as [`solve`] does; their divisions cancel in the product.
 pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>]) -> Expr {
     let n = a.len();
     let mut rows = a.to_vec();
@@ -202,7 +202,7 @@ fn is_odd(order: &[(usize, usize)]) -> bool {
     (rows + columns) % 2 == 1
 }
 
-/// The (row, column) of the simplest entry that is proved not to be zero.
+/// Row and column of the simplest entry that is proved not to be zero, where no pivot is yet; `None` if there is none.
 fn best_pivot(
     arena: &Arena,
     rows: &[Vec<Expr>],

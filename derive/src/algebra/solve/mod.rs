@@ -1,4 +1,4 @@
-//! Equations solved: linear systems, least squares, relations, closed forms, antiderivatives.
+//! Solvers of equations: linear systems, least quadratic forms, relations, closed forms, antiderivatives.
 
 pub mod blocks;
 pub mod closed;

@@ -1,25 +1,25 @@
-//! Functions with given slopes, found by rules of integration.
+//! Primitives: functions with given partial derivatives, found by rules of integration.
 //!
-//! Each rule is sound by itself, and what all of them give is differentiated and compared with the slopes by meaning:
-//! a field with curl has no primitive, whatever the rules say. Absent on purpose: a procedure that decides whether a
-//! primitive is elementary. What no rule covers is `None`.
+//! Each rule is sound by itself. The result is still differentiated and compared with the slopes by meaning: a field
+//! with curl has no primitive, whatever the rules say. Absent on purpose: a procedure that decides whether a primitive
+//! is elementary. If no rule applies, the result is `None`.
 
 use crate::algebra::form::simplify::{Simplifier, cost};
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::value::modular::{ZeroTest, count_roots, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 
-/// Integrations by parts and expansions of products inside one another.
+/// Largest depth of integrations by parts and expansions of products inside one another.
 const DEEPEST: usize = 8;
-/// Operations of all terms that are looked at for one primitive: rules lead to other rules, and the slope of a long
-/// product is longer by far.
+/// Largest number of operations of all terms that are examined for one primitive. Rules lead to other rules, and the
+/// slope of a long product is longer by far.
 const MOST_WORK: usize = 200_000;
 
-/// F with ∂F/∂xᵢ = `slopes`ᵢ, up to a constant, if the rules find one.
+/// Function F with ∂F/∂xᵢ = `slopes`ᵢ, up to a constant; `None` if the rules find none.
 ///
-/// Rules for one variable x, where r does not depend on it: r; r bⁿ b′ and r √bⁿ b′, logarithms of |b| among them, as
-/// ½ log b²; r f(b) b′ for each function f with an elementary primitive; squares and products of sines and cosines of
-/// what is linear in x; xⁿ g by parts; products of sums by terms.
+/// Rules for one variable x, where r does not depend on it: r; r bⁿ b′ and r √bⁿ b′, logarithms of |b| among them, as ½
+/// log b²; r f(b) b′ for each function f with an elementary primitive; squares and products of sines and cosines of
+/// terms linear in x; xⁿ g by parts; products of sums by terms.
 pub fn primitive(arena: &mut Arena, simplifier: &mut Simplifier, variables: &[Expr], slopes: &[Expr]) -> Option<Expr> {
     let mut rest = slopes.to_vec();
     let (mut parts, mut left) = (Vec::new(), MOST_WORK);
@@ -43,13 +43,14 @@ pub fn primitive(arena: &mut Arena, simplifier: &mut Simplifier, variables: &[Ex
     })
 }
 
-/// Powers of a root that laws of forces have: of a spring, and of what falls with the distance or its square.
+/// Powers of a square root that are tried: those in laws of springs, and of forces that fall with the distance or its
+/// square.
 const ROOTS: [i32; 3] = [-1, 1, -3];
 
-/// Points of a zero test that are not counted.
+/// Number of points of a zero test that are not counted as work.
 const FREE_POINTS: usize = 32;
 
-/// Multiplications of terms that a power of a sum takes when it is multiplied out.
+/// Number of multiplications of terms for expanding the powers of sums in a product.
 fn expansion(arena: &Arena, e: Expr) -> usize {
     let Node::Product(factors) = arena.node(e) else { return 0 };
     let of_power = |(base, n): &(Expr, i32)| match arena.node(*base) {
@@ -59,17 +60,18 @@ fn expansion(arena: &Arena, e: Expr) -> usize {
     factors.iter().map(of_power).fold(0, usize::saturating_add)
 }
 
-/// Integration along one variable.
+/// Integration of terms along one variable.
 struct Integration<'a> {
     arena: &'a mut Arena,
     simplifier: &'a mut Simplifier,
     x: Expr,
-    /// Operations that may still be looked at.
+    /// Number of operations that may still be examined.
     left: &'a mut usize,
 }
 
 impl Integration<'_> {
-    /// A primitive of a term along x; `depth` integrations are under way.
+    /// Primitive of a term along x, inside `depth` other integrations; `None` if no rule applies or the work is used
+    /// up.
     fn of(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         *self.left = self.left.checked_sub(1)?;
         if depth > DEEPEST {
@@ -91,7 +93,7 @@ impl Integration<'_> {
         self.arena.mentions(e, self.x)
     }
 
-    /// A term in its short form, unless that is too much work.
+    /// Short form of a term; `None` if that is more work than is left.
     fn short(&mut self, e: Expr) -> Option<Expr> {
         let parts = self.arena.reachable(&[e]);
         let powers: usize = parts.iter().map(|part| expansion(self.arena, *part)).fold(0, usize::saturating_add);
@@ -121,7 +123,7 @@ impl Integration<'_> {
         Some(zero_test(self.arena, e) == ZeroTest::Zero)
     }
 
-    /// a/b in its short form, if that does not change with x.
+    /// Quotient a/b in its short form if it does not change with x; `None` otherwise.
     fn constant_quotient(&mut self, a: Expr, b: Expr) -> Option<Expr> {
         let quotient = self.arena.div(a, b)?;
         let quotient = self.short(quotient)?;
@@ -143,7 +145,7 @@ impl Integration<'_> {
         }
     }
 
-    /// r bⁿ b′, r √bⁿ b′ and r f(b) b′.
+    /// Primitive of r bⁿ b′, r √bⁿ b′ or r f(b) b′, where r does not change with x.
     fn inner(&mut self, e: Expr) -> Option<Expr> {
         let factors = self.factors(e);
         for (base, n) in &factors {
@@ -155,8 +157,8 @@ impl Integration<'_> {
                 _ => None,
             };
             let found = match under_root {
-                // What stands beside its root has one power with it, counted in halves; it may stand there in
-                // another form, or with a number taken out.
+                // A radicand beside its own root makes one power with it, counted in halves. The radicand may stand
+                // there in another form, or with a number taken out.
                 Some(argument) => {
                     let beside = factors.iter().find(|(other, _)| *other == argument).map_or(0, |(_, n)| *n);
                     let own = n + 2 * beside;
@@ -172,7 +174,7 @@ impl Integration<'_> {
         None
     }
 
-    /// r wⁿ b′ with b = wᵈ: r d wⁿ⁺ᵈ/(n + d), and r log b.
+    /// Primitive of r wⁿ b′ with b = wᵈ: r d wⁿ⁺ᵈ/(n + d), or r log |b| if n + d = 0.
     fn power(&mut self, e: Expr, w: Expr, b: Expr, n: i32, d: i32) -> Option<Expr> {
         let slope = self.slope(b)?;
         if slope == Expr::ZERO {
@@ -193,7 +195,7 @@ impl Integration<'_> {
         Some(self.arena.scale(product, &Rational::fraction(i64::from(d), i64::from(raised))?))
     }
 
-    /// r f(b) b′ with b = the argument of `call`.
+    /// Primitive of r f(b) b′, where `call` is f(b).
     fn function(&mut self, e: Expr, call: Expr, n: i32) -> Option<Expr> {
         let Node::Apply(f, b) = *self.arena.node(call) else { return None };
         let slope = self.slope(b)?;
@@ -206,7 +208,7 @@ impl Integration<'_> {
         Some(self.arena.mul(r, whole))
     }
 
-    /// ∫ f(b) db, where `call` is f(b).
+    /// Primitive ∫ f(b) db, where `call` is f(b).
     fn of_function(&mut self, f: Function, b: Expr, call: Expr) -> Option<Expr> {
         let arena = &mut *self.arena;
         let half = Rational::fraction(1, 2)?;
@@ -248,7 +250,8 @@ impl Integration<'_> {
         })
     }
 
-    /// Two sines or cosines of what is linear in x, or the square of one, as sines and cosines of sums.
+    /// Primitive of a product with two sines or cosines of terms linear in x, or with the square of one. The product
+    /// becomes sines or cosines of sums.
     fn waves(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         let mut list = Vec::new();
         for (base, n) in self.factors(e) {
@@ -285,8 +288,8 @@ impl Integration<'_> {
         Some(self.arena.linear_combination(&parts))
     }
 
-    /// A product with a sum, term by term: with the first of its sums of which that leads to an end. The slope of what
-    /// stands in a root must stay whole, so that one more sum may be the right one.
+    /// Primitive of a product with a sum, which is multiplied out. The sums are tried in turn, until one gives a
+    /// primitive: the slope of a radicand must not be multiplied out.
     fn by_terms(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         let factors = self.factors(e);
         let sums = factors.iter().filter(|(base, n)| *n > 0 && self.depends(*base)).map(|(base, _)| *base);
@@ -308,7 +311,7 @@ impl Integration<'_> {
         Some(self.arena.linear_combination(&parts))
     }
 
-    /// ∫ xⁿ g = xⁿ G − n ∫ xⁿ⁻¹ G.
+    /// Primitive by parts: ∫ xⁿ g = xⁿ G − n ∫ xⁿ⁻¹ G, where G is a primitive of g.
     fn by_parts(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         let (_, n) = *self.factors(e).iter().find(|(base, n)| *base == self.x && *n > 0)?;
         let power = self.arena.pow(self.x, n).ok()?;

@@ -9,11 +9,12 @@ use crate::algebra::value::rank::echelon;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 
-/// A basis of all vectors c, constant in everything but `constants`, with Σ c_k e_k = 0 identically.
+/// Basis of all vectors c with Σ c_k e_k = 0 identically, where e_k are the expressions of `list`, and c depends on no
+/// symbols but `constants`.
 ///
-/// The expressions are brought over one denominator; each monomial in what is not constant gives one
-/// linear equation for c. Independence of the chosen equations is seen modulo a random prime; that the vectors are
-/// relations is for the caller to prove. `None` if an expression has no normal form within the budget.
+/// The expressions are brought over one denominator. Each monomial in the other symbols gives one linear equation for
+/// c. Independence of the chosen equations is tested modulo a random prime. The caller must prove that the vectors are
+/// relations. `None` if an expression has no normal form within the budget.
 pub fn relations(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -46,8 +47,8 @@ pub fn relations(
     Some(basis)
 }
 
-/// Coefficients that a row of one entry makes zero, again and again; those rows and columns are taken out, which
-/// leaves little to eliminate.
+/// Marks the coefficients that a row with a single entry makes zero, repeatedly. These rows and columns are cleared,
+/// which leaves little to eliminate.
 fn forced_zeros(matrix: &mut Vec<Vec<Expr>>, columns: usize) -> Vec<bool> {
     let mut forced = vec![false; columns];
     loop {
@@ -71,7 +72,8 @@ fn forced_zeros(matrix: &mut Vec<Vec<Expr>>, columns: usize) -> Vec<bool> {
     }
 }
 
-/// One row for each monomial in what is not constant, one column for each expression.
+/// Matrix of the equations for the coefficients: a row for each monomial in symbols that are not constant, a column for
+/// each expression. `None` beyond the budget.
 fn coefficients(
     arena: &mut Arena,
     normalizer: &mut Normalizer,

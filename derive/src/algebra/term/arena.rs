@@ -1,9 +1,9 @@
 //! Expressions as a hash-consed graph.
 //!
-//! Invariants: two [`Expr`] of one arena are equal iff they are the same term, so comparing costs
-//! one integer comparison; operands have smaller handles than what is built from them, so every
-//! pass is a loop over handles and none can overflow the stack. This is equality of *form*;
-//! equality of *meaning* is [`crate::algebra::value::modular`].
+//! Invariants: two [`Expr`] of one arena are equal iff they are the same term, so comparing costs one integer
+//! comparison. Operands have smaller handles than the terms that are built from them, so every pass is a loop over
+//! handles and none can overflow the stack. This is equality of *form*; equality of *meaning* is
+//! [`crate::algebra::value::modular`].
 //!
 //! The constructors keep a light canonical form: like terms are collected, powers of one base are
 //! merged, coefficients are exact. tan x is sin x · (cos x)⁻¹, so that it cancels against cosines.
@@ -20,14 +20,14 @@ use std::hash::{Hash, Hasher};
 pub struct Expr(u32);
 
 impl Expr {
-    /// 0, in every arena.
+    /// The number 0, in every arena.
     pub const ZERO: Self = Self(0);
-    /// 1, in every arena.
+    /// The number 1, in every arena.
     pub const ONE: Self = Self(1);
-    /// −1, in every arena.
+    /// The number −1, in every arena.
     pub const MINUS_ONE: Self = Self(2);
 
-    /// The position in the arena; operands come before what is built from them.
+    /// Position of the term in the arena; operands come before the terms that are built from them.
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -61,7 +61,7 @@ pub enum Function {
     Tanh,
     /// Absolute value.
     Abs,
-    /// −1, 0 or 1: the derivative of the absolute value, 0 at 0.
+    /// Sign: −1, 0 or 1. It is the derivative of the absolute value, and 0 at 0.
     Sign,
 }
 
@@ -83,7 +83,7 @@ impl Function {
         (Self::Sign, "sign"),
     ];
 
-    /// The name used in model files.
+    /// Name of the function in model files.
     #[must_use]
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1
@@ -99,11 +99,11 @@ pub enum Node {
     Symbol(u32),
     /// The number π.
     Pi,
-    /// constant + Σ coefficient · term. Terms are neither numbers nor sums, sorted, coefficients not
-    /// zero; a single term stands only with a constant or with a coefficient other than 1.
+    /// Sum constant + Σ coefficient · term. Terms are neither numbers nor sums, sorted, coefficients not zero; a single
+    /// term stands only with a constant or with a coefficient other than 1.
     Sum(Rational, Box<[(Expr, Rational)]>),
-    /// Π base^exponent. Bases are neither numbers nor products, sorted, exponents not zero; a single
-    /// base stands only with an exponent other than 1. A sum as base has content 1.
+    /// Product Π base^exponent. Bases are neither numbers nor products, sorted, exponents not zero; a single base
+    /// stands only with an exponent other than 1. A sum as base has content 1.
     Product(Box<[(Expr, i32)]>),
     /// A function of its argument.
     Apply(Function, Expr),
@@ -115,7 +115,7 @@ pub enum Node {
 /// A power that cannot be built: a negative power of zero, or an exponent or number too large.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PowerError {
-    /// 0 to a negative power.
+    /// The number 0 to a negative power.
     DivisionByZero,
     /// An exponent beyond ±[`Arena::MAX_EXPONENT`], or a number with too many digits.
     TooLarge,
@@ -132,7 +132,7 @@ pub(in crate::algebra) struct Names {
     pub(in crate::algebra) symbols: FxHashMap<Expr, Stated>,
     /// Number of named terms written down so far under each wanted name; it numbers terms that are called alike.
     pub(in crate::algebra) written: FxHashMap<String, usize>,
-    /// The part of a document that names are written for; none for what every document has.
+    /// Part of a document that names are written for; `None` for names that all documents have.
     pub(in crate::algebra) part: Option<String>,
 }
 
@@ -169,13 +169,13 @@ fn hash_of(node: &Node) -> u64 {
 }
 
 impl Arena {
-    /// The largest exponent that a power may have. What people write is held far below it
-    /// ([`Self::MAX_WRITTEN_EXPONENT`]), so that no derivation gets near.
+    /// The largest exponent that a power may have. The parser limits exponents that people write to
+    /// [`Self::MAX_WRITTEN_EXPONENT`], so that no derivation gets near.
     pub const MAX_EXPONENT: i32 = 1_000_000;
     /// The largest exponent that the parser lets a term have.
     pub const MAX_WRITTEN_EXPONENT: i32 = 1000;
 
-    /// An arena that holds 0, 1 and −1.
+    /// Creates an arena that holds only the numbers 0, 1 and −1.
     #[must_use]
     pub fn new() -> Self {
         let mut arena = Self {
@@ -229,8 +229,8 @@ impl Arena {
         self.nodes.is_empty()
     }
 
-    /// The symbol of this name, new if there was none. The order of first use is the order of
-    /// declaration, which everything printed follows.
+    /// Symbol of this name, created if it is new. The order of first use is the order of declaration, which all printed
+    /// output follows.
     pub fn symbol(&mut self, name: &str) -> Expr {
         if let Some(&e) = self.symbol_index.get(name) {
             return e;
@@ -242,7 +242,7 @@ impl Arena {
         e
     }
 
-    /// The symbol of this name, if there is one.
+    /// Symbol of this name; `None` if there is none.
     #[must_use]
     pub fn find_symbol(&self, name: &str) -> Option<Expr> {
         self.symbol_index.get(name).copied()
@@ -268,8 +268,7 @@ impl Arena {
         self.positive.insert(symbol);
     }
 
-    /// Notes that something was written that has a value only where this term has one, though the term itself has
-    /// cancelled.
+    /// Records a term that cancelled in a written formula: the formula has a value only where this term has one.
     pub fn restrict(&mut self, e: Expr) {
         if !self.restrictions.contains(&e) {
             self.restrictions.push(e);
@@ -289,17 +288,17 @@ impl Arena {
         self.positive.contains(&symbol)
     }
 
-    /// An exact number.
+    /// Term that is an exact number.
     pub fn number(&mut self, value: Rational) -> Expr {
         self.intern(Node::Number(value))
     }
 
-    /// An integer.
+    /// Term that is an integer.
     pub fn integer(&mut self, n: i64) -> Expr {
         self.number(Rational::integer(n))
     }
 
-    /// The fraction n/d as an exact number.
+    /// Term that is the fraction n/d, as an exact number.
     ///
     /// # Panics
     /// If d is 0: for literal fractions in code.
@@ -312,7 +311,7 @@ impl Arena {
         self.intern(Node::Pi)
     }
 
-    /// The value of a literal number.
+    /// Value of a literal number; `None` for any other term.
     #[must_use]
     pub fn as_number(&self, e: Expr) -> Option<&Rational> {
         match self.node(e) {
@@ -332,13 +331,13 @@ impl Arena {
         terms.iter().map(|(e, _)| *e).chain(factors.iter().map(|(e, _)| *e)).chain(argument)
     }
 
-    /// Everything that `roots` are built from, themselves included, operands first.
+    /// All terms that `roots` are built from, themselves included, operands first.
     #[must_use]
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
         self.reachable_until(roots, |_| false)
     }
 
-    /// Terms that `roots` are built from, themselves included, as they are shown: terms that stand only behind a
+    /// Terms that `roots` are built from, themselves included, as text shows them: terms that stand only behind a
     /// written name are left out.
     #[must_use]
     pub fn shown(&self, roots: &[Expr]) -> Vec<Expr> {
@@ -346,13 +345,13 @@ impl Arena {
     }
 
     /// Terms that the roots are built from, in the order of handles. Terms for which `known` holds are left out, and so
-    /// are those that only such terms are built from.
+    /// are terms that only known terms are built from.
     pub(in crate::algebra) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
         self.walk(roots, known, |_| false)
     }
 
     /// Terms that the roots are built from, in the order of handles, without known terms and without the operands of
-    /// ends.
+    /// terms for which `is_end` holds.
     fn walk(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, is_end: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // A bit for each handle up to the largest root: operands have smaller ones.
         let words = roots.iter().map(|e| e.index() / 64 + 1).max().unwrap_or(0);

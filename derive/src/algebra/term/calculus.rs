@@ -1,11 +1,10 @@
-//! Derivatives along given rates, and substitution. One loop each over the shared graph; nothing is
-//! expanded.
+//! Derivatives along given rates, and substitution. Each is one loop over the shared graph; nothing is expanded.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
-/// Rebuilds `e` with mapped operands; `None` if a divisor became the literal 0.
+/// Rebuilds the term `e` with mapped operands; `None` if a divisor became the literal 0.
 fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Expr> {
     Some(match arena.node(e).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Pi => e,
@@ -44,12 +43,12 @@ fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Ex
 
 /// Replaces symbols (or any other terms) by terms, everywhere at once.
 ///
-/// Reuse one value for many expressions: what was rewritten once is remembered.
+/// Reuse one value for many expressions: terms that were rewritten once are remembered.
 #[derive(Clone, Default)]
 pub struct Substitution {
     map: FxHashMap<Expr, Expr>,
-    /// The first term, if any, that has no value after the replacement since its divisor became 0. It was
-    /// left as it was.
+    /// First term that has no value after the replacement, since its divisor became 0; it was left unchanged. `None` if
+    /// there is none.
     pub undefined: Option<Expr>,
 }
 
@@ -71,7 +70,7 @@ impl Substitution {
         self.map.contains_key(&e)
     }
 
-    /// `e` rewritten. A quotient whose divisor becomes the literal 0 is left as it was and noted in
+    /// Rewrites the term `e`. A quotient whose divisor becomes the literal 0 is left unchanged and noted in
     /// [`Self::undefined`].
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if let Some(&done) = self.map.get(&e) {
@@ -87,13 +86,13 @@ impl Substitution {
         self.map[&e]
     }
 
-    /// Each of these terms rewritten, as by [`Self::apply`].
+    /// Rewrites each of these terms, as [`Self::apply`] does.
     pub fn all(&mut self, arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
         terms.iter().map(|e| self.apply(arena, *e)).collect()
     }
 }
 
-/// A term with what stands behind names in the place of the names.
+/// Replaces all named terms within `e` by the terms behind their names.
 pub fn without_names(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {
@@ -115,13 +114,13 @@ pub struct Differential {
 }
 
 impl Differential {
-    /// Along the given rates (symbol, rate).
+    /// Creates the derivative along the given pairs (symbol, rate).
     #[must_use]
     pub fn along(rates: &[(Expr, Expr)]) -> Self {
         Self { map: rates.iter().copied().collect() }
     }
 
-    /// The partial derivative ∂/∂x.
+    /// Creates the partial derivative ∂/∂x.
     #[must_use]
     pub fn partial(x: Expr) -> Self {
         Self::along(&[(x, Expr::ONE)])
@@ -132,7 +131,7 @@ impl Differential {
         self.map.insert(symbol, rate);
     }
 
-    /// The derivative of `e`.
+    /// Derivative of the term `e` along the rates.
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if let Some(&done) = self.map.get(&e) {
             return done;
@@ -182,19 +181,21 @@ impl Differential {
     }
 }
 
-/// (which variable, ∂e/∂that) for each variable on which e depends by form, in order.
+/// Derivatives of a term e as pairs (number of the variable x, ∂e/∂x), for each variable on which e depends by form, in
+/// order.
 pub type Slopes = Rc<[(usize, Expr)]>;
 
 /// The derivatives along several variables at once, those that are 0 by form left out.
 ///
-/// One pass where [`Differential::partial`] needs one for each variable; reuse one value for many expressions.
+/// It takes one pass for all variables, where [`Differential::partial`] takes one pass for each. Reuse one value for
+/// many expressions.
 pub struct Gradient {
     map: FxHashMap<Expr, Slopes>,
     nothing: Slopes,
 }
 
 impl Gradient {
-    /// Along these variables, numbered as they stand.
+    /// Creates the derivatives along these variables, which are numbered in the given order from 0.
     #[must_use]
     pub fn new(variables: &[Expr]) -> Self {
         let nothing: Slopes = Rc::new([]);
@@ -202,7 +203,7 @@ impl Gradient {
         Self { map, nothing }
     }
 
-    /// The derivatives of `e`.
+    /// Derivatives of the term `e` along all variables, without those that are 0 by form.
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Slopes {
         if let Some(done) = self.map.get(&e) {
             return done.clone();
@@ -258,7 +259,7 @@ impl Gradient {
     }
 }
 
-/// f′(x), where `value` is f(x).
+/// Derivative f′(x), where `value` is f(x).
 fn derivative_of(arena: &mut Arena, f: Function, x: Expr, value: Expr) -> Expr {
     let one_over = |arena: &mut Arena, e: Expr| arena.div(Expr::ONE, e).expect("not the literal 0");
     match f {
@@ -292,7 +293,7 @@ fn derivative_of(arena: &mut Arena, f: Function, x: Expr, value: Expr) -> Expr {
             arena.sub(Expr::ONE, square)
         }
         Function::Abs => arena.apply(Function::Sign, x),
-        // Away from the jump.
+        // The derivative away from the jump.
         Function::Sign => Expr::ZERO,
     }
 }

@@ -32,7 +32,7 @@ impl Arena {
         }
     }
 
-    /// Sum of many terms, in time linear (but for sorting) in their number.
+    /// Sum of many terms, in time linear in their number except for sorting.
     pub fn sum(&mut self, terms: &[Expr]) -> Expr {
         let (mut constant, mut collected) = (Rational::ZERO, Vec::with_capacity(terms.len()));
         for &e in terms {
@@ -71,7 +71,7 @@ impl Arena {
         self.scale(a, &Rational::MINUS_ONE)
     }
 
-    /// k · a for a number k.
+    /// Product k · a for a number k.
     pub fn scale(&mut self, a: Expr, k: &Rational) -> Expr {
         if k.is_one() {
             return a;
@@ -164,7 +164,7 @@ impl Arena {
         Ok(self.scale(monomial, coefficient))
     }
 
-    /// Π base^exponent.
+    /// Product Π base^exponent of the pairs (base, exponent).
     ///
     /// # Errors
     /// [`PowerError`] for a negative power of the literal 0 or for sizes beyond the limits.
@@ -199,12 +199,12 @@ impl Arena {
         self.try_product(&powers).expect("exponents far below the limit")
     }
 
-    /// a / b, or `None` if b is the literal 0. Whether b is zero *by meaning* is the caller's question.
+    /// Quotient a / b; `None` if b is the literal 0. The caller must decide if b is zero *by meaning*.
     pub fn div(&mut self, a: Expr, b: Expr) -> Option<Expr> {
         self.try_product(&[(a, 1), (b, -1)]).ok()
     }
 
-    /// e to the power n.
+    /// Power eⁿ of a term.
     ///
     /// # Errors
     /// [`PowerError`] as for [`Self::try_product`].

@@ -1,12 +1,13 @@
-//! Sines and cosines of sums of angles, from products of those of their parts: sin a cos b − cos a sin b = sin (a − b).
+//! Contraction of products of sines and cosines into sines and cosines of sums: sin a cos b − cos a sin b = sin (a −
+//! b).
 //!
-//! The divisor of a linear system over angles from one frame comes out as such products. As one sine it shows where it
-//! vanishes, and no digits are lost there.
+//! The divisor of a linear system over angles from one frame comes out as a sum of such products. As one sine it shows
+//! where it vanishes, and no digits are lost there.
 
 use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 
-/// `e` with every such pair of terms of a sum as one sine or cosine.
+/// Rewrites the term `e`: two terms of a sum that make an addition theorem become one sine or cosine.
 pub fn contract(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {
@@ -19,15 +20,15 @@ pub fn contract(arena: &mut Arena, e: Expr) -> Expr {
     put.apply(arena, e)
 }
 
-/// A term of a sum that is a number times f(a) g(b) times other factors.
+/// A term of a sum that is a number times f(a) g(b) times other factors, where f and g are sines or cosines.
 struct Pair {
     at: usize,
     k: Rational,
-    /// sin a cos b, or else cos a cos b or sin a sin b.
+    /// True for sin a cos b; false for cos a cos b or sin a sin b.
     is_mixed: bool,
-    /// True if both are sines; counts only if they are not mixed.
+    /// True if both functions are sines; counts only if they are not mixed.
     are_sines: bool,
-    /// a and b: of a mixed pair the angle of the sine first, of others the lower handle.
+    /// Angles a and b: in a mixed pair the angle of the sine first, in others the lower handle first.
     angles: (Expr, Expr),
     others: Vec<(Expr, i32)>,
 }
@@ -84,7 +85,7 @@ impl Pair {
     }
 }
 
-/// Every way to read a term so.
+/// All ways to read a term of a sum as a [`Pair`].
 fn pairs_of(arena: &Arena, at: usize, term: Expr, k: &Rational) -> Vec<Pair> {
     let Node::Product(factors) = arena.node(term) else { return Vec::new() };
     let wave = |(base, n): &(Expr, i32)| match arena.node(*base) {

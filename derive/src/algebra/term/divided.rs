@@ -1,39 +1,39 @@
 //! Divided differences: (e(b) − e(a))/(b − a) as a term in which that subtraction does not occur.
 //!
-//! Each function has a rule by which its divided difference follows from those of its operands, so one loop over the
-//! shared graph gives that of any term, as for a derivative. At b = a each rule becomes the rule of the derivative, so
-//! that the term is valid there too.
+//! Each function has a rule by which its divided difference follows from those of its operands. So one loop over the
+//! shared graph gives the divided difference of any term, as for a derivative. At b = a each rule becomes the rule of
+//! the derivative, so that the term is valid there too.
 //!
-//! Absent on purpose: a function sinc z = sin z/z in the store. The rules of sine and cosine need it, and nothing else
-//! does; as a function it would have to be known to every pass over terms, to both zero tests (to which sin z/z is an
-//! ordinary quotient, and sinc z an atom without rules) and to the recurrences of Taylor coefficients. So its values
-//! are inputs of the term, given by name beside it: who evaluates the term knows how to take sin z/z at z = 0.
+//! Absent on purpose: a function sinc z = sin z/z in the arena. Only the rules of sine and cosine need it. As a
+//! function it would have to be known to every pass over terms, to both zero tests and to the recurrences of Taylor
+//! coefficients. To the zero tests sin z/z is an ordinary quotient, and sinc z would be an atom without rules. So its
+//! values are inputs of the term, given by name beside it. The code that evaluates the term knows how to take sin z/z
+//! at z = 0.
 
 use super::calculus::{Differential, Substitution};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// A divided difference, and what it needs.
+/// A divided difference, with the values of sinc that it needs.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Divided {
-    /// The term; it mentions the symbols below.
+    /// Divided difference as a term, in which the symbols of `sincs` occur.
     pub value: Expr,
-    /// (symbol, z): the symbol stands for sinc z = sin z/z, 1 at z = 0. Each z is k (b − a)/2, in radians, once up to
-    /// its sign.
+    /// Pairs (symbol, z): the symbol stands for sinc z = sin z/z, 1 at z = 0. Each z is k (b − a)/2, in radians, and
+    /// occurs once up to its sign.
     pub sincs: Vec<(Expr, Expr)>,
 }
 
 /// e\[a, b\] = (e(b) − e(a))/(b − a) of `e` as a function of the symbol `x`, valid also at a = b, where it is de/dx.
 ///
-/// Nothing is subtracted but what the derivative itself subtracts. The unit is that of de/dx. By name of rule:
+/// Nothing is subtracted except where the derivative itself subtracts. The unit is that of de/dx. By name of rule:
 /// constant 0; x ↦ 1; sum: term by term; product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\]; inverse:
 /// −f\[a, b\]/(f(a) f(b)); power: by halves, f²ⁿ\[a, b\] = fⁿ\[a, b\] (fⁿ(a) + fⁿ(b)); root: f\[a, b\]/(√f(a) + √f(b)),
-/// and odd powers of √f by these; sine: sin(k x + c)\[a, b\] = k sinc(k (b − a)/2) cos(k (a + b)/2 + c), cosine
-/// likewise with −sin.
+/// and odd powers of √f by these; sine: sin(k x + c)\[a, b\] = k sinc(k (b − a)/2) cos(k (a + b)/2 + c); cosine: the
+/// rule of the sine with −sin in place of cos.
 ///
-/// `None` where x stands in an argument of sine or cosine that is not linear in x by form, or in another function (exp,
-/// asin,
-/// |x| …); or where a divisor becomes the literal 0 at a or b.
+/// `None` if x stands in an argument of sine or cosine that is not linear in x by form, or in another function such as
+/// exp, asin or |x|; or if a divisor becomes the literal 0 at a or b.
 ///
 /// L. M. Milne-Thomson, *The Calculus of Finite Differences* (1933), ch. I; the rules are those of Leibniz and
 /// Steffensen.
@@ -66,18 +66,19 @@ pub fn divided_difference(arena: &mut Arena, e: Expr, x: Expr, a: Expr, b: Expr)
     defined.then(|| Divided { value: rules.map[&e], sincs: rules.sincs })
 }
 
-/// Divided differences of the operands so far, and their values at both ends, while a term is taken apart.
+/// State of the rules while a term is taken apart: divided differences of its parts so far, and their values at both
+/// ends.
 struct Rules {
     x: Expr,
     ends: [Expr; 2],
-    /// Values at a and at b.
+    /// Substitutions of a and of b for x, which give the values at both ends.
     at: [Substitution; 2],
     slope: Differential,
     map: FxHashMap<Expr, Expr>,
     sincs: Vec<(Expr, Expr)>,
 }
 
-/// A function at both ends, and its divided difference.
+/// Values of a function at both ends, and its divided difference.
 #[derive(Clone, Copy)]
 struct Pair {
     at_a: Expr,
@@ -114,7 +115,7 @@ impl Rules {
         Pair { at_a, at_b, difference: self.map[&e] }
     }
 
-    /// Π fᵢ: Σᵢ (Π_{j<i} fⱼ(a)) fᵢ\[a, b\] (Π_{j>i} fⱼ(b)).
+    /// Divided difference of a product Π fᵢ: Σᵢ (Π_{j<i} fⱼ(a)) fᵢ\[a, b\] (Π_{j>i} fⱼ(b)).
     fn product(&mut self, arena: &mut Arena, factors: &[(Expr, i32)]) -> Option<Expr> {
         let (content, powers) = roots_joined(arena, factors);
         let mut whole = Pair { at_a: Expr::ONE, at_b: Expr::ONE, difference: Expr::ZERO };
@@ -126,7 +127,8 @@ impl Rules {
         Some(arena.scale(whole.difference, &content))
     }
 
-    /// k sinc(k (b − a)/2) cos(k (a + b)/2 + c), or −sin for the cosine.
+    /// Divided difference of sin(k x + c): k sinc(k (b − a)/2) cos(k (a + b)/2 + c). For the cosine, −sin takes the
+    /// place of cos. `None` if the argument is not linear in x.
     fn circular(&mut self, arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
         let k = self.slope.apply(arena, argument);
         if arena.mentions(k, self.x) {
@@ -148,7 +150,7 @@ impl Rules {
         Some(arena.product(&[k, sinc, outer]))
     }
 
-    /// The symbol for sinc z, which is even.
+    /// Symbol for sinc z, which is even in z; 1 for z = 0.
     fn sinc(&mut self, arena: &mut Arena, z: Expr) -> Expr {
         let opposite = arena.neg(z);
         if z == opposite {
@@ -157,7 +159,7 @@ impl Rules {
         if let Some((symbol, _)) = self.sincs.iter().find(|(_, known)| *known == z || *known == opposite) {
             return *symbol;
         }
-        // One of so many names is free.
+        // Among so many names at least one is free.
         let names = 1..=arena.symbol_names().len() + 1;
         let free = names.map(|i| format!("sinc{i}")).find(|name| arena.find_symbol(name).is_none());
         let symbol = arena.symbol(&free.unwrap_or_default());
@@ -166,7 +168,7 @@ impl Rules {
     }
 }
 
-/// (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\].
+/// Values and divided difference of a product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\].
 fn times(arena: &mut Arena, f: Pair, g: Pair) -> Option<Pair> {
     let mut product = |factors: &[(Expr, i32)]| arena.try_product(factors).ok();
     let first = product(&[(f.difference, 1), (g.at_b, 1)])?;
@@ -175,8 +177,8 @@ fn times(arena: &mut Arena, f: Pair, g: Pair) -> Option<Pair> {
     Some(Pair { at_a, at_b, difference: arena.add(first, second) })
 }
 
-/// fⁿ for n ≠ 0: by the binary digits of |n|, so that nothing cancels where f changes its sign between a and b, and
-/// that the term grows with the number of digits only.
+/// Values and divided difference of fⁿ for n ≠ 0, by the binary digits of |n|. So nothing cancels if f changes its sign
+/// between a and b, and the term grows with the number of digits only.
 fn power(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
     let size = n.unsigned_abs();
     let mut result = f;
@@ -202,8 +204,8 @@ fn power(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
     })
 }
 
-/// The factors with √g gⁿ as (√g)²ⁿ⁺¹, and a number that is left over. As a product of √g and 1/g its divided
-/// difference would subtract what is nearly equal where g(b) is far above g(a).
+/// Writes √g gⁿ among factors as (√g)²ⁿ⁺¹, and returns the remaining number and the factors. As a product of √g and
+/// 1/g, the divided difference would subtract nearly equal values where g(b) is far above g(a).
 fn roots_joined(arena: &mut Arena, factors: &[(Expr, i32)]) -> (Rational, Vec<(Expr, i32)>) {
     let mut powers = factors.to_vec();
     let mut content = Rational::ONE;

@@ -1,20 +1,20 @@
 //! Exact values and symmetries of the elementary functions.
 //!
-//! Every rule here keeps the meaning everywhere the function is defined; what holds only somewhere
-//! is left alone.
+//! Every rule here keeps the meaning everywhere the function is defined. Rules that hold only in some places are not
+//! used.
 
 use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_rational::BigRational;
 
 impl Arena {
-    /// f(argument), with values at 0 and multiples of π/2 and the symmetries of even and odd
-    /// functions resolved.
+    /// Function value f(argument), with values at 0 and multiples of π/2 and the symmetries of even and odd functions
+    /// resolved.
     pub fn apply(&mut self, f: Function, argument: Expr) -> Expr {
         canonical(self, f, argument)
     }
 
-    /// The plain node f(argument), nothing resolved.
+    /// Plain node f(argument), to which no rule is applied.
     fn intern_apply(&mut self, f: Function, argument: Expr) -> Expr {
         self.intern(Node::Apply(f, argument))
     }
@@ -30,7 +30,7 @@ impl Arena {
     }
 }
 
-/// f(argument) in canonical form.
+/// Function value f(argument) in canonical form.
 fn canonical(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     match f {
         Function::Sin | Function::Cos => circular(arena, f, argument),
@@ -66,7 +66,7 @@ fn canonical(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     }
 }
 
-/// (|e|, whether the sign was flipped): the first coefficient is made positive.
+/// Returns `e` or −`e`, so that the first coefficient is positive, and true if the sign was flipped.
 fn with_positive_sign(arena: &mut Arena, e: Expr) -> (Expr, bool) {
     let negative = match arena.node(e) {
         Node::Number(value) => value.is_negative(),
@@ -76,7 +76,7 @@ fn with_positive_sign(arena: &mut Arena, e: Expr) -> (Expr, bool) {
     if negative { (arena.neg(e), true) } else { (e, false) }
 }
 
-/// Splits off the multiple of π: argument = turns·π + rest.
+/// Splits an angle into turns·π + rest. Returns (turns, rest).
 pub fn split_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
     let pi = arena.pi();
     if argument == pi {
@@ -95,21 +95,23 @@ pub fn split_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
     }
 }
 
-/// Multiples of π beyond this are taken less whole turns, which a double of them would not know any more.
+/// Multiple of π above which whole turns are subtracted from an angle, since a double would lose its fraction.
 const MANY_TURNS: f64 = 1e6;
 
-/// A multiple of π less whole turns, from 0 to 2.
+/// Subtracts whole turns, 2 π, from a multiple of π. The result is from 0 to 2.
 fn less_whole_turns(turns: &Rational) -> Rational {
     let halves = turns.to_big() / BigRational::from_integer(2.into());
     turns.add(&Rational::from_big(halves.floor()).mul(&Rational::integer(-2)))
 }
 
-/// Inverse functions in one angle, and multiples of one, up to which its sine is algebraic.
+/// Largest number of inverse functions in an angle whose sine is written algebraically.
 const MOST_INVERSE: usize = 2;
+/// Largest multiple of an inverse function in an angle whose sine is written algebraically.
 const MOST_MULTIPLE: i64 = 4;
 
-/// The sine or cosine of an angle that contains whole multiples of an asin, acos or atan. The result is algebraic in
-/// the argument of that function: sin(atan x) = x/√(1 + x²). `None` if the angle contains no such function.
+/// Sine or cosine of an angle that contains whole multiples of an asin, acos or atan. The result is algebraic in the
+/// argument of that function: sin(atan x) = x/√(1 + x²). `None` if the angle contains no such function, or too many of
+/// them.
 fn of_inverse(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
     let is_inverse =
         |e: Expr| matches!(arena.node(e), Node::Apply(Function::Asin | Function::Acos | Function::Atan, _));
@@ -183,7 +185,7 @@ fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     if negative { arena.neg(value) } else { value }
 }
 
-/// Exact sine or cosine of a multiple of π/6 or π/4.
+/// Exact sine or cosine of turns·π, if that is a multiple of π/6 or π/4; `None` otherwise.
 fn special_angle(arena: &mut Arena, f: Function, turns: &Rational) -> Option<Expr> {
     let twelfths = turns.mul(&Rational::integer(12)).to_i64()?;
     let shift = if f == Function::Cos { 6 } else { 0 };
@@ -207,7 +209,7 @@ fn square_root(arena: &mut Arena, argument: Expr) -> Expr {
     {
         return arena.number(root);
     }
-    // Squares of what is stated to be positive come out: √(M² x) = M √x.
+    // Squares of positive symbols come out: √(M² x) = M √x.
     let (content, factors) = match arena.node(argument) {
         Node::Product(factors) => (Rational::ONE, factors.to_vec()),
         Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => match arena.node(terms[0].0) {
@@ -231,7 +233,7 @@ fn square_root(arena: &mut Arena, argument: Expr) -> Expr {
     arena.try_product(&outside).expect("positive symbols and numbers are not zero")
 }
 
-/// √value if value is the square of a rational.
+/// Square root of a number; `None` if it is not rational.
 fn exact_root(value: &Rational) -> Option<Rational> {
     if value.is_negative() {
         return None;
@@ -256,10 +258,11 @@ pub fn angle_atoms(arena: &Arena, argument: Expr) -> Vec<(Expr, Rational)> {
     }
 }
 
-/// Multiples of an angle up to which sines and cosines of them are written by those of the angle.
+/// Largest multiple of an angle whose sine and cosine are written in those of the angle.
 const MOST_TURNS: u64 = 16;
 
-/// A term in which sines and cosines of sums and of whole multiples of angles are written by those of the angles.
+/// Rewrites a term so that sines and cosines of sums and of whole multiples of angles are written in those of the
+/// single angles.
 pub fn single_angles(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {

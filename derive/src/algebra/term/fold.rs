@@ -1,9 +1,9 @@
-//! One pass over terms, operands before what is built from them: what every evaluation of terms has in common.
+//! Evaluation of terms in one pass, operands before the terms that are built from them.
 //!
-//! A [`Fold`] says what each kind of node becomes: a double, an interval, a residue, a range, a bound, an operation of
-//! a tape. Invariant: values stand in a dense list in the order of handles, so that no pass is recursive, and terms
-//! that are evaluated again and again are listed once. Absent on purpose: passes that build other terms (`calculus`,
-//! `normal`, `simplify`), which keep what they made from one call to the next.
+//! A [`Fold`] gives the value of each kind of node: a double, an interval, a residue, a range, a bound, an operation of
+//! a tape. Invariant: values stand in a dense list in the order of handles. So no pass is recursive, and terms that are
+//! evaluated repeatedly are listed once. Absent on purpose: passes that build other terms (`calculus`, `normal`,
+//! `simplify`), which keep their results from one call to the next.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxBuildHasher, FxHashMap};
@@ -29,19 +29,19 @@ pub trait Fold {
     ) -> Option<Self::Value>;
     /// The value of Π base^exponent.
     fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Self::Value>) -> Option<Self::Value>;
-    /// The value of a function of its argument.
+    /// The value of a function f(argument).
     fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Self::Value>) -> Option<Self::Value>;
-    /// The value of a term that has a name: that of the term.
+    /// The value of a named term: that of the term behind the name.
     fn named(&mut self, term: Expr, of: &Values<'_, Self::Value>) -> Option<Self::Value> {
         Some(of[term].clone())
     }
-    /// A value that a term has already, whatever it is built from.
+    /// Value that is given for a term; `None` if its operands determine the value.
     fn known(&mut self, _term: Expr) -> Option<Self::Value> {
         None
     }
 }
 
-/// Terms and everything they are built from, each once, operands first.
+/// Terms and all terms that they are built from, each once, operands first.
 #[derive(Clone, Debug)]
 pub struct Needed {
     nodes: Vec<Expr>,
@@ -53,7 +53,7 @@ pub struct Needed {
 const FEW: usize = 48;
 
 impl Needed {
-    /// Terms together with everything they are built from.
+    /// Collects terms together with all terms that they are built from.
     #[must_use]
     pub fn new(arena: &Arena, terms: &[Expr]) -> Self {
         let nodes = arena.reachable(terms);
@@ -72,13 +72,13 @@ impl Needed {
         self.nodes.binary_search(&term).ok()
     }
 
-    /// All of it, in the order of handles.
+    /// All collected terms, in the order of handles.
     #[must_use]
     pub fn nodes(&self) -> &[Expr] {
         &self.nodes
     }
 
-    /// The value of every node; `None` where one has none.
+    /// Value of every collected term by these rules; `None` if one of them has no value.
     pub fn fold<F: Fold>(&self, arena: &Arena, rules: &mut F) -> Option<Values<'_, F::Value>> {
         let mut values = Values { needed: self, list: Vec::with_capacity(self.nodes.len()) };
         for &e in &self.nodes {
@@ -100,7 +100,7 @@ impl Needed {
     }
 }
 
-/// The value of a term by these rules; `None` if it, or something that it is built from, has none.
+/// Value of a term by these rules; `None` if the term, or one that it is built from, has no value.
 pub fn fold<F: Fold>(arena: &Arena, term: Expr, rules: &mut F) -> Option<F::Value> {
     // Operands have smaller handles: the term itself comes last.
     let needed = Needed::new(arena, &[term]);
@@ -115,7 +115,7 @@ pub struct Values<'a, V> {
 }
 
 impl<V> Values<'_, V> {
-    /// The value of a term, if it is one of those that were folded.
+    /// Value of a term; `None` if the term was not folded.
     #[must_use]
     pub fn get(&self, term: Expr) -> Option<&V> {
         self.needed.place(term).map(|place| &self.list[place])
@@ -132,7 +132,7 @@ impl<V> Index<Expr> for Values<'_, V> {
     /// Value of a term that was folded.
     ///
     /// # Panics
-    /// If the term is none of those that were folded.
+    /// If the term was not folded.
     fn index(&self, term: Expr) -> &V {
         self.get(term).expect("one of the terms that were folded")
     }

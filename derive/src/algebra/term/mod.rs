@@ -1,4 +1,4 @@
-//! Terms: rational numbers, the store of expressions, and what makes new terms from old ones.
+//! Terms: rational numbers, the arena of expressions, and operations that build new terms from given ones.
 
 pub mod adjoint;
 pub mod arena;

@@ -1,7 +1,7 @@
 //! Exact rational numbers of any size.
 //!
-//! Invariant: the denominator is positive, the fraction is reduced, and `Big` is used only for what
-//! does not fit `Small`; so equal numbers are equal values and nothing ever wraps.
+//! Invariant: the denominator is positive, the fraction is reduced, and `Big` is used only for numbers that do not fit
+//! `Small`. So equal numbers are equal values and nothing ever wraps.
 
 mod text;
 
@@ -12,7 +12,7 @@ use num_traits::{One, Signed, ToPrimitive};
 use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
 
-/// A rational number: two machine words where they suffice, big integers behind.
+/// A rational number: two machine words if they suffice, big integers otherwise.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
 
@@ -22,8 +22,8 @@ enum Repr {
     Big(Box<BigRational>),
 }
 
-/// Part by part, since fractions are reduced: `BigRational` compares and hashes by a recursion as deep as Euclid's
-/// algorithm is long, which a number of some thousand digits takes through the stack.
+/// Compares numerators and denominators, since fractions are reduced. `BigRational` compares and hashes by a recursion
+/// as deep as Euclid's algorithm is long, which overflows the stack for a number of some thousand digits.
 impl PartialEq for Repr {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
@@ -59,13 +59,13 @@ impl Rational {
         Self(Repr::Small(n, 1))
     }
 
-    /// `numerator / denominator`, reduced; `None` if the denominator is zero.
+    /// The fraction `numerator / denominator`, reduced; `None` if the denominator is zero.
     #[must_use]
     pub fn fraction(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator != 0).then(|| Self::from_wide(i128::from(numerator), i128::from(denominator)))
     }
 
-    /// A reduced fraction from a big one.
+    /// The number of a big fraction, which must be reduced.
     #[must_use]
     pub fn from_big(value: BigRational) -> Self {
         match (value.numer().to_i64(), value.denom().to_i64()) {
@@ -92,7 +92,7 @@ impl Rational {
         }
     }
 
-    /// The value as a machine integer, if it is one.
+    /// The value as a machine integer; `None` if it is not an integer or too large.
     #[must_use]
     pub fn to_i64(&self) -> Option<i64> {
         match self.0 {
@@ -101,13 +101,13 @@ impl Rational {
         }
     }
 
-    /// The exact value of a finite binary floating-point number.
+    /// The exact value of a floating-point number; `None` if it is not finite.
     #[must_use]
     pub fn from_f64_exact(x: f64) -> Option<Self> {
         BigRational::from_float(x).map(Self::from_big)
     }
 
-    /// The nearest floating-point number.
+    /// The nearest floating-point number; infinite if the number is too large.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         match &self.0 {
@@ -141,7 +141,7 @@ impl Rational {
         }
     }
 
-    /// n/d in words; `None` where a sign does not fit, or for 0/0.
+    /// Reduced fraction n/d in machine words; `None` where a sign does not fit, or for 0/0.
     fn reduced(n: i64, d: i64) -> Option<Self> {
         if d == 1 {
             return Some(Self(Repr::Small(n, 1)));
@@ -212,13 +212,13 @@ impl Rational {
         Self::from_big(self.to_big() * other.to_big())
     }
 
-    /// The opposite number.
+    /// The negative of the number.
     #[must_use]
     pub fn neg(&self) -> Self {
         self.mul(&Self::MINUS_ONE)
     }
 
-    /// The inverse; `None` for 0.
+    /// The inverse of the number; `None` for 0.
     #[must_use]
     pub fn recip(&self) -> Option<Self> {
         match &self.0 {
@@ -248,11 +248,11 @@ impl Rational {
         Some(Self::from_big(num_traits::Pow::pow(self.to_big(), n)))
     }
 
-    /// The size above which a power is refused rather than computed.
+    /// Number of bits above which a power is refused rather than computed.
     pub const MAX_BITS: u64 = 100_000;
 
-    /// The greatest positive rational that divides both into integers: gcd of the numerators over
-    /// lcm of the denominators. With 0 it is the other number's absolute value.
+    /// The greatest positive rational that divides both numbers into integers: gcd of the numerators over lcm of the
+    /// denominators. With 0 it is the other number's absolute value.
     #[must_use]
     pub fn common_content(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {

@@ -3,9 +3,9 @@
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
 
-/// A number for the structure of each of these terms, which stand operands first. Equal structures have equal numbers
-/// in any arena, and different structures hardly ever do. It serves for orders that must not depend on when terms were
-/// built; no decision on equality may rest on it.
+/// Number for the structure of each of these terms, which must stand operands first. Equal structures have equal
+/// numbers in any arena, and different structures hardly ever do. It serves for orders that must not depend on when
+/// terms were built; no decision on equality may rest on it.
 pub(in crate::algebra) fn structures(arena: &Arena, terms: &[Expr]) -> FxHashMap<Expr, u64> {
     let mut known: FxHashMap<Expr, u64> = FxHashMap::default();
     for e in terms {
@@ -13,7 +13,7 @@ pub(in crate::algebra) fn structures(arena: &Arena, terms: &[Expr]) -> FxHashMap
             Node::Number(value) => text(1, &value.to_string()),
             Node::Symbol(_) => text(2, arena.symbol_name(*e).unwrap_or_default()),
             Node::Pi => mixed(3, 0),
-            // Sums and products stand in the order of the arena: what is made of their parts must not.
+            // Operands of sums and products stand in the order of the arena, on which the number must not depend.
             Node::Sum(constant, terms) => {
                 let parts = terms.iter().map(|(term, k)| mixed(known[term], text(4, &k.to_string())));
                 mixed(text(5, &constant.to_string()), parts.fold(0, u64::wrapping_add))
@@ -30,7 +30,7 @@ pub(in crate::algebra) fn structures(arena: &Arena, terms: &[Expr]) -> FxHashMap
     known
 }
 
-/// Two numbers as one (the last step of SplitMix64).
+/// Hash of two numbers (the last step of SplitMix64).
 fn mixed(a: u64, b: u64) -> u64 {
     let mut x = a.rotate_left(23) ^ b.wrapping_add(0x9e37_79b9_7f4a_7c15);
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

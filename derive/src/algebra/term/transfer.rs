@@ -1,9 +1,9 @@
-//! Terms of one arena written in another, symbol by name.
+//! Transfer of terms from one arena to another; symbols correspond by name.
 
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// Writes terms of one arena in another; what two terms share is written once.
+/// Writes terms of one arena into another; parts that several terms share are written once.
 pub struct Transfer<'a> {
     from: &'a Arena,
     done: FxHashMap<Expr, Expr>,
@@ -12,18 +12,19 @@ pub struct Transfer<'a> {
 }
 
 impl<'a> Transfer<'a> {
-    /// Writes terms of `from`; a term that has a name here and none there gets the same name there.
+    /// Creates a transfer of terms of `from`. A term that has a name in `from` and none in the other arena gets the
+    /// same name there.
     pub fn new(from: &'a Arena) -> Self {
         Self { from, done: FxHashMap::default(), suffix: "" }
     }
 
-    /// Writes terms into the arena of another model than that of `from`. The suffix marks the names of terms that have
-    /// none there.
+    /// Creates a transfer into the arena of another model than that of `from`. The suffix marks the names of terms that
+    /// have no name there.
     pub fn of_other_model(from: &'a Arena, suffix: &'static str) -> Self {
         Self { suffix, ..Self::new(from) }
     }
 
-    /// The term `e` of the first arena as one of `arena`, always the same one.
+    /// Writes the term `e` of the first arena into `arena`; the result for a term is always the same.
     pub fn term(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         for part in self.from.reachable(&[e]) {
             if !self.done.contains_key(&part) {
@@ -50,7 +51,7 @@ impl<'a> Transfer<'a> {
                 arena.try_product(&list).expect("what could be built in one arena can be built in another")
             }
             Node::Apply(f, argument) => arena.apply(*f, self.done[argument]),
-            // A term that both have keeps its name there.
+            // A term that has a name in the other arena keeps it.
             Node::Named(_, term) => {
                 let wanted = format!("{}{}", self.from.label_of(e).unwrap_or_default(), self.suffix);
                 arena.name(self.done[term], &wanted)

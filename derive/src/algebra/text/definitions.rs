@@ -1,12 +1,12 @@
-//! Names written down: a symbol for each, and its definition.
+//! Written names: a symbol for each named term, and its definition.
 //!
-//! One name has one meaning in all documents about a model. The terms common to all documents are written first, on
-//! their own: the equations by Kane's method. Names of all other terms end in the name of the part of a document in
-//! which they first occur: `ratio_x_v` is a term of Kane's equations and `ratio_x_v_lagrange` one that only Lagrange's
-//! have. Among terms that are called alike in a part, a number tells which is meant. It depends on the structure of the
-//! terms and not on when they were built, so that it is the same wherever the part is written.
+//! A name has one meaning in all documents about a model. The terms common to all documents are written first, on their
+//! own: the equations by Kane's method. Names of all other terms end in the name of the document part in which they
+//! first occur: `ratio_x_v` is a term of Kane's equations, and `ratio_x_v_lagrange` a term of Lagrange's equations
+//! only. Numbers tell terms apart that have the same label in a part. A number depends on the structure of the terms
+//! and not on when they were built, so it is the same wherever the part is written.
 //!
-//! Invariant: a name has the same symbol whenever it is written, and each step stands after those that it needs.
+//! Invariant: a name has the same symbol whenever it is written, and each step stands after the steps that it needs.
 
 use crate::algebra::term::arena::Stated;
 use crate::algebra::term::calculus::Substitution;
@@ -15,8 +15,9 @@ use crate::algebra::term::structure::structures;
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 
-/// Steps and values with symbols in place of names. The steps behind a name stand before the first that needs it. A
-/// step may state a name itself, by a term that it equals: from there on this term is its value.
+/// Replaces named terms in steps and values by symbols, and adds a step that defines each symbol. An added step stands
+/// before the first step that needs it. A given step may define a named term itself, by an equal term, which is then
+/// its value.
 pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<Definition>, Vec<Expr>) {
     let mut writing = Writing::default();
     for step in steps {
@@ -28,9 +29,9 @@ pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec
     (writing.steps, values)
 }
 
-/// Gives every named term in these values its symbol, as part of a document. The values stay as they are, and are shown
-/// with the names. Names written later without a part of their own belong to this one. All values of a part are written
-/// at once: their numbers depend on one another.
+/// Gives every named term in these values its symbol, as part of a document. The values are not changed: they are shown
+/// with the names. Names written later without a part of their own belong to this part. All values of a part must be
+/// written at once, since their numbers depend on one another.
 pub fn write_down(arena: &mut Arena, part: &str, values: &[Expr]) {
     arena.names.part = Some(part.to_owned());
     let mut named: Vec<Expr> = arena.reachable(values);
@@ -38,12 +39,14 @@ pub fn write_down(arena: &mut Arena, part: &str, values: &[Expr]) {
     named.retain(|e| arena.behind(*e).is_some() && !arena.names.symbols.get(e).is_some_and(|s| s.everywhere));
     named.sort_by_key(|e| structure[e]);
     for e in named {
-        // One that has a name of another part counts: whether that was written does not change the numbers of this one.
+        // A term with a name of another part counts too: whether that part was written does not change the numbers of
+        // this part.
         number(arena, e);
     }
 }
 
-/// The written names shown in these terms, and in the definitions of these names, each after those that it mentions.
+/// Definitions of the written names that these terms show, and of the names in these definitions. Each stands after the
+/// names that it mentions.
 #[must_use]
 pub fn glossary(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
     let named = arena.reachable(shown).into_iter();
@@ -52,7 +55,7 @@ pub fn glossary(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
         .collect()
 }
 
-/// Terms that are written down one after another.
+/// Steps and symbols of terms that are written down one after another.
 #[derive(Default)]
 struct Writing {
     steps: Vec<Definition>,
@@ -60,7 +63,7 @@ struct Writing {
 }
 
 impl Writing {
-    /// The symbol of what a step states.
+    /// Symbol that a given step defines: the written symbol of a named term, or the term itself.
     fn stated(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if arena.behind(e).is_none() {
             return e;
@@ -83,7 +86,7 @@ impl Writing {
     }
 }
 
-/// The symbol that a named term is written with.
+/// Symbol that a named term is written with, created if needed.
 fn symbol_of(arena: &mut Arena, named: Expr) -> Expr {
     match arena.names.symbols.get(&named) {
         Some(known) => known.symbol,
@@ -91,7 +94,7 @@ fn symbol_of(arena: &mut Arena, named: Expr) -> Expr {
     }
 }
 
-/// The symbol of a named term, which counts as the next of those that are called alike in this part.
+/// Gives a named term its symbol, with the next number among the terms of the same label in this part.
 fn number(arena: &mut Arena, named: Expr) -> Expr {
     let wanted = arena.names.in_part(arena.label_of(named).unwrap_or_default());
     let count = arena.names.written.entry(wanted.clone()).or_insert(0);
@@ -106,8 +109,8 @@ fn number(arena: &mut Arena, named: Expr) -> Expr {
     symbol
 }
 
-/// Takes over the names that were written in another store of terms of the same model. A term may stand there with the
-/// other sign, which depends on what was built before. It is then another term, and no term here gets its name.
+/// Takes over the names that were written in another arena of the same model. A term may stand there with the other
+/// sign, which depends on the terms built before. It is then another term, and no term here gets its name.
 pub fn adopt(arena: &mut Arena, from: &Arena) {
     let mut known: Vec<_> = from.names.symbols.iter().collect();
     known.sort_unstable_by_key(|(e, _)| **e);

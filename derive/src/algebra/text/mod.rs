@@ -1,4 +1,4 @@
-//! Terms from text, and as text in every notation.
+//! Reading of terms from text, and writing of terms in every notation.
 
 pub mod definitions;
 pub mod notation;

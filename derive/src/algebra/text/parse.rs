@@ -1,8 +1,8 @@
-//! Infix text to expressions: `-R*u2*tan(q2) + u4*cos(q1)`, `q1'` for a time derivative, `^` for powers.
+//! Parser of infix text: `-R*u2*tan(q2) + u4*cos(q1)`, `q1'` for a time derivative, `^` for powers.
 //!
-//! Decimals are exact (`0.1` is 1/10). Sums and products are read in loops, so their length is
-//! unlimited; nesting is limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as
-//! quotients of sine and cosine. Where the reader of a file knows velocities, `v(P) @ A [1]` is an operand.
+//! Decimals are exact (`0.1` is 1/10). Sums and products are read in loops, so their length is unlimited; nesting is
+//! limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as quotients of sine and cosine. If the caller can
+//! look up velocities, `v(P) @ A [1]` is an operand.
 
 mod cursor;
 mod domain;
@@ -92,7 +92,7 @@ pub fn is_reserved(name: &str) -> bool {
     name == "pi" || is_function(name)
 }
 
-/// Functions of several arguments; where they are not called they are names like others.
+/// Functions of several arguments. Without a call they are ordinary names.
 const OF_SEVERAL: [&str; 3] = ["min", "max", "atan2"];
 
 fn is_function(name: &str) -> bool {
@@ -105,9 +105,9 @@ struct Parser<'a, 'b> {
     at: usize,
     depth: usize,
     work: u64,
-    /// The most primes that a name may end in.
+    /// Largest number of primes that a name may end in.
     primes: usize,
-    /// Functions that have no real value for every argument, as they were written.
+    /// Function values in the text that are not real for every argument.
     partial: Vec<Expr>,
     resolve: &'a mut Resolve<'b>,
     velocity: Option<&'a mut ResolveVelocity<'b>>,
@@ -160,7 +160,7 @@ impl Parser<'_, '_> {
         found
     }
 
-    /// Counts what it costs to add or multiply numbers of so many bits.
+    /// Counts the cost of adding or multiplying numbers of so many bits; refuses the expression if it is too high.
     fn spend(&mut self, bits: u64, start: usize) -> Result<(), ParseError> {
         self.work = self.work.saturating_add(bits.saturating_mul(bits));
         if self.work <= MAX_WORK {
@@ -230,7 +230,7 @@ impl Parser<'_, '_> {
         product.map_err(|e| ParseError::power(start..self.at, e))
     }
 
-    /// Refuses a product with an exponent beyond what may be written.
+    /// Refuses a product with an exponent beyond the limit for written formulas.
     fn within_limits(&self, e: Expr) -> Result<Expr, PowerError> {
         let product = match self.arena.node(e) {
             Node::Sum(_, terms) if terms.len() == 1 => terms[0].0,
@@ -244,7 +244,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Any number of signs, then a power: −x² is −(x²).
+    /// Reads any number of signs, then a power: −x² is −(x²).
     fn signed(&mut self) -> Result<Expr, ParseError> {
         let mut negative = false;
         loop {
@@ -382,7 +382,7 @@ impl Parser<'_, '_> {
         (self.resolve)(self.arena, name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 
-    /// A component of a velocity, whose `v` or `omega` was at `start`.
+    /// Reads a component of a velocity or position, whose `v`, `omega` or `p` was at `start`.
     fn component(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
         let (name, end) = VelocityName::read(word, self.text, self.at)?;
         self.at = end;
@@ -390,7 +390,7 @@ impl Parser<'_, '_> {
         resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 
-    /// A component of what bodies exert on one another, whose `force` or `torque` was at `start`.
+    /// Reads a component of a force or torque between bodies, whose `force` or `torque` was at `start`.
     fn interaction(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
         let (name, end) = InteractionName::read(word, self.text, self.at)?;
         self.at = end;
@@ -398,7 +398,7 @@ impl Parser<'_, '_> {
         resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 
-    /// The distance of two points, whose `distance` was at `start`.
+    /// Reads the distance of two points, whose `distance` was at `start`.
     fn distance(&mut self, start: usize) -> Result<Expr, ParseError> {
         let (ends, end) = VelocityName::ends(self.text, self.at)?;
         self.at = end;
@@ -420,7 +420,7 @@ impl Parser<'_, '_> {
         Ok(self.arena.apply(Function::Sqrt, square))
     }
 
-    /// A function of several arguments: the least, the greatest, or the angle of a direction, by functions of one.
+    /// Reads a call of `min`, `max` or `atan2`, and writes it by functions of one argument.
     fn of_several(&mut self, name: &str, start: usize) -> Result<Expr, ParseError> {
         let open = self.at;
         self.take(b'(');
@@ -459,7 +459,8 @@ impl Parser<'_, '_> {
         Ok(result)
     }
 
-    /// The angle of (x, y) from the first axis, 2 arctan(y/(x + √(x² + y²))): not on the negative half of that axis.
+    /// Angle of the direction (x, y) from the first axis, 2 arctan(y/(x + √(x² + y²))). It has no value on the negative
+    /// half of that axis.
     fn direction(&mut self, y: Expr, x: Expr, start: usize) -> Result<Expr, ParseError> {
         let squares = [self.arena.square(x), self.arena.square(y)];
         let square = self.arena.sum(&squares);
@@ -496,7 +497,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// f(argument), refused for constants outside the function's domain.
+    /// Applies a function to an argument; refuses a constant outside the function's domain.
     fn checked_apply(&mut self, f: Function, argument: Expr, start: usize) -> Result<Expr, ParseError> {
         if is_outside(self.arena, f, argument) {
             let shown = crate::diagnostic::shown(&super::print::text(self.arena, argument));

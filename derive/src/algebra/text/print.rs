@@ -1,7 +1,7 @@
-//! Expressions as people write them, in text (which parses back to the same term), LaTeX, Typst and `MathML`; and as
-//! Python reads them.
+//! Printing of expressions: as people write them, in text (which parses back to the same term), LaTeX, Typst and
+//! `MathML`; and as Python reads them.
 //!
-//! Printing for people stops at [`BUDGET`] nodes, since nobody reads further; [`whole_text`] is for programs.
+//! A print for people stops at [`BUDGET`] nodes, since nobody reads further; [`whole_text`] is for programs.
 
 mod latex;
 mod lines;
@@ -27,16 +27,16 @@ use python::{NUMPY, SYMPY};
 use rustc_hash::FxHashMap;
 use typst::write_typst;
 
-/// Nodes after which a print is cut short with the number of operations left unsaid.
+/// Number of nodes after which the print of an expression is cut short.
 pub const BUDGET: usize = 20_000;
 
-/// Plain text in the language of model files.
+/// Prints an expression as plain text in the language of model files.
 #[must_use]
 pub fn text(arena: &Arena, e: Expr) -> String {
     text_of(&view_of(arena, e))
 }
 
-/// [`text`] of marks that come from elsewhere.
+/// Prints a tree of marks as plain text, like [`text`].
 #[must_use]
 pub fn text_of(view: &View) -> String {
     let mut out = String::new();
@@ -44,7 +44,7 @@ pub fn text_of(view: &View) -> String {
     out
 }
 
-/// Python, with the functions of `NumPy` as `np.sin`.
+/// Prints a tree of marks in Python, with the functions of `NumPy` as `np.sin`.
 #[must_use]
 pub fn python_of(view: &View) -> String {
     let mut out = String::new();
@@ -52,7 +52,8 @@ pub fn python_of(view: &View) -> String {
     out
 }
 
-/// Python, with the functions and numbers of `SymPy` as `sp.sin`: quotients of whole numbers stay exact.
+/// Prints a tree of marks in Python, with the functions and numbers of `SymPy` as `sp.sin`: quotients of whole numbers
+/// stay exact.
 #[must_use]
 pub fn sympy_of(view: &View) -> String {
     let mut out = String::new();
@@ -60,7 +61,8 @@ pub fn sympy_of(view: &View) -> String {
     out
 }
 
-/// [`text`] for programs that read it on: cut only beyond two million nodes, where a shared term has grown out of hand.
+/// Prints an expression like [`text`], for programs. It is cut only beyond two million nodes, where a shared term has
+/// grown out of hand.
 #[must_use]
 pub fn whole_text(arena: &Arena, e: Expr) -> String {
     let mut out = String::new();
@@ -68,20 +70,20 @@ pub fn whole_text(arena: &Arena, e: Expr) -> String {
     out
 }
 
-/// The marks of a term, cut only where [`whole_text`] is. Terms in `shared`, other than `e` itself, are shown by their
-/// names.
+/// Tree of marks of a term, cut no earlier than [`whole_text`]. Terms in `shared`, other than `e` itself, are shown by
+/// their names.
 #[must_use]
 pub fn whole_view(arena: &Arena, e: Expr, shared: &Shared) -> View {
     view(arena, e, shared, 100 * BUDGET)
 }
 
-/// LaTeX, for math mode.
+/// Prints an expression in LaTeX, for math mode.
 #[must_use]
 pub fn latex(arena: &Arena, e: Expr) -> String {
     latex_of(&view_of(arena, e))
 }
 
-/// [`latex`] of marks that come from elsewhere.
+/// Prints a tree of marks in LaTeX, like [`latex`].
 #[must_use]
 pub fn latex_of(view: &View) -> String {
     let mut out = String::new();
@@ -89,7 +91,7 @@ pub fn latex_of(view: &View) -> String {
     out
 }
 
-/// Typst, for math mode, of marks that come from elsewhere.
+/// Prints a tree of marks in Typst, for math mode.
 #[must_use]
 pub fn typst_of(view: &View) -> String {
     let mut out = String::new();
@@ -97,13 +99,13 @@ pub fn typst_of(view: &View) -> String {
     out
 }
 
-/// Presentation `MathML`: one `mrow` element, to be put inside `math`.
+/// Prints an expression in presentation `MathML`: one `mrow` element, to be put inside `math`.
 #[must_use]
 pub fn mathml(arena: &Arena, e: Expr) -> String {
     mathml_of(&view_of(arena, e))
 }
 
-/// [`mathml`] of marks that come from elsewhere.
+/// Prints a tree of marks in presentation `MathML`, like [`mathml`].
 #[must_use]
 pub fn mathml_of(view: &View) -> String {
     let mut out = String::from("<mrow>");
@@ -112,13 +114,13 @@ pub fn mathml_of(view: &View) -> String {
     out
 }
 
-/// The marks of a term, as far as people read; symbols that would look alike with subscripts are told apart.
+/// Tree of marks of a term, cut after [`BUDGET`] nodes. Symbols that would look alike with subscripts are told apart.
 #[must_use]
 pub fn view_of(arena: &Arena, e: Expr) -> View {
     told_apart(arena, view(arena, e, &FxHashMap::default(), BUDGET))
 }
 
-/// The marks of a symbol of this name, told apart from one that would look like it.
+/// Tree of marks of a symbol, told apart from another symbol that would look like it.
 #[must_use]
 pub fn symbol_view(arena: &Arena, name: &str) -> View {
     let looks_like_another = twin(name).is_some_and(|other| arena.find_symbol(&other).is_some());
@@ -139,17 +141,17 @@ fn told_apart(arena: &Arena, view: View) -> View {
     }
 }
 
-/// Spelling of marks in which languages on one line differ.
+/// Spelling of the marks that differ between languages on one line.
 struct Spelling {
     pi: &'static str,
     power: &'static str,
-    /// A function, by its name in model files.
+    /// Name of a function in the language, given its name in model files.
     function: fn(&'static str) -> String,
-    /// Function that makes a number of two whole ones, for a language in which `/` would round.
+    /// Function for the quotient of two whole numbers, in a language in which `/` would round; `None` in others.
     quotient: Option<&'static str>,
 }
 
-/// The language of model files.
+/// Spelling of marks in the language of model files.
 const TEXT: Spelling = Spelling { pi: "pi", power: "^", function: str::to_owned, quotient: None };
 
 fn write_text(view: &View, out: &mut String) {

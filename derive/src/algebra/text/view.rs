@@ -11,11 +11,11 @@ use rustc_hash::FxHashMap;
 pub enum View {
     /// A whole number, not negative.
     Number(String),
-    /// A symbol.
+    /// A symbol by its name, shown with a subscript if it has one.
     Name(String),
-    /// A symbol that is spelled out where others have subscripts, since another one would look like it.
+    /// A symbol that is spelled out without a subscript, since another symbol would look like it.
     Word(String),
-    /// A term that was given a name of its own.
+    /// A term that is shown by the name that [`Shared`] gives it.
     Shared(String),
     /// The number π.
     Pi,
@@ -25,13 +25,13 @@ pub enum View {
     Product(Vec<View>),
     /// A fraction: numerator and denominator.
     Fraction(Box<View>, Box<View>),
-    /// Base and exponent, at least 2.
+    /// A power: base and exponent, which is at least 2.
     Power(Box<View>, i32),
     /// A function and its argument; among them `tan` for a quotient of sine and cosine.
     Call(&'static str, Box<View>),
-    /// A square root.
+    /// Square root of this formula.
     Root(Box<View>),
-    /// The budget ended here.
+    /// Mark for a part left out, since the budget of nodes ended.
     Cut,
 }
 
@@ -42,17 +42,17 @@ impl View {
     }
 }
 
-/// Names of terms that stand as such.
+/// Names of the terms that are shown by a name.
 pub type Shared = FxHashMap<Expr, String>;
 
-/// The tree of marks of `e`. Terms in `shared`, other than `e` itself, stand as their names; after
-/// `budget` nodes the tree is cut.
+/// Tree of marks of the term `e`. Terms in `shared`, other than `e` itself, are shown by their names; after `budget`
+/// nodes the tree is cut.
 #[must_use]
 pub fn view(arena: &Arena, e: Expr, shared: &Shared, budget: usize) -> View {
     Viewer { arena, ranks: ranks(arena, e), shared, left: budget }.expand(e)
 }
 
-/// For each term: where it stands among factors, (latest symbol in it, kind, handle).
+/// Order of a term among factors: (latest symbol in it, kind of node, handle).
 type Rank = (u32, u8, Expr);
 
 fn ranks(arena: &Arena, e: Expr) -> FxHashMap<Expr, Rank> {
@@ -136,8 +136,8 @@ impl Viewer<'_> {
         }
     }
 
-    /// Order of terms in a sum: by their factors, the latest declared first, so that a linear form stands
-    /// in the order of its variables.
+    /// Order of terms in a sum: by their factors, the latest declared first. So a linear form stands in the order of
+    /// its variables.
     fn monomial_rank(&self, term: Expr) -> Vec<(Rank, i32)> {
         let mut ranks: Vec<_> = match self.arena.node(term) {
             Node::Product(factors) => factors.iter().map(|(base, n)| (self.ranks[base], -n)).collect(),
@@ -148,7 +148,7 @@ impl Viewer<'_> {
         ranks
     }
 
-    /// k · e as (is negative, view of the absolute value).
+    /// Product k · e as (true if negative, view of the absolute value).
     fn scaled(&mut self, k: &Rational, e: Expr) -> (bool, View) {
         let factors: Vec<(Expr, i32)> = match self.arena.node(e) {
             Node::Product(factors) if !self.shared.contains_key(&e) => factors.to_vec(),
@@ -158,7 +158,7 @@ impl Viewer<'_> {
         self.quotient(k, factors)
     }
 
-    /// k · Π base^exponent as (is negative, view of the absolute value).
+    /// Product k · Π base^exponent as (true if negative, view of the absolute value).
     fn quotient(&mut self, k: &Rational, mut factors: Vec<(Expr, i32)>) -> (bool, View) {
         factors.sort_by_key(|(base, _)| self.ranks.get(base).copied());
         let magnitude = if k.is_negative() { k.neg() } else { k.clone() };
@@ -209,7 +209,7 @@ impl Viewer<'_> {
         (negative, view)
     }
 
-    /// Takes sin^n·cos^−n out of the factors, as (angle, n).
+    /// Takes tangents sin^n·cos^−n out of the factors, and returns them as (angle, n).
     fn take_tangents(&self, factors: &mut Vec<(Expr, i32)>) -> Vec<(Expr, i32)> {
         let mut tangents = Vec::new();
         for at in 0..factors.len() {
@@ -232,7 +232,7 @@ impl Viewer<'_> {
     }
 }
 
-/// A sum that begins with a minus is harder to read.
+/// Moves the first positive term of a sum to its front: a sum that begins with a minus is harder to read.
 fn positive_first(parts: &mut Vec<(bool, View)>) {
     if let Some(at) = parts.iter().position(|(negative, _)| !negative)
         && parts[0].0

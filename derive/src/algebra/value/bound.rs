@@ -1,9 +1,9 @@
 //! Probability of a false zero, bounded by the degrees and sizes of the polynomials behind an expression.
 //!
-//! Every term is N / (d ΠB), N a polynomial with integer coefficients in symbols and in t of each base angle, d an
-//! integer, B the divisors. A polynomial N that is not zero vanishes at a random point modulo p with a
-//! probability of at most degree(N)/p (Schwartz 1980, Zippel 1979), and modulo a random prime altogether
-//! only if the prime divides all coefficients, of which each has at most log₂|N|/60 such prime factors.
+//! Every term is N / (d ΠB): N is a polynomial with integer coefficients in symbols and in the parameter t of each base
+//! angle, d an integer, and B the divisors. A polynomial N that is not zero vanishes at a random point modulo p with a
+//! probability of at most degree(N)/p (Schwartz 1980, Zippel 1979). It vanishes modulo a random prime altogether only
+//! if the prime divides all coefficients. Each coefficient has at most log₂|N|/60 such prime factors.
 
 use super::points::{POINTS, is_exponential};
 use crate::algebra::term::elementary::angle_atoms;
@@ -12,22 +12,23 @@ use crate::algebra::{Arena, Expr, Function, Rational};
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
 
-/// Bounds of one term: N has this degree and this log₂ of the sum of the coefficients' sizes, d this log₂.
+/// Bounds of one term N / (d ΠB): degree of N, log₂ of the sum of its coefficients' sizes, log₂ of d, and divisors B.
 #[derive(Clone, Default)]
 struct Size {
     degree: f64,
     bits: f64,
     denominator_bits: f64,
-    /// d itself while it is known to fit a word: common denominators are then not counted twice.
+    /// The denominator d itself while it is known to fit a word: common denominators are then not counted twice.
     denominator: Option<u64>,
     divisors: Vec<(Expr, f64)>,
 }
 
-/// log₂ of the number of primes between 2^60 and 2^61 that are 23 modulo 24, from below:
-/// π(2^61) − π(2^60) > 2^60/43 (Rosser and Schoenfeld 1962), one in φ(24) = 8 of them, and a factor of 4 to spare.
+/// Lower bound of log₂ of the number of primes between 2^60 and 2^61 that are 23 modulo 24. π(2^61) − π(2^60) > 2^60/43
+/// (Rosser and Schoenfeld 1962), one in φ(24) = 8 of them, and a factor of 4 to spare.
 const LOG_PRIMES: f64 = 60.0 - 5.43 - 3.0 - 2.0;
 
-/// The k for which a false zero of `e` has a probability below 2^−k, two primes and two points for each.
+/// Exponent k for which a false zero of `e` has a probability below 2^−k, with two primes and two points for each; 0 if
+/// there is no bound.
 pub fn error_exponent(arena: &Arena, needed: &Needed, finest: &FxHashMap<Expr, i64>, e: Expr) -> f64 {
     let Some(sizes) = needed.fold(arena, &mut Sizes { arena, finest }) else { return 0.0 };
     let size = &sizes[e];
@@ -46,7 +47,7 @@ fn log_sum(a: f64, b: f64) -> f64 {
     if large == f64::NEG_INFINITY { large } else { large + (small - large).exp2().ln_1p() / std::f64::consts::LN_2 }
 }
 
-/// log₂ of numerator and denominator.
+/// Sizes log₂ of numerator and denominator of a number.
 fn bits_of(value: &Rational) -> (f64, f64) {
     match value.small() {
         Some((n, d)) => ((n.unsigned_abs() as f64).log2(), (d as f64).log2()),
@@ -63,7 +64,7 @@ fn number(value: &Rational) -> Size {
     Size { bits, denominator_bits, denominator, ..Size::default() }
 }
 
-/// With the least common denominator of the coefficients of each atom inside angles.
+/// Rules for the sizes of terms, with the least common denominator of the coefficients of each atom inside angles.
 struct Sizes<'a> {
     arena: &'a Arena,
     finest: &'a FxHashMap<Expr, i64>,

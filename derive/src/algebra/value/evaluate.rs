@@ -1,7 +1,7 @@
 //! Interpretation: expressions as a straight-line tape of operations, in numbers of any precision.
 //!
-//! Invariant: a tape's constants are exact rationals, rounded once to each kind of number that it is evaluated in.
-//! Nothing is proved by a tape: what its numbers look like decides no question of meaning.
+//! Invariant: a tape's constants are exact rationals, rounded once to each kind of number that it is evaluated in. A
+//! tape proves nothing: its numbers decide no question of meaning.
 
 mod backwards;
 
@@ -23,19 +23,19 @@ pub trait Numeric: Scalar {
         let rest = Rational::from_f64_exact(nearest).map(|exact| value.add(&exact.neg()));
         Self::from_f64(nearest) + Self::from_f64(rest.map_or(0.0, |rest| rest.to_f64()))
     }
-    /// f(x); not a number outside of the function's domain.
+    /// Function value f(x); not a number outside of the function's domain.
     #[must_use]
     fn apply(self, f: Function) -> Self {
         applied(self, f)
     }
-    /// xⁿ; n may be negative.
+    /// Power xⁿ; n may be negative.
     #[must_use]
     fn power(self, n: i32) -> Self {
         self.powi(n)
     }
 }
 
-/// f(x) as the scalar has it.
+/// Function value f(x), by the functions of the scalar type.
 fn applied<S: Scalar>(x: S, f: Function) -> S {
     match f {
         Function::Sin => x.sin_cos().0,
@@ -56,7 +56,8 @@ fn applied<S: Scalar>(x: S, f: Function) -> S {
 
 impl Numeric for DoubleDouble {}
 
-/// Values by the functions of a tape in doubles, so that they have the same bits.
+/// Evaluates a tape in numbers with slopes. Values come from the functions of a tape in doubles, so that they have the
+/// same bits.
 impl<const K: usize> Numeric for Tangent<K> {
     fn of(value: &Rational) -> Self {
         Self::constant(value.to_f64())
@@ -107,13 +108,13 @@ impl Numeric for f64 {
     }
 }
 
-/// One operation, with constants of type `K`.
+/// Operation of a tape, with constants of type `K`.
 #[derive(Clone, Debug)]
 enum Op<K> {
     Constant(K),
     Pi,
     Input(usize),
-    /// constant + Σ k·slot
+    /// The sum constant + Σ k·slot
     Sum(K, Box<[(u32, K)]>),
     /// The product Π slot^n
     Product(Box<[(u32, i32)]>),
@@ -121,7 +122,7 @@ enum Op<K> {
 }
 
 impl Op<Rational> {
-    /// The operation in numbers of a kind, its constants rounded to them.
+    /// Operation in numbers of type `S`, with its constants rounded to that type.
     fn rounded<S: Numeric>(&self) -> Op<S> {
         match self {
             Self::Constant(value) => Op::Constant(S::of(value)),
@@ -145,11 +146,11 @@ pub struct Tape<S = f64> {
     inputs: usize,
 }
 
-/// A symbol that occurs in an expression but is none of the tape's inputs.
+/// A symbol that occurs in an expression but is not an input of the tape.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownSymbol(pub String);
 
-/// A tape while it is made: what terms become are places in it.
+/// A tape while it is made. The value of a term is the slot that holds it.
 struct Assembly<'a> {
     arena: &'a Arena,
     inputs: FxHashMap<Expr, usize>,
@@ -160,7 +161,7 @@ struct Assembly<'a> {
 }
 
 impl Assembly<'_> {
-    /// Appends what computes these expressions, unless it is there.
+    /// Appends the operations that compute these expressions, unless they are there already.
     fn extend(&mut self, expressions: &[Expr]) -> Result<(), UnknownSymbol> {
         let needed = Needed::new(self.arena, expressions);
         let made = needed.fold(self.arena, self);
@@ -214,7 +215,7 @@ impl Tape {
         Self::stepwise(arena, inputs, &[], outputs)
     }
 
-    /// Compiles `outputs` as functions of `inputs` and of what the steps define, each by those before it.
+    /// Compiles `outputs` as functions of `inputs` and of the symbols that `steps` define, each step by earlier ones.
     ///
     /// # Errors
     /// [`UnknownSymbol`] if a step or an output depends on a symbol that is neither.
@@ -241,8 +242,8 @@ impl Tape {
         Ok(Self { ops, exact: made.ops.into(), outputs, inputs: inputs.len() })
     }
 
-    /// For each output the largest term that is added or multiplied on the way to it: a value is not known better than
-    /// to the rounding of these, however much of them cancels.
+    /// Largest term, for each output, that is added or multiplied on the way to it. A value is known only to the
+    /// rounding of this term, however much of it cancels.
     ///
     /// # Panics
     /// If `inputs` have another length than the tape was made for.
@@ -257,7 +258,7 @@ impl Tape {
                 Op::Sum(constant, terms) => {
                     terms.iter().fold(constant.abs(), |most, (slot, k)| most.max((k * of(slot)).abs()))
                 }
-                // A divisor is as small as it is; a factor counts with its largest term.
+                // A divisor counts with its value, a factor with its largest term.
                 Op::Product(factors) => factors.iter().fold(1.0, |product, (slot, n)| {
                     product * if *n > 0 { of(slot).powi(*n) } else { values[*slot as usize].abs().powi(*n) }
                 }),
@@ -272,7 +273,7 @@ impl Tape {
 }
 
 impl<S: Numeric> Tape<S> {
-    /// The tape in another kind of number, from the exact constants.
+    /// Tape in another kind of number, rounded from the exact constants.
     #[must_use]
     pub fn to<T: Numeric>(&self) -> Tape<T> {
         let ops = self.exact.iter().map(Op::rounded).collect();
@@ -285,7 +286,7 @@ impl<S: Numeric> Tape<S> {
         self.outputs.len()
     }
 
-    /// The places of the inputs that outputs depend on, in order.
+    /// Numbers of the inputs that the outputs depend on, in order.
     #[must_use]
     pub fn used(&self) -> Vec<usize> {
         let mut list: Vec<usize> =
@@ -322,7 +323,7 @@ impl<S: Numeric> Tape<S> {
         }
     }
 
-    /// All outputs, in a new vector.
+    /// Evaluates all outputs into a new vector.
     ///
     /// # Panics
     /// If `inputs` have another length than the tape was made for.

@@ -3,23 +3,23 @@
 use crate::algebra::term::fold::{Fold, Values, fold};
 use crate::algebra::{Arena, Expr, Function, Rational};
 
-/// π to 60 decimals; more than twice the digits of a double are never asked for.
+/// Decimals of π, 60 of them: more than twice the digits of a double are never asked for.
 const PI: &str = "3.141592653589793238462643383279502884197169399375105820974945";
 
-/// π, to more digits than are ever kept.
+/// The number π as a rational number, to 60 decimals: more digits than are ever kept.
 #[must_use]
 pub fn pi() -> Rational {
     Rational::parse_decimal(PI).expect("decimals")
 }
 
-/// The value of an expression of rational numbers, π and symbols with exact values, all operations exact; nothing if
-/// a function value or a symbol without a value is among them.
+/// Exact value of an expression of rational numbers, π and symbols with exact values. `None` if a function value or a
+/// symbol without a value occurs.
 #[must_use]
 pub fn exact_value(arena: &Arena, e: Expr, known: &[(Expr, Rational)]) -> Option<Rational> {
     fold(arena, e, &mut Exact(known))
 }
 
-/// With the exact values of some terms.
+/// Rules for exact values of terms, with the values of some terms given.
 struct Exact<'a>(&'a [(Expr, Rational)]);
 
 impl Fold for Exact<'_> {

@@ -5,11 +5,11 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
-/// A small deterministic generator (`SplitMix64`, Steele, Lea and Flood 2014).
+/// Small deterministic generator of random numbers (`SplitMix64`, Steele, Lea and Flood 2014).
 pub struct Generator(pub u64);
 
 impl Generator {
-    /// The next 64 bits.
+    /// Next random number of 64 bits.
     pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -23,7 +23,7 @@ impl Generator {
 /// two roots exactly one is a square, and 2 and 3 are squares, so that multiples of π/12 have values.
 #[derive(Clone, Copy)]
 pub struct Field {
-    /// The prime.
+    /// Prime modulus of the arithmetic.
     pub prime: u64,
     /// ⌊2^122 / prime⌋: a product is reduced by multiplications with it, since divisions of double words are slow.
     reciprocal: u64,
@@ -35,7 +35,7 @@ impl Field {
         debug_assert_eq!(prime >> 60, 1, "a prime of 61 bits");
         Self { prime, reciprocal: u64::try_from((1 << 122) / u128::from(prime)).expect("at most 2^62") }
     }
-    /// A random prime field.
+    /// Creates the field of a random prime.
     pub fn random(generator: &mut Generator) -> Self {
         loop {
             let candidate = (1 << 60) | (generator.next() >> 4);
@@ -70,7 +70,7 @@ impl Field {
         rest
     }
 
-    /// a to the power n.
+    /// Power aⁿ modulo the prime, n ≥ 0.
     pub fn pow(self, a: u64, mut n: u64) -> u64 {
         let (mut result, mut power) = (1, a);
         while n > 0 {
@@ -85,7 +85,7 @@ impl Field {
         result
     }
 
-    /// 1/a; `None` for 0.
+    /// Inverse 1/a modulo the prime; `None` for 0.
     pub fn inverse(self, a: u64) -> Option<u64> {
         match a {
             0 => None,
@@ -94,19 +94,19 @@ impl Field {
         }
     }
 
-    /// a to any power; `None` for a negative power of 0.
+    /// Power aⁿ modulo the prime, for any n; `None` for a negative power of 0.
     pub fn power(self, a: u64, n: i32) -> Option<u64> {
         let base = if n < 0 { self.inverse(a)? } else { a };
         Some(self.pow(base, u64::from(n.unsigned_abs())))
     }
 
-    /// The square root that is itself a square; `None` for a non-residue.
+    /// Square root of a modulo the prime that is itself a square; `None` for a non-residue.
     pub fn root(self, a: u64) -> Option<u64> {
         let root = self.pow(a, self.prime.div_ceil(4));
         (self.mul(root, root) == a).then_some(root)
     }
 
-    /// The residue of a number; `None` if the prime divides its denominator.
+    /// Residue of a rational number; `None` if the prime divides its denominator.
     pub fn rational(self, value: &Rational) -> Option<u64> {
         if let Some((n, d)) = value.small() {
             let above = n.unsigned_abs() % self.prime;

@@ -1,13 +1,13 @@
 //! Intervals that hold the real value of an expression at a point: every operation is rounded outwards.
 //!
-//! Where the interval of a difference excludes 0, the two sides differ there, and that is a proof.
+//! If the interval of a difference excludes 0, the two sides are proved to differ at the point.
 
 use super::evaluate::Tape;
 use crate::algebra::term::fold::{Fold, Values, fold};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// [lo, hi], lo ≤ hi, both finite.
+/// Interval of real numbers from lo to hi, lo ≤ hi, both finite.
 #[derive(Clone, Copy, Debug)]
 pub struct Interval {
     lo: f64,
@@ -17,17 +17,17 @@ pub struct Interval {
 /// Relative error allowed for a mathematical library's sine, cosine or exponential: a hundred units in the last place,
 /// far above the error of any real one.
 const LIBRARY: f64 = 100.0 * f64::EPSILON;
-/// Powers beyond this are not enclosed: they are built by repeated multiplication.
+/// Largest size of an exponent for which a power is enclosed, since powers are built by repeated multiplication.
 const MOST_POWER: u32 = 2000;
 
 impl Interval {
-    /// Outwards by one unit in the last place; `None` beyond the range of a double.
+    /// Creates an interval, widened at both ends by one unit in the last place; `None` beyond the range of a double.
     fn new(lo: f64, hi: f64) -> Option<Self> {
         let (lo, hi) = (lo.next_down(), hi.next_up());
         (lo.is_finite() && hi.is_finite() && lo <= hi).then_some(Self { lo, hi })
     }
 
-    /// A number that a double holds.
+    /// Creates an interval that holds a single number.
     pub const fn point(x: f64) -> Self {
         Self { lo: x, hi: x }
     }
@@ -82,25 +82,25 @@ impl Interval {
         if result.excludes_zero() { Self::new(1.0 / result.hi, 1.0 / result.lo) } else { None }
     }
 
-    /// The interval of −x.
+    /// Interval of −x, for x in this interval.
     fn negated(self) -> Self {
         Self { lo: -self.hi, hi: -self.lo }
     }
 
-    /// The interval of |x|.
+    /// Interval of |x|, for x in this interval.
     fn size(self) -> Self {
         let (a, b) = (self.lo.abs(), self.hi.abs());
         Self { lo: if self.excludes_zero() { a.min(b) } else { 0.0 }, hi: a.max(b) }
     }
 
-    /// f about the middle, for a function that is at most 1 and changes by at most as much as its argument.
+    /// Interval of a function f, from its value at the middle. The size of f and of its slope must be at most 1.
     fn wave(self, f: impl Fn(f64) -> f64) -> Option<Self> {
         let value = f(f64::midpoint(self.lo, self.hi));
         let radius = self.hi - self.lo + LIBRARY * value.abs();
         Self::new(value - radius, value + radius)
     }
 
-    /// From f's value at the lower end to that at the upper end, for a function that rises.
+    /// Interval of a rising function f, from its values at both ends.
     fn rising(self, f: impl Fn(f64) -> f64) -> Option<Self> {
         let (lo, hi) = (f(self.lo), f(self.hi));
         Self::new(lo - LIBRARY * lo.abs(), hi + LIBRARY * hi.abs())
@@ -128,10 +128,10 @@ impl Interval {
     }
 }
 
-/// Digits of a constant below which it is not known.
+/// Relative width of a constant's interval above which its digits count as lost.
 const KNOWN: f64 = 1e-8;
 
-/// The power of ten of a number in a term that no double comes near, if there is one.
+/// Power of ten of a number in a term that is beyond the range of doubles; `None` if there is no such number.
 #[must_use]
 pub fn beyond_doubles(arena: &Arena, e: Expr) -> Option<f64> {
     let fits = |value: &&Rational| {
@@ -146,7 +146,7 @@ pub fn beyond_doubles(arena: &Arena, e: Expr) -> Option<f64> {
     found.map(magnitude)
 }
 
-/// A number of any size as a power of ten.
+/// Size of a number as a power of ten, rounded to a whole one.
 fn magnitude(value: &Rational) -> f64 {
     let big = value.to_big();
     let bits = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
@@ -154,11 +154,11 @@ fn magnitude(value: &Rational) -> f64 {
     (twos as f64 * std::f64::consts::LOG10_2).round()
 }
 
-/// A part without symbols of which the arithmetic of doubles finds no eight digits, such as exp(10^-20) − 1 or
-/// sin(10^30).
+/// Part of a term, without symbols, whose value is not known to eight digits in doubles, such as exp(10^-20) − 1 or
+/// sin(10^30); `None` if there is none.
 pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
     let mut constant: FxHashSet<Expr> = FxHashSet::default();
-    // Operands have smaller handles than what is built from them.
+    // Operands have smaller handles than the terms that are built from them.
     for part in arena.reachable(&[e]) {
         let is_constant = match arena.node(part) {
             Node::Number(_) | Node::Pi => true,
@@ -184,13 +184,13 @@ pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
     None
 }
 
-/// The interval of `e` where each symbol has the given value; `None` where a divisor or a root's argument is not
-/// known to be in its domain.
+/// Interval of the term `e` where each symbol has the given value. `None` if a divisor, or the argument of a root, is
+/// not known to be in its domain.
 pub fn enclose(arena: &Arena, e: Expr, at: &FxHashMap<Expr, f64>) -> Option<Interval> {
     fold(arena, e, &mut Enclosure(at))
 }
 
-/// At the values of symbols.
+/// Rules for the intervals of terms, with the values of symbols.
 struct Enclosure<'a>(&'a FxHashMap<Expr, f64>);
 
 impl Fold for Enclosure<'_> {

@@ -7,11 +7,10 @@
 //! and points come from a generator seeded with the terms compared, names included, so builds repeat and no fixed prime
 //! can be aimed at.
 //!
-//! A non-zero residue proves that an expression of these atoms is not zero. Zero residues at every
-//! point leave an error bound ([`bounded_zero_test`]); with m square roots a wrong pattern of signs shows at one
-//! point in 2^m at worst, so points multiply, and beyond four roots no bound is claimed. Functions other than these
-//! are taken as independent atoms: with them a non-zero residue proves nothing, and the answer
-//! is [`ZeroTest::Undecided`].
+//! A non-zero residue proves that an expression of these atoms is not zero. Zero residues at every point leave an error
+//! bound ([`bounded_zero_test`]). With m square roots a wrong pattern of signs shows at one point in 2^m at worst, so
+//! points multiply, and beyond four roots no bound is claimed. Other functions are taken as independent atoms: with
+//! them a non-zero residue proves nothing, and the answer is [`ZeroTest::Undecided`].
 
 use super::bound::error_exponent;
 use super::field::Field;
@@ -20,26 +19,26 @@ use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::term::fold::Needed;
 use crate::algebra::{Arena, Expr, Function, Node};
 
-/// Points for terms with one square root; each further one doubles it, since a wrong pattern of m signs may show at one
+/// Number of points for terms with square roots, doubled for each root. A wrong pattern of m signs may show at one
 /// point in 2^m only: (1 − 2^−m)^(44·2^m) < 2^−63.
 const POINTS_WITH_ROOTS: usize = 44;
-/// More roots than this are not tested to that bound.
+/// Largest number of roots for which a zero has an error bound.
 const MOST_ROOTS: u32 = 4;
-/// Evaluations of terms that one zero test may cost.
+/// Largest number of evaluations of terms in one zero test.
 const WORK: usize = 4_000_000;
 
-/// The answer to "is it zero?".
+/// Result of a zero test of a term.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ZeroTest {
-    /// Zero at every random point, in both fields.
+    /// The term is zero at every random point.
     Zero,
-    /// Proved not to be zero.
+    /// The term is proved not to be zero.
     NonZero,
     /// Not decided: a function that this engine cannot reason about, or no point where it is defined.
     Undecided,
 }
 
-/// Tests if `e` is zero by meaning.
+/// Tests if the term `e` is zero by meaning.
 #[must_use]
 pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
     match arena.node(e) {
@@ -88,7 +87,7 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
     ZeroTest::Undecided
 }
 
-/// [`zero_test`], and for a zero the k for which it is wrong with a probability below 2^−k.
+/// Tests like [`zero_test`]. The second value is an exponent k: a zero is wrong with a probability below 2^−k.
 #[must_use]
 pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
     let needed = Needed::new(arena, &[e]);
@@ -100,13 +99,14 @@ pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
         _ => 0.0,
     };
     match zero_test(arena, e) {
-        // A bound that bounds nothing is no answer.
+        // A zero with so weak a bound counts as undecided.
         ZeroTest::Zero if exponent < 32.0 => (ZeroTest::Undecided, exponent),
         answer => (answer, exponent),
     }
 }
 
-/// Number of different square roots, absolute values and signs; the last two count once for one argument.
+/// Number of different square roots, absolute values and signs. An absolute value and a sign of one argument count
+/// once.
 pub(in crate::algebra) fn count_roots(arena: &Arena, parts: &[Expr]) -> u32 {
     let mut arguments: Vec<(bool, Expr)> = parts
         .iter()
@@ -131,10 +131,10 @@ fn has_roots_of_numbers(arena: &Arena, parts: &[Expr]) -> bool {
     })
 }
 
-/// Divisors of one term that are tested for being zero by meaning.
+/// Largest number of divisors of a term that are tested for being zero by meaning.
 const MAX_DIVISORS: usize = 200;
 
-/// The first divisor in a term that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1.
+/// First divisor in a term that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1; `None` if there is none.
 #[must_use]
 pub fn zero_divisor(arena: &Arena, e: Expr) -> Option<Expr> {
     let mut divisors = Vec::new();
@@ -160,7 +160,7 @@ pub fn has_roots(arena: &Arena, parts: &[Expr]) -> bool {
     parts.iter().any(root)
 }
 
-/// True if all relations between the atoms are known here, so that a non-zero residue proves something.
+/// True if all relations between the atoms of these terms are known, so that a non-zero residue proves something.
 ///
 /// Symbols are independent of one another, of π and of any one transcendental number. Sines of base angles and e to
 /// base exponents are too, as long as angles and exponents are polynomials (Ax 1971). Square roots are evaluated and
@@ -202,7 +202,7 @@ pub fn independent(arena: &Arena, parts: &[Expr]) -> bool {
     !(pi_outside && numbers_inside)
 }
 
-/// True if a term is the argument of a sine or cosine among these.
+/// True if a term is the argument of a sine or cosine among `parts`.
 fn is_angle(arena: &Arena, parts: &[Expr], e: Expr) -> bool {
     parts.iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Sin | Function::Cos, inner) if *inner == e))
 }

@@ -1,6 +1,6 @@
 //! Values of terms at random points of random prime fields.
 //!
-//! Residues depend on the point and on names alone, never on handles, so that they are the same in every build.
+//! Residues depend on the point and on names alone, never on handles, so that they repeat in every build.
 
 mod draw;
 
@@ -14,13 +14,13 @@ use num_integer::Integer;
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 
-/// Random points, half of them in each field, at which zeros must be seen.
+/// Number of random points, half of them in each of two fields, at which a zero must be seen.
 pub(in crate::algebra) const POINTS: usize = 4;
 
-/// One random point in one field.
+/// Random point of a prime field, which gives every symbol and base angle its residues.
 #[derive(Clone)]
 pub(in crate::algebra) struct Point {
-    /// The field.
+    /// Prime field of the residues.
     pub field: Field,
     /// Seed from which the residues are drawn.
     seed: u64,
@@ -29,12 +29,12 @@ pub(in crate::algebra) struct Point {
 }
 
 impl Point {
-    /// The point of a seed.
+    /// Creates the point that a seed determines.
     pub fn new(field: Field, seed: u64) -> Self {
         Self { field, seed, redrawn: FxHashMap::default() }
     }
 
-    /// The residue of a symbol.
+    /// Residue of a symbol at the point.
     fn symbol(&self, symbol: Expr, name: &str) -> u64 {
         match self.redrawn.get(&symbol) {
             Some(seed) => self.residue(("redrawn", seed, name)),
@@ -42,7 +42,7 @@ impl Point {
         }
     }
 
-    /// A residue that depends only on the point and on `key`: equal keys, equal residues.
+    /// Residue that depends only on the point and on `key`: equal keys have equal residues.
     fn residue(&self, key: impl Hash) -> u64 {
         let mut hasher = FxHasher::default();
         (self.seed, key).hash(&mut hasher);
@@ -116,7 +116,8 @@ impl Point {
         (product != 0).then_some(product)
     }
 
-    /// (sin, cos) of an argument from the values of its atoms; `bases` remembers those of base angles by their names.
+    /// (sin, cos) of an argument from the values of its atoms. `bases` remembers the (sin, cos) of base angles by their
+    /// names. `None` if the point gives it none.
     fn angle(
         &self,
         arena: &Arena,
@@ -153,7 +154,8 @@ impl Point {
     }
 }
 
-/// For each atom inside angles and exponents: the least common denominator of its coefficients.
+/// Least common denominator of the coefficients of each atom inside angles and exponents; 0 if it is too large for a
+/// word.
 pub(in crate::algebra) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Expr, i64> {
     let mut denominators: FxHashMap<Expr, i64> = FxHashMap::default();
     for part in parts {
@@ -189,7 +191,7 @@ pub(in crate::algebra) fn is_exponential(function: Function) -> bool {
     matches!(function, Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh)
 }
 
-/// The residue of every part at a point; `None` where an inverse or a root does not exist.
+/// Residue of every needed term at a point; `None` if an inverse or a root does not exist.
 pub(in crate::algebra) fn values_at<'n>(
     arena: &Arena,
     needed: &'n Needed,
@@ -199,36 +201,37 @@ pub(in crate::algebra) fn values_at<'n>(
     needed.fold(arena, &mut Residues::new(arena, denominators, point.clone()))
 }
 
-/// Terms modulo a prime, at a point.
+/// Rules for the residues of terms at a point, modulo a prime.
 pub(in crate::algebra) struct Residues<'a> {
     arena: &'a Arena,
     denominators: &'a FxHashMap<Expr, i64>,
     point: Point,
-    /// Symbols that stand at another point, and what their residues are drawn from.
+    /// Sets of symbols that are moved to another point, each with the seed of their residues.
     moved: &'a [(&'a FxHashSet<Expr>, u64)],
-    /// (sine, cosine) of base angles by their names, and of whole angles: most have both in the term.
+    /// (sine, cosine) of base angles by their names. Most terms with one of both functions contain the other too.
     bases: FxHashMap<u64, (u64, u64)>,
     angles: FxHashMap<Expr, (u64, u64)>,
 }
 
 impl<'a> Residues<'a> {
-    /// At a point, with the [denominators][angle_denominators] of all angles.
+    /// Creates the rules at a point, with the [denominators][angle_denominators] of all angles.
     pub(in crate::algebra) fn new(arena: &'a Arena, denominators: &'a FxHashMap<Expr, i64>, point: Point) -> Self {
         let (bases, angles) = Default::default();
         Self { arena, denominators, point, moved: &[], bases, angles }
     }
 
-    /// The field.
+    /// Prime field of the point's residues.
     pub(in crate::algebra) fn field(&self) -> Field {
         self.point.field
     }
 
-    /// (sine, cosine) of an argument that one of them was computed of.
+    /// (sine, cosine) of an angle whose sine or cosine was computed before; `None` for any other angle.
     pub(in crate::algebra) fn known_circle(&self, argument: Expr) -> Option<(u64, u64)> {
         self.angles.get(&argument).copied()
     }
 
-    /// An exponential, or a hyperbolic function as what exponentials give it.
+    /// Residue of exp, sinh, cosh or tanh of an argument, computed from exponentials; `None` if the point gives it
+    /// none.
     pub(in crate::algebra) fn exponential(
         &self,
         function: Function,
@@ -247,7 +250,7 @@ impl<'a> Residues<'a> {
         })
     }
 
-    /// (sine, cosine) of an argument.
+    /// (sine, cosine) of an angle; `None` if the point gives it none.
     fn circle(&mut self, argument: Expr, of: &Values<'_, u64>) -> Option<(u64, u64)> {
         if let Some(known) = self.angles.get(&argument) {
             return Some(*known);
@@ -298,8 +301,8 @@ impl Fold for Residues<'_> {
     }
 }
 
-/// The residues of these terms, in their order, at random points, each modulo another prime: at most `count` of them,
-/// fewer where there are no values; computed as they are asked for.
+/// Residues of these terms, in their order, at random points, each modulo another prime. At most `count` points are
+/// returned, fewer if the terms have no values; each is computed when it is asked for.
 pub(in crate::algebra) fn residues(
     arena: &Arena,
     terms: Vec<Expr>,
@@ -318,7 +321,8 @@ pub(in crate::algebra) fn residues(
 pub struct Drawn(Point);
 
 impl Drawn {
-    /// A point at which all of these terms have residues, and these, in their order; nothing if none was found.
+    /// Finds a point at which all of these terms have residues, and returns it with the residues in their order; `None`
+    /// if none was found.
     pub fn new(arena: &Arena, terms: &[Expr]) -> Option<(Self, Vec<u64>)> {
         let mut draw = Draw::new(arena, terms);
         (0..100).map_while(|_| draw.point()).find_map(|point| {
@@ -328,12 +332,12 @@ impl Drawn {
         })
     }
 
-    /// The field.
+    /// Prime field of the point's residues.
     pub fn field(&self) -> Field {
         self.0.field
     }
 
-    /// The residues of other terms there, if they have any. Sines of parts of angles agree within one call.
+    /// Residues of other terms at the point; `None` if a term has none. Sines of parts of angles agree within one call.
     pub fn values(&self, arena: &Arena, terms: &[Expr]) -> Option<Vec<u64>> {
         let needed = Needed::new(arena, terms);
         let denominators = angle_denominators(arena, needed.nodes());
@@ -342,7 +346,7 @@ impl Drawn {
     }
 }
 
-/// Terms at many points of one field, of which some symbols stand elsewhere at each.
+/// Residues of terms at many points of one field, where some symbols are moved from point to point.
 pub struct Sampler<'a> {
     arena: &'a Arena,
     terms: Vec<Expr>,
@@ -352,14 +356,14 @@ pub struct Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    /// A sampler of these terms.
+    /// Creates a sampler of these terms.
     pub fn new(arena: &'a Arena, terms: Vec<Expr>) -> Self {
         let needed = Needed::new(arena, &terms);
         let (denominators, generator) = (angle_denominators(arena, needed.nodes()), seeded(arena, &needed));
         Self { arena, terms, needed, denominators, generator }
     }
 
-    /// A random field.
+    /// Draws a random prime field.
     pub fn field(&mut self) -> Field {
         Field::random(&mut self.generator)
     }
@@ -369,7 +373,7 @@ impl<'a> Sampler<'a> {
         self.generator.next()
     }
 
-    /// The residues of the terms, in their order, at the point of a seed; the symbols in `moved` take residues of other
+    /// Residues of the terms, in their order, at the point of a seed; the symbols in `moved` take residues of other
     /// seeds. `None` if a term has no residue. An angle keeps its sine and cosine if nothing in it is moved.
     pub fn at(&self, field: Field, seed: u64, moved: &[(&FxHashSet<Expr>, u64)]) -> Option<Vec<u64>> {
         let mut residues = Residues { moved, ..Residues::new(self.arena, &self.denominators, Point::new(field, seed)) };
@@ -378,13 +382,13 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// A generator seeded with the terms, by the names of their symbols and not by their handles.
+/// Generator of random numbers, seeded with the terms by the names of their symbols and not by their handles.
 pub(in crate::algebra) fn seeded(arena: &Arena, needed: &Needed) -> Generator {
     let hashes = needed.fold(arena, &mut Hashes(arena));
     Generator(hashes.iter().flat_map(Values::iter).fold(0, |all: u64, (_, hash)| all.wrapping_add(*hash)))
 }
 
-/// Terms by what they are built from.
+/// Rules for hashes of terms by their structure.
 struct Hashes<'a>(&'a Arena);
 
 impl Fold for Hashes<'_> {
@@ -416,7 +420,7 @@ fn hash_of(key: impl Hash) -> u64 {
     Generator(hasher.finish()).next()
 }
 
-/// One hash for all items, whatever their order.
+/// Hash of all items that does not depend on their order.
 fn unordered(items: impl Iterator<Item = impl Hash>) -> u64 {
     items.fold(0, |sum: u64, item| sum.wrapping_add(hash_of(item)))
 }

@@ -1,7 +1,7 @@
-//! The values that a term can take, as an interval: enough to prove that many a determinant is never zero.
+//! Ranges of the values that a term can take: enough to prove that many a determinant is never zero.
 //!
-//! Exact and sound, never sharp: each operand counts as if it varied on its own. So "never zero" is a
-//! proof for all real values of the symbols, positive ones being positive; anything else is no answer.
+//! Exact and sound, never sharp: each operand counts as if it varied on its own. So "never zero" is a proof for all
+//! real values of the symbols, and all positive values of positive symbols. Any other result says nothing.
 
 use crate::algebra::term::fold::{Fold, Values, fold};
 use crate::algebra::{Arena, Expr, Function, Rational};
@@ -18,7 +18,7 @@ pub fn never_positive(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.neg().is_nonnegative())
 }
 
-/// The store says which symbols are positive.
+/// Rules for the ranges of terms; the arena says which symbols are positive.
 struct Ranges<'a>(&'a Arena);
 
 impl Fold for Ranges<'_> {
@@ -46,12 +46,12 @@ impl Fold for Ranges<'_> {
     }
 }
 
-/// All values lie from `low` to `high`, where those are known.
+/// Range of a term: all its values lie from `low` to `high`; `None` where no bound is known.
 #[derive(Clone, Debug, Default)]
 struct Range {
     low: Option<Rational>,
     high: Option<Rational>,
-    /// 0 is no value.
+    /// True if the term is never 0.
     nonzero: bool,
 }
 

@@ -1,26 +1,26 @@
 //! The rank of a matrix by meaning: elimination modulo random primes, at random points.
 //!
-//! The rank there is never above the true one, and below it only with the probability of a false zero. Nothing is
-//! eliminated symbolically.
+//! The rank at a random point is never above the true rank, and below it only with the probability of a false zero.
+//! Nothing is eliminated symbolically.
 
 use super::field::Field;
 use super::points::{Sampler, residues};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashSet;
 
-/// Number of independent rows of a matrix, and the first row that depends on those before it.
+/// Number of independent rows of a matrix, and the first row that depends on the rows before it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Rank {
-    /// Independent rows.
+    /// Number of independent rows.
     pub rank: usize,
-    /// The first dependent row, if there is one.
+    /// First row that depends on the rows before it; `None` if there is none.
     pub dependent: Option<usize>,
 }
 
 /// The rank of a matrix by meaning.
 ///
-/// The rank at a random point is never above it, and below it only with the probability of a false
-/// zero: the largest of several points is returned. `None` if no point could be evaluated.
+/// The rank at a random point is never above the true rank, and below it only with the probability of a false zero: the
+/// largest of several points is returned. `None` if no point could be evaluated.
 #[must_use]
 pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
     let mut best: Option<Rank> = None;
@@ -35,8 +35,8 @@ pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
     best
 }
 
-/// Independent rows of a matrix, as many as there are, the first that will do; with the column of each row's pivot.
-/// `None` if no point could be evaluated.
+/// Largest set of independent rows of a matrix, the first possible rows, and the column of each row's pivot. `None` if
+/// no point could be evaluated.
 #[must_use]
 pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
     let mut best: Option<Vec<(usize, usize)>> = None;
@@ -49,14 +49,15 @@ pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<u
     best.map(|basis| basis.into_iter().unzip())
 }
 
-/// Independent rows of a matrix, as many as there are, the first that will do.
+/// Largest set of independent rows of a matrix, the first possible rows. `None` if no point could be evaluated.
 #[must_use]
 pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
     echelon(arena, matrix).map(|(rows, _)| rows)
 }
 
-/// True if a row is a combination of independent rows with the same coefficients wherever the `moving` symbols stand.
-/// Then it follows from these rows in every pose. False if it follows from them nowhere, or could not be evaluated.
+/// True if a row is a combination of independent rows, with the same coefficients for all values of the `moving`
+/// symbols. Then it follows from these rows in every pose. False if it follows from them nowhere, or could not be
+/// evaluated.
 #[must_use]
 pub(crate) fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
     let all: Vec<Expr> = rows.iter().flatten().chain(row).copied().collect();
@@ -75,13 +76,15 @@ pub(crate) fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr]
     false
 }
 
-/// Random fields that are tried for a point where all has a value.
+/// Largest number of random fields that are tried for a point where all entries have values.
 const DRAWS: usize = 40;
 
-/// The shares of rows in the last of them, all given one after another; nothing if it is not a sum of the others.
+/// Coefficients by which the first `count` rows sum up to the row after them, modulo a prime. `values` holds all rows,
+/// one after another. `None` if there are no such coefficients.
 fn shares(field: Field, values: &[u64], count: usize, width: usize) -> Option<Vec<u64>> {
     let mut basis = Basis::new(field);
-    // Each row with a 1 for itself: what is left of the last row tells how much of each was taken out.
+    // Each row gets a 1 of its own behind it. The remainder of the last row then shows how much of each row was
+    // subtracted.
     let tagged = |at: usize| {
         let own = (0..count).map(|other| u64::from(other == at));
         values[at * width..(at + 1) * width].iter().copied().chain(own).collect::<Vec<u64>>()
@@ -93,7 +96,7 @@ fn shares(field: Field, values: &[u64], count: usize, width: usize) -> Option<Ve
     left[..width].iter().all(|x| *x == 0).then(|| left[width..].to_vec())
 }
 
-/// A matrix at four random points, each modulo another prime; computed as they are asked for.
+/// Residues of a matrix at four random points, each modulo another prime. Each is computed when it is asked for.
 pub(crate) fn in_fields<'a>(
     arena: &'a Arena,
     matrix: &'a [Vec<Expr>],
@@ -105,15 +108,15 @@ pub(crate) fn in_fields<'a>(
     residues(arena, matrix.concat(), 4).map(move |(field, values)| (field, rows(values)))
 }
 
-/// Independent rows modulo a prime, each reduced by those before it.
+/// Independent rows modulo a prime, each reduced by the rows before it.
 pub(crate) struct Basis {
     field: Field,
-    /// Pivot column, and the row with 1 there.
+    /// Rows of the basis as (pivot column, row with 1 there).
     rows: Vec<(usize, Vec<u64>)>,
 }
 
 impl Basis {
-    /// Without rows.
+    /// Creates a basis without rows.
     pub fn new(field: Field) -> Self {
         Self { field, rows: Vec::new() }
     }
@@ -123,7 +126,7 @@ impl Basis {
         self.rows.len()
     }
 
-    /// Independent columns x that all rows take to 0, each of this length.
+    /// Independent columns x of this length, for which all rows of the basis give row · x = 0.
     pub fn null_space(&self, length: usize) -> Vec<Vec<u64>> {
         let f = self.field;
         // Each row with 0 in the columns of the pivots of all others.
@@ -164,7 +167,8 @@ impl Basis {
         row
     }
 
-    /// Takes a row in if it does not depend on those there; returns the column of its pivot.
+    /// Adds a row if it does not depend on the rows of the basis. Returns the column of its pivot; `None` if it depends
+    /// on them.
     pub fn take(&mut self, row: Vec<u64>) -> Option<usize> {
         let f = self.field;
         let mut row = self.reduce(row);
@@ -178,7 +182,7 @@ impl Basis {
     }
 }
 
-/// The independent rows with the columns of their pivots, and the first row that depends on those before it.
+/// Independent rows of a matrix as (row, column of its pivot), and the first row that depends on the rows before it.
 fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> (Vec<(usize, usize)>, Option<usize>) {
     let (mut basis, mut independent, mut dependent) = (Basis::new(f), Vec::new(), None);
     for (at, row) in rows.into_iter().enumerate() {

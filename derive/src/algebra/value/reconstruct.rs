@@ -1,6 +1,6 @@
 //! Formulas from residues: rational numbers, and sums of given terms with rational coefficients.
 //!
-//! Each result is a guess, since other numbers have the same residues; its user must prove it.
+//! Each result is a guess, since other numbers have the same residues; the caller must prove it.
 
 use super::field::Field;
 use crate::algebra::Rational;
@@ -9,7 +9,7 @@ use crate::algebra::Rational;
 /// residues modulo a prime of 61 bits, since 2 · 2^48 is far below it.
 const LARGEST: u64 = 1 << 24;
 
-/// The rational number with small numerator and denominator that has this residue, if there is one.
+/// Rational number with small numerator and denominator that has this residue; `None` if there is none.
 ///
 /// P. S. Wang, "A p-adic algorithm for univariate partial fractions", SYMSAC (1981) 212–217: the remainders of Euclid's
 /// algorithm.
@@ -29,10 +29,11 @@ pub fn rational(f: Field, residue: u64) -> Option<Rational> {
     Rational::fraction(i64::try_from(n).ok()?, i64::try_from(d).ok()?)
 }
 
-/// Denominators, and numerators beside roots, of numbers that are not rational.
+/// Largest denominator of a and b that is tried for a number a + b √n.
 const DENOMINATORS: u64 = 144;
+/// Largest numerator of a and b that is tried for a number a + b √n.
 const BESIDE: i64 = 288;
-/// Roots beside which they stand.
+/// Radicands n that are tried for a number a + b √n.
 const ROOTS: [i64; 3] = [2, 3, 6];
 
 /// Numbers (a, n, b) for which a + b √n has this residue, with small rational a and b, and n one of 2, 3 and 6. All
@@ -83,8 +84,8 @@ pub fn reduced(f: Field, rows: &mut Vec<Vec<u64>>) -> Vec<usize> {
     pivots
 }
 
-/// The unique x with Σ x_k column_k = the last column, for rows of more equations than unknowns. `None` if there is no
-/// solution, or more than one.
+/// Unique solution x of Σ x_k column_k = last column. Each row is an equation; there are more equations than unknowns.
+/// `None` if there is no solution, or more than one.
 #[must_use]
 pub fn solved(f: Field, mut rows: Vec<Vec<u64>>) -> Option<Vec<u64>> {
     let unknowns = rows.first()?.len() - 1;

@@ -1,7 +1,7 @@
 //! Values of terms and their slopes along a direction, modulo a random prime: dual numbers.
 //!
-//! The slope of a term is found by the rules of differentiation from residues alone. It shares nothing with
-//! [`crate::algebra::term::calculus`], which builds terms, so that it can check what that built.
+//! The slope of a term is found by the rules of differentiation from residues alone. It shares no code with
+//! [`crate::algebra::term::calculus`], which builds terms, so that it can check the derivatives built there.
 
 use super::field::Field;
 use super::points::{Draw, Residues};
@@ -9,10 +9,10 @@ use crate::algebra::term::fold::{Fold, Values};
 use crate::algebra::{Arena, Expr, Function, Rational};
 use rustc_hash::FxHashMap;
 
-/// Points that are drawn, at most, until all terms have residues at one.
+/// Largest number of points that are drawn until all terms have residues at one of them.
 const MOST_DRAWN: usize = 8;
 
-/// a + b ε with ε² = 0, modulo a prime: a value and its slope.
+/// Dual number a + b ε with ε² = 0, modulo a prime: a value and its slope.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dual {
     /// The value a.
@@ -28,14 +28,14 @@ impl Dual {
         self == Self::default()
     }
 
-    /// self − factor · other.
+    /// Difference self − factor · other of dual numbers.
     #[must_use]
     pub fn minus(self, f: Field, factor: Self, other: Self) -> Self {
         let across = f.add(f.mul(factor.value, other.slope), f.mul(factor.slope, other.value));
         Self { value: f.sub(self.value, f.mul(factor.value, other.value)), slope: f.sub(self.slope, across) }
     }
 
-    /// self/other; `None` where the value of the other is zero.
+    /// Quotient self/other of dual numbers; `None` if the value of `other` is zero.
     #[must_use]
     pub fn over(self, f: Field, other: Self) -> Option<Self> {
         let inverse = f.inverse(other.value)?;
@@ -46,11 +46,11 @@ impl Dual {
     }
 }
 
-/// Terms at random points with random directions, each point modulo another prime.
+/// Values and slopes of terms at random points with random directions, each point modulo another prime.
 pub struct Tangents<'a> {
     arena: &'a Arena,
     terms: &'a [Expr],
-    /// Each symbol that moves, with the symbol whose residue is its slope.
+    /// Each symbol that varies, with the symbol whose residue is its slope.
     along: FxHashMap<Expr, Expr>,
     draw: Draw<'a>,
 }
@@ -63,8 +63,8 @@ impl<'a> Tangents<'a> {
         Self { arena, terms, along: along.iter().copied().collect(), draw: Draw::with_slopes(arena, &all) }
     }
 
-    /// All terms, in their order, at the next point at which each has a residue and a slope; `None` if there is none
-    /// among the points that are tried.
+    /// Values and slopes of all terms, in their order, at the next point at which each term has both; `None` if there
+    /// is none among the points that are tried.
     pub fn next(&mut self) -> Option<(Field, Vec<Dual>)> {
         (0..MOST_DRAWN).find_map(|_| {
             let point = self.draw.point()?;
@@ -78,7 +78,7 @@ impl<'a> Tangents<'a> {
     }
 }
 
-/// Slopes of terms whose residues are known.
+/// Rules for the slopes of terms whose residues are known.
 struct Slopes<'a> {
     field: Field,
     values: &'a Values<'a, u64>,
@@ -129,7 +129,7 @@ impl Fold for Slopes<'_> {
 }
 
 impl Slopes<'_> {
-    /// f'(x) at the residue of an argument.
+    /// Derivative f'(x) at the residue of an argument; `None` if it has none.
     fn derivative(&self, function: Function, argument: Expr) -> Option<u64> {
         let (f, x) = (self.field, self.values[argument]);
         let other = |function| self.residues.exponential(function, argument, self.values);

@@ -1,8 +1,8 @@
 //! Minors of a matrix of constraints, and their common zeros.
 //!
 //! A matrix has fewer than r independent rows exactly where all of its minors of r rows are zero (J. M. Selig,
-//! *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6). They are expanded without a division. Rows that
-//! share no column are treated apart: the whole loses rank where one of its parts does.
+//! *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6). The minors are expanded without a division. Rows
+//! that share no column are treated apart: the whole matrix loses rank where one of its parts does.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::contract::contract;
@@ -13,37 +13,39 @@ use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::bare;
 use rustc_hash::FxHashSet;
 
-/// Most rows of a minor, minors of one part, and formulas of all parts together.
+/// Largest number of rows of a minor. `MOST_MINORS` limits the minors of one part, `MOST_FORMULAS` the formulas of all
+/// parts together.
 const MOST_ROWS: usize = 4;
 const MOST_MINORS: usize = 200;
 const MOST_FORMULAS: usize = 20;
-/// The longest formula that a proof shows, in characters.
+/// Most characters of a formula that a proof shows.
 const LONGEST: usize = 120;
 
-/// A matrix with the known properties of its entries.
+/// A matrix of constraints with the known properties of its entries.
 pub struct Matrix<'a> {
     pub rows: &'a [Vec<Expr>],
-    /// Number of the first rows that are independent; the others follow from these, except in single poses.
+    /// Number of rows at the beginning that are independent; the others follow from these, except in single poses.
     pub rank: usize,
-    /// Default values of parameters.
+    /// Symbols of parameters with their default values.
     pub known: &'a [(Expr, f64)],
-    /// Terms that are zero in every pose.
+    /// Terms that are zero in every closed pose.
     pub loops: &'a [Expr],
-    /// The symbols of the coordinates.
+    /// Symbols of the coordinates.
     pub places: &'a [Expr],
 }
 
 /// Poses where the rows of a matrix lose rank, as common zeros of formulas.
 pub struct Surfaces {
-    /// Formulas that are all zero exactly in these poses; empty if there is proved to be none.
+    /// Formulas that are all zero exactly in the poses where rank is lost; empty if it is proved that no such pose
+    /// exists.
     pub all_zero: Vec<Expr>,
-    /// Terms that are never zero, which prove it for the parts that never lose rank.
+    /// Texts of terms that are never zero. They prove that parts of the matrix never lose rank.
     pub never: Vec<String>,
-    /// Factors without coordinates that a proof assumes nonzero, though nothing states that they are positive.
+    /// Factors without coordinates that a proof assumes nonzero, although nothing states that they are positive.
     pub taken: Vec<Expr>,
 }
 
-/// Finds the poses where the rows lose rank; `None` if there are too many minors.
+/// Finds the poses where the rows of a matrix lose rank; `None` if there are too many minors.
 pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
     let mut found = Surfaces { all_zero: Vec::new(), never: Vec::new(), taken: Vec::new() };
     let mut sets: Vec<Vec<Expr>> = Vec::new();
@@ -72,7 +74,7 @@ pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
     Some(found)
 }
 
-/// Formulas that are all zero exactly where all formulas of one of the sets are.
+/// Formulas that are all zero exactly where all formulas of at least one set are zero; `None` if there are too many.
 fn any_of(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
     let mut all: Vec<Expr> = Vec::new();
     for set in sets {
@@ -92,7 +94,7 @@ fn any_of(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
     Some(all)
 }
 
-/// Rows that share columns, with the number of independent ones.
+/// Rows of a matrix that share columns, with their columns and the number of independent rows.
 struct Part {
     rows: Vec<usize>,
     columns: Vec<usize>,
@@ -117,12 +119,12 @@ fn parts(matrix: &Matrix<'_>) -> Vec<Part> {
         part.rows.sort_unstable();
         list.push(part);
     }
-    // Rows that are zero, or follow from nothing, tie nothing.
+    // Rows that are zero, or that are no independent rows, restrict nothing.
     list.retain(|part| part.rank > 0);
     list
 }
 
-/// The minors of a part that are not zero.
+/// Minors of a part that are not zero, each once; `None` if there are too many.
 fn minors(arena: &mut Arena, simplifier: &mut Simplifier, rows: &[Vec<Expr>], part: &Part) -> Option<Vec<Expr>> {
     let choices = |n: usize| (0..part.rank).fold(1_usize, |count, k| count.saturating_mul(n - k) / (k + 1));
     if part.rank > MOST_ROWS || choices(part.rows.len()).saturating_mul(choices(part.columns.len())) > MOST_MINORS {
@@ -141,7 +143,7 @@ fn minors(arena: &mut Arena, simplifier: &mut Simplifier, rows: &[Vec<Expr>], pa
     Some(found)
 }
 
-/// All choices of `count` items, in order.
+/// All choices of `count` items, in the order of the items.
 fn combinations(items: &[usize], count: usize) -> Vec<Vec<usize>> {
     let Some(left) = count.checked_sub(1) else { return vec![Vec::new()] };
     let with = |at: usize| {
@@ -150,7 +152,7 @@ fn combinations(items: &[usize], count: usize) -> Vec<Vec<usize>> {
     (0..items.len().saturating_sub(left)).flat_map(with).collect()
 }
 
-/// The determinant of chosen rows and columns, expanded along the first row.
+/// Determinant of chosen rows and columns, expanded along its first row.
 fn minor(arena: &mut Arena, rows: &[Vec<Expr>], chosen: &[usize], columns: &[usize]) -> Expr {
     let Some((first, rest)) = chosen.split_first() else { return Expr::ONE };
     let mut terms = Vec::new();
@@ -163,8 +165,8 @@ fn minor(arena: &mut Arena, rows: &[Vec<Expr>], chosen: &[usize], columns: &[usi
     arena.sum(&terms)
 }
 
-/// The factors of a minor that may be zero in a pose, each once. Factors without coordinates that are left out because
-/// of their default value are added to `taken`.
+/// Factors of a minor that may be zero in a pose, each once. Factors without coordinates that are nonzero at the
+/// default values are left out and added to `taken`.
 fn moving_factors(arena: &mut Arena, matrix: &Matrix<'_>, minor: Expr, taken: &mut Vec<Expr>) -> Vec<(Expr, i32)> {
     let minor = contract(arena, minor);
     let minor = bare(arena, minor);
@@ -183,13 +185,13 @@ fn moving_factors(arena: &mut Arena, matrix: &Matrix<'_>, minor: Expr, taken: &m
     moving
 }
 
-/// The value of a term without coordinates at the default values.
+/// Value of a term without coordinates at the default values; `None` if a parameter has none.
 fn value(arena: &Arena, e: Expr, known: &[(Expr, f64)]) -> Option<f64> {
     let (inputs, values): (Vec<Expr>, Vec<f64>) = known.iter().copied().unzip();
     Some(Tape::new(arena, &inputs, &[e]).ok()?.evaluate(&values)[0])
 }
 
-/// Takes out the factors that all products have.
+/// Removes the factors that all products have in common, and returns them.
 fn take_common(all: &mut [Vec<(Expr, i32)>]) -> Vec<(Expr, i32)> {
     let Some((first, others)) = all.split_first() else { return Vec::new() };
     let common: FxHashSet<(Expr, i32)> =
@@ -206,8 +208,8 @@ fn product(arena: &mut Arena, factors: &[(Expr, i32)]) -> Expr {
     arena.try_product(factors).expect("positive powers")
 }
 
-/// Proves that terms are never all zero. Either one of them never is, or the sum of their squares, less a multiple of a
-/// term that is zero in every pose.
+/// Proves that terms are never all zero; returns the proof in words. Either one term is never zero, or the sum of all
+/// squares is never zero. The sum may be reduced by a multiple of a term that is zero in every closed pose.
 fn not_all_zero(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -240,7 +242,7 @@ fn shown(arena: &Arena, what: &str, e: Expr) -> String {
 }
 
 /// True if a term is zero in no pose: by its range, or, without coordinates, at the default values. In the second case
-/// it is added to `taken`.
+/// the term is added to `taken`.
 fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>) -> bool {
     if never_zero(arena, e) {
         return true;
@@ -251,7 +253,7 @@ fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>
     is_taken
 }
 
-/// A sum less the multiple of another by which one of their common terms cancels.
+/// Difference of a sum and the multiple of another sum by which one of their common terms cancels.
 fn less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, other: Expr) -> Option<Expr> {
     let terms = |arena: &Arena, e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),

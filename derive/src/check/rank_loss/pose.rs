@@ -1,4 +1,4 @@
-//! Search for poses in which rows lose rank, in doubles.
+//! Search for poses in which the rows of constraints lose rank, in doubles.
 
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Arena, Expr};
@@ -6,32 +6,33 @@ use crate::model::constraints::closed_poses::{Poses, reach};
 use crate::model::{Model, Unit};
 use nalgebra::DMatrix;
 
-/// Number of unknowns up to which poses are searched.
+/// Largest number of unknowns for which poses are searched.
 const MOST_UNKNOWNS: usize = 120;
-/// Remainder below which a row of length 1 counts as a combination of the others, up to the rounding of a double root.
+/// Singular value below which a row is lost, for rows of length 1. It allows for the rounding of a double root.
 const LOST: f64 = 1e-5;
 
-/// Largest distance from 0 at which instants are drawn, s.
+/// Largest absolute value of the instants that are drawn, s.
 const SECONDS: f64 = 10.0;
-/// Residual, by rounding, of an equation whose slopes vanish in the pose.
+/// Residual allowed for rounding in an equation whose slopes vanish in the pose.
 const FLAT: f64 = 1e-14;
 
-/// Result of a search from random places.
+/// Result of a search for a pose in which rank is lost.
 pub struct Sought {
-    /// A value for each coordinate, and last the instant where it matters; with the rank in that pose.
+    /// Pose with a value for each coordinate, and last the instant if it matters; then the rank in the pose. `None` if
+    /// none was found.
     pub pose: Option<(Vec<(String, f64)>, usize)>,
-    /// Number of places from which the search started.
+    /// Number of random places from which the search started.
     pub tries: usize,
 }
 
-/// Rows of constraints, of which the first `rank` are independent except in single poses.
+/// Rows of constraints. The first `rank` rows are independent except in single poses.
 pub struct Constraints<'a> {
     pub model: &'a Model,
     pub rows: &'a [Vec<Expr>],
     pub rank: usize,
-    /// The coordinates that have a column.
+    /// Indices of the coordinates that have a column.
     pub columns: &'a [usize],
-    /// Default values of parameters.
+    /// Symbols of parameters with their default values.
     pub known: &'a [(Expr, f64)],
     /// Terms that are zero in closed poses.
     pub closed: &'a [Expr],
@@ -42,7 +43,7 @@ impl Constraints<'_> {
     pub fn sought(&self, arena: &mut Arena) -> Sought {
         let nothing = Sought { pose: None, tries: 0 };
         let Self { model, columns, .. } = *self;
-        // What is driven may be singular at one instant and not at another.
+        // A driven mechanism may be singular at one instant and not at another.
         let time = model.time().filter(|at| {
             let symbol = model.coordinates[*at].symbol;
             self.rows.iter().flatten().chain(self.closed).any(|e| arena.mentions(*e, symbol))
@@ -66,15 +67,15 @@ impl Constraints<'_> {
             Some((q, rank))
         });
         let singular: Vec<(&Vec<f64>, usize)> = ranks.collect();
-        // What comes later before what has been: most motions start at 0.
+        // Instants from 0 on are preferred: most motions start at 0.
         let later = singular.iter().find(|(q, _)| time.is_none() || q[columns.len()] >= 0.0);
         let named = |q: &[f64]| places.iter().zip(q).map(|(at, x)| (model.coordinates[*at].name.clone(), *x)).collect();
         let pose = later.or(singular.first()).map(|(q, rank)| (named(q), *rank));
         Sought { pose, tries: poses.tries() }
     }
 
-    /// Terms that are zero where loops are closed and Aᵀ λ = 0 for as many orthonormal λ as the loss of rank requires;
-    /// with all components of λ.
+    /// Terms that are zero where loops are closed and Aᵀ λ = 0 for as many orthonormal λ as the loss of rank requires.
+    /// Also returns the symbols of all components of λ.
     fn equations(&self, arena: &mut Arena) -> (Vec<Expr>, Vec<Expr>) {
         let mut equations = self.closed.to_vec();
         let vectors = self.rows.len() - self.rank + 1;
@@ -108,7 +109,7 @@ impl Constraints<'_> {
         }
         for mut row in matrix.row_iter_mut() {
             let size = row.norm();
-            // A row that is zero itself is lost as it stands.
+            // A row that is itself zero is lost as it stands.
             if size > LOST {
                 row /= size;
             }

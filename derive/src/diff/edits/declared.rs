@@ -2,7 +2,7 @@
 //! of the mechanism.
 //!
 //! Invariant: terms are compared by meaning, so that `pi/2 > abs(q)` is `abs(q) < pi/2`. Titles, remarks and the order
-//! of a file are not compared: no number depends on them.
+//! of a file are not compared, because no number depends on them.
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::transfer::Transfer;
@@ -11,7 +11,7 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::Turn;
 use crate::model::{Model, Parameter, Place, ReactionKind, Tie};
 
-/// A section of model files that declares something.
+/// Section of model files that contains declarations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the sections of a model file, by their names there")]
 pub enum Section {
@@ -52,21 +52,21 @@ impl Section {
     }
 }
 
-/// A property of a declaration.
+/// Property of a declaration that can differ between two models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Property {
-    /// The default value of a parameter.
+    /// Default value of a parameter.
     Default,
-    /// The unit of a parameter or coordinate.
+    /// Unit of a parameter or coordinate.
     Unit,
-    /// The statement that a parameter is positive.
+    /// Statement that a parameter is positive.
     Positive,
-    /// Everything that defines an element: its place, the points it acts at, its components, a condition.
+    /// Definition of an element: its place, the points where it acts, its components, or its condition.
     Definition,
 }
 
 impl Property {
-    /// The name in JSON.
+    /// Name of the property in JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -81,42 +81,42 @@ impl Property {
 /// Kind of difference between two declarations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Edit {
-    /// Only the new model has it.
+    /// The declaration is only in the new model.
     Added,
-    /// Only the old model has it.
+    /// The declaration is only in the old model.
     Removed,
-    /// Both models have it, with a different property.
+    /// The declaration is in both models, with a different property.
     Changed {
         /// Property that differs.
         property: Property,
-        /// The property in the old model, as text for people.
+        /// Text of the property in the old model, for people.
         old: String,
-        /// The property in the new model, as text for people.
+        /// Text of the property in the new model, for people.
         new: String,
     },
 }
 
-/// A declaration that differs between two models.
+/// Declaration that differs between two models.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declaration {
-    /// The section of the file that it stands in.
+    /// Section of the model file that contains the declaration.
     pub section: Section,
-    /// Its name.
+    /// Name of the declared element.
     pub name: String,
     /// Kind of the difference.
     pub edit: Edit,
 }
 
-/// A declared element: properties that are compared as text, terms that are compared by meaning, and its text for
-/// people.
+/// Declared element of a model: properties that are compared as text, terms that are compared by meaning, and its text
+/// for people.
 struct Element {
     section: Section,
     name: String,
     properties: Vec<(Property, String)>,
-    /// Names that it refers to, in a fixed order: parents, axes, points it acts at.
+    /// Names to which the element refers, in a fixed order: parents, axes, points where it acts.
     place: String,
     terms: Vec<Expr>,
-    /// The definition as the file has it, if it is one formula.
+    /// Definition as written in the model file, if it is one formula.
     written: Option<String>,
 }
 
@@ -129,7 +129,7 @@ impl Element {
         Self { properties, ..self }
     }
 
-    /// The definition in a line.
+    /// Definition of the element, in one line.
     fn definition(&self, arena: &Arena) -> String {
         if let Some(written) = &self.written {
             return written.clone();
@@ -143,7 +143,7 @@ impl Element {
     }
 }
 
-/// Every declaration that differs, in the order of the new model's file, then those that only the old model has.
+/// Lists every declaration that differs, in the order of the new model's file, then those that only the old model has.
 pub fn declarations(
     (old, before): (&Model, &Arena),
     (new, arena): (&Model, &mut Arena),
@@ -179,7 +179,7 @@ pub fn declarations(
     list
 }
 
-/// Everything that a model declares, in the order of the sections.
+/// Declared elements of a model, in the order of the sections.
 fn elements(model: &Model) -> Vec<Element> {
     let mut list = variables(model);
     list.extend(geometry(model));
@@ -207,7 +207,7 @@ fn variables(model: &Model) -> Vec<Element> {
     parameters.chain(coordinates).chain(speeds).collect()
 }
 
-/// A default as a person writes it: as a decimal or as a fraction, whichever is shorter.
+/// Default of a parameter as a person writes it: a decimal or a fraction, whichever is shorter.
 fn default_of(parameter: &Parameter) -> String {
     let Some(value) = &parameter.value else { return "none".to_owned() };
     let (decimal, fraction) = (value.to_f64().to_string(), value.to_string());
@@ -297,7 +297,7 @@ fn conditions(model: &Model) -> Vec<Element> {
     let constraints = model.constraints.iter().map(|c| {
         Element::new(Section::Constraints, &c.name, format!("fixes {}{}", c.fixes, by(c.enforced_by)), vec![c.value])
     });
-    // A loop says more than its rate: where it is closed.
+    // The equation of a loop states more than its rate: the value at which the loop is closed.
     let loops =
         model.loops.iter().map(|c| Element::new(Section::Constraints, &c.name, "a loop".to_owned(), vec![c.equation]));
     let of_motion = model.motion_constraints.iter().map(|c| {

@@ -1,4 +1,4 @@
-//! Two versions of a model or a scene compared.
+//! Comparison of two versions of a model or a scene.
 
 pub(super) mod declared;
 pub(super) mod models;

@@ -9,29 +9,29 @@ use crate::mechanics::{Derivations, Formulation};
 use crate::model::Model;
 use crate::prove::Proof;
 
-/// An entry that both models could have, compared.
+/// Entry of the equations in two models, compared.
 #[derive(Clone, Debug)]
 pub struct Change {
     /// Name of the entry: `kane M[u1, u2']`, `T`, `u1`.
     pub name: String,
-    /// Its value in the old model, in the new model's arena.
+    /// Value in the old model, written in the new model's store; `None` if the old model lacks the entry.
     pub old: Option<Expr>,
-    /// Its value in the new model.
+    /// Value in the new model; `None` if the new model lacks the entry.
     pub new: Option<Expr>,
-    /// new − old in its shortest form, if both are there.
+    /// Simplified difference new − old; `None` if a value is missing.
     pub difference: Option<Expr>,
-    /// Verdict on the equality of both values; `None` if one is missing.
+    /// Verdict on the equality of the values; `None` if a value is missing.
     pub verdict: Option<Verdict>,
 }
 
-/// Differences of an edited model from the old one.
+/// Differences between an old model and its edited version.
 #[derive(Clone, Debug)]
 pub struct ModelDifference {
-    /// Every entry that differs, in the order of the equations.
+    /// Entries that differ, in the order of the equations.
     pub changes: Vec<Change>,
-    /// Number of entries that were compared, those of only one model included.
+    /// Number of entries that were compared, including those of only one model.
     pub compared: usize,
-    /// Formulations that only the old model has, with the reason why the new one lacks them; their entries are not
+    /// Formulations that only the old model has, with the reason why the new one lacks them. Their entries are not
     /// compared.
     pub formulations_lost: Vec<(Formulation, String)>,
     /// Formulations that only the new model has; their entries are not compared.
@@ -45,14 +45,14 @@ pub struct ModelDifference {
 }
 
 impl ModelDifference {
-    /// Every formula that is shown of the equations.
+    /// All formulas of the changed entries that documents show.
     #[must_use]
     pub fn shown(&self) -> Vec<Expr> {
         self.changes.iter().flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
     }
 
-    /// Gives the named terms of the new model the names that every document about it uses, and own names to those that
-    /// only the old one or a difference has; `derivations` are the new model's.
+    /// Gives the named terms of the new model the names that every document about it uses. Terms that only the old
+    /// model or a difference has get names of their own. `derivations` are the new model's.
     pub fn write_names(&self, derivations: &mut Derivations) {
         derivations.write_names();
         write_down(&mut derivations.kinematics.arena, "diff", &self.shown());
@@ -64,24 +64,24 @@ impl ModelDifference {
         self.changes.is_empty() && self.formulations_lost.is_empty() && self.formulations_gained.is_empty()
     }
 
-    /// True if no difference can change a number.
+    /// True if the models have no difference that can change a number.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.has_same_equations() && self.declarations.is_empty()
     }
 }
 
-/// A model with its derivations and its proof.
+/// Model with its derivations and its proof, for comparison.
 pub struct Derived<'a> {
-    /// The model.
+    /// Model that is compared.
     pub model: &'a Model,
-    /// Its equations.
+    /// Equations of the model by every formulation.
     pub derivations: &'a mut Derivations,
     /// Proof of the model; without it, first integrals are not compared.
     pub proof: Option<&'a Proof>,
 }
 
-/// Compares two models; terms of the old one are written in the new one's arena, symbol by name.
+/// Compares two models. Terms of the old model are written in the new model's store, symbol by name.
 pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDifference {
     let (lost, gained) = (only(old.derivations, new.derivations), only(new.derivations, old.derivations));
     let before = entries(old, &lost);
@@ -109,7 +109,7 @@ pub fn diff_models(old: &mut Derived<'_>, new: &mut Derived<'_>) -> ModelDiffere
     }
 }
 
-/// Differences between entries of the same name, and entries that only one model has.
+/// Changes between entries of equal names, and entries that only one model has.
 fn changes(
     old: &Derivations,
     before: &[(String, Expr)],
@@ -125,7 +125,7 @@ fn changes(
     for (name, new) in after {
         let arena = &mut kinematics.arena;
         let Some(old) = find(before, name) else {
-            // An entry that is zero says nothing new.
+            // A zero entry in a new place changes nothing.
             if *new != Expr::ZERO {
                 list.push(alone(name, None, Some(*new)));
             }
@@ -145,7 +145,7 @@ fn changes(
     list
 }
 
-/// First integrals of a model, in words.
+/// Names of a model's first integrals, in words.
 fn integrals(of: &Derived<'_>) -> Vec<String> {
     of.proof
         .iter()
@@ -154,13 +154,13 @@ fn integrals(of: &Derived<'_>) -> Vec<String> {
         .collect()
 }
 
-/// The formulations that one model has and another has not.
+/// Formulations that the first model has and the second lacks.
 fn only(one: &Derivations, other: &Derivations) -> Vec<Formulation> {
     Formulation::ALL.into_iter().filter(|f| one.get(*f).is_some() && other.get(*f).is_none()).collect()
 }
 
-/// Every compared entry by name: speeds, kinematic equations, energies, and each formulation's system except those left
-/// out.
+/// Compared entries by name: speeds, kinematic equations, energies, and the system of each formulation not in
+/// `left_out`.
 fn entries(of: &Derived<'_>, left_out: &[Formulation]) -> Vec<(String, Expr)> {
     let (model, derivations) = (of.model, &*of.derivations);
     let arena = &derivations.kinematics.arena;
@@ -170,7 +170,7 @@ fn entries(of: &Derived<'_>, left_out: &[Formulation]) -> Vec<(String, Expr)> {
     let compared = Formulation::ALL.into_iter().filter(|f| !left_out.contains(f));
     for (at, (formulation, e)) in compared.filter_map(|f| Some((f, derivations.get(f)?))).enumerate() {
         let name = formulation.name();
-        // Once: every formulation has the same.
+        // The energies are compared once, because every formulation has equal ones.
         if at == 0 {
             list.extend([("T".to_owned(), e.kinetic_energy), ("V".to_owned(), e.potential_energy)]);
         }

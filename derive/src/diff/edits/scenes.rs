@@ -1,22 +1,22 @@
-//! Two scene files compared key by key, as they are written.
+//! Comparison of two scene files key by key, as they are written.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::read::Reader;
 use toml::{Table, Value};
 
-/// A key of a scene file whose value differs.
+/// Key of a scene file whose value differs between two files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Setting {
-    /// Its path in the file: `start.q1`.
+    /// Path of the key in the file: `start.q1`.
     pub key: String,
-    /// Its old value as TOML; none if it is new.
+    /// Old value of the key as TOML; `None` if the key is new.
     pub old: Option<String>,
-    /// Its new value; none if it is gone.
+    /// New value of the key as TOML; `None` if the key was removed.
     pub new: Option<String>,
 }
 
-/// The keys whose values differ, in the order of their names. Titles and remarks are not compared: no number depends on
-/// them.
+/// Lists the keys whose values differ, in alphabetical order. Titles and remarks are not compared, because no number
+/// depends on them.
 ///
 /// # Errors
 /// [`Diagnostics`] if a file is not TOML.
@@ -30,7 +30,7 @@ pub fn diff_scenes(old: &Source, new: &Source) -> Result<Vec<Setting>, Diagnosti
     Ok(settings.filter(|setting| setting.old != setting.new).collect())
 }
 
-/// Every key of a file that is not a table, with its value.
+/// Keys of a file that are no tables, each with its value as TOML.
 fn settings(source: &Source) -> Result<Vec<(String, String)>, Diagnostics> {
     Reader::parse(source)?;
     let table: Table = source.text.parse().map_err(|error: toml::de::Error| {
@@ -52,7 +52,7 @@ fn settings(source: &Source) -> Result<Vec<(String, String)>, Diagnostics> {
     Ok(list)
 }
 
-/// 1.0 is the number 1, and 1e-9 is not 0.000000001 to a reader.
+/// Text of a number as a reader expects it: 1.0 is written as 1, and 1e-9 not as 0.000000001.
 fn number(x: f64) -> String {
     if x.fract() == 0.0 && x.abs() < 1e15 { format!("{x}") } else { format!("{x:?}") }
 }

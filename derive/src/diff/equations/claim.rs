@@ -1,29 +1,29 @@
-//! Claims of printed entries, as data; they serve to trace wrong entries to one another.
+//! Claims of printed entries, as data, with which wrong entries are traced to one another.
 
 use super::rows::{Match, Row};
 use crate::algebra::Expr;
 use crate::mechanics::{Formulation, QuantityKind, RowName};
 
-/// Claim of a printed entry. Tables, rows and columns are positions from 0; the right-hand side is the last column.
+/// Claim of a printed entry. Indices of tables, rows and columns count from 0; the right-hand side is the last column.
 #[derive(Clone, Debug)]
 pub enum Claim {
-    /// A value of a named quantity, as printed and as derived.
+    /// Value of a named quantity, as printed and as derived.
     Value {
-        /// The quantity.
+        /// Kind of the quantity, with its indices.
         kind: QuantityKind,
-        /// The printed value, with symbols of the text replaced by their values.
+        /// Printed value, with the symbols of the text replaced by their values.
         printed: Expr,
-        /// The derived value, in the same variables.
+        /// Derived value, in the same variables as the printed value.
         derived: Expr,
     },
-    /// A row of a printed system as a whole.
+    /// Row of a printed system as a whole.
     Row {
         /// Index of the system or listing.
         table: usize,
         /// Index of the row.
         row: usize,
     },
-    /// A single entry of a row.
+    /// Single entry of a row of a printed system.
     Entry {
         /// Index of the system or listing.
         table: usize,
@@ -32,34 +32,34 @@ pub enum Claim {
         /// Index of the column.
         column: usize,
     },
-    /// A stated number.
+    /// Number stated in the publication.
     Number {
-        /// The ids of the numbers that it contradicts.
+        /// Ids of the entries that the number contradicts.
         against: Vec<String>,
     },
     /// A claim that is not traced to others, such as a definition or a formula near a point.
     Other,
 }
 
-/// A printed system beside the derived rows that it was matched with, columns in the order of the derived unknowns.
+/// Printed system beside the derived rows with which it was matched. Columns are in the order of the derived unknowns.
 #[derive(Clone, Debug)]
 pub struct Table {
     /// Formulation that the system was compared with.
     pub formulation: Formulation,
     /// Name of each derived row.
     pub names: Vec<RowName>,
-    /// The derived unknowns.
+    /// Symbols of the derived unknowns.
     pub unknowns: Vec<Expr>,
-    /// The derived rows.
+    /// Rows of the derived system, in the order of `names`.
     pub derived: Vec<Row>,
-    /// The printed rows.
+    /// Rows of the printed system.
     pub printed: Vec<Row>,
     /// Match of each printed row with the derived rows.
     pub matches: Vec<Match>,
 }
 
 impl Table {
-    /// The derived row that a printed row is a multiple of, and the factor; `None` for a combination of rows.
+    /// Index of the derived row of which a printed row is a multiple, and the factor. `None` for a combination of rows.
     pub fn matched(&self, row: usize) -> Option<(usize, Expr)> {
         match &self.matches[row] {
             Match::Row { at, factor } => Some((*at, *factor)),

@@ -1,4 +1,4 @@
-//! Rows of linear systems compared, whatever factors and multipliers an author chose.
+//! Comparison of rows of linear systems, independent of the factors and multipliers that an author chose.
 
 pub(super) mod claim;
 pub(super) mod multipliers;

@@ -1,8 +1,7 @@
-//! Multipliers of printed equations: their names, signs and sizes are the author's choice.
+//! Multipliers of printed equations, whose names, signs and sizes are the author's choice.
 //!
-//! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are equivalent to those with λ for every regular B. B follows
-//! from the rows that agree with the derived ones up to their multipliers, and is used if it explains more rows than
-//! λ = μ does.
+//! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are equivalent to those with λ for every regular B. Rows that
+//! agree with the derived rows up to their multipliers determine B. B is used if it explains more rows than λ = μ does.
 
 use super::ordered::Ordered;
 use super::rows::{Row, explained, seen};
@@ -14,7 +13,7 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::rank::echelon;
 use crate::algebra::{Arena, Expr};
 
-/// Coefficients of the multipliers, derived and printed, in a row that agrees otherwise.
+/// Coefficients of the multipliers in a derived and a printed row that agree in all other coefficients.
 struct Pair {
     derived: Row,
     printed: Row,
@@ -22,17 +21,17 @@ struct Pair {
 
 /// Tools for the comparison of terms.
 pub struct Terms<'a> {
-    /// The store of every term.
+    /// Store of all terms.
     pub arena: &'a mut Arena,
-    /// Finds short forms.
+    /// Simplifier, which finds short forms of terms.
     pub simplifier: &'a mut Simplifier,
-    /// Decides equality of terms.
+    /// Comparer, which decides the equality of terms.
     pub comparer: &'a mut Comparer,
 }
 
 impl Terms<'_> {
-    /// Writes the derived rows with the printed multipliers, and describes these in words; `None` if they are the
-    /// derived ones.
+    /// Writes the derived rows with the printed multipliers, and describes these in words. `None` if the printed
+    /// multipliers are the derived ones.
     pub fn adapt(&mut self, order: &mut Ordered, printed: &[Row], multipliers: &[Expr]) -> Option<String> {
         let at = |m: &Expr| order.unknowns.iter().position(|u| u == m);
         let columns: Vec<usize> = multipliers.iter().filter_map(at).collect();
@@ -46,7 +45,7 @@ impl Terms<'_> {
             return None;
         }
         let own = best.0;
-        // A wrong row gives a wrong B: rows are left out from the first on until one is found that explains the others.
+        // A wrong row gives a wrong B. So rows are left out from the first on, until a B explains the most rows.
         for start in 0..pairs.len() {
             let Some(change) = self.change(&pairs[start..], columns.len()) else { break };
             let count = self.explained(&pairs, &change);
@@ -67,7 +66,7 @@ impl Terms<'_> {
         Some(self.words(order, &columns, &change))
     }
 
-    /// The rows that agree with the derived ones up to their multipliers.
+    /// Coefficients of the multipliers in the printed rows that agree with derived rows up to their multipliers.
     fn pairs(&mut self, order: &Ordered, printed: &[Row], columns: &[usize]) -> Vec<Pair> {
         let without = |row: &Row| {
             let mut row = row.clone();
@@ -91,7 +90,8 @@ impl Terms<'_> {
         list
     }
 
-    /// B with derived · B = printed for as many independent rows as there are multipliers, if it is regular.
+    /// Matrix B with derived · B = printed for as many independent rows as there are multipliers. `None` if it is not
+    /// regular.
     fn change(&mut self, pairs: &[Pair], count: usize) -> Option<Vec<Row>> {
         let rows: Vec<Row> = pairs.iter().map(|pair| seen(self.arena, self.comparer, &pair.derived)).collect();
         let (independent, _) = echelon(self.arena, &rows)?;
@@ -105,7 +105,7 @@ impl Terms<'_> {
         (zero_test(self.arena, regular) == ZeroTest::NonZero).then_some(change)
     }
 
-    /// Number of rows that agree with the printed ones with these multipliers.
+    /// Number of pairs that agree if the printed multipliers are those of the matrix B, `change`.
     fn explained(&mut self, pairs: &[Pair], change: &[Row]) -> usize {
         let mut count = 0;
         for pair in pairs {

@@ -1,4 +1,4 @@
-//! The derived system that a printed one is compared with.
+//! Derived system with which a printed system is compared.
 
 use super::claim::Table;
 use super::rows::{Match, Row};
@@ -6,17 +6,18 @@ use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
 
-/// A system in the order of the derived unknowns: for each row its entries and right-hand side.
+/// System in the order of the derived unknowns. Each row is its entries, then its right-hand side.
 pub struct Ordered {
     /// Name of each row.
     pub names: Vec<RowName>,
-    /// The unknowns.
+    /// Symbols of the unknowns.
     pub unknowns: Vec<Expr>,
-    /// The rows.
+    /// Rows of the system, each with its right-hand side last.
     pub rows: Vec<Row>,
 }
 
-/// The derived system of a formulation, in the frame that the publication uses.
+/// Derived system of a formulation. Balances have components in `frame`, the publication's frame, if it is stated. The
+/// error is the reason why there is no system.
 pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Option<usize>) -> Result<Ordered, String> {
     let model = quantities.model;
     let found = quantities.derivations.list.iter().find(|(f, _)| *f == system).map(|(_, result)| result.clone());
@@ -59,7 +60,7 @@ pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Opti
 }
 
 impl Ordered {
-    /// Puts the system beside the printed rows that were matched with it.
+    /// Table of this system beside the printed rows that were matched with it.
     pub fn beside(self, formulation: Formulation, printed: Vec<Row>, matches: Vec<Match>) -> Table {
         let Self { names, unknowns, rows } = self;
         Table { formulation, names, unknowns, derived: rows, printed, matches }

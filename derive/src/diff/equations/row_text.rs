@@ -1,9 +1,9 @@
-//! The text of a printed row.
+//! Text of a printed row of a linear system.
 
 use crate::algebra::text::notation::Notation;
 use crate::algebra::text::print::latex_name;
 
-/// a·x + b·y = c as transcribed, without its zeros.
+/// Text `a·x + b·y = c` of a row as transcribed, without its zero terms.
 pub fn row_text(entries: &[String], unknowns: &[String], right: &str, notation: Notation) -> String {
     let is_latex = notation == Notation::Latex;
     let (times, open, close) = if is_latex { (" ", "\\left(", "\\right)") } else { ("*", "(", ")") };

@@ -1,8 +1,8 @@
-//! Linear systems compared row by row: each printed row may carry a factor of its own.
+//! Comparison of linear systems row by row. Each printed row may have a factor of its own.
 //!
-//! The factor is found, not given: every ratio of a printed entry to a derived one is tried, and the ratio that
-//! explains most entries wins. So a row with one wrong entry is still matched, and that entry is named. The search
-//! itself runs modulo random primes and proves nothing; its result is then proved entry by entry.
+//! The factor is searched: every ratio of a printed entry to a derived entry is tried, and the ratio that explains most
+//! entries wins. So a row with one wrong entry is still matched, and this entry is named. The search runs modulo random
+//! primes and proves nothing. Its result is then proved entry by entry.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
@@ -13,36 +13,36 @@ use crate::algebra::value::modular::has_roots;
 use crate::algebra::value::rank::{echelon, in_fields};
 use crate::algebra::{Arena, Expr, Function, Node};
 
-/// A row of a linear system: entries, then the right-hand side.
+/// Row of a linear system: entries, then the right-hand side.
 pub type Row = Vec<Expr>;
 
 /// Match of a printed row with derived rows.
 #[derive(Clone, Debug)]
 pub enum Match {
-    /// The row is `factor` times a derived row, in most entries.
+    /// The printed row is a multiple of one derived row, in most entries.
     Row {
-        /// The derived row.
+        /// Index of the derived row.
         at: usize,
-        /// printed = factor · derived in most entries.
+        /// Factor with printed = factor · derived in most entries.
         factor: Expr,
     },
-    /// A combination of derived rows, exactly.
+    /// The printed row is exactly a combination of derived rows.
     Combination {
-        /// One multiplier for each derived row; empty where there are too many to be stated.
+        /// Multipliers, one for each derived row; empty if they are too long or too many to be stated.
         multipliers: Vec<Expr>,
     },
 }
 
-/// Relation of a printed row to the derived ones.
+/// Judgement of a printed row against the derived rows.
 #[derive(Clone, Debug)]
 pub struct RowJudgement {
-    /// The derived rows that it was matched with.
+    /// Derived rows with which the printed row was matched.
     pub by: Match,
-    /// For each entry and the right-hand side: verdict of printed against expected.
+    /// Verdicts of printed against expected, for each entry and the right-hand side.
     pub entries: Vec<Verdict>,
-    /// Expected value of each entry.
+    /// Expected values, for each entry and the right-hand side.
     pub expected: Row,
-    /// For each entry that is equal: the region where it is.
+    /// Regions in which equal entries are equal, for each entry and the right-hand side.
     pub holds: Vec<Holds>,
 }
 
@@ -53,7 +53,7 @@ impl RowJudgement {
         self.entries.iter().all(Verdict::is_equal)
     }
 
-    /// Region where all equal entries are equal.
+    /// Region in which all equal entries of the row are equal.
     #[must_use]
     pub fn holds(&self) -> Holds {
         self.holds.iter().fold(Holds::EVERYWHERE, |all, one| all | *one)
@@ -65,7 +65,7 @@ const WRITTEN: usize = 6;
 /// Longest multipliers that are stated, in characters.
 const LONGEST: usize = 200;
 
-/// Judges the printed row number `index`; all rows have one length.
+/// Judges a printed row against the derived rows; `index` is its number from 0. All rows must have the same length.
 pub fn judge(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -74,7 +74,7 @@ pub fn judge(
     derived: &[Row],
     index: usize,
 ) -> RowJudgement {
-    // Equal angles must be equal terms: the search runs modulo primes, where other angles are unrelated.
+    // The search runs modulo primes, where different angles are unrelated. So equal angles must be equal terms.
     let mut plain = |row: &Row| row.iter().map(|e| comparer.with_plain_angles(arena, *e)).collect::<Row>();
     let (printed, derived) = (&plain(printed), derived.iter().map(&mut plain).collect::<Vec<Row>>());
     let derived = derived.as_slice();
@@ -82,7 +82,7 @@ pub fn judge(
     let seen_printed = seen(arena, comparer, printed);
     let seen_derived: Vec<Row> = derived.iter().map(|row| seen(arena, comparer, row)).collect();
     let (at, by) = best_factor(arena, &seen_printed, &seen_derived, index);
-    // Two long entries that are equal have other terms: their ratio does not look like the 1 that it is.
+    // Equal entries may be written in different terms, and then the ratio does not simplify to 1.
     let ratio = match by {
         Some(column) if !comparer.compare(arena, printed[column], derived[at][column]).is_equal() => {
             arena.div(printed[column], derived[at][column]).unwrap_or(Expr::ONE)
@@ -117,7 +117,7 @@ pub fn judge(
             holds: vec![holds; printed.len()],
         },
         Ok(None) => judged,
-        // It may still be a combination: then no entry is wrong.
+        // The row may be a combination of derived rows, and then no entry is wrong.
         Err(why) => {
             let open = |v: Verdict| if v.is_equal() { v } else { Verdict::Undecided(why.clone()) };
             RowJudgement { entries: judged.entries.into_iter().map(open).collect(), ..judged }
@@ -125,13 +125,14 @@ pub fn judge(
     }
 }
 
-/// A row in permitted states, with equal angles as equal terms.
+/// Entries of a row in permitted states, with equal angles as equal terms.
 pub fn seen(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
     let put: Row = row.iter().map(|e| comparer.permitted().put(arena, *e)).collect();
     put.into_iter().map(|e| comparer.with_plain_angles(arena, e)).collect()
 }
 
-/// The derived row of which a printed one is a multiple in all entries, and a column whose quotient is the factor.
+/// Derived row of which a printed row is a multiple in all entries, and a column whose quotient is the factor. `None`
+/// if there is no such row.
 #[must_use]
 pub fn explained(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> Option<(usize, usize)> {
     let (at, column) = best_factor(arena, printed, derived, index);
@@ -144,8 +145,8 @@ pub fn explained(arena: &Arena, printed: &Row, derived: &[Row], index: usize) ->
     is_multiple.then_some((at, column))
 }
 
-/// Best match of a printed row: the derived row, and the column whose quotient is the factor. The row of the same
-/// number comes first, any other only if it explains more entries. No column if no row explains any.
+/// Best match of a printed row: the index of the derived row, and the column whose quotient is the factor. Row number
+/// `index` is preferred unless another row explains more entries. The column is `None` if no row explains an entry.
 fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (usize, Option<usize>) {
     let own = index.min(derived.len() - 1);
     let mut all = derived.to_vec();
@@ -154,7 +155,8 @@ fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (
     let order = std::iter::once(own).chain((0..derived.len()).filter(|at| *at != own));
     let mut best = (own, None, 0);
     for at in order {
-        // Entries of the matrix come before the right-hand side: of two equally good factors theirs is taken.
+        // Matrix entries come before the right-hand side: if two factors are equally good, the matrix entry gives the
+        // factor.
         for j in 0..printed.len() {
             let (p, d) = (printed[j], derived[at][j]);
             let both = points.iter().all(|(_, rows)| rows[derived.len()][j] != 0 && rows[at][j] != 0);
@@ -169,7 +171,7 @@ fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (
                     f.mul(p[k], d[j]) == f.mul(p[j], d[k])
                 });
                 if agrees {
-                    // Two zeros agree with any factor: they count, but little.
+                    // Two zeros agree with any factor, so they count little.
                     weight += if printed[k] == Expr::ZERO { 1 } else { 100 };
                 }
             }
@@ -181,14 +183,14 @@ fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (
     (best.0, best.1)
 }
 
-/// True if a term contains |x| or sign x: it may vanish on one side of a surface, and a row with it as a factor states
-/// nothing there.
+/// True if a term contains |x| or sign x. Such a term may vanish on one side of a surface, where a row with the term as
+/// factor states nothing.
 fn is_one_sided(arena: &Arena, e: Expr) -> bool {
     arena.reachable(&[e]).iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Abs | Function::Sign, _)))
 }
 
-/// The multipliers with Σ λ_i derived_i = printed, if the printed row follows from the derived ones; empty for large
-/// systems. An error gives the reason why this is not known.
+/// Multipliers λ with Σ λ_i derived_i = printed; empty for large systems. `None` if the printed row is no combination
+/// of the derived rows. The error is the reason why this cannot be decided.
 fn combination(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -200,7 +202,7 @@ fn combination(
         return Ok(None);
     }
     let unknown = || "whether the row is a combination of derived rows is not known".to_owned();
-    // Of more rows than there are unknowns some follow from the others.
+    // If there are more rows than unknowns, rows depend on others.
     let (independent, columns) = echelon(arena, derived).ok_or_else(unknown)?;
     let mut rows: Vec<Row> = independent.iter().map(|at| derived[*at].clone()).collect();
     rows.push(printed.clone());

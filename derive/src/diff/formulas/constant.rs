@@ -1,4 +1,4 @@
-//! Test for terms that depend on parameters alone.
+//! Test for terms that do not depend on the state.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;

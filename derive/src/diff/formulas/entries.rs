@@ -1,4 +1,4 @@
-//! Printed values of named quantities.
+//! Judgement of printed values of named quantities.
 
 use super::constant::is_constant;
 use super::finding::{Finding, Judgement};
@@ -14,20 +14,20 @@ use crate::algebra::text::print::text;
 use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
 use crate::publication::Names;
 
-/// Rounds in which sums of a derived value are written shorter.
+/// Most rounds in which sums of a derived value are shortened.
 const MOST_ROUNDS: usize = 4;
 
-/// Judges entries one by one.
+/// Judge of the entries of a publication, one by one.
 pub struct Judge<'a, 'b> {
-    /// The derived quantities.
+    /// Derived quantities with which entries are compared.
     pub quantities: &'a mut Quantities<'b>,
-    /// Remembers normal forms.
+    /// Comparer, which decides the equality of terms and remembers normal forms.
     pub comparer: &'a mut Comparer,
     /// Values of the names that the publication gives to derived quantities.
     pub names: &'a Names,
     /// Number of printed systems before this entry.
     pub tables: usize,
-    /// Point near which the entry holds; `None` if it holds everywhere.
+    /// Point near which the formula claims to hold; `None` if the formula claims to hold everywhere.
     pub near: Option<Near>,
 }
 
@@ -37,7 +37,7 @@ impl Judge<'_, '_> {
         let in_rates = self.quantities.mentions_rates(printed);
         let both = self.names.resolve(self.quantities, printed).and_then(|printed| {
             let derived = self.quantities.value(quantity)?;
-            // An acceleration that an acceleration is stated by means what is derived.
+            // An acceleration in the formula for an acceleration stands for its derived value.
             let is_solved = matches!(quantity.kind(), QuantityKind::SpeedRate(_) | QuantityKind::SecondRate(_));
             let printed = if is_solved { self.quantities.solved(printed)? } else { printed };
             Ok((printed, derived))
@@ -46,7 +46,7 @@ impl Judge<'_, '_> {
             Ok(both) => both,
             Err(why) => return (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other),
         };
-        // A speed is defined by rates, whatever the entry writes.
+        // The definition of a speed contains rates, in whatever variables the entry is printed.
         let in_rates = in_rates || self.quantities.mentions_rates(derived);
         let derived = if in_rates { self.quantities.before_constraints(quantity.kind(), derived) } else { derived };
         let mut rewrite = |e: Expr| if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) };
@@ -59,10 +59,10 @@ impl Judge<'_, '_> {
         }
     }
 
-    /// Judges a value of a quantity, in any variables.
+    /// Judges a printed value of a quantity against the derived value; both are in the same variables.
     pub fn value(&mut self, finding: Finding, kind: &QuantityKind, printed: Expr, derived: Expr) -> (Finding, Claim) {
         if let Some(near) = &mut self.near {
-            // What differs beyond the order is traced to nothing.
+            // A difference beyond the order of an approximation is not traced to other entries.
             let both =
                 near.formula(self.quantities, printed).and_then(|p| Ok((p, near.formula(self.quantities, derived)?)));
             let finding = match both {
@@ -75,7 +75,7 @@ impl Judge<'_, '_> {
         (finding, Claim::Value { kind: kind.clone(), printed, derived })
     }
 
-    /// A potential energy that differs by a constant is the same potential with another zero.
+    /// Accepts a potential energy that differs by a constant: it is the same potential with another zero.
     fn up_to_its_zero(&mut self, finding: Finding) -> Finding {
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
             return finding;
@@ -97,7 +97,8 @@ impl Judge<'_, '_> {
         }
     }
 
-    /// Judges one value against another, with the difference and, where it holds, the factor.
+    /// Judges a printed against a derived value. Adds the difference and, if the values have a constant ratio, the
+    /// factor.
     pub fn compare(&mut self, finding: Finding, printed: Expr, derived: Expr) -> Finding {
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let verdict = self.comparer.compare_where(arena, printed, derived);
@@ -118,10 +119,10 @@ impl Judge<'_, '_> {
         finding
     }
 
-    /// The shortest form of a term in permitted states.
+    /// Shortest form of a term that is equal in permitted states.
     fn shortened(&mut self, e: Expr) -> Expr {
         let mut short = e;
-        // What is shorter may have further sums.
+        // The shortened term may contain more sums that can be shortened.
         for _ in 0..MOST_ROUNDS {
             let arena = &mut self.quantities.derivations.kinematics.arena;
             let next = self.comparer.permitted().shortened(arena, short);
@@ -133,7 +134,7 @@ impl Judge<'_, '_> {
         short
     }
 
-    /// The shortest form of a term.
+    /// Simplified form of a term.
     pub fn simplify(&mut self, e: Expr) -> Expr {
         let kinematics = &mut self.quantities.derivations.kinematics;
         kinematics.simplifier.simplify(&mut kinematics.arena, e)

@@ -1,26 +1,26 @@
-//! One entry of a publication, judged.
+//! Finding: one entry of a publication with its judgement.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Verdict, Witness};
 use crate::algebra::meaning::permitted::Holds;
 
-/// Relation of a printed entry to the derived value.
+/// Judgement of a printed entry against the derived value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Judgement {
-    /// Equal in meaning.
+    /// The entry is equal in meaning to the derived value.
     Equal,
-    /// Equal up to a factor.
+    /// The entry is equal to the derived value up to a factor.
     Scaled,
-    /// Different in meaning.
+    /// The entry differs in meaning from the derived value.
     Different,
-    /// Undecided, with the reason.
+    /// The equality is not decided, with the reason.
     Undecided(String),
-    /// A definition or number of the text, which nothing can contradict.
+    /// The entry is a definition or number of the text, which no derived value can contradict.
     Stated,
 }
 
 impl Judgement {
-    /// The word in tables and JSON.
+    /// Word for the judgement in tables and JSON.
     #[must_use]
     pub const fn word(&self) -> &'static str {
         match self {
@@ -33,36 +33,36 @@ impl Judgement {
     }
 }
 
-/// One entry, judged.
+/// One entry of a publication with its judgement.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// The entry's id.
+    /// Id of the entry in the publication file.
     pub id: String,
-    /// The section it stands in.
+    /// Section of the publication that contains the entry.
     pub section: String,
-    /// The verdict.
+    /// Judgement of the entry.
     pub judgement: Judgement,
-    /// Region where printed and derived are equal, if they are.
+    /// Region in which the printed and the derived value are equal, if they are.
     pub holds: Holds,
-    /// The printed text, as transcribed.
+    /// Printed text of the entry, as transcribed.
     pub printed: String,
-    /// The derived value; for scaled entries times the factor.
+    /// Derived value; for scaled entries it is multiplied by the factor.
     pub derived: Option<Expr>,
-    /// printed = factor · derived; for different entries only where that holds exactly.
+    /// Factor with printed = factor · derived. For different entries, `Some` only if this holds exactly.
     pub factor: Option<Expr>,
-    /// printed − derived, in its shortest form.
+    /// Difference printed − derived, simplified.
     pub difference: Option<Expr>,
-    /// Description of the mistake, in words: wrong terms with their right values, and in rows the entries. `None` if it
-    /// would be long.
+    /// Description of the mistake, in words: wrong terms with their right values, and wrong entries of rows. `None` if
+    /// it would be long.
     pub wrong: Option<String>,
-    /// A state where printed and derived differ.
+    /// State in which the printed and the derived value differ.
     pub witness: Option<Witness>,
-    /// Further remarks: the row it was matched with, the garbled part of the scan.
+    /// Further remarks, such as the matched row or the garbled part of the scan.
     pub remarks: Vec<String>,
 }
 
 impl Finding {
-    /// An entry that is not judged further yet.
+    /// Finding of an entry with this judgement and no further data.
     pub(in crate::diff) fn new(id: &str, section: &str, judgement: Judgement, printed: &str) -> Self {
         Self {
             id: id.to_owned(),
@@ -79,18 +79,18 @@ impl Finding {
         }
     }
 
-    /// Every formula that is shown of it.
+    /// Formulas of the finding that documents show.
     pub fn shown(&self) -> impl Iterator<Item = Expr> {
         [self.derived, self.factor, self.difference].into_iter().flatten()
     }
 
-    /// Adds the wrong terms, if they are known.
+    /// Adds descriptions of the wrong terms, if there are any.
     pub(in crate::diff) fn name_terms(&mut self, terms: Vec<String>) {
         self.wrong = (!terms.is_empty()).then(|| terms.join("; "));
         self.remarks.extend(terms);
     }
 
-    /// Adds the verdict of a comparison.
+    /// Adds the verdict of a comparison with the derived value.
     pub(in crate::diff) fn judged(mut self, (verdict, holds): (Verdict, Holds), derived: Expr) -> Self {
         self.derived = Some(derived);
         self.holds = holds;

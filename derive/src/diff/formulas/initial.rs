@@ -1,7 +1,7 @@
-//! Printed numbers: parameters and the start, judged by the definitions of the speeds and by one another.
+//! Judgement of printed numbers, parameters and initial values, by the definitions of the speeds and by one another.
 //!
-//! Numbers of one set are taken as rounded to as many decimals as its longest decimal has, half a unit of the last
-//! either way; formulas without decimals are exact. Two numbers contradict each other only beyond that.
+//! Numbers of one set count as rounded to as many decimals as its longest decimal has: ± half a unit of the last
+//! decimal. Formulas without decimals are exact. Two numbers contradict each other only beyond this rounding.
 
 use super::finding::{Finding, Judgement};
 use crate::diff::equations::claim::Claim;
@@ -14,17 +14,17 @@ use crate::algebra::value::evaluate::Tape;
 use crate::model::Model;
 use crate::publication::{Entry, EntryKind, Initial, Publication};
 
-/// A value of one quantity from another place of the publication than the entry itself, with its uncertainty.
+/// Value of a quantity from another place of the publication than the judged entry, with its uncertainty.
 struct Other {
     value: f64,
     slack: f64,
     from: String,
     at: Vec<(String, f64)>,
-    /// The ids of the entries that state it.
+    /// Ids of the entries that state the value.
     entries: Vec<String>,
 }
 
-/// Judges one number, and returns the entries that it contradicts.
+/// Judges one number, and returns the claim with the entries that it contradicts.
 pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> (Finding, Claim) {
     let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
     let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
@@ -35,7 +35,7 @@ pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> (Findin
     let (mut contradicted, mut against) = (false, Vec::new());
     for other in &others {
         let difference = own - other.value;
-        // Rounding of the arithmetic itself is far below that of print.
+        // Rounding of the arithmetic is far below that of the print.
         let allowed = slack + other.slack + 1e-9 * own.abs().max(other.value.abs());
         if difference.abs() <= allowed {
             finding.remarks.push(format!("agrees with {} = {}", other.from, shown(other.value)));
@@ -59,7 +59,7 @@ pub fn judge(model: &Model, publication: &Publication, entry: &Entry) -> (Findin
     (finding, Claim::Number { against })
 }
 
-/// Six significant digits: these are values of print.
+/// Text of a number with six significant digits, because printed numbers have no more.
 fn shown(x: f64) -> String {
     let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
     rounded.to_string()
@@ -76,7 +76,7 @@ fn of_set<'a>(publication: &'a Publication, set: &'a str) -> impl Iterator<Item 
     })
 }
 
-/// Half a unit in the last decimal of the set; nothing for exact formulas.
+/// Uncertainty of a number: half a unit in the last decimal of its set; 0 for exact formulas.
 fn slack_of(publication: &Publication, initial: &Initial) -> f64 {
     if initial.decimals.is_none() {
         return 0.0;
@@ -85,7 +85,8 @@ fn slack_of(publication: &Publication, initial: &Initial) -> f64 {
     0.5 * 10_f64.powi(-i32::try_from(most).unwrap_or(0))
 }
 
-/// A speed from the coordinates and rates of its own set, by its definition.
+/// Value of a speed by its definition, from the coordinates and rates of its own set. `None` if one of these is not
+/// stated.
 fn by_definition(model: &Model, publication: &Publication, initial: &Initial) -> Option<Other> {
     let speed = model.speeds.iter().find(|s| s.symbol == initial.quantity)?;
     let mut arena = model.arena.clone();
@@ -113,7 +114,7 @@ fn by_definition(model: &Model, publication: &Publication, initial: &Initial) ->
     })
 }
 
-/// Values of the quantity in other sets of initial values.
+/// Values of the quantity in other entries with initial values.
 fn repeated(model: &Model, publication: &Publication, entry: &Entry) -> Vec<Other> {
     let EntryKind::Initial(initial) = &entry.kind else { return Vec::new() };
     let others = publication.entries.iter().filter_map(|other| match &other.kind {

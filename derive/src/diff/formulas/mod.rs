@@ -1,4 +1,4 @@
-//! Single printed formulas and numbers, judged.
+//! Judgement of single printed formulas and numbers.
 
 pub(super) mod constant;
 pub(super) mod entries;

@@ -1,7 +1,8 @@
-//! Formulas that hold near a point: printed and derived formulas, both up to an order in the deviations from it.
+//! Formulas that hold near a point. Printed and derived formulas are expanded up to an order in the deviations from the
+//! point.
 //!
-//! x = x₀ + ε (x − x₀) for each variable that stays near the point, and Taylor's series in ε: two formulas are the same
-//! to an order if their series are, whatever terms either has beyond it.
+//! The substitution x = x₀ + ε (x − x₀) for each variable that stays near the point gives Taylor series in ε. Two
+//! formulas are equal to an order if their series are equal to this order, whatever terms follow.
 
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::fresh_symbol;
@@ -11,22 +12,22 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::publication::Approximation;
 
-/// A point with the values that follow from it, and an order.
+/// Point with the values that follow from it, and the order of an approximation.
 pub struct Near {
-    /// Each symbol with its value at the point.
+    /// Symbols of the variables near the point, each with its value at the point.
     point: Vec<(Expr, Expr)>,
-    /// Formula in ε for each symbol.
+    /// Substitution x₀ + ε (x − x₀) for each of these symbols.
     way: Substitution,
     /// Symbol ε of the size of the deviations.
     epsilon: Expr,
-    /// The order.
+    /// Order of the deviations up to which formulas hold.
     pub order: u32,
-    /// Name of the order and of the point, in words.
+    /// Description of the order and the point, in words.
     pub words: String,
 }
 
 impl Near {
-    /// Completes a stated point. A variable that stays near a value has rates near zero. A speed or a rate whose
+    /// Completes a stated point. A variable that stays near a value has a rate near zero. A speed or a rate whose
     /// formula contains only such variables is near the value of the formula.
     pub fn new(quantities: &mut Quantities<'_>, stated: &Approximation) -> Self {
         let model = quantities.model;
@@ -87,20 +88,20 @@ impl Near {
         Self { point, way: Substitution::new(&way), epsilon, order: stated.order, words }
     }
 
-    /// Expands a formula up to the order.
+    /// Expands a formula up to `order`.
     ///
     /// # Errors
-    /// Reason why it has no series there.
+    /// Reason why the formula has no series at the point.
     pub fn formula(&mut self, quantities: &mut Quantities<'_>, e: Expr) -> Result<Expr, String> {
         let order = self.order;
         self.up_to(quantities, e, order)
     }
 
-    /// Expands the coefficient of an unknown, up to one order less if the unknown is zero at the point, since it is a
-    /// deviation itself.
+    /// Expands the coefficient of an unknown. If the unknown is zero at the point, it is a deviation itself, and the
+    /// expansion has one order less.
     ///
     /// # Errors
-    /// As [`Self::formula`].
+    /// Reason why the coefficient has no series at the point.
     pub fn factor(&mut self, quantities: &mut Quantities<'_>, unknown: Expr, e: Expr) -> Result<Expr, String> {
         let is_small = self.point.iter().any(|(symbol, value)| *symbol == unknown && *value == Expr::ZERO);
         let order = self.order - u32::from(is_small);
@@ -137,7 +138,7 @@ impl Near {
     }
 }
 
-/// True if an argument of |x| or sign x vanishes at the point, and not throughout.
+/// True if an argument of |x| or sign x depends on ε and may vanish at the point, so that e has a bend there.
 fn has_bend(arena: &mut Arena, at_point: &mut Substitution, epsilon: Expr, e: Expr) -> bool {
     let bent: Vec<Expr> = arena
         .reachable(&[e])

@@ -1,4 +1,4 @@
-//! Test for terms that differ by a factor of parameters alone.
+//! Ratio of terms that differ by a constant factor.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -6,7 +6,7 @@ use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::mechanics::{Kinematics, Quantities};
 
-/// a / b, if it depends on parameters only.
+/// Ratio a / b, simplified; `None` unless it depends on parameters only.
 pub fn constant_ratio(quantities: &mut Quantities<'_>, comparer: &mut Comparer, a: Expr, b: Expr) -> Option<Expr> {
     let parameters = quantities.model.p();
     let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
@@ -25,7 +25,7 @@ pub fn constant_ratio(quantities: &mut Quantities<'_>, comparer: &mut Comparer, 
             return None;
         }
     }
-    // It does not depend on them, so any value may stand for them.
+    // The ratio does not depend on these symbols, so any value may replace them.
     let mut at_one = Substitution::new(&symbols.iter().map(|s| (*s, Expr::ONE)).collect::<Vec<_>>());
     let value = at_one.apply(arena, ratio);
     let value = simplifier.simplify(arena, value);

@@ -1,19 +1,20 @@
 //! Wrong terms of a printed value, each with its right value.
 //!
-//! Invariant: if every named term is corrected, the printed value is the derived one; if no such list is short, the
-//! list is empty. Each term of the difference belongs to the printed term of which it is a multiple, by a number; a
-//! term that belongs to none is missing.
+//! Invariant: if every named term is corrected, the printed value is the derived value. If no such list is short, the
+//! list is empty. Each term of the difference belongs to the printed term of which it is a multiple, by a number. A
+//! term that belongs to no printed term is missing.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Node, Rational};
 
-/// Most terms that a list names.
+/// Most wrong terms that a list names.
 const MOST: usize = 3;
-/// Longest term that is named, in characters.
+/// Longest text of a named term, in bytes.
 const LONGEST: usize = 80;
 
-/// Describes the mistakes in single terms of a printed value, from printed − derived.
+/// Describes the mistakes in single terms of a printed value, from `difference` = printed − derived. Empty if there are
+/// too many or too long terms.
 pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr, difference: Expr) -> Vec<String> {
     let (printed, wrong) = (spread(arena, printed), spread(arena, difference));
     if printed.len() < 2 || wrong.len() > MOST {
@@ -22,7 +23,7 @@ pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr
     let mut found = Vec::new();
     for term in wrong {
         let own = printed.iter().find_map(|own| Some((*own, multiple(arena, simplifier, term, *own)?)));
-        // term = k own, and own − term is what is right; none of it is left if k = 1.
+        // With term = k own, the right term is own − term, which vanishes if k = 1.
         found.push(match own {
             Some((own, k)) if k.is_one() => format!("the term {} should not be there", text(arena, own)),
             Some((own, k)) => {
@@ -38,7 +39,7 @@ pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr
     if found.iter().any(|words| words.len() > 2 * LONGEST) { Vec::new() } else { found }
 }
 
-/// The terms of a sum, and of a product of one sum with other factors.
+/// Terms of a sum, or of a product of one sum with other factors, multiplied out.
 fn spread(arena: &mut Arena, e: Expr) -> Vec<Expr> {
     let scaled = |arena: &mut Arena, terms: &[(Expr, Rational)], constant: &Rational| {
         let mut list: Vec<Expr> = terms.iter().map(|(term, k)| arena.scale(*term, k)).collect();
@@ -64,7 +65,7 @@ fn spread(arena: &mut Arena, e: Expr) -> Vec<Expr> {
     }
 }
 
-/// term / own if it is a number.
+/// Ratio term / own if it is a number; else `None`.
 fn multiple(arena: &mut Arena, simplifier: &mut Simplifier, term: Expr, own: Expr) -> Option<Rational> {
     let ratio = arena.div(term, own)?;
     let ratio = simplifier.simplify(arena, ratio);

@@ -1,4 +1,4 @@
-//! Consequences of printed systems for the motion: determinants, rates of first integrals, agreement.
+//! Consequences of printed systems for the motion: determinants, rates of first integrals, agreement of accelerations.
 
 use super::motion::{Motion, Solved};
 use super::systems::Matched;
@@ -10,12 +10,12 @@ use crate::mechanics::{Derivations, Formulation, Kinematics};
 use crate::model::Model;
 use crate::prove::{Integral, Proof};
 
-/// The rate of a first integral of the true motion along printed equations.
+/// Rate of a first integral of the true motion along printed equations.
 #[derive(Clone, Debug)]
 pub struct Rate {
-    /// The integral.
+    /// First integral of the derived equations.
     pub integral: Integral,
-    /// d/dt in q and u, simplified; 0 where it is conserved.
+    /// Time derivative of the integral in q and u, simplified; 0 if the printed equations conserve it.
     pub rate: Expr,
     /// Verdict on the claim that the rate is zero.
     pub verdict: Verdict,
@@ -24,18 +24,19 @@ pub struct Rate {
 /// Consequences of one printed system for the motion.
 #[derive(Clone, Debug)]
 pub struct Consequences {
-    /// The system's id.
+    /// Id of the printed system in the publication.
     pub system: String,
-    /// Its determinant, the expected one (the derived one times the factors of its rows), and the verdict.
+    /// Determinants and verdict: printed, expected, and whether they are equal. The expected determinant is that of the
+    /// derived rows times their factors. `None` if it is not compared.
     pub determinant: Option<(Expr, Expr, Verdict)>,
-    /// The rates of first integrals; none if the system is singular everywhere.
+    /// Rates of first integrals; empty if the system is singular everywhere or too large.
     pub rates: Vec<Rate>,
-    /// Verdict on the claim that its accelerations are the derived ones.
+    /// Verdict on the claim that the system's accelerations are the derived ones.
     pub accelerations: Verdict,
 }
 
 impl Consequences {
-    /// Every formula that is shown of the consequences.
+    /// All formulas of the consequences that documents show.
     pub fn shown(&self) -> impl Iterator<Item = Expr> {
         let determinants = self.determinant.iter().flat_map(|(printed, derived, _)| [*printed, *derived]);
         determinants.chain(self.rates.iter().map(|rate| rate.rate))
@@ -45,18 +46,18 @@ impl Consequences {
 /// Comparison of the accelerations that two printed systems give.
 #[derive(Clone, Debug)]
 pub struct Agreement {
-    /// The first system.
+    /// Id of the first system.
     pub left: String,
-    /// The second.
+    /// Id of the second system.
     pub right: String,
-    /// Verdict on the claim that the accelerations are equal.
+    /// Verdict on the claim that the systems give equal accelerations.
     pub verdict: Verdict,
 }
 
-/// Systems beyond this many unknowns are not solved symbolically.
+/// Most unknowns of a system that is solved symbolically.
 const MOST_UNKNOWNS: usize = 12;
 
-/// Finds the consequences of every printed system, and their agreement pair by pair.
+/// Finds the consequences of every printed system, and the agreement of every pair.
 pub fn draw(
     model: &Model,
     derivations: &mut Derivations,
@@ -125,7 +126,8 @@ fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &Solve
     crate::prove::all(verdicts)
 }
 
-/// det of the printed matrix against det of the derived one times the factors of the rows.
+/// Compares the determinant of the printed matrix with that of the derived rows times their factors. Returns (printed,
+/// expected, verdict); `None` unless the rows match different single derived rows.
 fn judged_determinant(
     derivations: &mut Derivations,
     comparer: &mut Comparer,
@@ -136,7 +138,8 @@ fn judged_determinant(
         return None;
     }
     let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
-    // Rows in the order in which they were matched, each with its factor; two that match one row leave another out.
+    // Derived rows in the order of the matches, each with its factor. If two printed rows match one derived row,
+    // another derived row is missing.
     let mut rows = Vec::new();
     let mut taken = vec![false; matched.matrix.len()];
     for by in &matched.rows {

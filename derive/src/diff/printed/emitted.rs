@@ -1,15 +1,15 @@
-//! Printed systems and listings as equations of motion that can be emitted and run.
+//! Printed systems and listings as equations of motion that can be written as code and run.
 
 use crate::diff::motions;
 use crate::mechanics::{By, Derivations, Equations, RowName};
 use crate::model::Model;
 use crate::publication::{EntryKind, Publication};
 
-/// Every printed system of a publication, and every listing, as equations of their own.
+/// Equations from every printed system and listing of a publication.
 ///
-/// They are run exactly as printed: nothing but the order of the unknowns is ours. Energies and the conversions
-/// between q̇ and u are the derived ones, so that a printed run can be measured. What is not whole, such as a system
-/// without all unknowns, is left out.
+/// The equations are run exactly as printed, except for the order of the unknowns. Energies and the conversions between
+/// q̇ and u are the derived ones, so that a printed run can be measured. An incomplete system, such as one without all
+/// unknowns, is left out.
 pub fn printed_equations(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Equations> {
     let mut list = Vec::new();
     for motion in motions(model, derivations, publication) {
@@ -19,7 +19,7 @@ pub fn printed_equations(model: &Model, derivations: &mut Derivations, publicati
             EntryKind::Listing(listing) => listing.formulation,
             _ => continue,
         };
-        // A program that eliminates the reactions has as many unknowns as equations without them.
+        // A program that eliminates the reactions has as many unknowns as equations without reactions.
         let eliminated = motion.right.len() == model.speeds.len();
         let alike = if eliminated { formulation.without_reactions() } else { formulation };
         let Some(derived) = derivations.get(alike) else { continue };

@@ -1,4 +1,4 @@
-//! Printed systems and listings, judged and solved for their motion.
+//! Printed systems and listings of programs, judged and solved for their motion.
 
 pub(super) mod consequences;
 pub(super) mod emitted;

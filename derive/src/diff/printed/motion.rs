@@ -7,42 +7,42 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::{motion_rates, rates_to_speeds};
 use crate::model::Model;
 
-/// A system of equations of motion as printed, or as derived.
+/// System of equations of motion as printed, or as derived.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// Id of the printed system in the publication.
     pub id: String,
-    /// True if its variables are q̇ and not u.
+    /// True if the variables are q̇ and not u.
     pub in_rates: bool,
-    /// q̇ in q and its variables.
+    /// Rates q̇ in q and the variables.
     pub coordinate_rates: Vec<Expr>,
-    /// Left-hand sides: one row for each unknown.
+    /// Matrix on the left-hand side, one row for each unknown.
     pub matrix: Vec<Vec<Expr>>,
-    /// Right-hand sides.
+    /// Right-hand sides of the rows.
     pub right: Vec<Expr>,
 }
 
-/// A motion with its system solved.
+/// Motion that a system of equations gives, solved.
 #[derive(Clone, Debug)]
 pub struct Solved {
-    /// q̇ in q and u.
+    /// Rates q̇ in q and u.
     pub coordinate_rates: Vec<Expr>,
-    /// u̇ in q and u.
+    /// Rates u̇ in q and u.
     pub speed_rates: Vec<Expr>,
-    /// Deviation of q̈ from the q̈ that u̇ gives by q̇ = W u + w, in q and u: zero unless the system breaks a motion
-    /// constraint. Empty if q̈ is not among the unknowns, or nothing is constrained.
+    /// Deviation of q̈ from the q̈ that u̇ gives by q̇ = W u + w, in q and u. It is zero unless the system breaks a
+    /// motion constraint. Empty if q̈ is not among the unknowns, or if there are no motion constraints.
     pub off_constraints: Vec<Expr>,
-    /// Reactions in q and u, where they are among the unknowns.
+    /// Multipliers or reactions in q and u, if they are among the unknowns; else empty.
     pub reactions: Vec<Expr>,
 }
 
 impl Motion {
-    /// The determinant of the matrix, simplified.
+    /// Determinant of the matrix, simplified.
     pub fn determinant(&self, arena: &mut Arena, simplifier: &mut Simplifier) -> Expr {
         determinant(arena, simplifier, &self.matrix)
     }
 
-    /// Solves for the accelerations, exactly; `None` if the matrix is singular everywhere.
+    /// Solves exactly for the accelerations; `None` if the matrix is singular everywhere.
     pub fn solve(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier) -> Option<Solved> {
         let right: Vec<Vec<Expr>> = self.right.iter().map(|e| vec![*e]).collect();
         let (values, _) = solve(arena, simplifier, &self.matrix, &right).ok()?;
@@ -54,7 +54,7 @@ impl Motion {
             let coordinate_rates = self.coordinate_rates.clone();
             return Some(Solved { coordinate_rates, speed_rates: values, off_constraints: Vec::new(), reactions });
         }
-        // u̇ = d/dt (J q̇ + d) with q̈ as solved, then q̇ = W u + w.
+        // u̇ = d/dt (J q̇ + d) with the solved q̈, then with q̇ = W u + w.
         let mut along: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         along.extend(model.coordinates.iter().zip(&values).map(|(c, value)| (c.rate, *value)));
         let mut d_dt = Differential::along(&along);
@@ -82,7 +82,7 @@ impl Motion {
 }
 
 impl Solved {
-    /// d/dt of a function of q and u along this motion.
+    /// Time derivative of a function of q and u along this motion, simplified.
     pub fn rate(&self, model: &Model, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
         let mut along: Vec<_> = model.q().into_iter().zip(self.coordinate_rates.iter().copied()).collect();
         along.extend(model.u().into_iter().zip(self.speed_rates.iter().copied()));

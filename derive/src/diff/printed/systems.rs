@@ -1,4 +1,4 @@
-//! Printed linear systems and program listings.
+//! Judgement of printed linear systems and of program listings.
 
 use super::motion::Motion;
 use crate::diff::equations::claim::{Claim, Table};
@@ -19,26 +19,26 @@ use crate::algebra::value::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities, QuantityKind};
 use crate::publication::{Entry, Listing, Names, System};
 
-/// The derived rows that a printed system is compared with, and the matches of its rows.
+/// Derived matrix with which a printed system is compared, and the matches of the printed rows.
 #[derive(Clone, Debug)]
 pub struct Matched {
-    /// The derived matrix.
+    /// Matrix of the derived system.
     pub matrix: Vec<Vec<Expr>>,
     /// Match of each printed row.
     pub rows: Vec<Match>,
 }
 
-/// Result for one system or listing.
+/// Judgement of one printed system or listing.
 pub struct Judged {
     /// Findings for rows and entries, each with its claim.
     pub findings: Vec<(Finding, Claim)>,
-    /// The system beside the derived rows; `None` if it states accelerations outright.
+    /// Printed system beside the derived rows; `None` if the listing states accelerations directly.
     pub table: Option<Table>,
-    /// The system as equations of motion, with its matches; `None` if it is not whole.
+    /// Printed system as equations of motion, with its matches; `None` if it is incomplete.
     pub motion: Option<(Motion, Matched)>,
 }
 
-/// Printed rows in the order of the derived unknowns; unknowns that are not printed have the coefficient 0.
+/// Printed rows in the order of the derived unknowns. Unknowns that are not printed have the coefficient 0.
 fn printed(
     quantities: &mut Quantities<'_>,
     names: &Names,
@@ -65,7 +65,7 @@ fn value(quantities: &mut Quantities<'_>, names: &Names, e: Expr, in_rates: bool
     Ok(if in_rates { quantities.in_rates(e) } else { quantities.in_speeds(e) })
 }
 
-/// A printed system as equations of motion, if it has as many rows as the derived one.
+/// Printed system as equations of motion; `None` unless it has all unknowns and rows of the derived system.
 pub fn system_motion(quantities: &mut Quantities<'_>, names: &Names, entry: &Entry, system: &System) -> Option<Motion> {
     let order = derived(quantities, system.formulation, system.frame).ok()?;
     let rows = printed(quantities, names, system, &order.unknowns).ok()?;
@@ -85,7 +85,7 @@ fn motion(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows:
     }
 }
 
-/// Positions of the model's coordinates and motion variables in the state of a listing; `None` for an absent one.
+/// Indices of the model's coordinates and motion variables in the state of a listing; `None` for an absent variable.
 fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
     let model = quantities.model;
     let variables = listing.formulation.variables(model);
@@ -93,8 +93,8 @@ fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>
     (model.q().iter().map(place).collect(), variables.iter().map(place).collect())
 }
 
-/// A listing as equations of motion: its own q̇, and its own system or accelerations. A variable that is absent from
-/// its state has the derivative 0. The second value is true if no variable is absent.
+/// Listing as equations of motion, with its own q̇ and its own system or accelerations. A variable that its state lacks
+/// has the derivative 0. The second value is true if no variable is lacking.
 pub fn listing_motion(
     quantities: &mut Quantities<'_>,
     names: &Names,
@@ -110,7 +110,7 @@ pub fn listing_motion(
     let count = variables.len();
     let unit = |i: usize| (0..count).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
     let (matrix, right): (Vec<Vec<Expr>>, Vec<Expr>) = match &listing.matrix {
-        // Rows as they stand, columns in the order of the model.
+        // Rows in the order of the listing, columns in the order of the model.
         Some(matrix) => {
             let mut ordered = Vec::new();
             for row in matrix {
@@ -179,7 +179,8 @@ impl Judge<'_, '_> {
         self.kept(Judged { findings, table: Some(table), motion })
     }
 
-    /// Writes the derived rows with the multipliers of the printed ones; describes these in words if they are others.
+    /// Writes the derived rows with the multipliers of the printed rows. Describes the printed multipliers in words if
+    /// they differ.
     fn own_multipliers(&mut self, order: &mut Ordered, rows: &[Row]) -> Option<String> {
         let multipliers: Vec<Expr> =
             self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier).collect();
@@ -187,7 +188,8 @@ impl Judge<'_, '_> {
         Terms { arena, simplifier, comparer: self.comparer }.adapt(order, rows, &multipliers)
     }
 
-    /// Derived and printed rows up to the order of an entry that holds near a point.
+    /// Expands derived and printed rows up to the order of an entry that holds near a point. Rows of other entries are
+    /// unchanged.
     fn near(&mut self, order: Ordered, rows: Vec<Row>) -> Result<(Ordered, Vec<Row>), String> {
         let Some(near) = &mut self.near else { return Ok((order, rows)) };
         let mut all = |quantities: &mut Quantities<'_>, list: Vec<Row>| -> Result<Vec<Row>, String> {
@@ -204,8 +206,8 @@ impl Judge<'_, '_> {
         Ok((Ordered { rows: derived, ..order }, rows))
     }
 
-    /// The result for an entry. A result that holds near a point only is traced to no other, and is no equation of the
-    /// whole motion.
+    /// Result of an entry, without table and motion if the entry holds near a point. Such an entry is not traced to
+    /// others, and is no equation of the whole motion.
     fn kept(&self, judged: Judged) -> Judged {
         if self.near.is_none() {
             return judged;
@@ -214,7 +216,7 @@ impl Judge<'_, '_> {
         Judged { findings, table: None, motion: None }
     }
 
-    /// A row that is right may still say nothing new: then an equation is missing.
+    /// Marks a right row as different if it depends on the rows above it: then an equation of motion is missing.
     fn completeness(
         &self,
         findings: &mut [(Finding, Claim)],
@@ -240,7 +242,7 @@ impl Judge<'_, '_> {
         }
     }
 
-    /// Judges a program: its q̇ by the kinematic equations, its system row by row or its accelerations one by one.
+    /// Judges a program: its q̇ by the kinematic equations, its system row by row, or its accelerations one by one.
     pub fn listing(&mut self, entry: &Entry, listing: &Listing) -> Judged {
         let undecided = |why: String| {
             let finding = Finding { judgement: Judgement::Undecided(why), ..stated(&entry.id, entry, "") };
@@ -250,7 +252,7 @@ impl Judge<'_, '_> {
             Ok(found) => found,
             Err(why) => return undecided(why),
         };
-        // A program that eliminates the reactions is compared with equations that have none.
+        // A program that eliminates the reactions is compared with equations without reactions.
         let alike = listing.formulation.without_reactions();
         let order = match derived(self.quantities, alike, None) {
             Ok(order) => order,
@@ -285,7 +287,7 @@ impl Judge<'_, '_> {
             for (j, at) in variables.iter().enumerate() {
                 let Some(column) = at.map(|at| at - n) else { continue };
                 let text = &texts[column];
-                // Zeros that no line of the program states are listed only where they are wrong.
+                // A zero that no line of the program states is listed only if it is wrong.
                 if text != "0" || !judged.entries[j].is_equal() {
                     let id = listing.matrix_id(&entry.id, i, column);
                     let claim = Claim::Entry { table: self.tables, row: i, column: j };
@@ -305,7 +307,7 @@ impl Judge<'_, '_> {
         self.kept(Judged { findings, table, motion: whole.then_some((motion, matched)) })
     }
 
-    /// Accelerations that a program states outright, against those that the derived system gives.
+    /// Judges accelerations that a program states directly, by those that the derived system gives.
     fn accelerations(
         &mut self,
         entry: &Entry,
@@ -350,7 +352,7 @@ impl Judge<'_, '_> {
     ) -> Finding {
         finding.judgement = Judgement::Equal;
         finding.holds = judged.holds();
-        // A row as one term: Σ entry · unknown − right.
+        // Row as one term: Σ entry · unknown − right.
         let as_term = |judge: &mut Self, row: &Row| {
             let arena = &mut judge.quantities.derivations.kinematics.arena;
             let mut terms: Vec<Expr> = row.iter().zip(&order.unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
@@ -405,7 +407,7 @@ impl Judge<'_, '_> {
         let expected = as_term(self, &judged.expected);
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let difference = arena.sub(printed, expected);
-        // The row as a whole at one state, its unknowns included; else the entry that is wrong.
+        // The witness is a state of the whole row, unknowns included, or else of a wrong entry.
         finding.witness = match self.comparer.compare(arena, printed, expected) {
             Verdict::Different(whole) => Some(whole),
             _ => witness,
@@ -414,7 +416,7 @@ impl Judge<'_, '_> {
         finding
     }
 
-    /// An entry that is wrong, and by which terms.
+    /// Description of a wrong entry of a row: its place, the difference and the wrong terms.
     fn wrong_place(&mut self, unknown: Option<&Expr>, printed: Expr, expected: Expr) -> String {
         let difference = self.quantities.derivations.kinematics.arena.sub(printed, expected);
         let difference = self.simplify(difference);
@@ -452,7 +454,7 @@ impl Judge<'_, '_> {
     }
 }
 
-/// A finding before it is judged.
+/// Finding of an entry before it is judged.
 fn stated(id: &str, entry: &Entry, text: &str) -> Finding {
     Finding::new(id, &entry.section, Judgement::Stated, text)
 }

@@ -1,9 +1,9 @@
-//! Values of quantities that follow when printed values replace derived ones.
+//! Values of quantities that change when printed values replace derived ones.
 //!
 //! Every formula is the textbook's, in quantities that a publication can name: a = dv/dt, dH/dt = I·α + ω × I·ω, F*_r =
-//! Σ ∂v/∂u_r·R* + ∂ω/∂u_r·T*, L = T − V. A quantity that no printed value reaches has no value here, so that it is
-//! never taken for a consequence. Invariant: everything is in q, u and u̇. Absent on purpose: walks along the tree of
-//! frames; a formula uses the printed values of its own operands and no further.
+//! Σ ∂v/∂u_r·R* + ∂ω/∂u_r·T*, L = T − V. A quantity that depends on no printed value has no value here, so that it is
+//! never taken for a consequence. Invariant: all values are in q, u and u̇. A formula uses only the printed values of
+//! its own operands; walks along the tree of frames are deliberately absent.
 //!
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H. Goldstein, C. Poole & J.
 //! Safko, *Classical Mechanics*, 3rd edition (2002), § 5.5.
@@ -19,10 +19,10 @@ use crate::mechanics::{Quantities, QuantityKind, Row, VectorName, motion_rates};
 use crate::model::Model;
 use rustc_hash::FxHashMap;
 
-/// Printed values, and the values that follow from them.
+/// Printed values, and the values of quantities that depend on them.
 pub struct Chain {
     put: Vec<(QuantityKind, Expr)>,
-    /// d/dt, along printed rates of coordinates if there are any.
+    /// Time derivative d/dt, along printed rates of coordinates if there are any.
     d_dt: Differential,
     moves_otherwise: bool,
     vectors: FxHashMap<(VectorName, usize, usize), Option<Components>>,
@@ -30,7 +30,7 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// Makes the chain of these printed values, which are in q, u and u̇.
+    /// Chain of the given printed values, which are in q, u and u̇.
     pub fn new(model: &Model, put: Vec<(QuantityKind, Expr)>) -> Self {
         let mut d_dt = motion_rates(model);
         let mut moves_otherwise = false;
@@ -43,12 +43,12 @@ impl Chain {
         Self { put, d_dt, moves_otherwise, vectors: FxHashMap::default(), scalars: FxHashMap::default() }
     }
 
-    /// The printed value of a quantity itself.
+    /// Printed value of the quantity itself; `None` if it is not printed.
     pub fn printed(&self, kind: &QuantityKind) -> Option<Expr> {
         self.put.iter().find(|(k, _)| k == kind).map(|(_, value)| *value)
     }
 
-    /// The value of a quantity with the printed values put in; `None` if they do not reach it.
+    /// Value of a quantity with the printed values put in; `None` if it depends on no printed value.
     pub fn value(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         if let Some(value) = self.printed(kind) {
             return Some(value);
@@ -61,7 +61,7 @@ impl Chain {
         value
     }
 
-    /// Difference of a quantity from its derived value; `None` if no printed value reaches it.
+    /// Difference of a quantity from its derived value; `None` if it depends on no printed value.
     pub fn change(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         let value = self.value(quantities, kind)?;
         let right = derived(quantities, kind)?;
@@ -85,7 +85,7 @@ impl Chain {
         }
     }
 
-    /// A vector in a frame, if printed values reach it.
+    /// Components of a vector in a frame; `None` if they depend on no printed value.
     fn vector(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -107,7 +107,8 @@ impl Chain {
         value
     }
 
-    /// The frame in which components of a vector are printed: this one before any other.
+    /// Frame in which components of a vector are printed: `frame` if possible, else the first. `None` if none are
+    /// printed.
     fn stated_frame(&self, name: VectorName, of: usize, frame: usize) -> Option<usize> {
         let frames = self.put.iter().filter_map(|(kind, _)| match *kind {
             QuantityKind::Component { vector, of: owner, frame, .. } if (vector, owner) == (name, of) => Some(frame),
@@ -116,7 +117,7 @@ impl Chain {
         frames.min_by_key(|stated| (*stated != frame, *stated))
     }
 
-    /// Three components, printed where they are.
+    /// Three components of a vector, each printed or else derived.
     fn with_printed(
         &self,
         quantities: &mut Quantities<'_>,

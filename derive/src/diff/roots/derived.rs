@@ -1,22 +1,22 @@
-//! Derived values of named quantities, all in q, u and u̇, and the arithmetic of three components.
+//! Derived values of named quantities, in q, u and u̇, and arithmetic of three components.
 
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, apply_tensor};
 use crate::mechanics::{Quantities, Quantity, QuantityKind, VectorName};
 
-/// A component as a quantity.
+/// Quantity that is a component of a vector.
 pub fn component(vector: VectorName, of: usize, frame: usize, axis: usize) -> QuantityKind {
     QuantityKind::Component { vector, of, frame, axis }
 }
 
-/// The derived value in q, u and u̇; `None` if it cannot be derived, and then it has no consequences.
+/// Derived value of a quantity in q, u and u̇. `None` if it cannot be derived, and then it has no consequences.
 pub fn derived(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
     let quantity = Quantity::new(kind.clone(), quantities.model);
     let Ok(value) = quantities.value(&quantity) else { return None };
     Some(quantities.in_speeds(value))
 }
 
-/// The three components of a derived vector.
+/// Components of a derived vector in a frame, in q, u and u̇.
 pub fn components(quantities: &mut Quantities<'_>, name: VectorName, of: usize, frame: usize) -> Option<Components> {
     let mut values = [Expr::ZERO; 3];
     for (axis, value) in values.iter_mut().enumerate() {
@@ -25,7 +25,7 @@ pub fn components(quantities: &mut Quantities<'_>, name: VectorName, of: usize, 
     Some(values)
 }
 
-/// Components of one frame in another.
+/// Components of a vector in frame `to`, from its components in frame `from`.
 pub fn turned(quantities: &mut Quantities<'_>, v: Components, from: usize, to: usize) -> Option<Components> {
     if from == to {
         return Some(v);
@@ -37,7 +37,7 @@ pub fn turned(quantities: &mut Quantities<'_>, v: Components, from: usize, to: u
     Some(apply_tensor(arena_of(quantities), &rotation, &v))
 }
 
-/// The store of every value.
+/// Store of all derived values.
 pub fn arena_of<'a>(quantities: &'a mut Quantities<'_>) -> &'a mut Arena {
     &mut quantities.derivations.kinematics.arena
 }

@@ -1,4 +1,5 @@
-//! Exact comparisons of derived and printed terms, counted: after the last allowed one, every answer is no.
+//! Exact comparisons of derived and printed terms, in limited number. After the last allowed comparison, every answer
+//! is no.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -7,30 +8,30 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::diff::formulas::ratio::constant_ratio;
 use crate::mechanics::{Quantities, QuantityKind};
 
-/// Number of comparisons that one publication may cost.
+/// Most comparisons that the search for the roots of one publication may use.
 const COMPARISONS: usize = 20_000;
 
-/// A wrong value of a quantity, in q, u and u̇.
+/// Wrong value of a quantity, printed and derived, in q, u and u̇.
 #[derive(Clone)]
 pub struct Value {
-    /// The quantity.
+    /// Kind of the quantity, with its indices.
     pub kind: QuantityKind,
-    /// The printed value.
+    /// Printed value of the quantity.
     pub printed: Expr,
-    /// The derived value.
+    /// Derived value of the quantity.
     pub derived: Expr,
 }
 
 /// Comparison of terms of a model's quantities, up to a limited number.
 pub struct Exact<'a, 'b> {
-    /// The derived quantities.
+    /// Derived quantities, with the store of all terms.
     pub quantities: &'a mut Quantities<'b>,
     comparer: Comparer,
     left: usize,
 }
 
 impl<'a, 'b> Exact<'a, 'b> {
-    /// Starts with all comparisons left.
+    /// Comparison with the full number of comparisons left.
     pub fn new(quantities: &'a mut Quantities<'b>, permitted: &Permitted) -> Self {
         Self { quantities, comparer: Comparer::within(permitted.clone()), left: COMPARISONS }
     }
@@ -40,7 +41,7 @@ impl<'a, 'b> Exact<'a, 'b> {
         self.left == 0
     }
 
-    /// True if two terms are equal by meaning.
+    /// True if two terms are equal by meaning in permitted states; false after the last comparison.
     pub fn same(&mut self, a: Expr, b: Expr) -> bool {
         if self.is_spent() {
             return false;
@@ -50,11 +51,11 @@ impl<'a, 'b> Exact<'a, 'b> {
         let difference = arena.sub(a, b);
         let difference = self.comparer.permitted().put(arena, difference);
         let difference = self.comparer.with_plain_angles(arena, difference);
-        // No witness is wanted: what is shown to differ is left at once.
+        // No witness is needed: terms proved to differ need no further test.
         zero_test(arena, difference) != ZeroTest::NonZero && self.comparer.is_zero(arena, difference).is_equal()
     }
 
-    /// a / b, if it depends on parameters alone.
+    /// Ratio a / b; `None` unless it depends on parameters only, or after the last comparison.
     pub fn ratio(&mut self, a: Expr, b: Expr) -> Option<Expr> {
         self.left = self.left.checked_sub(1)?;
         constant_ratio(self.quantities, &mut self.comparer, a, b)

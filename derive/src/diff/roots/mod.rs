@@ -1,11 +1,11 @@
-//! Root mistakes: finds, by proof, which wrong entries are repeats and consequences of others.
+//! Root mistakes: the search, by proof, for wrong entries that repeat others or follow from them.
 //!
-//! An entry is traced to earlier ones in three cases: it has the same wrong value; exactly the printed value follows
-//! when their printed values replace the derived ones ([`chain`], [`rows`], [`solved`]); or the same mistake stands in
-//! another component of one vector ([`shared`]). Every such claim is an identity of terms. An entry without a proof
-//! within a counted budget is a root of its own. Invariant: every entry that is different is in exactly one group, that
-//! of its first source. Absent on purpose: entries whose differences alone are alike. Two slips may give equal
-//! differences, and nothing would prove that they are one.
+//! An entry is traced to earlier ones in three cases. First, it has an equal wrong value. Second, exactly the printed
+//! value follows when printed values replace the derived ones in its formula ([`chain`], [`rows`], [`solved`]). Third,
+//! an equal mistake is in another component of one vector ([`shared`]). Every such claim is an identity of terms. An
+//! entry without a proof within a counted budget is a root of its own. Invariant: every entry that is different is in
+//! exactly one group, that of its first source. Entries are not linked because their differences are equal: two slips
+//! may give equal differences, and nothing would prove that they are one.
 
 mod chain;
 mod derived;
@@ -27,10 +27,10 @@ use crate::algebra::text::print::text;
 use crate::mechanics::Quantities;
 use search::{Reason, Search};
 
-/// Number of characters beyond which a title leaves out the mistake.
+/// Most characters of a description of a mistake in a title.
 const LONGEST: usize = 200;
 
-/// The root mistakes behind the entries that are different, in the order of the file.
+/// Finds the root mistakes that cause the wrong entries, in the order of the publication file.
 pub fn find(
     quantities: &mut Quantities<'_>,
     permitted: &Permitted,
@@ -54,7 +54,7 @@ pub fn find(
     grouped(&wrong, &reasons, words)
 }
 
-/// Description of the mistake in an entry by itself.
+/// Description of the mistake in an entry that is no follower.
 fn mistake(arena: &Arena, finding: &Finding) -> String {
     if let Some(wrong) = finding.wrong.as_ref().filter(|words| words.chars().count() <= LONGEST) {
         return wrong.clone();
@@ -70,10 +70,10 @@ fn mistake(arena: &Arena, finding: &Finding) -> String {
     }
 }
 
-/// Each entry in the group of its first source; positions in `reasons` are those in `wrong`.
+/// Groups each entry with its first source. Indices in `reasons` refer to `wrong`.
 fn grouped(wrong: &[usize], reasons: &[Option<Reason>], words: impl Fn(usize) -> String) -> Vec<Root> {
     let mut roots: Vec<Root> = Vec::new();
-    // For each entry the roots that it comes of, its own group first; an entry's sources come before it.
+    // Roots of each entry, its own group first. Sources of an entry come before it.
     let mut of: Vec<Vec<usize>> = Vec::new();
     for (at, reason) in reasons.iter().enumerate() {
         let Some(reason) = reason else {

@@ -1,10 +1,10 @@
-//! Printed numbers that contradict one another: of each such set at least one is wrong, and nothing tells which.
+//! Printed numbers that contradict one another. In each set of them at least one is wrong, and nothing tells which.
 
 use super::root::Link;
 use super::search::Reason;
 use crate::diff::equations::claim::Claim;
 
-/// Links every wrong number to the first of those that it contradicts, directly or through others.
+/// Links every wrong number to the first number that it contradicts, directly or through others.
 pub fn link(stated: &[&Claim], ids: &[&str], reasons: &mut [Option<Reason>]) {
     let mut first: Vec<usize> = (0..stated.len()).collect();
     let against = |at: usize| -> Vec<usize> {

@@ -1,20 +1,20 @@
-//! A mistake of a publication, and the wrong entries that it causes.
+//! Mistake of a publication, and the wrong entries that it causes.
 
 use crate::diff::formulas::finding::Finding;
 
-/// Kind of dependence of a wrong entry on another.
+/// Kind of dependence of a wrong entry on other entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Link {
-    /// The same wrong value, or one mistake in another component.
+    /// The entry has an equal wrong value, or an equal mistake in another component.
     Repeated,
-    /// The printed value follows when the other's printed value replaces the derived one.
+    /// The printed value follows when the printed values of other entries replace the derived ones.
     Follows,
-    /// A number that others contradict: one of them is wrong, and nothing decides which.
+    /// The entry is a number that other numbers contradict: one of them is wrong, and nothing decides which.
     Contradicts,
 }
 
 impl Link {
-    /// The words of a list, and of JSON.
+    /// Word for the link in lists and in JSON.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
@@ -25,27 +25,27 @@ impl Link {
     }
 }
 
-/// A wrong entry that is caused by a mistake made elsewhere. Entries are positions in the list of findings.
+/// Wrong entry that a mistake in other entries causes. Entries are indices in the list of findings.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Follower {
-    /// The entry.
+    /// Index of the entry among the findings.
     pub finding: usize,
     /// Kind of dependence on `from`.
     pub link: Link,
-    /// The entries that it repeats, follows from or contradicts.
+    /// Entries that it repeats, follows from or contradicts, as indices among the findings.
     pub from: Vec<usize>,
-    /// Entries of other root mistakes that cause it as well.
+    /// Entries with other root mistakes that also cause it, as indices among the findings.
     pub also: Vec<usize>,
 }
 
-/// A mistake that no other mistake explains, in the entry where it is first made.
+/// Mistake that no other mistake explains, in the entry where it first occurs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Root {
-    /// The entry, a position in the list of findings.
+    /// Index of the entry among the findings.
     pub finding: usize,
     /// Description of the mistake, in words.
     pub mistake: String,
-    /// The entries that it causes, in the order of the file.
+    /// Entries that the mistake causes, in the order of the publication file.
     pub followers: Vec<Follower>,
 }
 
@@ -56,13 +56,13 @@ impl Root {
         1 + self.followers.len()
     }
 
-    /// The entry and the mistake, as a sentence without its full stop.
+    /// Id of the entry and its mistake, as a sentence without its full stop.
     #[must_use]
     pub fn title(&self, findings: &[Finding]) -> String {
         format!("{}: {}", findings[self.finding].id, self.mistake)
     }
 
-    /// The followers with one kind of dependence.
+    /// Followers with one kind of dependence.
     pub fn linked(&self, link: Link) -> impl Iterator<Item = &Follower> {
         self.followers.iter().filter(move |f| f.link == link)
     }

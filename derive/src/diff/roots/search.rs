@@ -1,7 +1,7 @@
-//! For each wrong entry, the earlier entries that are proved to be its source.
+//! Search for the earlier entries that are proved to be the source of a wrong entry.
 //!
-//! Sources are tried from the nearest to the farthest: a line follows more probably from the line above it than from
-//! one a page before. Work is counted in comparisons; after the last one, entries stay unexplained.
+//! Sources are tried from the nearest to the farthest, because a line is more likely to follow from the line above it
+//! than from one a page before. Work is counted in comparisons. After the last comparison, entries stay unexplained.
 
 use super::chain::Chain;
 use super::exact::{Exact, Value};
@@ -18,18 +18,18 @@ use crate::diff::formulas::constant::is_constant;
 use crate::mechanics::{Quantities, QuantityKind};
 use rustc_hash::FxHashMap;
 
-/// Largest number of sources that are tried together, beside all at once.
+/// Most sources that are tried together, apart from all at once.
 const LARGEST_SET: usize = 3;
-/// Number of sets of each size that are tried for one entry.
+/// Most sets of each size that are tried for one entry.
 const SETS: usize = 100;
 
-/// Reason why an entry is wrong; entries are positions in the list of wrong entries.
+/// Reason why an entry is wrong. Entries are indices in the list of wrong entries.
 pub struct Reason {
     /// Kind of dependence on the other entries.
     pub link: Link,
     /// Entries that are named as sources.
     pub from: Vec<usize>,
-    /// Earlier entries in whose group it is.
+    /// Earlier entries to whose groups the entry belongs.
     pub hangs_on: Vec<usize>,
 }
 
@@ -39,15 +39,15 @@ impl Reason {
     }
 }
 
-/// The wrong entries of a publication, and the reasons found for them.
+/// Search for the reasons of the wrong entries of a publication.
 pub struct Search<'a, 'b> {
     exact: Exact<'a, 'b>,
     stated: &'a [&'a Claim],
     tables: &'a [Table],
     values: Vec<Option<Value>>,
-    /// Consequences of each value alone.
+    /// Chains of consequences of each value alone; `None` for entries that are no values.
     chains: Vec<Option<Chain>>,
-    /// The rows that follow from a value: by source, table and derived row.
+    /// Rows that follow from one value, by source, table and derived row.
     rows: FxHashMap<(usize, usize, usize), Option<Row>>,
     solutions: Solutions,
     /// Mistake that each entry shares with another component, in words; `None` if none was found.
@@ -55,7 +55,7 @@ pub struct Search<'a, 'b> {
 }
 
 impl<'a, 'b> Search<'a, 'b> {
-    /// A search among these wrong entries, which are in the order of the file.
+    /// Search among the claims of wrong entries, which are in the order of the publication file.
     pub fn new(
         quantities: &'a mut Quantities<'b>,
         permitted: &Permitted,
@@ -104,7 +104,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.follows_from_several(at).map(|sources| Reason::new(Link::Follows, sources))
     }
 
-    /// True if a value is the printed one. Energies with a free zero may differ by a constant.
+    /// True if a value is equal to the printed one. Energies with a free zero may differ by a constant.
     fn is_printed(&mut self, value: Expr, of: &Value) -> bool {
         let arena = &mut self.exact.quantities.derivations.kinematics.arena;
         let difference = arena.sub(value, of.printed);
@@ -114,7 +114,8 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// True if both entries are one quantity with one wrong value, or the same row or entry of a row, wrong alike.
+    /// True if an entry repeats a source: one quantity with equal wrong values, or one row or entry of a row with an
+    /// equal error.
     fn repeats(&mut self, source: usize, at: usize) -> bool {
         if let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) {
             let (kinds_agree, a, b) = (a.kind == b.kind, a.printed, b.printed);
@@ -130,7 +131,7 @@ impl<'a, 'b> Search<'a, 'b> {
         let Some(with) = tables[a].printed[i].iter().map(|e| arena.div(*e, factor)).collect::<Option<Row>>() else {
             return false;
         };
-        // Of a single wrong entry no more is known than itself.
+        // A single wrong entry determines no other entry of its row.
         if let Claim::Entry { column, .. } = self.stated[source]
             && !matches!(self.stated[at], Claim::Entry { column: c, .. } if c == column)
         {
@@ -146,8 +147,8 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// True if the entry is as printed when the derived row is this one. A row must fit as a whole; for a single entry
-    /// its own column is enough.
+    /// True if the printed entry agrees with the derived row replaced by `with`. A row must agree as a whole; for a
+    /// single entry, agreement in its own column is enough.
     fn fits(&mut self, at: usize, (table, row): (usize, usize), with: &Row) -> bool {
         let table = &self.tables[table];
         if let (Claim::Entry { column, .. }, Some((_, factor))) = (self.stated[at], table.matched(row)) {
@@ -171,7 +172,7 @@ impl<'a, 'b> Search<'a, 'b> {
         })
     }
 
-    /// True if exactly the printed entry follows when one printed value is put in.
+    /// True if exactly the printed entry follows when the source's printed value is put in.
     fn follows(&mut self, source: usize, at: usize) -> bool {
         let Some(mut chain) = self.chains[source].take() else { return false };
         let key = self.row_of(at).and_then(|(table, row)| Some((source, table, self.tables[table].matched(row)?.0)));
@@ -197,7 +198,7 @@ impl<'a, 'b> Search<'a, 'b> {
         reached.is_some_and(|reached| self.is_printed(reached, &value))
     }
 
-    /// True if the printed value is that of the source, or its opposite: −T* for dH/dt.
+    /// True if the printed value is that of the source or its negative, such as −T* for dH/dt.
     fn is_opposite(&mut self, source: usize, at: usize) -> bool {
         let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) else { return false };
         let (a, b) = (a.printed, b.printed);
@@ -205,7 +206,7 @@ impl<'a, 'b> Search<'a, 'b> {
         self.exact.same(a, b) || self.exact.same(negative, b)
     }
 
-    /// Finds rows before the entry whose solution it is.
+    /// Finds printed rows before the entry whose solution gives the entry, an acceleration; returns their indices.
     fn solves(&mut self, at: usize) -> Option<Vec<usize>> {
         let value = self.values[at].clone()?;
         let symbol = match value.kind {
@@ -229,7 +230,7 @@ impl<'a, 'b> Search<'a, 'b> {
         None
     }
 
-    /// The wrong rows of a table before an entry, each with the first entry that shows it.
+    /// Wrong rows of a table before an entry, each with the first entry that shows it.
     fn wrong_rows(&self, table: usize, before: usize) -> Vec<(usize, usize)> {
         let mut rows: Vec<(usize, usize)> = Vec::new();
         for at in 0..before {
@@ -241,7 +242,7 @@ impl<'a, 'b> Search<'a, 'b> {
         rows
     }
 
-    /// Finds a component before the entry with the same mistake.
+    /// Finds a component before the entry with an equal mistake; returns its index.
     fn shares(&mut self, at: usize) -> Option<usize> {
         let own = self.values[at].clone()?;
         for source in (0..at).rev() {
@@ -256,7 +257,7 @@ impl<'a, 'b> Search<'a, 'b> {
         None
     }
 
-    /// Finds several values before the entry that give it together: two, three, or one of each quantity.
+    /// Finds several values before the entry that together give it: two, three, or one of each quantity.
     fn follows_from_several(&mut self, at: usize) -> Option<Vec<usize>> {
         let reaching: Vec<usize> = (0..at).rev().filter(|source| self.reaches(*source, at)).collect();
         for set in self.sets(&reaching) {
@@ -268,7 +269,7 @@ impl<'a, 'b> Search<'a, 'b> {
         if all.len() <= LARGEST_SET || !self.comes_of(&all, at) {
             return None;
         }
-        // What is not needed is no source.
+        // A value that is not needed is no source.
         for source in all.clone() {
             let fewer: Vec<usize> = all.iter().copied().filter(|s| *s != source).collect();
             if self.comes_of(&fewer, at) {
@@ -279,7 +280,7 @@ impl<'a, 'b> Search<'a, 'b> {
         Some(all)
     }
 
-    /// Sets of two and of three sources, each of another quantity, in the order of the file.
+    /// Sets of two and of three sources, each of another quantity, in the order of the publication file.
     fn sets(&self, sources: &[usize]) -> Vec<Vec<usize>> {
         let is_other = |set: &[usize], source: usize| set.iter().all(|s| self.kind(*s) != self.kind(source));
         let larger = |sets: &[Vec<usize>]| {
@@ -315,7 +316,7 @@ impl<'a, 'b> Search<'a, 'b> {
         chain.printed(&kind).is_none() && chain.value(self.exact.quantities, &kind).is_some()
     }
 
-    /// The nearest source of each quantity.
+    /// Nearest source of each quantity.
     fn one_of_each(&self, sources: &[usize]) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for source in sources {
@@ -326,7 +327,7 @@ impl<'a, 'b> Search<'a, 'b> {
         chosen
     }
 
-    /// True if exactly the printed entry follows when all these values are put in together.
+    /// True if exactly the printed entry follows when the values of all these sources are put in together.
     fn comes_of(&mut self, sources: &[usize], at: usize) -> bool {
         let put: Vec<_> =
             sources.iter().filter_map(|s| self.values[*s].as_ref()).map(|v| (v.kind.clone(), v.printed)).collect();

@@ -1,8 +1,7 @@
-//! One mistake in several components of one vector or matrix.
+//! Search for one mistake in several components of one vector or matrix.
 //!
-//! Invariant: in both components one description explains the whole difference from the derived value, by identity. It
-//! is the same factor, the same factor of one part of the vector's formula, or the angular velocity of one frame in the
-//! place of another's.
+//! Invariant: one description explains the whole difference from the derived value in both components, by identity. It
+//! is an equal factor, an equal factor of one part of the vector's formula, or the angular velocity of a wrong frame.
 
 use super::derived::{arena_of, components, difference};
 use super::exact::{Exact, Value};
@@ -11,18 +10,19 @@ use crate::algebra::text::print::text;
 use crate::geometry::{Components, cross_components};
 use crate::mechanics::{Kinematics, Quantities, QuantityKind, VectorName};
 
-/// Common mistake of two components.
+/// Mistake that two components of a vector or matrix share.
 pub enum Shared {
-    /// Factor of both components against the derived ones.
+    /// Factor of both printed components against the derived ones.
     Factor(Expr),
-    /// Name of a part of both components, and its factor against the derived part.
+    /// Name of a part of both components, and the part's factor against the derived part.
     Part(String, Expr),
-    /// In ω × a vector, the angular velocity of the first frame stands in the place of that of the second.
+    /// Angular velocity of a wrong frame in ω × a vector: index of the used frame, index of the right frame, name of
+    /// the vector.
     Turned(usize, usize, &'static str),
 }
 
 impl Shared {
-    /// The mistake in words.
+    /// Description of the mistake, in words.
     pub fn words(&self, quantities: &Quantities<'_>) -> String {
         let arena = &quantities.derivations.kinematics.arena;
         let frame = |at: usize| &quantities.model.frames[at].name;
@@ -39,21 +39,22 @@ impl Shared {
     }
 }
 
-/// A vector that is m times the rate of another, so that its formula has the parts of a rate.
+/// Vector that is ±m times the rate of another vector, so that its formula has the parts of a rate.
 struct Rate {
-    /// The vector that changes.
+    /// Components of the vector that changes.
     of: Components,
     /// Kind of the vector that changes.
     changing: VectorName,
     /// Factor ±m of the rate in the quantity.
     times: Expr,
-    /// The frame of the components.
+    /// Index of the frame of the components.
     frame: usize,
-    /// The frame that the vector belongs to.
+    /// Index of the frame that turns with the vector's body or is its own; `None` for linear motion.
     carrier: Option<usize>,
 }
 
-/// Finds the common mistake of two wrong components, if they are of one vector or matrix.
+/// Finds the common mistake of two wrong components. `None` unless they belong to one vector or matrix and share a
+/// mistake.
 pub fn common(exact: &mut Exact<'_, '_>, a: &Value, b: &Value) -> Option<Shared> {
     if family(&a.kind).is_none() || family(&a.kind) != family(&b.kind) || a.kind == b.kind {
         return None;
@@ -69,7 +70,7 @@ pub fn common(exact: &mut Exact<'_, '_>, a: &Value, b: &Value) -> Option<Shared>
     parts(exact, &rate, &a.kind, (*i, *j), off).or_else(|| turned(exact, &rate, (*i, *j), off))
 }
 
-/// The vector or matrix of a component.
+/// Key of the vector or matrix to which a component belongs; `None` for other quantities.
 fn family(kind: &QuantityKind) -> Option<QuantityKind> {
     match *kind {
         QuantityKind::Component { vector, of, frame, .. } => {
@@ -84,13 +85,13 @@ fn family(kind: &QuantityKind) -> Option<QuantityKind> {
     }
 }
 
-/// The ratio of two pairs, if it is the same and depends on parameters alone.
+/// Ratio of two pairs of terms; `None` unless both ratios are equal and depend on parameters only.
 fn same_ratio(exact: &mut Exact<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Option<Expr> {
     let (k, other) = (exact.ratio(a.0, a.1)?, exact.ratio(b.0, b.1)?);
     exact.same(k, other).then_some(k)
 }
 
-/// Writes a vector as a rate times a factor, if it is one.
+/// Writes a vector as a rate times a factor; `None` if the vector is no rate.
 fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
     let model = quantities.model;
@@ -114,7 +115,7 @@ fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
     Some(Rate { of: components(quantities, changing, owner, frame)?, changing, times, frame, carrier })
 }
 
-/// Finds one part of the formula that has the same factor in both components: the vector's ω × part, or the remainder.
+/// Finds a part of the formula with an equal factor in both components: the vector's ω × part, or the remainder.
 fn parts(
     exact: &mut Exact<'_, '_>,
     rate: &Rate,
@@ -144,7 +145,7 @@ fn parts(
     None
 }
 
-/// Finds the ω of another frame in the ω × part.
+/// Finds a wrong frame whose ω is used in the ω × part.
 fn turned(exact: &mut Exact<'_, '_>, rate: &Rate, (i, j): (usize, usize), off: [Expr; 2]) -> Option<Shared> {
     for right in [rate.carrier, Some(rate.frame)].into_iter().flatten() {
         let own = components(exact.quantities, VectorName::AngularVelocity, right, rate.frame)?;

@@ -1,4 +1,4 @@
-//! Accelerations of a derived system in which some rows are the printed ones.
+//! Accelerations of a derived system in which printed rows replace derived ones.
 
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::solve;
@@ -6,17 +6,17 @@ use crate::diff::equations::claim::Table;
 use crate::mechanics::{Kinematics, Quantities};
 use rustc_hash::FxHashMap;
 
-/// Number of unknowns beyond which no system is solved.
+/// Most unknowns of a system that is solved.
 const MOST_UNKNOWNS: usize = 12;
-/// Number of wrong rows beyond which only each alone and all together are tried.
+/// Most wrong rows of which all sets are tried. With more, each row alone and all rows together are tried.
 const MOST_ROWS: usize = 4;
 
-/// Known solutions, by table and rows.
+/// Known solutions, by index of the table and printed rows; `None` for a system that cannot be solved.
 #[derive(Default)]
 pub struct Solutions(FxHashMap<(usize, Vec<usize>), Option<Vec<Expr>>>);
 
 impl Solutions {
-    /// The sets of rows that are tried, small ones first.
+    /// Sets of rows that are tried, small ones first.
     pub fn sets(rows: usize) -> Vec<Vec<usize>> {
         if rows > MOST_ROWS {
             return (0..rows).map(|row| vec![row]).chain([(0..rows).collect()]).collect();
@@ -27,8 +27,8 @@ impl Solutions {
         sets
     }
 
-    /// Solves the table number `place`, with these printed rows in the place of the derived ones; `None` if the
-    /// unknowns are not determined.
+    /// Solves the table with index `place`, with the printed `rows` in place of the derived ones. `None` if the
+    /// unknowns are not determined or too many.
     pub fn of(
         &mut self,
         quantities: &mut Quantities<'_>,

@@ -1,4 +1,4 @@
-//! The formulations: each method of derivation is one row of a table.
+//! Table of the formulations: each method of derivation is one row.
 
 use super::kane;
 use super::lagrange;
@@ -9,18 +9,18 @@ use crate::mechanics::motion::kinematics::Kinematics;
 use crate::mechanics::rows::{Rows, Step};
 use crate::model::{Model, MotionConstraint};
 
-/// A method of derivation: a row of the table, by its place.
+/// A method of derivation, and its row of the table of methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Formulation {
     /// Kane's method.
     Kane,
     /// Lagrange's equations.
     Lagrange,
-    /// Newton's and Euler's equations of each body.
+    /// Newton–Euler equations: force and moment balance of each body, with reactions.
     NewtonEuler,
 }
 
-/// Kind of the motion variables v of equations.
+/// Kind of the motion variables v of a formulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MotionVariables {
     /// The generalized speeds u.
@@ -31,23 +31,23 @@ pub enum MotionVariables {
 
 /// Properties of a method of derivation.
 pub struct Method {
-    /// The name on the command line and in files.
+    /// Name of the method on the command line and in files.
     pub name: &'static str,
-    /// The name in a heading.
+    /// Name of the method in a heading.
     pub title: &'static str,
-    /// The name in a formula, such as `Kane = Wᵀ · Lagrange`.
+    /// Name of the method in a formula, such as `Kane = Wᵀ · Lagrange`.
     pub label: &'static str,
     /// Principle of the method, in words; a formula may follow it.
     pub principle: &'static str,
-    /// The system that it gives, in plain text, without and with motion constraints.
+    /// System that the method gives, in plain text: without, then with motion constraints.
     equation: [&'static str; 2],
-    /// Variables that are integrated beside q.
+    /// Kind of the variables that are integrated beside q.
     pub variables: MotionVariables,
     /// True if the reactions are among the unknowns.
     pub carries_reactions: bool,
     /// True if the matrix is symmetric by construction, and positive definite where it is regular.
     pub symmetric: bool,
-    /// Derives the rows.
+    /// Derives the rows of the equations.
     pub derive: fn(&Model, &mut Kinematics) -> Result<Rows, DeriveError>,
     /// Derives the steps that lead to the rows, for display.
     pub steps: fn(&Model, &mut Kinematics) -> Result<Vec<Step>, DeriveError>,
@@ -94,34 +94,34 @@ static TABLE: [Method; Formulation::ALL.len()] = [
 ];
 
 impl Formulation {
-    /// All of them, in the order in which they are always listed.
+    /// All formulations, in the order in which they are always listed.
     pub const ALL: [Self; 3] = [Self::Kane, Self::Lagrange, Self::NewtonEuler];
 
-    /// Properties of the method, from the table.
+    /// Properties of the formulation, from the table of methods.
     #[must_use]
     pub fn method(self) -> &'static Method {
         &TABLE[self as usize]
     }
 
-    /// The system that it gives for this model, in plain text.
+    /// System that the formulation gives for this model, in plain text.
     #[must_use]
     pub fn equation(self, model: &Model) -> &'static str {
         self.method().equation[usize::from(!model.motion_constraints.is_empty())]
     }
 
-    /// The name on the command line and in files.
+    /// Name of the formulation on the command line and in files.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.method().name
     }
 
-    /// The name in a heading.
+    /// Name of the formulation in a heading.
     #[must_use]
     pub fn title(self) -> &'static str {
         self.method().title
     }
 
-    /// The formulation of this name.
+    /// Formulation of this name; `None` if the name is unknown.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|f| f.name() == name)
@@ -139,15 +139,15 @@ impl Formulation {
         self.method().carries_reactions
     }
 
-    /// The formulation in the same motion variables whose equations are left when the reactions are eliminated:
-    /// itself if it has none.
+    /// Formulation in the same motion variables whose equations are left when the reactions are eliminated; `self` if
+    /// the formulation has no reactions.
     #[must_use]
     pub fn without_reactions(self) -> Self {
         let alike = |f: &Self| f.method().variables == self.method().variables && !f.carries_reactions();
         if self.carries_reactions() { Self::ALL.into_iter().find(alike).unwrap_or(self) } else { self }
     }
 
-    /// The motion variables v.
+    /// Symbols of the motion variables v.
     #[must_use]
     pub fn variables(self, model: &Model) -> Vec<Expr> {
         match self.method().variables {
@@ -156,8 +156,9 @@ impl Formulation {
         }
     }
 
-    /// Unknowns of its equations, with names: v̇, then the reactions if the method carries them, and the multipliers of
-    /// motion constraints where the rates of all coordinates are variables.
+    /// Unknowns of the equations, each with its name: v̇, then the reactions if the method carries them. The
+    /// multipliers
+    /// of the motion constraints follow if the variables are the rates of all coordinates.
     #[must_use]
     pub fn unknowns(self, model: &Model) -> Vec<(String, Expr)> {
         let rates = model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate));

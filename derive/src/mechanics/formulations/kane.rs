@@ -15,10 +15,10 @@ use crate::mechanics::quantity::{QuantityKind, VectorName};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
 use crate::model::Model;
 
-/// M(q) u̇ = f(q, u).
+/// Derives Kane's equations M(q) u̇ = f(q, u).
 ///
 /// # Errors
-/// None of its own: a speed that moves no mass is found by the rank of the matrix.
+/// Never fails: the rank of the matrix finds a speed that moves no mass.
 #[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
@@ -51,7 +51,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     let forcing = active.iter().zip(&inertia.rest).map(|(force, rest)| arena.sub(*force, *rest)).collect();
     Ok(Rows {
         names: (0..model.speeds.len()).map(RowName::Speed).collect(),
-        // M is the matrix of the kinetic energy, too.
+        // M is also the matrix of the kinetic energy.
         kinetic_energy: kinematics.energy_with_form(model, &velocities, &model.u(), &matrix),
         matrix,
         forcing,
@@ -62,7 +62,8 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     })
 }
 
-/// F_r = Σ_P (∂v_P/∂u_r)·R_P + Σ_B (∂ω_B/∂u_r)·T_B, weights among the forces; reactions do not contribute.
+/// Generalized active forces F_r = Σ_P (∂v_P/∂u_r)·R_P + Σ_B (∂ω_B/∂u_r)·T_B. Weights are forces; reactions do not
+/// contribute.
 ///
 /// Entry r has the unit of power over u_r.
 pub(in crate::mechanics) fn generalized_active_forces(
@@ -74,7 +75,7 @@ pub(in crate::mechanics) fn generalized_active_forces(
     forces.into_iter().map(|e| kinematics.simplifier.simplify(&mut kinematics.arena, e)).collect()
 }
 
-/// The generalized active forces before they are simplified.
+/// Generalized active forces F_r before they are simplified, one for each speed.
 fn active_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Expr> {
     let mut to_speeds = rates_to_speeds(model);
     if kinematics.frames.carries {
@@ -95,12 +96,12 @@ fn active_forces(model: &Model, kinematics: &mut Kinematics, velocities: &Veloci
     forces.iter().map(|dots| dots.sum(&mut kinematics.arena, &mut kinematics.frames)).collect()
 }
 
-/// The generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt] as −(matrix · u̇ + rest).
+/// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt] as −(matrix · u̇ + rest).
 ///
-/// u̇_s enters a_C with ∂v_C/∂u_s and dH/dt with ∂H/∂u_s = I·∂ω/∂u_s, and the rest is what is left for u̇ = 0; so
-/// nothing has to be read out of a long expression.
+/// u̇_s enters a_C with ∂v_C/∂u_s and dH/dt with ∂H/∂u_s = I·∂ω/∂u_s; `rest` is the value for u̇ = 0. So no coefficient
+/// has to be read from a long expression.
 struct Inertia {
-    /// Symmetric.
+    /// Symmetric mass matrix, one row for each speed.
     matrix: Vec<Vec<Expr>>,
     rest: Vec<Expr>,
 }
@@ -140,7 +141,7 @@ impl Inertia {
     }
 }
 
-/// F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt], linear in u̇.
+/// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt], linear in u̇.
 pub(in crate::mechanics) fn generalized_inertia_forces(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -158,10 +159,10 @@ pub(in crate::mechanics) fn generalized_inertia_forces(
     forces
 }
 
-/// Velocities, partial velocities and generalized active forces, to be shown.
+/// Velocities, partial velocities and generalized active forces: the steps of Kane's method, for display.
 ///
 /// # Errors
-/// None.
+/// Never fails.
 #[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
 pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);
@@ -181,11 +182,11 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
     Ok(steps)
 }
 
-/// Pairs of a body and a speed above which partial velocities are not listed: a person reads none of them, and the
-/// equations are derived without.
+/// Pairs of a body and a speed above which partial velocities are not listed, because nobody would read them. The
+/// equations are derived without the list.
 const MOST_PAIRS: usize = 1000;
 
-/// The components of a velocity, then its partial velocities that are not zero, of models that are not too large.
+/// Components of a velocity, then its partial velocities that are not zero. A large model lists no partial velocities.
 fn velocity_step(
     model: &Model,
     kinematics: &mut Kinematics,

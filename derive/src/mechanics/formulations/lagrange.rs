@@ -11,10 +11,10 @@ use crate::mechanics::quantity::{Energy, QuantityKind};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
 use crate::model::Model;
 
-/// E(q) q̈ = A(q, q̇), with a multiplier for each motion constraint among the unknowns.
+/// Derives Lagrange's equations E(q) q̈ = A(q, q̇), with a multiplier for each motion constraint among the unknowns.
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`]; a coordinate that moves no mass is found by the rank of the matrix.
+/// [`DeriveError::NoZeroOfPotential`]. The rank of the matrix finds a coordinate that moves no mass.
 pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_rates.clone();
     if kinematics.frames.carries {
@@ -32,7 +32,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     for (sum, force) in sums.iter_mut().zip(q_forces) {
         sum.push((force, Rational::ONE));
     }
-    // −∂V/∂q.
+    // Adds −∂V/∂q.
     for (i, slope) in Gradient::new(&model.q()).apply(arena, v).iter() {
         sums[*i].push((*slope, Rational::MINUS_ONE));
     }
@@ -50,7 +50,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     Ok(kinematics.with_multipliers(model, rows))
 }
 
-/// E and A of a model whose terms are named.
+/// Matrix E and forcing A of a model whose terms are named.
 fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Result<Rows, DeriveError> {
     let v = kinematics.gravity_potential(model)?;
     let (matrix, forcing, required) = kinematics.lagrange_system(model, velocities, v);
@@ -71,11 +71,13 @@ fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
     })
 }
 
-/// ∂T/∂q_i − (d/dt ∂T/∂q̇_i without its terms in q̈), row by row, as terms to be added up.
+/// Velocity terms ∂T/∂q_i − (d/dt ∂T/∂q̇_i without its terms in q̈), row by row, as terms to be added up.
 ///
-/// With T = ½ Σ E_ab q̇_a q̇_b the row i reads  ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each slope of each
-/// entry above the diagonal is taken once and put where it belongs: an entry depends on few coordinates, so that the
-/// work grows with the number of entries.
+/// With T = ½ Σ E_ab q̇_a q̇_b, row i reads  ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each slope of each
+/// entry
+/// above the diagonal is computed once and added to its rows. An entry depends on few coordinates, so the work grows
+/// with
+/// the number of entries.
 fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]) -> Vec<Vec<(Expr, Rational)>> {
     let arena = &mut kinematics.arena;
     let rates = model.q_dot();
@@ -100,7 +102,7 @@ fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]
     rows
 }
 
-/// The energies and generalized forces, to be shown.
+/// Energies and generalized forces: the steps of Lagrange's method, for display.
 ///
 /// # Errors
 /// [`DeriveError::NoZeroOfPotential`].

@@ -1,4 +1,4 @@
-//! Each formulation in a file of its own; they share nothing but [`super::motion`].
+//! Formulations, each in a file of its own. They share only [`super::motion`].
 
 pub(super) mod formulation;
 pub(super) mod kane;

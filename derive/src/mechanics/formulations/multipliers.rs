@@ -1,6 +1,6 @@
-//! Motion constraints among Lagrange's equations: a multiplier λ for each, and its time derivative as a row.
+//! Motion constraints in Lagrange's equations: each has a multiplier λ, and its time derivative is a row.
 //!
-//! E q̈ − Aᵀ λ = f and A q̈ = −(dA/dt q̇ + da/dt), for the constraints A q̇ + a = 0. The kinetic energy is that without
+//! E q̈ − Aᵀ λ = f and A q̈ = −(dA/dt q̇ + da/dt), for the constraints A q̇ + a = 0. The kinetic energy ignores the
 //! constraints: a constraint put into T before it is differentiated would lose the forces that enforce it.
 //!
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §2.4.
@@ -42,13 +42,13 @@ impl Kinematics {
             .map(|s| embedding.matrix.iter().map(|row| row[s]).chain((0..m).map(|_| Expr::ZERO)).collect())
             .collect();
         result.embedding = Some(embedding);
-        // What must act along q̇ includes the forces of the constraints, and Gauss's form holds without them.
+        // The forces required along q̇ include the forces of the constraints, and Gauss's function ignores constraints.
         result.required = None;
         result.gauss = None;
         result
     }
 
-    /// q̈ = W u̇ + x, from q̇ = W u + w.
+    /// Embedding of the free accelerations u̇: q̈ = W u̇ + x, from q̇ = W u + w.
     fn embedding(&mut self, model: &Model) -> Embedding {
         let rates = &model.kinematic_equations.rates;
         let flow: Vec<_> = model.q().into_iter().zip(rates.iter().copied()).collect();

@@ -1,4 +1,4 @@
-//! Newton's and Euler's equations of each body, the reactions among the unknowns.
+//! Newton's and Euler's equations of each body, with the reactions among the unknowns.
 //!
 //! Forces: m a_C = ΣF. Moments about the mass centre: dH/dt = ΣM. Components are taken in the frame
 //! of the body's inertia, for particles in the inertial frame; components that read 0 = 0 are left out.
@@ -15,7 +15,7 @@ use crate::mechanics::quantity::VectorName;
 use crate::mechanics::rows::{BalanceName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
 use crate::model::{Body, Model, Place, Reaction, ReactionKind};
 
-/// A(q, u) (u̇, reactions) = b(q, u).
+/// Derives the Newton–Euler equations A(q, u) (u̇, reactions) = b(q, u).
 ///
 /// # Errors
 /// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies feel;
@@ -84,16 +84,16 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     })
 }
 
-/// Conditions that shared reactions do no work together.
+/// Conditions that the shared reactions together do no work.
 struct SharedPowers {
-    /// Power of the shared reactions along a speed, as a row of the unknowns; none for speeds whose power follows from
-    /// that along others.
+    /// Power of the shared reactions along a speed, as a row over the unknowns, with the index of the speed. A speed is
+    /// left out if its power depends on the power along other speeds.
     rows: Vec<(usize, Vec<Expr>)>,
-    /// For each speed, the multiples of these rows that cancel its power.
+    /// For each speed, the multiples of `rows` that cancel the power along the speed.
     projection: Vec<Vec<Expr>>,
 }
 
-/// Σ R (direction · ∂v/∂u_s) = 0 over the reactions that are shared, v being the velocity that each works on.
+/// Conditions Σ R (direction · ∂v/∂u_s) = 0 over the shared reactions; v is the velocity that a reaction works on.
 fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
     let (speeds, first) = (model.speeds.len(), model.speeds.len());
     let shared: Vec<usize> = (0..model.reactions.len()).filter(|at| model.reactions[*at].is_shared).collect();
@@ -121,7 +121,8 @@ fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPow
         (speed, row)
     };
     let rows = chosen.iter().map(|speed| row(*speed)).collect();
-    // Those of other speeds follow: by which multiples is told by columns in which the rows are independent.
+    // The rows of other speeds are multiples of these. Columns in which the chosen rows are independent give the
+    // factors.
     let matrix: Vec<Vec<Expr>> =
         pivots.iter().map(|column| chosen.iter().map(|speed| slopes[*speed][*column]).collect()).collect();
     let right: Vec<Vec<Expr>> =
@@ -131,7 +132,7 @@ fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPow
     Ok(SharedPowers { rows, projection })
 }
 
-/// The components that are not 0 = 0, body by body.
+/// Names of the components that are not 0 = 0, body by body.
 fn felt(model: &Model, rows: &[Balance]) -> Vec<String> {
     let mut list: Vec<(String, Vec<String>)> = Vec::new();
     for Balance { name, .. } in rows {
@@ -148,14 +149,14 @@ fn felt(model: &Model, rows: &[Balance]) -> Vec<String> {
 /// One component of Newton's or Euler's equation of one body.
 #[derive(Clone, Debug)]
 pub struct Balance {
-    /// Body, frame and axis of the component, and whether it is of forces or moments.
+    /// Body, frame and axis of the component, and its kind, force or moment.
     pub name: BalanceName,
-    /// m a − ΣF or dH/dt − ΣM, in q, u, u̇ and reactions.
+    /// Residual m a − ΣF or dH/dt − ΣM, in q, u, u̇ and the reactions.
     pub residual: Expr,
 }
 
-/// Newton's and Euler's equations of every body, component by component, in `frame` or each in the frame of
-/// its body's inertia.
+/// Newton's and Euler's equations of every body, component by component, in `frame`. `None` takes the frame of each
+/// body's inertia.
 pub fn balances(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -184,8 +185,8 @@ pub fn balances(
     list
 }
 
-/// For each motion variable the partial velocities that belong to the rows: of the mass centre for
-/// forces, of the body's frame for moments. As multipliers of the rows they cancel every reaction.
+/// Partial velocities of the rows, one list for each motion variable: of the mass centre for forces, of the body's
+/// frame for moments. As multipliers of the rows they cancel every reaction.
 pub fn partial_velocities(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -217,7 +218,7 @@ pub fn partial_velocities(
     result
 }
 
-/// m a, less the weight, and dH/dt.
+/// Momentum rates of a body: m a less the weight, and dH/dt.
 fn momentum_rates(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -238,7 +239,7 @@ fn momentum_rates(
     (force, moment)
 }
 
-/// m a − ΣF and, for a rigid body, dH/dt − ΣM, from m a less the weight, and dH/dt.
+/// Residuals m a − ΣF and, for a rigid body, dH/dt − ΣM, from m a less the weight, and dH/dt.
 fn balance(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -260,7 +261,7 @@ fn balance(
     (force, body.rigid.is_some().then_some(moment))
 }
 
-/// Applied forces and these reactions on one body, with their points; weights are not among them.
+/// Applied forces and the given reactions on one body, each with its point. Weights are not included.
 pub(in crate::mechanics) fn forces_on(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -284,7 +285,7 @@ pub(in crate::mechanics) fn forces_on(
     loads.into_iter().filter(|(place, _)| place.body == body).map(|(place, v)| (place.point, v)).collect()
 }
 
-/// Applied torques and these of reactions on one body.
+/// Applied torques and the torques of the given reactions on one body.
 pub(in crate::mechanics) fn torques_on(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -308,7 +309,7 @@ pub(in crate::mechanics) fn torques_on(
     loads.into_iter().filter(|(on, _)| *on == Some(body)).map(|(_, v)| v).collect()
 }
 
-/// Forces and torques of potentials and of these reactions, with their places.
+/// Forces and torques of potentials and of the given reactions, each with its place.
 fn exerted(model: &Model, arena: &mut Arena, reactions: &[Reaction]) -> Vec<(ReactionKind, Vector)> {
     let efforts = model.efforts.iter().map(|effort| (effort.kind, Vector::in_frame(effort.frame, effort.vector)));
     let mut list: Vec<_> = efforts.collect();
@@ -319,10 +320,10 @@ fn exerted(model: &Model, arena: &mut Arena, reactions: &[Reaction]) -> Vec<(Rea
     list
 }
 
-/// Accelerations, to be shown.
+/// Accelerations of the bodies: the steps of the Newton–Euler method, for display.
 ///
 /// # Errors
-/// None.
+/// Never fails.
 #[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
 pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);
@@ -341,7 +342,7 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
     Ok(steps)
 }
 
-/// The time derivative of a vector in the inertial frame, in components along a frame.
+/// Time derivative of a vector in the inertial frame, in components along a frame.
 fn rate(
     model: &Model,
     kinematics: &mut Kinematics,

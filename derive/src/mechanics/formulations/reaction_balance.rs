@@ -1,4 +1,4 @@
-//! Balance of a body along each reaction: it gives the reaction without a division by terms that may vanish.
+//! Balance of a body along each reaction, which gives the reaction without a division by terms that may vanish.
 
 use crate::algebra::Expr;
 use crate::geometry::Vector;
@@ -7,7 +7,7 @@ use crate::mechanics::rows::{BalanceName, RowName};
 use crate::model::{Model, ReactionKind};
 
 /// For each reaction, the multipliers of `rows` that give the balance of its body along the reaction. They are the
-/// components of the direction, so that the coefficient of the reaction itself is the square of its direction, 1.
+/// components of its unit direction, so the coefficient of the reaction is 1.
 pub fn along_reactions(model: &Model, kinematics: &mut Kinematics, rows: &[RowName]) -> Vec<Vec<Expr>> {
     let mut result = Vec::new();
     for reaction in &model.reactions {

@@ -1,9 +1,10 @@
-//! The equations of models whose closed form would be too long: every vector is carried along the tree, growing terms
-//! get names, and sums over bodies are taken backwards through the names.
+//! Equations of models whose closed form would be too long. Every vector is carried along the tree, growing terms get
+//! names, and sums over bodies are differentiated backwards through the names.
 //!
-//! The three formulations stay distinct. Kane's adds up weights, loads and inertia forces along partial velocities that
-//! are never written (backward sums of forces); Lagrange's differentiates the energies, backwards through their steps
-//! and then in time; Newton's and Euler's are stated body by body, as for every other model. They share the kinematics.
+//! The three formulations stay distinct. Kane's method adds up weights, loads and inertia forces along partial
+//! velocities that are never written (backward sums of forces). Lagrange's method differentiates the energies,
+//! backwards through their steps and then in time. Newton's and Euler's equations are stated body by body, as for every
+//! other model. The formulations share only the kinematics.
 //!
 //! Luh, Walker & Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76; R. Featherstone, *Rigid Body Dynamics
 //! Algorithms* (2008), §§ 5.3, 6.2.
@@ -21,7 +22,7 @@ use crate::mechanics::motion::kinematics::{
 use crate::mechanics::motion::loads::Load;
 use crate::model::{Body, Model};
 
-/// The letters of a force along a velocity, and of the momentum along it, before the velocity's name.
+/// Letters before the name of a velocity: for a force along the velocity, and for the momentum along the velocity.
 const FORCE: &str = "F";
 const MOMENTUM: &str = "p";
 
@@ -29,7 +30,7 @@ const MOMENTUM: &str = "p";
 pub(in crate::mechanics) type Pair = (Expr, Expr);
 
 impl Kinematics {
-    /// ω and H of a rigid body, in the frame of its inertia; nothing for a particle.
+    /// Angular velocity ω and angular momentum H of a rigid body, in the frame of its inertia; `None` for a particle.
     fn spin(&mut self, body: &Body, velocities: &Velocities) -> Option<(Components, Components)> {
         let (own, inertia) = body.rigid.as_ref()?;
         let called = ("w", self.frames.name(*own));
@@ -38,7 +39,8 @@ impl Kinematics {
         Some((omega, crate::mechanics::motion::carry::named(&mut self.arena, momentum, &format!("H_{}", body.name))))
     }
 
-    /// dH/dt of a rigid body in the frame of its inertia: I ω' + ω_F × H, with ω' in that frame.
+    /// Rate dH/dt of a rigid body, in the frame F of its inertia: I ω' + ω_F × H, where ω' differentiates components in
+    /// F. `None` for a particle.
     fn momentum_rate(
         &mut self,
         body: &Body,
@@ -51,7 +53,7 @@ impl Kinematics {
         Some(std::array::from_fn(|i| self.arena.add(rate[i], gyroscopic[i])))
     }
 
-    /// ω' of a rigid body, of its components in the frame F of its inertia, and ω_F × H.
+    /// Rate ω' of the components of a rigid body's ω in the frame F of its inertia, and ω_F × H. `None` for a particle.
     fn turning_within(
         &mut self,
         body: &Body,
@@ -69,13 +71,13 @@ impl Kinematics {
             self.frames.carry(&mut self.arena, &velocities.angular[inertia.frame], inertia.frame, called)
         };
         let arena = &mut self.arena;
-        // The rate of the components is α less what the frame's own turning makes of ω.
+        // The rate of the components is α less ω_F × ω.
         let turning = cross_components(arena, &of_frame, &omega);
         let within = std::array::from_fn(|i| arena.sub(alpha[i], turning[i]));
         Some((within, cross_components(arena, &of_frame, &momentum)))
     }
 
-    /// Velocities and momenta of all bodies, component by component: T = ½ Σ velocity · momentum.
+    /// Components of the velocities of all bodies with the momenta along them: T = ½ Σ velocity · momentum.
     pub(in crate::mechanics) fn momentum_pairs(&mut self, model: &Model, velocities: &Velocities) -> Vec<Pair> {
         let mut pairs = Vec::new();
         for body in &model.bodies {
@@ -90,7 +92,8 @@ impl Kinematics {
         pairs
     }
 
-    /// Velocities and the inertia forces and weights along them, for u̇ = 0.
+    /// Components of the velocities of all bodies with the inertia forces and weights along them. The inertia forces
+    /// use the given accelerations.
     fn inertia_pairs(&mut self, model: &Model, velocities: &Velocities, accelerations: &Accelerations) -> Vec<Pair> {
         let mut pairs = Vec::new();
         for body in &model.bodies {
@@ -112,7 +115,8 @@ impl Kinematics {
         pairs
     }
 
-    /// Velocities and the loads along them, a velocity named in a load put in as `put` has it.
+    /// Components of the velocities on which loads work, with the loads along them. `put` replaces the velocities that
+    /// a load names.
     pub(in crate::mechanics) fn load_pairs<'a>(
         &mut self,
         loads: impl IntoIterator<Item = &'a Load>,
@@ -129,7 +133,7 @@ impl Kinematics {
         pairs
     }
 
-    /// The rates of a point's components in the frame in which it is placed.
+    /// Rates of a point's components in the frame in which the point is placed; zero for the origin.
     pub(in crate::mechanics) fn rates_within(
         &mut self,
         model: &Model,
@@ -142,7 +146,7 @@ impl Kinematics {
         components.map(|e| rates.apply(&mut self.arena, e))
     }
 
-    /// The generalized forces of loads along these motion variables.
+    /// Generalized forces of loads along the given motion variables.
     pub(in crate::mechanics) fn forces_along<'a>(
         &mut self,
         loads: impl IntoIterator<Item = &'a Load>,
@@ -153,7 +157,7 @@ impl Kinematics {
         transposed_product(&mut self.arena, &pairs, variables, FORCE)
     }
 
-    /// ∂²T/∂x_i∂x_j.
+    /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy for the given variables x, from the momenta of the bodies.
     pub(in crate::mechanics) fn form_of_momenta(
         &mut self,
         model: &Model,
@@ -165,7 +169,8 @@ impl Kinematics {
         symmetric_slopes(&mut self.arena, &momenta, variables)
     }
 
-    /// −g · Σ m p: moments of mass are added up before they are carried to where gravity is stated.
+    /// Potential energy −g · Σ m p of gravity. The first moments m p are added up before they are carried to the frame
+    /// of g.
     pub(in crate::mechanics) fn carried_potential(&mut self, model: &Model, g: &Vector) -> Result<Expr, DeriveError> {
         let mut moment = Vector::default();
         for body in &model.bodies {
@@ -182,7 +187,7 @@ impl Kinematics {
         self.zeroed(model, energy)
     }
 
-    /// ½ Σ velocity · momentum.
+    /// Kinetic energy ½ Σ velocity · momentum, from pairs of components.
     pub(in crate::mechanics) fn energy_of_pairs(&mut self, pairs: &[Pair]) -> Expr {
         let arena = &mut self.arena;
         let half = Rational::fraction(1, 2).expect("not zero");
@@ -190,8 +195,8 @@ impl Kinematics {
         arena.linear_combination(&terms)
     }
 
-    /// Kane's equations M u̇ = f from the partial velocities, of which none is written: (M, f), with these loads and
-    /// the acceleration of free fall.
+    /// Kane's equations M u̇ = f as (M, f), with the given loads and the acceleration of free fall. No partial velocity
+    /// is written.
     pub(in crate::mechanics) fn projected(
         &mut self,
         model: &Model,
@@ -208,7 +213,7 @@ impl Kinematics {
         (matrix, forcing)
     }
 
-    /// F_r + F*_r: the force along each speed, inertia forces among them, where the motion has these rates.
+    /// Sum F_r + F*_r of the active and inertia forces along each speed, for a motion with the given rates.
     pub(in crate::mechanics) fn forces_of_motion(
         &mut self,
         model: &Model,
@@ -223,7 +228,7 @@ impl Kinematics {
         transposed_product(&mut self.arena, &pairs, &model.u(), FORCE)
     }
 
-    /// m a, less the weight, and dH/dt.
+    /// Momentum rates of a body from given accelerations: m a less the weight, and dH/dt.
     pub(in crate::mechanics) fn carried_rates(
         &mut self,
         model: &Model,
@@ -264,12 +269,12 @@ impl Kinematics {
         Sum { blocks, linear }
     }
 
-    /// The acceleration of free fall.
+    /// Acceleration of free fall; zero without gravity.
     pub(in crate::mechanics) fn fall(model: &Model) -> Vector {
         model.gravity.as_ref().map(|g| Vector::in_frame(g.frame, g.acceleration)).unwrap_or_default()
     }
 
-    /// Lagrange's equations E q̈ = A from the energies: (E, A, E q̈ − A), with what loads beside gravity give left out.
+    /// Lagrange's equations E q̈ = A from the energies, as (E, A, E q̈ − A). Loads other than gravity are not included.
     pub(in crate::mechanics) fn lagrange_system(
         &mut self,
         model: &Model,
@@ -278,7 +283,7 @@ impl Kinematics {
     ) -> (Vec<Vec<Expr>>, Vec<Expr>, Vec<Expr>) {
         let n = model.coordinates.len();
         let variables = [model.q(), model.q_dot()].concat();
-        // T = ½ Σ v · p with p linear in v: its slopes are those of v, weighted by p.
+        // T = ½ Σ v · p with p linear in v, so the slopes of T are those of v, weighted by p.
         let pairs = self.momentum_pairs(model, velocities);
         let slopes = transposed_product(&mut self.arena, &pairs, &variables, MOMENTUM);
         let (along_q, momenta) = slopes.split_at(n);
@@ -304,7 +309,7 @@ impl Kinematics {
     }
 }
 
-/// ∂p_i/∂x_j, symmetric by meaning: the upper triangle, mirrored.
+/// Matrix ∂p_i/∂x_j of momenta, which is symmetric: the upper triangle is derived and mirrored.
 fn symmetric_slopes(arena: &mut Arena, momenta: &[Expr], variables: &[Expr]) -> Vec<Vec<Expr>> {
     let n = variables.len();
     let mut gradient = Gradient::new(variables);

@@ -1,28 +1,28 @@
-//! Anchors of bodies: for each body, the point and the axes, fixed in it, to which its inertial parameters refer.
+//! Anchors of bodies: for each body, the body-fixed point and axes to which its inertial parameters refer.
 //!
-//! The base parameters of textbooks refer to a point on the axis of the joint that carries a body, and to axes of which
-//! one lies along the joint (W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), §§ 3.2,
-//! 9.4). So an anchor is the point and the frame nearest to the ground that are still fixed in the body.
+//! The base parameters of textbooks refer to a point on the axis of the joint that carries a body. One of their axes
+//! lies along the joint (W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), §§ 3.2, 9.4).
+//! So an anchor is the point and the frame nearest to the ground that are still fixed in the body.
 
 use super::inertial::Inertial;
 use crate::algebra::Expr;
 use crate::geometry::Turn;
 use crate::model::Model;
 
-/// A point and a frame, both fixed in a body.
+/// Body-fixed point and frame to which the inertial parameters of a body refer.
 #[derive(Clone, Debug)]
 pub struct Anchor {
-    /// The body, by its place.
+    /// Index of the body in the model.
     pub body: usize,
-    /// The point.
+    /// Index of the point in the model.
     pub point: usize,
-    /// The frame of the axes.
+    /// Index of the frame of the axes in the model.
     pub frame: usize,
-    /// The axis of the joint that turns the frame, 0 to 2; 2 if there is no joint.
+    /// Axis of the joint that turns the frame, 0 to 2; 2 if there is no joint.
     pub axis: usize,
-    /// The frame that turns with the body; `None` for a particle.
+    /// Index of the frame that turns with the body; `None` for a particle.
     pub(in crate::mechanics) turns: Option<usize>,
-    /// The coordinates of the model.
+    /// Symbols of the model's coordinates.
     pub(in crate::mechanics) moved: Vec<Expr>,
 }
 
@@ -50,9 +50,9 @@ impl Anchor {
         Self { body, point, frame, axis, turns: Some(*own), moved }
     }
 
-    /// The inertial parameters of the body, in the order in which they are kept where several act as one. First those
-    /// of the ten that the joint's axis leaves, then the moment along it, an inertia beside it, and the mass, as Khalil
-    /// and Dombre group them.
+    /// Inertial parameters of the body, in the order of preference in which base parameters keep them. First come those
+    /// that remain of the ten beyond a revolute joint, grouped as by Khalil and Dombre. The moment along the axis, one
+    /// inertia and the mass follow.
     pub(in crate::mechanics) fn parameters(&self) -> Vec<Inertial> {
         if self.turns.is_none() {
             return vec![Inertial::Mass];
@@ -74,13 +74,13 @@ impl Anchor {
     }
 }
 
-/// True if these terms contain no coordinate.
+/// True if the terms contain no coordinate.
 fn is_fixed(model: &Model, moved: &[Expr], terms: &[Expr]) -> bool {
     let reached = model.arena.reachable(terms);
     !reached.iter().any(|part| moved.contains(part))
 }
 
-/// The frame nearest to the ground in which a frame is fixed.
+/// Frame nearest to the ground in which the given frame is fixed.
 fn outermost(model: &Model, moved: &[Expr], mut frame: usize) -> usize {
     while let Some((before, turn)) = &model.frames[frame].rotation {
         if !is_fixed(model, moved, &[turn.terms(), turn.quantities()].concat()) {

@@ -1,4 +1,4 @@
-//! Accelerations carried along the tree, for models whose terms are named.
+//! Accelerations that are carried along the tree, for models whose terms are named.
 
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::Differential;
@@ -6,14 +6,15 @@ use crate::algebra::{Expr, Rational};
 use crate::geometry::{Components, Vector, apply_tensor, cross_components};
 use crate::model::Model;
 
-/// Accelerations of all frames and points; those of points less that of free fall.
+/// Accelerations of all frames and points. Those of points are less the acceleration of free fall.
 pub(in crate::mechanics) struct Accelerations {
     pub angular: Vec<Vector>,
     pub linear: Vec<Vector>,
 }
 
 impl Kinematics {
-    /// The accelerations along a motion: α of each frame, and a − g of each point, for a weight is an inertia force.
+    /// Accelerations along a motion: α of each frame, and a − g of each point, because a weight counts as an inertia
+    /// force.
     pub(in crate::mechanics) fn accelerations(
         &mut self,
         model: &Model,
@@ -64,7 +65,7 @@ impl Kinematics {
             };
             let alpha =
                 self.frames.carry(&mut self.arena, &angular[frame], frame, ("alpha", &model.frames[frame].name));
-            // What is given is put together with the squares of ω; what is to be found stays by itself.
+            // With `split`, only the squares of ω enter the named matrix, and the unknown α stays separate.
             let (given, sought) = if split { ([Expr::ZERO; 3], alpha) } else { (alpha, [Expr::ZERO; 3]) };
             let turn = *turns[frame].get_or_insert_with(|| self.turn_of_rates(model, frame, &given, &spins[frame]));
             let arena = &mut self.arena;
@@ -87,7 +88,7 @@ impl Kinematics {
         linear
     }
 
-    /// α× + ω×ω×, by which the acceleration of what is fixed in a frame grows with its place.
+    /// Matrix α× + ω×ω× of a frame: times the place of a fixed point, it gives the point's acceleration.
     fn turn_of_rates(
         &mut self,
         model: &Model,

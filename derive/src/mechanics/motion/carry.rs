@@ -1,10 +1,10 @@
-//! Vectors carried from frame to frame, one turn at a time, each component by a name.
+//! Vectors that are carried from frame to frame, one turn at a time, with a name for each component.
 //!
-//! Rotations over many frames that are multiplied out grow with every frame between two bodies. A vector that is
-//! carried instead is turned once per frame and takes up the vectors that it meets. The angular velocity of a frame is
-//! that of its parent, turned once, and its own. So velocities become recursions along the tree without being written
-//! as such (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line computational scheme for mechanical manipulators",
-//! ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76). [`is_large`] alone decides which models are derived so.
+//! Products of rotations grow with every frame between two bodies. A carried vector is turned once per frame and takes
+//! up the vectors that it meets. The angular velocity of a frame is that of its parent, turned once, plus its own. So
+//! velocities become recursions along the tree without being written as such (J. Y. S. Luh, M. W. Walker & R. P. C.
+//! Paul, "On-line computational scheme for mechanical manipulators", ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76).
+//! [`is_large`] alone decides which models are derived with carried vectors.
 
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Turn, Vector};
@@ -12,26 +12,26 @@ use crate::model::Model;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Terms of the closed form of a mass matrix, about, above which growing terms get names.
+/// Approximate number of terms in the closed form of a mass matrix above which growing terms get names.
 const MOST_TERMS: usize = 50;
 
 /// True if the closed form of the equations of a model would be too long to be read or computed with.
 ///
-/// The count is of products of two parts of velocities, with the speeds that each depends on and the terms of the
-/// rotation between them: a mass matrix multiplied out consists of these. It depends on the model's tree alone, so that
-/// it is the same for every formulation and on every machine.
+/// The test counts products of two parts of velocities, with the speeds that each part depends on and the terms of the
+/// rotation between the parts. A mass matrix multiplied out consists of such products. The count depends only on the
+/// model's tree, so it is the same for every formulation and on every machine.
 #[must_use]
 pub fn is_large(model: &Model) -> bool {
     has_more_closed_terms(model, MOST_TERMS)
 }
 
-/// Terms of the closed form up to which a scene's reduced equations are made, which are written out.
+/// Most terms of the closed form of a model whose scenes get reduced equations, which are written out.
 const MOST_REDUCED: usize = 400;
 
-/// True if the reduced equations of a scene may be made from the equations of this model. In reduced equations, which
-/// are written out, a momentum stands for a speed and unneeded variables are left out. Larger models run by whole
-/// equations. So do models with loops, of which nothing can be left out if they are to stay closed, and models whose
-/// rates have names.
+/// True if the reduced equations of a scene may be made from the equations of this model. Reduced equations are written
+/// out, replace speeds by momenta and leave out unneeded variables. Larger models run by whole equations. So do models
+/// with loops, because no variable can be left out if the loops are to stay closed. So do models whose rates have
+/// names.
 #[must_use]
 pub fn is_reducible(model: &Model) -> bool {
     let rates = model.arena.reachable(&model.kinematic_equations.rates);
@@ -39,8 +39,8 @@ pub fn is_reducible(model: &Model) -> bool {
     !has_more_closed_terms(model, MOST_REDUCED) && model.loops.is_empty() && !has_names
 }
 
-/// True if the closed form of the mass matrix has more terms than `most`, about. The count stops there, since a chain
-/// of hundreds of bodies has a hundred thousand pairs of parts with hundreds of turns between them.
+/// True if the closed form of the mass matrix has more than about `most` terms. The count stops at `most`: a chain of
+/// hundreds of bodies has a hundred thousand pairs of parts with hundreds of turns between them.
 fn has_more_closed_terms(model: &Model, most: usize) -> bool {
     let frames = Frames::new(&model.frames);
     let (q, arena) = (model.q(), &model.arena);
@@ -48,8 +48,8 @@ fn has_more_closed_terms(model: &Model, most: usize) -> bool {
     // Number of turns above a frame that depend on q, and so about the number of speeds.
     let moved = |frame: &usize| frames.turned_into(*frame).is_some_and(moves);
     let depth = |frame: usize| frames.ancestors(frame).into_iter().filter(moved).count();
-    // A turn that only exchanges axes, such as the frame of a joint along the first or second axis, makes nothing
-    // longer.
+    // A turn that only exchanges axes, such as the frame of a joint along the first or second axis, does not lengthen
+    // the closed form.
     let counts = |turn: &Turn| moves(turn) || !turn.is_exchange();
     let terms = |a: usize, b: usize| {
         let speeds = depth(a).max(1).saturating_mul(depth(b).max(1));
@@ -78,8 +78,8 @@ fn has_more_closed_terms(model: &Model, most: usize) -> bool {
 }
 
 impl Frames {
-    /// The frame in which a vector of parts in these frames is short: the deepest of them if the others lie above it,
-    /// else the one where their paths meet.
+    /// Frame in which vectors have short components: the deepest frame of their parts if all others lie above it, else
+    /// the frame where the paths to the ground meet.
     #[must_use]
     pub fn home<'a>(&self, vectors: impl IntoIterator<Item = &'a Vector>) -> usize {
         let frames: BTreeSet<usize> =
@@ -96,15 +96,15 @@ impl Frames {
         meeting[0]
     }
 
-    /// Carries all parts of a vector into one frame: the farthest first, which takes up the parts that it meets.
-    /// Components are named after its letter and its owner, `w_B_1`, and on the way after the frame that they come
-    /// from, `w_A_in_B_1`.
+    /// Carries all parts of a vector into one frame, the farthest part first, and returns the components there. A part
+    /// on its way takes up the parts that it meets. Components are named after the letter and the owner, `w_B_1`; on
+    /// the way they are named after the frame that they come from, `w_A_in_B_1`.
     pub fn carry(&self, arena: &mut Arena, v: &Vector, frame: usize, (letter, of): (&str, &str)) -> Components {
         let path = self.ancestors(frame);
         let what = &format!("{letter}_{of}");
         let mut parts: BTreeMap<usize, Components> = v.parts.iter().copied().collect();
         let place: FxHashMap<usize, usize> = path.iter().enumerate().map(|(at, frame)| (*frame, at)).collect();
-        // Up to the path, then down it.
+        // Steps up to the path, then down the path.
         let distance = |mut from: usize| {
             let mut steps = 0;
             loop {
@@ -117,14 +117,14 @@ impl Frames {
         };
         let way_from: FxHashMap<usize, usize> = parts.keys().map(|from| (*from, distance(*from))).collect();
         let distance = |from: usize| way_from.get(&from).copied().unwrap_or_else(|| distance(from));
-        // Of those as far, the first declared goes first, so that sums over bodies share their beginnings.
+        // Among parts equally far, the first declared goes first, so that sums over bodies share their beginnings.
         let farthest = |parts: &BTreeMap<usize, Components>| {
             let elsewhere = parts.keys().copied().filter(|from| *from != frame);
             elsewhere.max_by_key(|from| (distance(*from), std::cmp::Reverse(*from)))
         };
         while let Some(from) = farthest(&parts) {
             let Some(components) = parts.remove(&from) else { break };
-            // Down towards the frame if it lies below, else up.
+            // Down towards the target frame if it lies below, else up.
             let (next, way) = match (place.get(&from), self.parent(from)) {
                 (None, Some(parent)) => (parent, self.turned_into(from).map(|turn| (turn, true))),
                 (at, _) => {
@@ -149,7 +149,7 @@ impl Frames {
     }
 }
 
-/// Names the components after their owner.
+/// Names three components after their owner: `w_B_1`, `w_B_2`, `w_B_3`.
 pub fn named(arena: &mut Arena, components: Components, what: &str) -> Components {
     let mut at = 0;
     components.map(|e| {
@@ -158,7 +158,7 @@ pub fn named(arena: &mut Arena, components: Components, what: &str) -> Component
     })
 }
 
-/// Components in a frame that is turned, each by a name; `back` turns the other way.
+/// Components of a vector in a turned frame, each with a name. `back` turns the other way.
 pub fn turned(arena: &mut Arena, turn: &Turn, back: bool, v: &Components, what: &str) -> Components {
     let result = turn.apply(arena, v, back);
     named(arena, result, what)

@@ -1,4 +1,5 @@
-//! The mass matrix of a tree of bodies from its composite bodies: everything beyond a joint, taken as one body.
+//! Mass matrix of a tree of bodies by composite bodies. A composite body is everything beyond a joint, taken as one
+//! body.
 //!
 //! The tree has an edge for each turn from a frame to the next and for each shift from a point to the next in one
 //! frame. A composite body is its mass m, its first moment s and its inertia J about the point of its node, all in the
@@ -16,24 +17,24 @@ use crate::model::{Body, Model};
 
 const NOTHING: Components = [Expr::ZERO; 3];
 
-/// From the node before: the frame turns, or the point shifts by components in the same frame.
+/// Step from a node's parent to the node: the frame turns, or the point shifts by components in the same frame.
 #[derive(Clone, PartialEq, Eq)]
 enum Edge {
     Turn(Turn),
     Shift { by: Components },
 }
 
-/// A frame with a point, and all bodies beyond.
+/// Node of the tree: a frame with a point, and the composite of all bodies beyond.
 struct Node {
     parent: usize,
     edge: Edge,
     frame: usize,
-    /// The rates of the edge's motion: the components of its angular velocity, or those of the shift.
+    /// Rates of the edge's motion: components of its angular velocity, or rates of the shift.
     rates: Components,
     mass: Vec<Expr>,
     /// First moment Σ m r, kg m.
     moment: [Vec<Expr>; 3],
-    /// The upper triangle of Σ m (r² − r rᵀ), row by row.
+    /// Inertia Σ m (r² − r rᵀ) about the node's point, kg m²: upper triangle, row by row.
     inertia: [Vec<Expr>; 6],
 }
 
@@ -43,20 +44,21 @@ fn place(i: usize, j: usize) -> usize {
     i * (5 - i) / 2 + j
 }
 
-/// A momentum about the point of a node: linear, angular.
+/// Linear and angular momentum about the point of a node.
 type Momentum = (Components, Components);
 
-/// A unit motion of the edge to a node: a turn about, or a shift along, this axis.
+/// Unit motion of the edge to a node, as (node, axis): a turn about, or a shift along, the axis.
 type Motion = (usize, usize);
 
 /// The bodies of a model as a tree of frames and points.
 struct Tree {
-    /// Parents first; the first is the inertial frame at the origin.
+    /// Nodes of the tree, parents first. The first node is the inertial frame at the origin.
     nodes: Vec<Node>,
 }
 
 impl Kinematics {
-    /// ∂²T/∂x_i∂x_j by composite bodies; nothing where bodies are not placed along the path of their frames.
+    /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy, by composite bodies. `None` if a body is not placed along the path of
+    /// its frames.
     pub(in crate::mechanics) fn composite_form(
         &mut self,
         model: &Model,
@@ -77,7 +79,7 @@ impl Kinematics {
             for (other, entry) in tree.couplings(&mut self.arena, model, &composites, &motions, (*node, *axis)) {
                 for (r, by_r) in slopes[at].iter() {
                     for (s, by_s) in slopes[other].iter() {
-                        // Of a motion with itself each pair counts once, of two motions both orders count.
+                        // A pair counts once for a motion with itself, and in both orders for two motions.
                         if other == at && r > s {
                             continue;
                         }
@@ -120,7 +122,8 @@ impl Tree {
         Some(tree)
     }
 
-    /// The node of a body's mass centre in its own frame.
+    /// Index of the node of a body's mass centre in its own frame. `None` if the body is not placed along the path of
+    /// its frames.
     fn reach(
         &mut self,
         kinematics: &mut Kinematics,
@@ -162,7 +165,7 @@ impl Tree {
         Some(at)
     }
 
-    /// The node that is reached by this edge, new if there is none yet.
+    /// Index of the node that this edge reaches; adds the node if it is new.
     fn child(&mut self, node: Node) -> usize {
         let alike = |known: &Node| known.parent == node.parent && known.frame == node.frame && known.edge == node.edge;
         match self.nodes.iter().skip(1).position(alike) {
@@ -174,7 +177,7 @@ impl Tree {
         }
     }
 
-    /// (m, s, J) of all bodies beyond each node, leaves first.
+    /// Mass m, first moment s and inertia J of all bodies beyond each node, in the order of the nodes.
     fn composites(&mut self, arena: &mut Arena, model: &Model) -> Vec<(Expr, Components, [Expr; 6])> {
         let mut list = vec![(Expr::ZERO, NOTHING, [Expr::ZERO; 6]); self.nodes.len()];
         for at in (0..self.nodes.len()).rev() {
@@ -210,7 +213,7 @@ impl Tree {
         list
     }
 
-    /// The unit motions of all edges that move.
+    /// Lists the unit motions of all edges that move.
     fn motions(&self) -> Vec<Motion> {
         let axes = |at: usize| {
             (0..3).filter(move |axis| self.nodes[at].rates[*axis] != Expr::ZERO).map(move |axis| (at, axis))
@@ -218,8 +221,8 @@ impl Tree {
         (1..self.nodes.len()).flat_map(axes).collect()
     }
 
-    /// The momentum of a unit motion along the motions of the edges from here to the root, itself among them and each
-    /// pair once.
+    /// Entries that couple the unit motion `(start, axis)` with the motions from its edge to the root, itself included.
+    /// Each is the index of the other motion with the momentum along it; each pair occurs once.
     fn couplings(
         &self,
         arena: &mut Arena,
@@ -271,8 +274,8 @@ impl Node {
     }
 }
 
-/// First moment and inertia about a point that lies `by` before: s + m r, and with w = 2 s + m r the inertia
-/// J + (r · w) 1 − ½ (r wᵀ + w rᵀ).
+/// First moment and inertia about the parent's point, from which the node's point lies at r = `by`. They are s + m r
+/// and, with w = 2 s + m r, J + (r · w) 1 − ½ (r wᵀ + w rᵀ).
 fn shifted(
     arena: &mut Arena,
     (mass, moment, inertia): (Expr, &Components, &[Expr; 6]),
@@ -308,8 +311,8 @@ fn shifted(
     (sum, result)
 }
 
-/// R J Rᵀ, the tensor turned back into the frame before the turn. About one axis, with t = s (J_kk − J_jj) − 2 c J_jk,
-/// the entries are J_jj + s t, J_kk − s t and −c t − J_jk.
+/// Tensor R J Rᵀ, turned back into the frame before the turn. About one axis, with t = s (J_kk − J_jj) − 2 c J_jk, the
+/// entries are J_jj + s t, J_kk − s t and −c t − J_jk.
 fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str) -> [Expr; 6] {
     let Turn::About(axis, angle) = turn else {
         let half = [0, 1, 2].map(|i| {
@@ -323,7 +326,7 @@ fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str)
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let (s, c) = (arena.sin(angle), arena.cos(angle));
     let row = [NOTHING[0], tensor[place(axis, j)], tensor[place(axis, k)]];
-    // The entries beside the axis turn as a vector does.
+    // The entries beside the axis turn like a vector.
     let mut beside = NOTHING;
     (beside[j], beside[k]) = (row[1], row[2]);
     let beside = turned(arena, turn, true, &beside, what);

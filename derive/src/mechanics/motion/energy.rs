@@ -1,4 +1,4 @@
-//! Kinetic and potential energy, and the momenta that the former is made of.
+//! Kinetic and potential energy, and the momenta from which the kinetic energy is computed.
 //!
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 5.1, 5.4.
 
@@ -10,19 +10,20 @@ use crate::geometry::{Dots, Vector};
 use crate::mechanics::error::DeriveError;
 use crate::model::Model;
 
-/// A velocity and the momentum along it, T = Σ ½ scale velocity · momentum: v and m v of a mass centre, ω and H of a
-/// rigid body.
+/// A velocity and the momentum along it: v and m v of a mass centre, or ω and H of a rigid body. T = Σ ½ scale velocity
+/// · momentum.
 pub struct Momentum {
-    /// The mass, or 1. It is kept apart so that equal products of vectors are seen to be equal.
+    /// Mass of the body for a mass centre, 1 for a rotation. It is a separate factor so that equal products of vectors
+    /// are recognized.
     pub scale: Expr,
-    /// v_C, or ω.
+    /// Velocity v_C of the mass centre, or angular velocity ω.
     pub velocity: Vector,
-    /// v_C, or H = I · ω.
+    /// Velocity v_C of the mass centre, or angular momentum H = I · ω.
     pub momentum: Vector,
 }
 
 impl Kinematics {
-    /// The momenta of all bodies.
+    /// Velocities and momenta of all bodies.
     pub fn momenta(&mut self, model: &Model, velocities: &Velocities) -> Vec<Momentum> {
         let mut momenta = Vec::new();
         for body in &model.bodies {
@@ -37,13 +38,13 @@ impl Kinematics {
         momenta
     }
 
-    /// T = Σ ½ m v·v + ½ ω·I·ω, written as a quadratic form in the motion variables.
+    /// Kinetic energy T = Σ ½ m v·v + ½ ω·I·ω, written as a quadratic form in the motion variables.
     pub fn kinetic_energy(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Expr {
         let form = self.kinetic_form(model, velocities, variables);
         self.energy_with_form(model, velocities, variables, &form)
     }
 
-    /// The matrix of the quadratic form, ∂²T/∂x_i∂x_j, each entry in its short form. Symmetric.
+    /// Symmetric matrix ∂²T/∂x_i∂x_j of the kinetic energy, each entry simplified; x are the `variables`.
     pub fn kinetic_form(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Vec<Vec<Expr>> {
         if self.frames.carries && !self.frames.are_near() {
             return self.form_of_momenta(model, velocities, variables);
@@ -72,8 +73,8 @@ impl Kinematics {
         form
     }
 
-    /// ½ Σ form_ij x_i x_j, as a person writes an energy; an energy that is not quadratic, from speeds that are not
-    /// homogeneous in the rates, stays as it is.
+    /// Kinetic energy ½ Σ form_ij x_i x_j, as a person writes it. An energy that is not quadratic, because the speeds
+    /// are not homogeneous in the rates, is returned as the plain sum over the bodies.
     pub(in crate::mechanics) fn energy_with_form(
         &mut self,
         model: &Model,
@@ -116,10 +117,10 @@ impl Kinematics {
         }
     }
 
-    /// V = −Σ m g·p, the potential energy of gravity alone, zero where the model puts its zero.
+    /// Potential energy V = −Σ m g·p of gravity alone, J; zero at the model's `zero_at`.
     ///
     /// # Errors
-    /// [`DeriveError::NoZeroOfPotential`] if V has no value there.
+    /// [`DeriveError::NoZeroOfPotential`] if V has no value at `zero_at`.
     pub fn gravity_potential(&mut self, model: &Model) -> Result<Expr, DeriveError> {
         let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
         let g = Vector::in_frame(gravity.frame, gravity.acceleration);
@@ -135,7 +136,7 @@ impl Kinematics {
         self.zeroed(model, energy)
     }
 
-    /// A potential energy, zero where the model puts its zero.
+    /// Shifts a potential energy so that it is zero at the model's `zero_at`.
     pub(in crate::mechanics) fn zeroed(&mut self, model: &Model, energy: Expr) -> Result<Expr, DeriveError> {
         let Some(gravity) = &model.gravity else { return Ok(energy) };
         if gravity.zero_at.is_empty() {
@@ -151,7 +152,7 @@ impl Kinematics {
     }
 }
 
-/// Puts in the coordinates of the place where the model's potential energy is zero.
+/// Substitution of the coordinates at which the model's potential energy is zero.
 pub(in crate::mechanics) fn place_of_zero(model: &Model) -> Substitution {
     let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
     for (symbol, value) in model.gravity.iter().flat_map(|gravity| &gravity.zero_at) {

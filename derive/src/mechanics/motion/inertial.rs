@@ -1,20 +1,20 @@
-//! The inertial parameters of a body: in these its kinetic energy and its weight are linear.
+//! Inertial parameters of a body, in which its kinetic energy and its weight are linear.
 
 use crate::model::Unit;
 
-/// An inertial parameter of a body, about a point of it, in axes fixed in it.
+/// Inertial parameter of a body, about a point of the body, in body-fixed axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inertial {
     /// Mass m, kg.
     Mass,
-    /// m times the place of the mass centre from the point, along an axis.
+    /// Mass times the coordinate of the mass centre from the point, along an axis 0 to 2, kg m.
     FirstMoment(usize),
-    /// An entry of the inertia tensor about the point; off the diagonal with its sign in the tensor, −∫ x y dm.
+    /// Entry of the inertia tensor about the point, kg m². Off the diagonal it has the tensor's sign, −∫ x y dm.
     Inertia(usize, usize),
 }
 
 impl Inertial {
-    /// `m`, `mx`, `Ixy`: before the name of a body.
+    /// Letters of the parameter before the name of a body: `m`, `mx`, `Ixy`.
     #[must_use]
     pub fn letters(self) -> String {
         let axis = |i: usize| ["x", "y", "z"][i];
@@ -25,7 +25,7 @@ impl Inertial {
         }
     }
 
-    /// kg, kg m or kg m².
+    /// Unit of the parameter: kg, kg m or kg m².
     #[must_use]
     pub fn unit(self) -> Unit {
         let lengths = match self {

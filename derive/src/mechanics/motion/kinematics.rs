@@ -1,4 +1,4 @@
-//! Positions, velocities and accelerations: what all three formulations start from.
+//! Positions and velocities, from which all three formulations start.
 //!
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
 //! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
@@ -14,27 +14,27 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Vector, angular_velocities, apply_tensor, linear_velocities};
 use crate::model::{Body, Model, Reaction, ReactionKind};
 
-/// Positions and velocities in q and q̇, and the tools to go on from there.
+/// Positions and velocities of a model in q and q̇, and the tools to derive equations from them.
 pub struct Kinematics {
-    /// The store of all terms; starts as the model's own.
+    /// Store of all terms; starts as a copy of the model's store.
     pub arena: Arena,
-    /// The frames and the rotations between them.
+    /// Frames of the model and the rotations between them.
     pub frames: Frames,
-    /// Remembers what was simplified.
+    /// Simplifier, which remembers the terms that were simplified.
     pub simplifier: Simplifier,
-    /// p_OP of each point, from the origin.
+    /// Position p_OP of each point P from the origin O.
     pub positions: Vec<Vector>,
-    /// Velocities in terms of q̇.
+    /// Velocities of all frames and points, in q and q̇.
     pub in_rates: Velocities,
-    /// The applied forces of the model, N, in parameters, q, q̇ and u: the velocities that they name are put in.
+    /// Applied forces of the model, N, in parameters, q, q̇ and u. Velocities named in a force are put in.
     pub forces: Vec<Vector>,
-    /// The applied torques of the model, N m, likewise.
+    /// Applied torques of the model, N m, in parameters, q, q̇ and u. Velocities named in a torque are put in.
     pub torques: Vec<Vector>,
-    /// Their potential, once it was asked for.
+    /// Potential of the applied loads; `None` until it is first computed.
     pub(in crate::mechanics) potential: Option<LoadPotential>,
 }
 
-/// The potential of the applied loads, and what of them has none.
+/// Potential of the applied loads, and the generalized forces that have no potential.
 #[derive(Clone, Debug)]
 pub struct LoadPotential {
     /// U in q, J; 0 if no load has a potential.
@@ -46,28 +46,28 @@ pub struct LoadPotential {
 /// Angular velocities of all frames and velocities of all points, in one choice of motion variables.
 #[derive(Clone)]
 pub struct Velocities {
-    /// ω of each frame in the inertial frame.
+    /// Angular velocity ω of each frame in the inertial frame.
     pub angular: Vec<Vector>,
-    /// v of each point in the inertial frame.
+    /// Velocity v of each point in the inertial frame.
     pub linear: Vec<Vector>,
-    /// Rates q̇ of the coordinates.
+    /// Rates q̇ of the coordinates, in the motion variables.
     pub rates: Vec<Expr>,
 }
 
 impl Kinematics {
-    /// The kinematics of a model.
+    /// Kinematics of a model. Growing terms are named if the model is large.
     ///
     /// # Errors
-    /// [`DeriveError`] if the stated inertia of a body is not constant in the body, a reaction of the file does work,
-    /// or a load divides by a velocity that is zero.
+    /// [`DeriveError`] if the model is too large, if the stated inertia of a body is not constant in the body, if a
+    /// stated reaction does work, or if a load divides by a velocity that is zero.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         Self::in_form(model, is_large(model))
     }
 
-    /// The kinematics of a model, with growing terms named if `named`, or everything written out.
+    /// Kinematics of a model. If `named`, growing terms are named; else every term is written out.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// [`DeriveError`], for the same reasons as [`Self::new`].
     pub fn in_form(model: &Model, named: bool) -> Result<Self, DeriveError> {
         check_tree(model)?;
         let mut arena = model.arena.clone();
@@ -87,7 +87,7 @@ impl Kinematics {
         Ok(kinematics)
     }
 
-    /// The velocities in terms of the generalized speeds.
+    /// Velocities of all frames and points in terms of the generalized speeds.
     pub fn in_speeds(&mut self, model: &Model) -> Velocities {
         if self.frames.carries {
             let mut rates = motion_rates_without_acceleration(model);
@@ -106,15 +106,14 @@ impl Kinematics {
         }
     }
 
-    /// Angular momentum of a body about its mass centre, H = I · ω, in the frame of the inertia;
-    /// nothing for a particle.
+    /// Angular momentum H = I · ω of a body about its mass centre, in the frame of the inertia; zero for a particle.
     pub fn angular_momentum(&mut self, body: &Body, velocities: &Velocities) -> Vector {
         let Some((_, inertia)) = &body.rigid else { return Vector::default() };
         let omega = self.angular_velocity_in(body, velocities).unwrap_or([Expr::ZERO; 3]);
         Vector::in_frame(inertia.frame, apply_tensor(&mut self.arena, &inertia.tensor, &omega))
     }
 
-    /// ω of a rigid body in the frame of its inertia.
+    /// Angular velocity ω of a rigid body, in the frame of its inertia; `None` for a particle.
     pub fn angular_velocity_in(&mut self, body: &Body, velocities: &Velocities) -> Option<Components> {
         let (frame, inertia) = body.rigid.as_ref()?;
         let omega = self.frames.express(&mut self.arena, &velocities.angular[*frame], inertia.frame);
@@ -128,7 +127,7 @@ impl Kinematics {
             if *frame == inertia.frame {
                 continue;
             }
-            // Constant in the body iff it commutes with the rotation: R I Rᵀ must not depend on q.
+            // The inertia is constant in the body if and only if R I Rᵀ does not depend on q.
             let r = self.frames.rotation(&mut self.arena, inertia.frame, *frame);
             for (i, row) in r.iter().enumerate() {
                 let column = apply_tensor(&mut self.arena, &inertia.tensor, row);
@@ -150,8 +149,8 @@ impl Kinematics {
         Ok(())
     }
 
-    /// A reaction of an ideal constraint does no work in any permitted motion: along each q̇, or along each speed
-    /// where motion constraints leave fewer of them.
+    /// Checks that reactions do no work in any permitted motion: along each q̇, or along each speed if motion
+    /// constraints leave fewer speeds than coordinates. Checks also that stated directions are unit vectors.
     pub(in crate::mechanics) fn check_reactions(
         &mut self,
         model: &Model,
@@ -167,7 +166,7 @@ impl Kinematics {
             let direction = Vector::in_frame(reaction.frame, reaction.direction);
             let square = self.frames.dot(&mut self.arena, &direction, &direction);
             let excess = self.arena.sub(square, Expr::ONE);
-            // That of a joint that closes a loop has its length where the loop is closed.
+            // The direction of a joint that closes a loop has unit length only where the loop is closed.
             if reaction.is_stated && zero_test(&self.arena, excess) != ZeroTest::Zero {
                 let length = crate::algebra::text::print::text(&self.arena, square);
                 return Err(DeriveError::DirectionNotUnit { reaction: reaction.name.clone(), square: length });
@@ -187,7 +186,7 @@ impl Kinematics {
         Ok(())
     }
 
-    /// The power of a reaction of size 1, in q and q̇.
+    /// Power of a reaction of size 1, in q and q̇.
     pub(in crate::mechanics) fn power_of(&mut self, model: &Model, reaction: &Reaction) -> Expr {
         let velocities = self.in_rates.clone();
         let velocity = match reaction.kind {
@@ -219,7 +218,7 @@ impl Kinematics {
     }
 }
 
-/// q̇ → W u + w.
+/// Substitution q̇ → W u + w of the coordinates' rates by generalized speeds.
 #[must_use]
 pub fn rates_to_speeds(model: &Model) -> Substitution {
     let rates = model.q_dot();
@@ -227,14 +226,14 @@ pub fn rates_to_speeds(model: &Model) -> Substitution {
     Substitution::new(&pairs)
 }
 
-/// u → J q̇ + d.
+/// Substitution u → J q̇ + d of the generalized speeds by the coordinates' rates.
 #[must_use]
 pub fn speeds_to_rates(model: &Model) -> Substitution {
     let pairs: Vec<_> = model.speeds.iter().map(|s| (s.symbol, s.definition)).collect();
     Substitution::new(&pairs)
 }
 
-/// d/dt along the motion: q → W u + w, u → u̇.
+/// Time derivative d/dt along the motion: q → W u + w, u → u̇.
 #[must_use]
 pub fn motion_rates(model: &Model) -> Differential {
     let mut rates: Vec<_> = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
@@ -242,14 +241,14 @@ pub fn motion_rates(model: &Model) -> Differential {
     Differential::along(&rates)
 }
 
-/// A rate for u̇ = 0: what is left of a rate when its terms in u̇ are taken away.
+/// Time derivative d/dt along the motion for u̇ = 0: without the terms in u̇.
 #[must_use]
 pub fn motion_rates_without_acceleration(model: &Model) -> Differential {
     let rates = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied());
     Differential::along(&rates.collect::<Vec<_>>())
 }
 
-/// Gives angular velocities their names before anything else can: `w_A_1` of the frame A.
+/// Names the angular velocity of each frame in its own frame before any other term takes the name: `w_A_1` for frame A.
 fn name_in_own_frames(arena: &mut Arena, frames: &mut Frames, angular: &[Vector]) {
     if frames.carries {
         for (frame, omega) in angular.iter().enumerate() {

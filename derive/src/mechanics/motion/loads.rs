@@ -1,7 +1,7 @@
 //! Loads on the bodies, and the velocities of the points and bodies on which they act.
 //!
-//! A force acts on the material of its body: its power is that of v_C + ω × p_CP, where the body's material is at P
-//! now, and not of the velocity of P, which may move in the body as a contact point does.
+//! The power of a force is that of the velocity v_C + ω × p_CP of the material at its point P. It is not that of the
+//! velocity of P itself, which may move in the body as a contact point does.
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
 //! moving on it), 4.4 (generalized active forces).
 
@@ -15,27 +15,27 @@ use crate::geometry::{Dots, Vector};
 use crate::mechanics::error::DeriveError;
 use crate::model::{Body, Model, NamedVelocity, Place, ReactionKind};
 
-/// A force or a torque and the velocity along which it acts: F_r = Σ ∂velocity/∂u_r · scale load.
+/// Force or torque with the velocity along which it acts: F_r = Σ ∂velocity/∂u_r · scale load.
 pub struct Load {
-    /// The velocity of the material at the point, or the angular velocity of the body for a torque.
+    /// Velocity of the material at the point of a force, or angular velocity of the body for a torque.
     pub velocity: Vector,
-    /// The mass for a weight, else 1. It is kept apart so that equal products of vectors are seen to be equal.
+    /// Mass of the body for a weight, else 1. It is a separate factor so that equal products of vectors are recognized.
     pub scale: Expr,
-    /// The force or the torque; for a weight, the acceleration of free fall.
+    /// Force, N, or torque, N m. For a weight, the acceleration of free fall, m/s².
     pub load: Vector,
 }
 
-/// A force or reaction at a point that moves in the body it acts on.
+/// A force or reaction whose point moves in the body on which it acts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MovingPlace {
-    /// The force or reaction, in words: `force drag`.
+    /// Kind and name of the force or reaction: `force drag`.
     pub load: String,
     /// Body and point at which the load acts.
     pub place: Place,
 }
 
 impl MovingPlace {
-    /// Explanation of the moving point, in a sentence.
+    /// Sentence that tells which point moves in which body, and which velocity gives the power.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         let (load, body) = (&self.load, &model.bodies[self.place.body].name);
@@ -47,10 +47,10 @@ impl MovingPlace {
     }
 }
 
-/// The forces and reactions of a model at points that move in their bodies, in the order of the file.
+/// Forces and reactions of a model whose points move in their bodies, in the order of the model file.
 ///
 /// # Errors
-/// As [`Kinematics::new`].
+/// [`DeriveError`], for the same reasons as [`Kinematics::new`].
 pub fn moving_places(model: &Model) -> Result<Vec<MovingPlace>, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
     let mut list = Vec::new();
@@ -62,7 +62,7 @@ pub fn moving_places(model: &Model) -> Result<Vec<MovingPlace>, DeriveError> {
     Ok(list)
 }
 
-/// Names of all forces and reaction forces and of their opposites, with the places at which they act.
+/// Names of all forces and reaction forces and of their opposites, each with the body and point of action.
 fn places(model: &Model) -> Vec<(String, Place)> {
     let mut list = Vec::new();
     for force in &model.forces {
@@ -79,7 +79,7 @@ fn places(model: &Model) -> Vec<(String, Place)> {
 }
 
 impl Kinematics {
-    /// The velocity of the material point of a body that is at `place`: v_P = v_C + ω × p_CP.
+    /// Velocity v_P = v_C + ω × p_CP of the material of a body that is at the point of `place`.
     pub fn place_velocity(&mut self, model: &Model, velocities: &Velocities, place: Place) -> Vector {
         let body = &model.bodies[place.body];
         let centre = velocities.linear[body.centre].clone();
@@ -89,13 +89,14 @@ impl Kinematics {
         centre.add(&mut self.arena, &turning)
     }
 
-    /// p_CP: from the mass centre of a body to a point.
+    /// Vector p_CP from the mass centre of a body to a point.
     pub fn arm(&mut self, body: &Body, point: usize) -> Vector {
         let back = self.positions[body.centre].neg(&mut self.arena);
         self.positions[point].add(&mut self.arena, &back)
     }
 
-    /// True if the point of a place moves in its body: its velocity differs from that of the material there.
+    /// True if the point of a place moves in its body: the point's velocity differs from that of the material at the
+    /// point.
     fn moves_in_body(&mut self, model: &Model, place: Place) -> bool {
         let velocities = self.in_rates.clone();
         let material = self.place_velocity(model, &velocities, place);
@@ -105,7 +106,7 @@ impl Kinematics {
         frames.express(arena, &slip, 0).iter().any(|e| zero_test(arena, *e) == ZeroTest::NonZero)
     }
 
-    /// The weights of all bodies.
+    /// Weights of all bodies; none without gravity.
     pub fn weights(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
         let Some(gravity) = &model.gravity else { return Vec::new() };
         let weight = |centre: usize, mass: Expr| Load {
@@ -116,8 +117,8 @@ impl Kinematics {
         model.bodies.iter().map(|body| weight(body.centre, body.mass)).collect()
     }
 
-    /// The applied loads other than weights: a list for each force and torque of the model, with its opposite, and for
-    /// each potential of the file.
+    /// Applied loads other than weights: a list for each force and torque of the model, with its opposite, and for each
+    /// potential of the model file.
     pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Vec<Load>> {
         let mut groups = Vec::new();
         for (at, force) in model.forces.iter().enumerate() {
@@ -144,7 +145,7 @@ impl Kinematics {
         groups.into_iter().map(|loads| loads.into_iter().map(load).collect()).collect()
     }
 
-    /// −∂V/∂q of each coordinate but time, along an axis, on what moves along it at q̇.
+    /// Generalized force −∂V/∂q of each coordinate except time, each as a load along an axis with the velocity q̇.
     fn potential_loads(&mut self, model: &Model, velocities: &Velocities, energy: Expr) -> Vec<(Vector, Vector)> {
         let time = model.time();
         let slopes = Gradient::new(&model.q()).apply(&mut self.arena, energy);
@@ -158,10 +159,10 @@ impl Kinematics {
         .collect()
     }
 
-    /// Writes the applied forces and torques with the velocities that they name put in.
+    /// Stores the applied forces and torques in `forces` and `torques`, with the velocities that they name put in.
     ///
     /// # Errors
-    /// [`DeriveError::LoadDividesByZero`] where one divides by a velocity that is zero at all times.
+    /// [`DeriveError::LoadDividesByZero`] if a load divides by a velocity that is zero at all times.
     pub(in crate::mechanics) fn apply_loads(&mut self, model: &Model) -> Result<(), DeriveError> {
         let values: Vec<_> = model.velocities.iter().map(|v| (v.symbol, self.named_velocity(model, v))).collect();
         let mut put = Substitution::new(&values);
@@ -177,7 +178,7 @@ impl Kinematics {
         Ok(())
     }
 
-    /// A velocity that a load names, in q and q̇; the literal 0 if it is identically zero.
+    /// Component of a velocity that a load names, in q and q̇; the literal 0 if it is identically zero.
     fn named_velocity(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
         let velocities = self.in_rates.clone();
         let velocity = match name.of {
@@ -193,7 +194,7 @@ impl Kinematics {
     }
 }
 
-/// Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of these loads, in q and q̇, before they are simplified.
+/// Generalized forces Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of the given loads, in q and q̇, not simplified.
 pub(in crate::mechanics) fn forces_of<'a>(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -214,7 +215,7 @@ pub(in crate::mechanics) fn forces_of<'a>(
     forces.iter().map(|dots| dots.sum(&mut kinematics.arena, &mut kinematics.frames)).collect()
 }
 
-/// The components of a load with velocities put in.
+/// Components of a load with the velocities put in. `put` maps each named velocity to its value.
 fn put_velocities(
     arena: &mut Arena,
     put: &mut Substitution,

@@ -1,7 +1,7 @@
-//! The potential energy of a model, and the power of forces without a potential.
+//! Potential energy of a model, and the power of forces without a potential.
 //!
-//! Applied loads count with their value at rest: where −∂U/∂q are their generalized forces, U is potential energy. The
-//! rest of a load works in motion alone, as a damper does, or not at all, as a magnetic field.
+//! Applied loads count with their value at rest: if −∂U/∂q are their generalized forces, U is potential energy. The
+//! rest of a load works only in motion, as a damper does, or not at all, as a magnetic field.
 //!
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7.
 
@@ -17,9 +17,9 @@ use crate::mechanics::error::DeriveError;
 use crate::model::Model;
 
 impl Kinematics {
-    /// V = V_gravity + U: the potential energy of gravity, and of all applied loads that have one by the rules of
-    /// [`primitive`], in q. U is zero where gravity's part is stated to be zero, if it has a value there; else its
-    /// constant is as the rules give it.
+    /// Potential energy V = V_gravity + U in q, J. U is the potential of all applied loads that have one by the rules
+    /// of [`primitive`]. U is zero at the model's `zero_at` if it has a value there; else the rules determine its
+    /// constant.
     ///
     /// # Errors
     /// [`DeriveError::NoZeroOfPotential`].
@@ -30,7 +30,7 @@ impl Kinematics {
         Ok(self.simplifier.simplify(&mut self.arena, sum))
     }
 
-    /// The potential of the applied loads: of all of them together, else of each that has one by itself.
+    /// Potential of the applied loads: of all loads together, or else of each load that has one by itself.
     pub fn load_potential(&mut self, model: &Model) -> LoadPotential {
         if let Some(known) = &self.potential {
             return known.clone();
@@ -42,14 +42,15 @@ impl Kinematics {
         found
     }
 
-    /// The generalized forces of each applied load, forces first, in q and the rates: an entry a coordinate.
+    /// Generalized forces of each applied load, forces first, in q and q̇: one entry for each coordinate.
     pub fn load_forces(&mut self, model: &Model) -> Vec<Vec<Expr>> {
         let velocities = self.in_rates.clone();
         let groups = self.loads(model, &velocities);
         groups.iter().map(|group| forces_of(model, self, group)).collect()
     }
 
-    /// The power of the forces that V leaves out, W, in q and the rates, or in q and u: d(T + V)/dt in every motion.
+    /// Power W of the forces without a potential in V: d(T + V)/dt in every motion, W. In q and q̇ if `in_rates`, else
+    /// in q and u.
     pub(in crate::mechanics) fn power(&mut self, model: &Model, in_rates: bool) -> Expr {
         let rest = self.load_potential(model).rest;
         let arena = &mut self.arena;
@@ -65,7 +66,7 @@ impl Kinematics {
     fn found_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
         let all = forces_of(model, self, groups.iter().flatten());
         let all: Vec<Expr> = all.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect();
-        // Of springs the potential is known, and of potentials.
+        // The model knows the potential of springs and of stated potentials.
         let of_forces = model.forces.iter().map(|f| f.energy);
         let of_torques = model.torques.iter().map(|_| None);
         let stated = of_forces.chain(of_torques).chain(model.potentials.iter().map(|p| Some(p.energy)));
@@ -119,7 +120,7 @@ impl Kinematics {
     }
 }
 
-/// For each load, true if it names an input, in the order of [`Kinematics::loads`]. Work that inputs do is no energy
+/// For each load, true if it contains an input, in the order of [`Kinematics::loads`]. Work done by inputs is no energy
 /// stored in the mechanism.
 fn driven(model: &Model) -> Vec<bool> {
     let inputs: Vec<Expr> = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol).collect();
@@ -128,7 +129,8 @@ fn driven(model: &Model) -> Vec<bool> {
     vectors.map(names_one).chain(model.potentials.iter().map(|_| false)).collect()
 }
 
-/// U with −∂U/∂q the parts of generalized forces that are there at rest; nothing if there is none, or no rule finds it.
+/// Potential U whose slopes −∂U/∂q are the generalized forces at rest. `None` if there is no potential, or no rule
+/// finds it.
 pub fn potential_at_rest(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -147,12 +149,12 @@ pub fn potential_at_rest(
     if at_rest.undefined.is_some() {
         return None;
     }
-    // A potential that jumps takes energy in at an instant, which no power shows: the work of such a load is counted
+    // A potential that jumps adds energy in an instant, which no power shows. So the work of such a load is counted
     // instead.
     primitive(arena, simplifier, &model.q(), &slopes).filter(|energy| !jumps_in_time(arena, model, *energy))
 }
 
-/// True if a term contains the sign of a function of time alone, also in the form `abs(t - 1)/(t - 1)`.
+/// True if a term jumps in time: it contains the sign of a function of time alone, also as `abs(t - 1)/(t - 1)`.
 fn jumps_in_time(arena: &Arena, model: &Model, e: Expr) -> bool {
     let Some(time) = model.time() else { return false };
     let (clock, others): (Vec<_>, Vec<_>) = model.q().into_iter().enumerate().partition(|(at, _)| *at == time);

@@ -1,4 +1,4 @@
-//! The accelerations v̇ of a set of equations, solved for at derivation time.
+//! Accelerations v̇ of a set of equations, solved for in closed form.
 
 use super::certificate::{Certificate, certify};
 use super::jacobian::{Jacobian, jacobian};
@@ -15,19 +15,19 @@ use crate::mechanics::rows::Embedding;
 use crate::mechanics::unsolved::Unsolved;
 use rustc_hash::FxHashSet;
 
-/// A set of equations solved for its accelerations, with their slopes.
+/// Solution of a set of equations for its accelerations, with the slopes and the proof.
 #[derive(Clone, Debug)]
 pub struct Solved {
-    /// v̇, step by step.
+    /// Accelerations v̇, as a list of steps.
     pub accelerations: Elimination,
-    /// ∂(q̇, v̇)/∂(q, v).
+    /// Jacobian ∂(q̇, v̇)/∂(q, v).
     pub jacobian: Jacobian,
-    /// Evidence that both satisfy the equations.
+    /// Evidence that the accelerations and the Jacobian satisfy the equations.
     pub certificate: Certificate,
 }
 
 impl Solved {
-    /// Solves the equations in their store, and proves the solution from them.
+    /// Solves the equations, whose terms are in `arena`, and proves the solution from them.
     ///
     /// # Errors
     /// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
@@ -44,7 +44,7 @@ impl Solved {
     /// energies need.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// [`Unsolved`], for the same reasons as [`Self::new`].
     pub fn steps(arena: &mut Arena, equations: &Equations) -> Result<Vec<Definition>, Unsolved> {
         let solved = accelerations(arena, &mut Simplifier::default(), equations)?;
         let energies = [equations.kinetic_energy, equations.potential_energy, equations.power];
@@ -53,8 +53,8 @@ impl Solved {
     }
 }
 
-/// v̇ in parameters, q and v, step by step, proved from the equations; the symbols of the last steps are the unknowns
-/// of `equations`.
+/// Accelerations v̇ in parameters, q and v, step by step, proved from the equations. The symbols of the last steps are
+/// the unknowns of `equations`.
 ///
 /// # Errors
 /// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
@@ -68,12 +68,12 @@ pub fn accelerations(
     Ok(solved)
 }
 
-/// Solves for v̇ by the way that takes fewer operations: elimination, or the recursion that Gauss's principle gives.
+/// Solves for v̇ by the method with fewer operations: elimination, or the recursion from Gauss's principle.
 ///
-/// Where reactions stand among the unknowns, the rows are first multiplied by the partial velocities. The reactions do
-/// no work in a permitted motion and cancel; a symmetric, positive definite system is left, in which no pivot vanishes.
-/// The multipliers of motion constraints cancel likewise, and leave the system of the free accelerations. Elimination
-/// of the reactions instead would divide by direction cosines, which do vanish.
+/// With reactions among the unknowns, the rows are first multiplied by the partial velocities. The reactions do no work
+/// in a permitted motion and cancel. The remaining system is symmetric and positive definite, so no pivot vanishes. The
+/// multipliers of motion constraints cancel in the same way, and leave the system of the free accelerations.
+/// Elimination of the reactions instead would divide by direction cosines, which do vanish.
 ///
 /// # Errors
 /// [`Singular`] if v̇ is not determined in any configuration.
@@ -81,7 +81,7 @@ fn solve(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) 
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];
     let Some(gauss) = &equations.gauss else { return eliminated(arena, simplifier, equations) };
-    // Both ways, each in a store of its own, so that the names of the one that loses are not taken.
+    // Both methods are tried, each in a store of its own, so that the names of the dropped one stay free.
     let mut other = arena.clone();
     let Some(recursion) = least(&mut other, &mut simplifier.clone(), gauss, unknowns) else {
         return eliminated(arena, simplifier, equations);
@@ -107,12 +107,12 @@ fn solve(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) 
     Ok(recursion)
 }
 
-/// Multiplications and subtractions in full entries of a symmetric matrix, for one operation of the recursion, above
-/// which no elimination is tried: what cancels in it has never been so much.
+/// Most operations of an elimination, counted without cancellation, for each operation of the recursion. Above this
+/// ratio no elimination is tried, because cancellation has never saved that much.
 const MOST_TIMES: usize = 2;
 
-/// Multiplications and subtractions of an elimination without square roots of a symmetric matrix with these zeros, from
-/// the last unknown, which a tree has outside, to the first.
+/// Number of multiplications and subtractions to eliminate a symmetric matrix with these zeros, without square roots.
+/// The order is from the last unknown, a leaf of the tree, to the first.
 fn pivoting(matrix: &[Vec<Expr>]) -> usize {
     let mut is_full: Vec<Vec<bool>> = matrix.iter().map(|row| row.iter().map(|e| *e != Expr::ZERO).collect()).collect();
     let mut count = 0;
@@ -129,7 +129,7 @@ fn pivoting(matrix: &[Vec<Expr>]) -> usize {
     count
 }
 
-/// Definitions that do not depend on v̇; those of inverse dynamics do.
+/// Definitions that do not depend on v̇; the definitions of inverse dynamics do.
 fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
     let mut sought: FxHashSet<Expr> = equations.unknowns.iter().copied().collect();
     let mut list = Vec::with_capacity(equations.definitions.len());
@@ -143,7 +143,7 @@ fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
     list
 }
 
-/// Number of operations of the steps that these symbols need, each shared term counted once.
+/// Number of operations in the steps that compute these symbols. Each shared term counts once.
 fn operations(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
     cost_of_all(arena, &needed(arena, steps, symbols).iter().map(|step| step.value).collect::<Vec<_>>())
 }
@@ -152,7 +152,7 @@ fn operations(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
 fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];
-    // Without speeds no row is left, and rates follow from the embedding alone.
+    // Without speeds no row is left, and the embedding alone gives the rates.
     if equations.projection.is_empty() && !equations.generalized_speeds.is_empty() {
         let system = LinearSystem {
             matrix: &equations.matrix,
@@ -198,7 +198,7 @@ fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equati
     Ok(solved)
 }
 
-/// Σ multiplier · entry, in its short form.
+/// Sum Σ multiplier · entry, simplified.
 fn combine(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -210,7 +210,7 @@ fn combine(
     simplifier.simplify(arena, sum)
 }
 
-/// ∂(T + V)/∂(q, v), by the chain rule over the definitions.
+/// Gradient ∂(T + V)/∂(q, v) of the total energy, by the chain rule over the definitions.
 pub fn energy_gradient(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Vec<Expr> {
     let energy = arena.add(equations.kinetic_energy, equations.potential_energy);
     let variables = equations.coordinates.iter().chain(&equations.variables);

@@ -1,16 +1,16 @@
-//! Proof that results made from equations of motion satisfy them: accelerations, their Jacobian, inverse dynamics.
+//! Proof that results computed from equations of motion satisfy them: accelerations, their Jacobian, inverse dynamics.
 //!
-//! The equations are M x = f with x = (v̇, reactions or multipliers). The eliminated v̇ are put in, and M x − f is
-//! evaluated modulo random primes at random states, in dual numbers along a random direction of the state. Where there
-//! are reactions, v̇ is right if the remaining system has a solution for them. The slope of M x − f vanishes only if
-//! the Jacobian is the derivative of v̇. Residues are exact: no rounding can hide an error or invent one. A wrong
-//! formula passes only if a polynomial that is not zero vanishes at every point, with a probability below its degree
-//! divided by 2^60 at each (Schwartz 1980, Zippel 1979).
+//! The equations are M x = f with x = (v̇, reactions or multipliers). The solved v̇ are put in, and M x − f is
+//! evaluated modulo random primes at random states, in dual numbers along a random direction of the state. With
+//! reactions, v̇ is right if the remaining system has a solution for them. The slope of M x − f vanishes only if the
+//! Jacobian is the derivative of v̇. Residues are exact: rounding can neither hide nor invent an error. A wrong formula
+//! passes only if a polynomial that is not zero vanishes at every point. The probability of a zero at one point is
+//! below the degree divided by 2^60 (Schwartz 1980, Zippel 1979).
 //!
-//! Where constraints tie the motion variables, v = W(q) u with independent speeds u: the equations hold on the
-//! constraints alone.
+//! If constraints tie the motion variables, v = W(q) u with independent speeds u, and the equations hold only on the
+//! constraints.
 //!
-//! Invariant: no derivative that is checked is taken by [`crate::algebra::term::calculus`], which made the Jacobian.
+//! Invariant: the check never uses the derivatives of [`crate::algebra::term::calculus`], which computed the Jacobian.
 
 use super::jacobian::Jacobian;
 use crate::algebra::solve::elimination::Elimination;
@@ -23,17 +23,17 @@ use crate::mechanics::equations::Equations;
 use crate::mechanics::unsolved::Unproved;
 use std::collections::BTreeMap;
 
-/// Points at which the equations are checked, each modulo another prime.
+/// Number of random states at which the equations are checked, each modulo another prime.
 const POINTS: usize = 2;
 
-/// Evidence that accelerations and their Jacobian satisfy the equations they come from.
+/// Evidence that accelerations and their Jacobian satisfy the equations of motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Certificate {
-    /// The primes; M v̇ = f and its derivative hold modulo each at a random state.
+    /// Primes modulo which M v̇ = f and its derivative hold, each at a random state.
     pub primes: Vec<u64>,
 }
 
-/// Proves v̇, and the Jacobian if there is one, from the equations that they were made from.
+/// Proves v̇, and the Jacobian if given, from the equations that were solved.
 ///
 /// # Errors
 /// [`Unproved`] with the first row that fails.
@@ -55,21 +55,21 @@ pub fn certify(
     Ok(Certificate { primes })
 }
 
-/// Claim to be checked, as terms in parameters, q, v and the direction alone.
+/// Claim to be proved, as terms in parameters, q, v and the symbols of the direction.
 struct Claim {
     arena: Arena,
-    /// Each state with the symbol of its slope.
+    /// Coordinates and independent motion variables, each with the symbol of its slope.
     along: Vec<(Expr, Expr)>,
     matrix: Vec<Vec<Expr>>,
     forcing: Vec<Expr>,
     coordinate_rates: Vec<Expr>,
     accelerations: Vec<Expr>,
-    /// The slopes of q̇ and v̇ that the Jacobian gives; empty without one.
+    /// Slopes of q̇ and v̇ along the direction, from the Jacobian; empty without a Jacobian.
     slopes: Vec<Expr>,
     shape: Shape,
 }
 
-/// Number of terms of each kind.
+/// Numbers of terms of each kind in [`Claim::terms`].
 #[derive(Clone, Copy)]
 struct Shape {
     rows: usize,
@@ -83,8 +83,8 @@ impl Claim {
     fn new(arena: &Arena, equations: &Equations, solved: &Elimination, jacobian: Option<&Jacobian>) -> Self {
         let mut arena = arena.clone();
         let Direction { along, states, slopes } = Direction::new(&mut arena, equations);
-        // The equations' own definitions come first, so that the matrix is read in its original form, not as the
-        // elimination changed it.
+        // The definitions of the equations come first, so that the matrix is read in its original form. The elimination
+        // may have changed it.
         let mut put = states.clone();
         put_in(&mut arena, &mut put, &equations.definitions);
         let matrix: Vec<Vec<Expr>> = equations.matrix.iter().map(|row| put.all(&mut arena, row)).collect();
@@ -120,13 +120,13 @@ impl Claim {
     }
 }
 
-/// A direction in which the state moves.
+/// Direction in which the state moves, for derivatives along it.
 struct Direction {
     /// Coordinates and independent motion variables, each with the symbol of its slope.
     along: Vec<(Expr, Expr)>,
-    /// The motion variables that follow from others, by what they follow.
+    /// Values of the dependent motion variables, in the independent ones.
     states: Substitution,
-    /// The slopes of all coordinates and motion variables.
+    /// Slopes of all coordinates and motion variables along the direction.
     slopes: Vec<Expr>,
 }
 
@@ -160,7 +160,7 @@ fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
 }
 
 impl Shape {
-    /// Checks values of [`Claim::terms`] at one point.
+    /// Checks the values of [`Claim::terms`] at one random state.
     fn check(&self, f: Field, values: &[Dual]) -> Result<(), Unproved> {
         let (matrix, rest) = values.split_at(self.rows * self.unknowns);
         let (forcing, rest) = rest.split_at(self.rows);
@@ -181,7 +181,7 @@ impl Shape {
                 None => *dual,
             })
             .collect();
-        // B r = f − M v̇ for the reactions r.
+        // The reactions r solve B r = f − M v̇.
         let rows = matrix.chunks(self.unknowns.max(1)).zip(forcing).map(|(row, right)| {
             let (of_v_dot, of_reactions) = row.split_at(self.accelerations);
             let right = of_v_dot.iter().zip(&v_dot).fold(*right, |right, (m, x)| right.minus(f, *m, *x));
@@ -196,7 +196,7 @@ impl Shape {
     }
 }
 
-/// An equation Σ left · unknown = right.
+/// Linear equation Σ left · unknown = right in dual numbers, by index of the unknown.
 struct Row {
     left: BTreeMap<usize, Dual>,
     right: Dual,
@@ -208,7 +208,7 @@ enum Part {
     Slope,
 }
 
-/// The first row that contradicts those before it, by elimination without fill where there is none.
+/// First row that contradicts the rows before it, by sparse elimination; `None` if the rows have a solution.
 fn unsolvable(f: Field, rows: impl Iterator<Item = Row>) -> Option<(usize, Part)> {
     let mut pivots: BTreeMap<usize, Row> = BTreeMap::new();
     for (at, mut row) in rows.enumerate() {
@@ -234,7 +234,7 @@ fn unsolvable(f: Field, rows: impl Iterator<Item = Row>) -> Option<(usize, Part)
 }
 
 impl Row {
-    /// Takes a multiple of a pivot's row away, so that nothing is left in its column.
+    /// Subtracts a multiple of a pivot's row, so that the entry in the pivot's column becomes zero.
     fn subtract(&mut self, f: Field, pivot: &Self, column: usize, entry: Dual) {
         let Some(factor) = entry.over(f, pivot.left[&column]) else { return };
         for (at, x) in &pivot.left {
@@ -249,8 +249,8 @@ impl Row {
 }
 
 impl Equations {
-    /// Adds inverse dynamics, proved to be M v̇ − f for any v̇; a method without its own form gets M v̇ − f itself.
-    /// Equations with unknowns beside v̇ are returned unchanged.
+    /// Adds inverse dynamics, proved to be M v̇ − f for any v̇. Equations without a form of their own get M v̇ − f
+    /// itself. Equations with unknowns beside v̇ are returned unchanged.
     ///
     /// # Errors
     /// [`Unproved::InverseDynamics`] with the first row that differs.

@@ -1,4 +1,4 @@
-//! Divisors of equations of motion in a run.
+//! Divisors of the equations of motion and of the loads that may vanish in a run.
 
 use crate::algebra::solve::elimination::{Elimination, divisors};
 use crate::algebra::term::calculus::Gradient;
@@ -9,20 +9,21 @@ use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::equations::Equations;
 use crate::model::Model;
 
-/// Divisors of running equations that depend on the state and may vanish: where one is zero the equations have no
-/// value, and a step across is no part of a motion. Divisors that are proved never to be zero are left out.
+/// Divisors in the equations of a run that depend on the state and may vanish. If one is zero, the equations have no
+/// value, and a step across the zero is no motion. Divisors that are proved never to be zero are left out.
 ///
-/// Sums that only an elimination brings in are left out, too: pivots of a positive definite matrix never change sign.
+/// Sums that appear as divisors only by elimination are also left out: pivots of a positive definite matrix never
+/// change sign.
 #[derive(Clone, Debug, Default)]
 pub struct Divisors {
     /// Definitions of the symbols in `values`, in the order of computation.
     pub steps: Vec<Definition>,
-    /// The divisors, without powers and factors that are numbers, each once.
+    /// Distinct divisors, without powers and without factors that are numbers.
     pub values: Vec<Expr>,
 }
 
 impl Divisors {
-    /// Finds the divisors of equations, or of their solution for the accelerations if one is given.
+    /// Finds the divisors of equations, or of their solution for the accelerations if `solved` is given.
     #[must_use]
     pub fn of(arena: &Arena, equations: &Equations, solved: Option<&Elimination>) -> Self {
         let e = equations;
@@ -52,19 +53,19 @@ impl Divisors {
     }
 }
 
-/// A divisor of an applied load: where it is zero the load has no value.
+/// Divisor of an applied load; the load has no value where the divisor is zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadDivisor {
-    /// The name of the load.
+    /// Name of the load in the model file.
     pub load: String,
     /// True if the load is a spring or a damper between two points, whose ends meet where the divisor is zero.
     pub is_distance: bool,
-    /// The divisor, which depends on the state.
+    /// Divisor of the load, a term that depends on the state.
     pub value: Expr,
 }
 
 impl LoadDivisor {
-    /// Consequence of a zero of the divisor, in words.
+    /// Consequence of a zero of the divisor, as a clause.
     #[must_use]
     pub fn meaning(&self) -> String {
         if self.is_distance {
@@ -75,8 +76,8 @@ impl LoadDivisor {
     }
 }
 
-/// Divisors of the loads of a model that depend on the state and are not proved never to be zero, in the order of the
-/// file: distances of springs, divisors of quotients, and divisors of slopes of potentials.
+/// Divisors of the loads of a model that depend on the state and may be zero, in the order of the model file. They are
+/// distances of springs, divisors of quotients, and divisors of slopes of potentials.
 #[must_use]
 pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
     let forces = model.forces.iter().map(|f| (f.name.clone(), f.end.is_some(), f.vector.to_vec()));
@@ -122,13 +123,13 @@ impl Divisors {
     }
 }
 
-/// Test for pivots of an elimination, against divisors that were there before it.
+/// Recognizes pivots of an elimination, by comparison with the divisors before it.
 struct Pivots<'a> {
     is_definite: bool,
     /// Divisors of the equations as they were derived.
     before: Vec<Expr>,
     steps: &'a [Definition],
-    /// The variables of the state, and the steps that depend on them.
+    /// Symbols of the state, and of the steps that depend on the state.
     moving: &'a [Expr],
 }
 
@@ -140,8 +141,8 @@ impl<'a> Pivots<'a> {
         Self { is_definite, before: divisors(arena, &values), steps, moving }
     }
 
-    /// True if a divisor is a pivot: a sum that only the elimination divides by, times constant factors, or the symbol
-    /// of such a sum.
+    /// True if a divisor is a pivot: a sum that is a divisor only in the elimination, times constant factors, or the
+    /// symbol of such a sum.
     fn contains(&self, arena: &Arena, divisor: Expr) -> bool {
         let is_constant = |e: Expr| !arena.reachable(&[e]).iter().any(|part| self.moving.contains(part));
         let is_sum = |e: Expr| match arena.node(bare(arena, e)) {
@@ -158,7 +159,7 @@ impl<'a> Pivots<'a> {
     }
 }
 
-/// The variables of the state, and the steps that depend on them.
+/// Symbols of the state, and of the steps that depend on the state.
 fn moving(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Expr> {
     let mut list: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
     for step in steps {
@@ -169,7 +170,7 @@ fn moving(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Exp
     list
 }
 
-/// A divisor without a factor that is a number.
+/// Divisor without a factor that is a number.
 #[must_use]
 pub fn bare(arena: &Arena, divisor: Expr) -> Expr {
     match arena.node(divisor) {

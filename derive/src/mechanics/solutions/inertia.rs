@@ -1,7 +1,7 @@
-//! Check that every motion has inertia where parameters are 0.
+//! Check that every motion has inertia if some parameters are 0.
 //!
-//! There the mass matrix may be singular in every configuration, and a quotient by its determinant has no meaning. The
-//! set of parameters that are 0 decides; their other values do not matter.
+//! If parameters are 0, the mass matrix may be singular in every configuration, and a quotient by its determinant has
+//! no meaning. Only the set of parameters that are 0 matters, not the values of the others.
 
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::value::rank::rank;
@@ -14,8 +14,8 @@ use crate::model::Model;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::{Mutex, PoisonError};
 
-/// Check of many sets of values of one model's parameters. Kane's equations are derived once, and only if a parameter
-/// is 0 that inertia can depend on.
+/// Check of inertia for many sets of values of one model's parameters. Kane's equations are derived once, and only if a
+/// parameter on which inertia can depend is 0.
 pub struct InertiaCheck<'a> {
     model: &'a Model,
     inertial: Vec<bool>,
@@ -25,21 +25,22 @@ pub struct InertiaCheck<'a> {
 #[derive(Default)]
 struct Known {
     kane: Option<Derivation>,
-    /// Answers by the indices of the parameters that are 0.
+    /// Results of earlier checks, by the indices of the parameters that are 0.
     answers: FxHashMap<Vec<usize>, Result<(), DeriveError>>,
 }
 
 impl<'a> InertiaCheck<'a> {
-    /// Makes the check for this model; derives nothing yet.
+    /// Makes the check for this model without a derivation.
     #[must_use]
     pub fn new(model: &'a Model) -> Self {
         Self { model, inertial: inertial(model), known: Mutex::default() }
     }
 
-    /// Checks these values, one for each parameter; a parameter that stays a letter has none.
+    /// Checks that every motion has inertia at these values, one for each parameter; `None` for a parameter that stays
+    /// a letter.
     ///
     /// # Errors
-    /// [`DeriveError::NoInertiaAt`] if something that moves has no inertia; another if Kane's equations cannot be
+    /// [`DeriveError::NoInertiaAt`] if a speed moves no mass; another [`DeriveError`] if Kane's equations cannot be
     /// derived.
     pub fn at(&self, values: &[Option<Rational>]) -> Result<(), DeriveError> {
         let absent = absent(&self.inertial, values);
@@ -61,11 +62,11 @@ impl<'a> InertiaCheck<'a> {
     }
 }
 
-/// Checks that every motion has inertia at these values of the parameters, exactly.
+/// Checks exactly that every motion has inertia at these values of the parameters, one for each parameter. `kane` are
+/// Kane's equations of the model, with their terms in `arena`.
 ///
 /// # Errors
-/// [`DeriveError::NoInertiaAt`] if a motion has none; `kane` are the model's equations by Kane's method, in their
-/// store.
+/// [`DeriveError::NoInertiaAt`] if a speed moves no mass.
 pub fn has_inertia_at(
     arena: &Arena,
     kane: &Equations,
@@ -76,8 +77,8 @@ pub fn has_inertia_at(
     if absent.is_empty() { Ok(()) } else { without(arena, kane, model, &absent) }
 }
 
-/// For each parameter, true if inertia can depend on it: those of masses, of inertias, of positions and rotations, of
-/// constraints, and of the definitions of speeds.
+/// For each parameter, true if inertia can depend on it: parameters of masses, inertias, positions, rotations,
+/// constraints and definitions of speeds.
 fn inertial(model: &Model) -> Vec<bool> {
     let bodies = model.bodies.iter().flat_map(|body| {
         let tensor = body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied());
@@ -93,21 +94,21 @@ fn inertial(model: &Model) -> Vec<bool> {
     model.parameters.iter().map(|parameter| reached.contains(&parameter.symbol)).collect()
 }
 
-/// Indices of the inertial parameters that are 0.
+/// Indices of the parameters that are 0 and on which inertia can depend.
 fn absent(inertial: &[bool], values: &[Option<Rational>]) -> Vec<usize> {
     let is_zero = |value: &Option<Rational>| value.as_ref().is_some_and(Rational::is_zero);
     let each = inertial.iter().zip(values).enumerate();
     each.filter(|(_, (inertial, value))| **inertial && is_zero(value)).map(|(at, _)| at).collect()
 }
 
-/// Checks that every motion has inertia where these parameters are 0.
+/// Checks that every motion has inertia if the parameters of these indices are 0.
 fn without(arena: &Arena, kane: &Equations, model: &Model, absent: &[usize]) -> Result<(), DeriveError> {
     let mut arena = arena.clone();
     let pairs: Vec<(Expr, Expr)> = absent.iter().map(|at| (model.parameters[*at].symbol, Expr::ZERO)).collect();
     let mut put = Substitution::new(&pairs);
     let matrix: Vec<Vec<Expr>> =
         kane.matrix.iter().map(|row| row.iter().map(|e| put.apply(&mut arena, *e)).collect()).collect();
-    // A term that divides by such a parameter says nothing about inertia.
+    // A term that divides by a parameter that is 0 tells nothing about inertia.
     if put.undefined.is_some() {
         return Ok(());
     }

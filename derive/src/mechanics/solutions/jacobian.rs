@@ -1,4 +1,4 @@
-//! The Jacobian of a first-order system: slopes of q̇ and v̇ along the state, by the chain rule over the steps of an
+//! Jacobian of a first-order system: slopes of q̇ and v̇ along the state, by the chain rule over the steps of an
 //! elimination.
 
 use crate::algebra::form::simplify::{Simplifier, cost, cost_of_all};
@@ -8,28 +8,30 @@ use crate::algebra::term::steps::{Definition, fresh_symbol, needed};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::equations::Equations;
 
-/// Number of operations above which a slope of an intermediate quantity gets a name of its own.
+/// Most operations in a slope of an intermediate quantity without a name of its own.
 const LONGEST_SLOPE: usize = 6;
 
-/// The Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step: whole, or its product with a direction.
+/// Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system, step by step: the whole matrix, or its product with a direction.
 #[derive(Clone, Debug, Default)]
 pub struct Jacobian {
-    /// In the order of computation: the accelerations and what they need, and slopes of these.
+    /// Definitions in the order of computation: the accelerations, the quantities that they need, and the slopes of
+    /// both.
     pub steps: Vec<Definition>,
-    /// Row by row, first q̇, then v̇; a column for each coordinate, then for each motion variable, or one column, the
-    /// product.
+    /// Entries of the Jacobian, row by row: first q̇, then v̇. It has a column for each coordinate, then for each
+    /// motion variable; the product with a direction has a single column.
     pub entries: Vec<Vec<Expr>>,
-    /// The direction of the product, an entry for each coordinate and motion variable; empty for the whole Jacobian.
+    /// Symbols of the direction of the product, one for each coordinate and motion variable. Empty for the whole
+    /// Jacobian.
     pub direction: Vec<Expr>,
 }
 
-/// Number of slopes, of each step along all states, above which the product with a direction stands for the whole.
+/// Most slopes, one for each step and state, of a whole Jacobian. With more, only its product with a direction is
+/// derived.
 const MOST_SLOPES: usize = 2000;
-/// Number of slopes, of each operation along all states, above which the product is used: it tells how long the whole
-/// would be.
+/// Most slopes, one for each operation and state, of a whole Jacobian. The number tells how long the whole would be.
 const MOST_SLOPES_OF_OPERATIONS: usize = 8000;
 
-/// Differentiates q̇ and v̇ exactly, by the chain rule over the steps of an elimination, so that nothing is expanded.
+/// Differentiates q̇ and v̇ exactly, by the chain rule over the steps of an elimination, so that no term is expanded.
 pub fn jacobian(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -68,12 +70,12 @@ pub fn jacobian(
     Jacobian { steps, entries, direction: Vec::new() }
 }
 
-/// A symbol's name as part of another.
+/// Name of a symbol as part of another name: `u1_dot` for u1'.
 fn spelled(arena: &Arena, symbol: Expr) -> String {
     arena.symbol_name(symbol).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot")
 }
 
-/// The product of the Jacobian with a direction: one derivative of each step along it.
+/// Product of the Jacobian with a direction: one derivative of each step along the direction.
 fn product(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

@@ -1,4 +1,4 @@
-//! Results made from equations of motion, each proved from them.
+//! Results computed from equations of motion, each proved from the equations.
 
 pub(super) mod accelerations;
 pub(super) mod certificate;

@@ -1,7 +1,7 @@
-//! Values of the quantities that a textbook derivation names: velocities, loads, generalized forces, energies.
+//! Values of the quantities of a textbook derivation: velocities, loads, generalized forces, energies.
 //!
-//! Everything is computed from the kinematics that the formulations share, or read off their finished equations;
-//! results are cached. Absent on purpose: solving. Accelerations stay linear in u̇, loads in the reactions.
+//! Every value is computed from the kinematics that the formulations share, or read from their equations, and kept.
+//! Equations are solved only in [`Quantities::solved`]: accelerations stay linear in u̇, loads in the reactions.
 
 #[cfg(test)]
 mod name_tests;
@@ -27,13 +27,13 @@ use rustc_hash::FxHashMap;
 
 type Tensor = [[Expr; 3]; 3];
 
-/// Derived values of a model's quantities, in the arena of its derivations.
+/// Derived values of a model's quantities, as terms in the store of its derivations.
 pub struct Quantities<'a> {
-    /// The model.
+    /// Model to which the quantities belong.
     pub model: &'a Model,
-    /// Its derivations; `derivations.kinematics.arena` holds every value.
+    /// Derivations of the model; `derivations.kinematics.arena` contains every value.
     pub derivations: &'a mut Derivations,
-    /// In terms of the speeds.
+    /// Velocities in terms of the generalized speeds.
     velocities: Velocities,
     d_dt: Differential,
     to_rates: Substitution,
@@ -43,12 +43,12 @@ pub struct Quantities<'a> {
     inertias: FxHashMap<(usize, usize), Tensor>,
     active_forces: Option<Vec<Expr>>,
     inertia_forces: Option<Vec<Expr>>,
-    /// u̇ in q and u.
+    /// Solved u̇ in q and u; `None` until first computed.
     accelerations: Option<Substitution>,
 }
 
 impl<'a> Quantities<'a> {
-    /// The quantities of a model.
+    /// Quantities of a model, with no value derived yet.
     pub fn new(model: &'a Model, derivations: &'a mut Derivations) -> Self {
         let velocities = derivations.kinematics.in_speeds(model);
         let arena = &mut derivations.kinematics.arena;
@@ -82,13 +82,13 @@ impl<'a> Quantities<'a> {
         }
     }
 
-    /// The derived value of a quantity, simplified.
+    /// Derived value of a quantity, simplified.
     ///
-    /// It is in parameters, q, u, and, for what contains accelerations, linear in u̇; loads contain reactions. A speed,
-    /// E and A are in q and q̇.
+    /// Values are in parameters, q and u. Those with accelerations are also linear in u̇, and loads contain reactions.
+    /// Speeds and Lagrange's E and A are in q and q̇.
     ///
     /// # Errors
-    /// Reason why the formulation that the quantity belongs to cannot be derived.
+    /// Reason why the formulation of the quantity cannot be derived.
     pub fn value(&mut self, quantity: &Quantity) -> Result<Expr, String> {
         let value = match *quantity.kind() {
             QuantityKind::Rotation { from, to, entry: (i, j) } => {
@@ -129,10 +129,10 @@ impl<'a> Quantities<'a> {
         Ok(self.simplify(value))
     }
 
-    /// A term with every u̇ and q̈ in it solved for by Kane's equations.
+    /// Term in which every u̇ and q̈ is replaced by its value from Kane's equations.
     ///
     /// # Errors
-    /// Reason why there are no such equations, or the fact that they determine no acceleration.
+    /// Reason why Kane's equations cannot be derived, or do not determine the accelerations.
     pub fn solved(&mut self, e: Expr) -> Result<Expr, String> {
         let e = self.to_speeds.apply(&mut self.derivations.kinematics.arena, e);
         if self.accelerations.is_none() {
@@ -150,14 +150,14 @@ impl<'a> Quantities<'a> {
         Ok(written.apply(&mut self.derivations.kinematics.arena, e))
     }
 
-    /// True if q̇ or q̈ occurs: such an entry is compared in q and q̇.
+    /// True if a term contains q̇ or q̈; such a term is compared in q and q̇.
     #[must_use]
     pub fn mentions_rates(&self, e: Expr) -> bool {
         let symbols = self.model.coordinates.iter().flat_map(|c| [c.rate, c.second_rate]);
         self.mentions(e, symbols)
     }
 
-    /// True if u or u̇ occurs.
+    /// True if a term contains u or u̇.
     #[must_use]
     pub fn mentions_speeds(&self, e: Expr) -> bool {
         let symbols = self.model.speeds.iter().flat_map(|s| [s.symbol, s.rate]);
@@ -169,31 +169,29 @@ impl<'a> Quantities<'a> {
         symbols.any(|s| parts.binary_search(&s).is_ok())
     }
 
-    /// A term in q, q̇ and q̈ alone: u → J q̇ + d, and u̇ → its time derivative.
+    /// Writes a term in q, q̇ and q̈: u → J q̇ + d, and u̇ → its time derivative.
     ///
-    /// Where a divisor would become the literal 0 the quotient stays as it was, so that
-    /// [`Self::mentions_speeds`] tells.
+    /// If a divisor would become the literal 0, the quotient is unchanged, and [`Self::mentions_speeds`] is true.
     pub fn in_rates(&mut self, e: Expr) -> Expr {
         self.to_rates.apply(&mut self.derivations.kinematics.arena, e)
     }
 
-    /// A term in q, u and u̇ alone: q̇ → W u + w, and q̈ → its time derivative.
+    /// Writes a term in q, u and u̇: q̇ → W u + w, and q̈ → its time derivative.
     ///
-    /// Where a divisor would become the literal 0 the quotient stays as it was, so that
-    /// [`Self::mentions_rates`] tells.
+    /// If a divisor would become the literal 0, the quotient is unchanged, and [`Self::mentions_rates`] is true.
     pub fn in_speeds(&mut self, e: Expr) -> Expr {
         self.to_speeds.apply(&mut self.derivations.kinematics.arena, e)
     }
 
-    /// Value of an energy without any constraint put into it, for entries in q̇: T keeps all n rates. Any other
-    /// quantity keeps its value `derived`.
+    /// Value of an energy with no constraint put in, for comparison with entries in q̇: T keeps the rates of all
+    /// coordinates. A quantity other than T, L and T + V keeps its value `derived`.
     #[must_use]
     pub fn before_constraints(&mut self, kind: &QuantityKind, derived: Expr) -> Expr {
         let QuantityKind::Energy(energy) = kind else { return derived };
         let Ok(lagrange) = self.equations(Formulation::Lagrange) else { return derived };
         let (t, v) = (lagrange.kinetic_energy, lagrange.potential_energy);
         let arena = &mut self.derivations.kinematics.arena;
-        // Time goes on by itself: nobody writes t'.
+        // The rate of time is 1, and nobody writes t'.
         let clock = self.model.coordinates.iter().filter(|c| c.name == TIME).map(|c| (c.rate, Expr::ONE));
         let t = Substitution::new(&clock.collect::<Vec<_>>()).apply(arena, t);
         match energy {
@@ -218,12 +216,12 @@ impl<'a> Quantities<'a> {
         }
     }
 
-    /// R I Rᵀ, from the frame in which the inertia is stated.
+    /// Central inertia R I Rᵀ of a body in a frame; R turns from the frame in which the inertia is stated.
     fn inertia(&mut self, body: usize, frame: usize) -> Tensor {
         if let Some(done) = self.inertias.get(&(body, frame)) {
             return *done;
         }
-        // The names of particles are refused before.
+        // The parser refuses the inertia of a particle.
         let Some((_, inertia)) = &self.model.bodies[body].rigid else { return [[Expr::ZERO; 3]; 3] };
         let Kinematics { arena, frames, simplifier, .. } = &mut self.derivations.kinematics;
         let r = frames.rotation(arena, inertia.frame, frame);
@@ -267,7 +265,7 @@ impl<'a> Quantities<'a> {
         })
     }
 
-    /// Σ ½ m v·v with the velocity, Σ ½ ω·H with the angular velocity.
+    /// Kinetic energy of translation Σ ½ m v·v for the velocity, of rotation Σ ½ ω·H for the angular velocity.
     fn part_of_energy(&mut self, name: VectorName) -> Expr {
         let model = self.model;
         let mut terms = Vec::new();

@@ -1,7 +1,7 @@
-//! The forces that a motion needs, parameter by parameter: M u̇ − f = Σ π_k Y_k + rest, with the Y_k free of the π.
+//! Forces that a motion requires, parameter by parameter: M u̇ − f = Σ π_k Y_k + rest. No Y_k contains a parameter π.
 //!
-//! Consider a rigid body that moves with the velocity v of one of its points P and turns at ω. The force and moment on
-//! it about P, weight taken for an inertia force, are linear in its mass m, its first moments s = m p_PC and its
+//! Consider a rigid body that moves with the velocity v of its point P and turns at ω. Its weight counts as an inertia
+//! force. Then the force on it and the moment about P are linear in its mass m, its first moments s = m p_PC and its
 //! inertia J about P:
 //!
 //! ```text
@@ -9,8 +9,8 @@
 //! ```
 //!
 //! C. G. Atkeson, C. H. An & J. M. Hollerbach, "Estimation of inertial parameters of manipulator loads and links", Int.
-//! J. Robotics Research 5(3) (1986) 101–119. Nothing here is taken from the equations by Kane's method, with which it
-//! is compared.
+//! J. Robotics Research 5(3) (1986) 101–119. The columns use nothing from Kane's equations, with which the regressor is
+//! compared.
 
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
@@ -29,55 +29,54 @@ use crate::model::{Body, Model, Unit};
 /// Set of parameters for which a regressor has columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Varied {
-    /// All ten inertial parameters of every rigid body and the mass of every particle, whatever values the file states,
-    /// and the parameters of loads.
+    /// All ten inertial parameters of every rigid body, the mass of every particle, and the parameters of loads. The
+    /// values in the model file do not matter.
     Bodies,
-    /// The parameters that the file declares, as they enter: those whose unit contains the unit of mass to the first
-    /// power.
+    /// Parameters declared in the model file whose unit contains the unit of mass to the first power.
     Declared,
 }
 
-/// Owner of a column: a body's inertial parameter, or a parameter of the model.
+/// Parameter of a regressor's column: an inertial parameter of a body, or a parameter of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
-    /// A body, by its place.
+    /// Inertial parameter of a body, with the index of the body.
     Body(usize, Inertial),
-    /// A parameter of the model, by its place.
+    /// Parameter of the model, with its index.
     Parameter(usize),
 }
 
-/// Column of a regressor: the force that one parameter adds, per unit of it.
+/// Column of a regressor: the force that one parameter adds, per unit of the parameter.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// The parameter of the column.
+    /// Parameter to which the column belongs.
     pub of: Of,
-    /// Its name.
+    /// Name of the parameter, such as `mx_rod`.
     pub name: String,
-    /// Its unit.
+    /// Unit of the parameter.
     pub unit: Unit,
-    /// Y_k: one entry a speed, in geometry, q, u and u̇.
+    /// Generalized forces Y_k per unit of the parameter, one for each speed; in geometry, q, u and u̇.
     pub forces: Vec<Expr>,
-    /// Value of the parameter by the model, in the parameters that it declares.
+    /// Value of the parameter by the model, as a term in the model's own parameters.
     pub stated: Expr,
 }
 
 /// Regressor of a model: M u̇ − f = Σ π_k Y_k + rest.
 pub struct Regressor {
-    /// Store of the terms.
+    /// Store of the terms of all fields.
     pub arena: Arena,
-    /// The columns, from the ground outward; for a body, in the order in which parameters are kept where several act as
-    /// one.
+    /// Columns of the regressor, from the ground outward. For each body they are in the order of preference in which
+    /// base parameters keep them.
     pub columns: Vec<Column>,
-    /// Required force of loads that belongs to no column: one entry a speed.
+    /// Required forces of loads that belong to no column, one for each speed.
     pub rest: Vec<Expr>,
-    /// M u̇ − f by Kane's method, in parameters, q, u and u̇.
+    /// Required forces M u̇ − f by Kane's method, in parameters, q, u and u̇.
     pub required: Vec<Expr>,
-    /// Anchor of each body's parameters; empty for [`Varied::Declared`].
+    /// Anchor of each body's parameters, in the order of the bodies; empty for [`Varied::Declared`].
     pub anchors: Vec<Anchor>,
 }
 
 impl Regressor {
-    /// The regressor of a model.
+    /// Derives the regressor of a model.
     ///
     /// # Errors
     /// [`DeriveError`] if the model cannot be derived.
@@ -107,7 +106,7 @@ impl Regressor {
             bodies.push((deep, motion.columns(&mut kinematics, model, &anchor)));
             anchors.push(anchor);
         }
-        // From the ground outward: what an outer body shares with an inner one is counted to the inner.
+        // From the ground outward: a base parameter that an outer and an inner body share counts to the inner body.
         bodies.sort_by_key(|(deep, _)| *deep);
         let mut columns: Vec<Column> = bodies.into_iter().flat_map(|(_, columns)| columns).collect();
         let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
@@ -125,14 +124,14 @@ impl Regressor {
     }
 }
 
-/// True if the unit of a parameter contains the unit of mass to the first power, and it is no input. Forces are linear
-/// in all such parameters together, unless they stand in ratios. An input, which drives loads, is no parameter of the
-/// mechanism.
+/// True if the unit of a parameter contains the unit of mass to the first power, and the parameter is no input. Forces
+/// are linear in all such parameters together, unless the parameters form ratios. An input drives loads and is no
+/// parameter of the mechanism.
 fn is_mass_like(parameter: &crate::model::Parameter) -> bool {
     !parameter.is_input && parameter.unit.of_mass().is_one()
 }
 
-/// Splits forces into Σ θ Y_θ + rest, over those of the candidates in which they are linear; the other candidates count
+/// Splits forces into Σ θ Y_θ + rest, over the candidates θ in which the forces are linear. The other candidates count
 /// as known.
 fn linear_part(
     model: &Model,
@@ -168,7 +167,7 @@ fn linear_part(
     (columns, rest)
 }
 
-/// The slopes of each term along each symbol.
+/// Slopes of each term along each symbol, one row for each term.
 fn slopes_of(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Expr>> {
     let mut gradient = Gradient::new(symbols);
     let row = |term: &Expr| {
@@ -181,7 +180,8 @@ fn slopes_of(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Exp
     terms.iter().map(row).collect()
 }
 
-/// For each symbol, whether the slopes along it, of which each row holds one, change with any of the symbols.
+/// For each symbol, true if the slopes along it change with any of the symbols. Each row of `slopes` has one slope for
+/// each symbol.
 fn bent_along(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<bool> {
     let mut gradient = Gradient::new(symbols);
     let mut bent = vec![false; symbols.len()];
@@ -196,11 +196,11 @@ fn bent_along(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<
 
 /// Motion of a body, in the axes of its anchor.
 struct Motion {
-    /// b = a_P − g.
+    /// Acceleration b = a_P − g of the anchor's point P, less free fall.
     b: Components,
     omega: Components,
     alpha: Components,
-    /// ∂v_P/∂u_r and ∂ω/∂u_r.
+    /// Partial velocities ∂v_P/∂u_r and ∂ω/∂u_r for each speed u_r.
     along: Vec<[Components; 2]>,
 }
 
@@ -232,7 +232,7 @@ impl Motion {
         self.along.iter().filter(|pair| pair.iter().flatten().any(|e| *e != Expr::ZERO)).count()
     }
 
-    /// The columns of a body.
+    /// Columns of the regressor for the inertial parameters of a body.
     fn columns(&self, kinematics: &mut Kinematics, model: &Model, anchor: &Anchor) -> Vec<Column> {
         let body = &model.bodies[anchor.body];
         let stated = Stated::new(kinematics, body, anchor);
@@ -258,7 +258,7 @@ impl Motion {
             .collect()
     }
 
-    /// F and N of a unit of a parameter.
+    /// Force F and moment N about P that a unit of a parameter requires.
     fn wrench(&self, arena: &mut Arena, inertial: Inertial) -> [Components; 2] {
         let zero = [Expr::ZERO; 3];
         match inertial {
@@ -288,7 +288,7 @@ fn anchor_name(model: &Model, anchor: &Anchor) -> String {
     model.bodies[anchor.body].name.clone()
 }
 
-/// Inertial parameters of a body by the model: mass, first moments, and inertia about the anchor.
+/// Inertial parameters of a body by the model: mass, first moments and inertia about the anchor's point.
 struct Stated {
     mass: Expr,
     moment: Components,
@@ -304,7 +304,7 @@ impl Stated {
         let r = r.map(|e| simplifier.simplify(arena, e));
         let mut inertia = [[Expr::ZERO; 3]; 3];
         if let Some((_, own)) = &body.rigid {
-            // R I Rᵀ, which is constant in the body.
+            // Tensor R I Rᵀ, which is constant in the body.
             let turn = frames.rotation(arena, own.frame, anchor.frame);
             for i in 0..3 {
                 for j in 0..3 {
@@ -343,7 +343,7 @@ impl Stated {
     }
 }
 
-/// A term with the symbols of names written out.
+/// Writes out the named terms in a term.
 fn plain(arena: &mut Arena, e: Expr) -> Expr {
     let names: Vec<(Expr, Expr)> =
         arena.reachable(&[e]).into_iter().filter_map(|part| Some((part, arena.behind(part)?))).collect();
@@ -355,8 +355,8 @@ fn plain(arena: &mut Arena, e: Expr) -> Expr {
     put.apply(arena, e)
 }
 
-/// Value of a term at coordinates 0; the term itself if it has no value there. For terms that do not depend on
-/// coordinates by meaning.
+/// Value of a term at coordinates 0, for terms that depend on coordinates only in form. Without a value at 0, the term
+/// itself.
 fn at_rest(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
     let e = plain(arena, e);
     let mut put = Substitution::new(&coordinates.iter().map(|q| (*q, Expr::ZERO)).collect::<Vec<_>>());

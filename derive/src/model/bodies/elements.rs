@@ -1,4 +1,4 @@
-//! Frames, points and bodies, as the model file states them.
+//! Frames, points and bodies, as a model file states them.
 
 use super::joints::Joints;
 use crate::algebra::term::calculus::Gradient;
@@ -31,7 +31,7 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// Reads everything; errors are added to those of the reader.
+    /// Reads the sections of frames, points, bodies, loads and reactions; errors are added to those of the reader.
     pub fn read<'a>(
         &mut self,
         loading: &mut Loading<'a>,
@@ -50,7 +50,8 @@ impl Elements {
         self.read_reactions(loading, reactions);
     }
 
-    /// The one body that a coordinate moves against what that body is placed from.
+    /// Index of the one body that a coordinate moves relative to the body or origin from which it is placed. `None` if
+    /// the coordinate moves no body so, or several.
     pub fn placed_by(&self, arena: &Arena, coordinate: Expr) -> Option<usize> {
         let depends = |terms: &[Expr]| arena.reachable(terms).contains(&coordinate);
         let is_bodily =
@@ -76,9 +77,9 @@ impl Elements {
         found.next().filter(|_| found.next().is_none())
     }
 
-    /// The axis of a frame, 0, 1 or 2, along which a coordinate moves a body against what it is placed from, and how
-    /// far for each unit;
-    /// `None` unless the coordinate stands in one component of one position alone.
+    /// Axis along which a coordinate moves a body relative to the place from which it is placed: frame, axis 0, 1 or 2,
+    /// and distance per unit of the coordinate. `None` unless the coordinate stands in exactly one component of one
+    /// position.
     pub fn axis_moved(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<(usize, usize, Expr)> {
         let steps = self.own_steps(&self.bodies[body]);
         let components = steps.iter().flat_map(|(frame, position)| {
@@ -90,8 +91,8 @@ impl Elements {
         slopes.first().map(|(_, slope)| (frame, axis, *slope))
     }
 
-    /// The steps from the mass centre of a body back to that of the body from which it is placed, or to the origin:
-    /// frame and components.
+    /// Steps from the mass centre of a body back to the mass centre of the body from which it is placed, or to the
+    /// origin. Each step has its frame and components.
     fn own_steps(&self, body: &Body) -> Vec<(usize, &[Expr; 3])> {
         let is_centre = |point: usize| self.bodies.iter().any(|body| body.centre == point);
         let mut steps = Vec::new();
@@ -278,8 +279,8 @@ impl Elements {
         Some(Inertia { frame: frame?, tensor })
     }
 
-    /// Inertia of a body that turns about one axis only, for which one moment matters. It is that of a thin plate
-    /// across the axis.
+    /// Inertia of a body that turns about one axis only, stated by its moment about that axis. It is the inertia of a
+    /// thin plate across the axis.
     fn planar_inertia<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -300,7 +301,7 @@ impl Elements {
             }
             at = *parent;
         }
-        // How the plane of the motion lies in space does not matter.
+        // A constant turn of the plane of motion in space does not matter.
         while turns.last().is_some_and(|(_, moves)| !moves) {
             turns.pop();
         }
@@ -319,7 +320,8 @@ impl Elements {
         Some(Inertia { frame, tensor })
     }
 
-    /// The components in `frame` of the vector between two points, one placed directly from the other.
+    /// Components in `frame` of the vector between two points; `None` unless one point is placed directly from the
+    /// other in this frame.
     fn arm(&self, arena: &mut Arena, from: usize, to: usize, frame: usize) -> Option<[Expr; 3]> {
         if from == to {
             return Some([Expr::ZERO; 3]);
@@ -331,7 +333,7 @@ impl Elements {
         direct(from, to).or_else(|| direct(to, from).map(|r| r.map(|e| arena.neg(e))))
     }
 
-    /// The position of the frame under the key `frame`.
+    /// Index of the frame under the key `frame` of an entry.
     pub fn frame<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -354,7 +356,7 @@ impl Elements {
         self.points.iter().position(|p| known && p.name == name.text)
     }
 
-    /// The position of the point under a key.
+    /// Index of the point under a key of an entry.
     pub fn point<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -368,7 +370,8 @@ impl Elements {
         self.point_named(loading, &name)
     }
 
-    /// Rewrites every expression: used to take constrained variables out.
+    /// Replaces every expression of the elements by its image under `map`, for example to eliminate constrained
+    /// variables.
     pub fn rewrite(&mut self, map: &mut impl FnMut(Expr) -> Expr) {
         for frame in &mut self.frames {
             if let Some((_, turn)) = &mut frame.rotation {
@@ -396,7 +399,7 @@ impl Elements {
         }
     }
 
-    /// Makes the checks that need everything to be read.
+    /// Reports masses and inertias that no body can have at the default values.
     pub fn check(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
         let known = physics::defaults(parameters);
         for body in &self.bodies {
@@ -414,7 +417,7 @@ fn mass<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>, what: &str, owner
     loading.quantity(&formula, PARAMETERS, &Unit::new(0, 1, 0), &format!("the mass of {what}"))
 }
 
-/// Three formulas under a key, each in `unit`.
+/// Reads three formulas under a key, each in `unit`.
 pub fn vector<'a>(
     loading: &mut Loading<'a>,
     entry: &'a DeTable<'a>,
@@ -431,7 +434,7 @@ pub fn vector<'a>(
     Some([a?, b?, c?])
 }
 
-/// I_C = I_P − m (|r|² 1 − r rᵀ), r from P to the mass centre C: Steiner.
+/// Steiner's theorem, I_C = I_P − m (|r|² 1 − r rᵀ), with r from P to the mass centre C.
 fn to_centre(arena: &mut Arena, tensor: [[Expr; 3]; 3], mass: Expr, arm: [Expr; 3]) -> [[Expr; 3]; 3] {
     let squares = arm.map(|r| arena.square(r));
     let length = arena.sum(&squares);

@@ -1,8 +1,8 @@
 //! Dry friction, smooth at rest: at a point of contact, and about an axis.
 //!
 //! Coulomb's law jumps where the slip changes sign. Here the resistance is R(s) s/√(|s|² + s₀²) against the slip s. It
-//! is within s₀²/(2|s|²) of Coulomb's law where |s| is well above s₀, and linear in s where it is well below. R is a
-//! resistance that may fall from its value at rest by A. Stribeck's curve: R(s) = R + (R_s − R) exp(−|s|²/s_S²) (B.
+//! is within s₀²/(2|s|²) of Coulomb's law where |s| is well above s₀, and linear in s where |s| is well below s₀. R may
+//! be higher at rest and fall with the slip by A. Stribeck's curve: R(s) = R + (R_s − R) exp(−|s|²/s_S²) (B.
 //! Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30 (1994) 1083–1138).
 
 use super::elements::Elements;
@@ -19,27 +19,27 @@ use crate::read::Located;
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// Pair of bodies that rub on one another, or body that rubs on the ground.
+/// Two bodies that rub on one another, or a body that rubs on the ground.
 enum Contact {
-    /// Contact of the material of a body at a point with that of another or of the ground. If an axis of a frame is
-    /// normal to it, friction acts across that axis.
+    /// Contact of the material of a body at a point with that of another body or of the ground. If an axis of `frame`
+    /// is normal to the contact, friction acts across that axis.
     Point { on: Place, against: Option<usize>, frame: usize, normal: Option<usize> },
-    /// A body that turns against another or the ground, about an axis of a frame.
+    /// A body that turns about an axis of a frame, against another body or the ground.
     Axis { on: usize, against: Option<usize>, frame: usize, axis: usize },
 }
 
 /// Law by which a contact resists slip.
 #[derive(Clone, Copy)]
 struct Law {
-    /// Resistance while sliding, N or N m. If the resistance is higher at rest, `at_rest` has its value there and the
-    /// slip s_S over which the excess decays.
+    /// Resistance while sliding, N or N m. If the resistance is higher at rest, `at_rest` has the resistance at rest
+    /// and the slip s_S over which the excess decays.
     resistance: Expr,
     at_rest: Option<(Expr, Expr)>,
-    /// Slip s₀ below which the law is smooth.
+    /// Slip s₀ below which the law is smooth, m/s or rad/s.
     smoothing: Expr,
 }
 
-/// Friction as the file states it.
+/// Friction as the model file states it.
 pub struct StatedFriction {
     name: Located,
     contact: Contact,
@@ -47,7 +47,7 @@ pub struct StatedFriction {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[friction.NAME]`.
+    /// Reads the section `[friction]` of a model file: an entry `[friction.NAME]` for each contact.
     pub fn friction(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedFriction> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "friction", &[]) {
@@ -126,7 +126,8 @@ impl<'a> Loading<'a> {
         Some((Contact::Axis { on, against, frame: frame?, axis: axis? }, Law { resistance, at_rest, smoothing }))
     }
 
-    /// The rigid body under `against`, if there is one.
+    /// Index of the rigid body under the key `against`: `Some(None)` for the ground if the key is absent, `None` after
+    /// an error.
     #[allow(clippy::option_option, reason = "no body is the ground, no answer an error")]
     fn against(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<Option<usize>> {
         let Some(value) = self.reader.get(entry, "against") else { return Some(None) };
@@ -157,7 +158,8 @@ impl<'a> Loading<'a> {
         self.quantity(&formula, allowed, unit, &format!("`{key}` of {what}"))
     }
 
-    /// Reads `static` and `stribeck`, which must be stated together: `Some(None)` if neither is, `None` after an error.
+    /// Reads `static` and `stribeck`, which must be stated together: `Some(None)` if both are absent, `None` after an
+    /// error.
     #[allow(clippy::option_option, reason = "nothing stated is no error")]
     fn at_rest(
         &mut self,
@@ -184,7 +186,7 @@ impl<'a> Loading<'a> {
         None
     }
 
-    /// The loads that friction is.
+    /// Adds the forces and torques of friction to the elements.
     pub fn friction_loads(&mut self, moving: &mut Moving, elements: &mut Elements, stated: Vec<StatedFriction>) {
         for friction in stated {
             match friction.contact {
@@ -228,7 +230,7 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// −R(s) s/√(|s|² + s₀²); nothing where nothing slips, which is reported.
+    /// Force or torque −R(s) s/√(|s|² + s₀²) against a slip s; reports and returns `None` if nothing slips.
     fn resisting(&mut self, friction: &StatedFriction, slip: [Expr; 3]) -> Option<[Expr; 3]> {
         let arena = &mut self.arena;
         let squares = slip.map(|s| arena.square(s));

@@ -1,5 +1,4 @@
-//! Signals that drive loads: parameters that a program may change during a run, or formulas that scenes put in their
-//! place.
+//! Signals that drive loads: parameters that a program may change during a run, or formulas that scenes give instead.
 //!
 //! A formula is put in before anything is derived, so that slopes and series include it. Only the reading of files
 //! knows which loads it affects.
@@ -17,14 +16,14 @@ use toml::de::{DeTable, DeValue};
 /// Quantities that a formula of an input may contain.
 const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
 
-/// Inputs, and replacements of those that are formulas.
+/// Inputs of a model, and terms that replace the symbols of inputs with a formula.
 pub struct Signals {
     pub list: Vec<Input>,
     replacements: Vec<(Expr, Expr)>,
 }
 
 impl Signals {
-    /// Puts formulas in the place of inputs.
+    /// Replaces inputs by their formulas in the elements and in the conditions of the domain.
     pub fn put_in(&self, arena: &mut Arena, elements: &mut Elements, domain: &mut [Condition]) {
         if self.replacements.is_empty() {
             return;
@@ -38,7 +37,7 @@ impl Signals {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[inputs]`; those without a formula become parameters.
+    /// Reads `[inputs]`; inputs without a formula become parameters.
     pub fn inputs(&mut self, table: &'a DeTable<'a>, parameters: &mut Vec<Parameter>) -> Signals {
         let (mut list, mut replacements) = (Vec::new(), Vec::new());
         for (name, value) in self.section(table, "inputs", &[Kind::Input]) {
@@ -51,7 +50,7 @@ impl<'a> Loading<'a> {
             let about = self.about(entry);
             let bound = self.bindings.iter().find(|binding| binding.input == name.text);
             let formula = match (bound, self.reader.get(entry, "value")) {
-                // Errors in it were reported with the file that it stands in.
+                // Errors in this formula were reported with the file that states it.
                 (Some(binding), _) => {
                     Some(Located { text: binding.formula.clone(), span: name.span.clone(), exact: false })
                 }
@@ -101,7 +100,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Formulas of inputs that are in force: those that scenes give, and those of the file for all other inputs.
+/// Formulas of inputs that are in force: those of the scene, and those of the model file for all other inputs.
 pub fn formulas<'t>(table: &'t DeTable<'_>, bindings: &'t [Binding]) -> Vec<&'t str> {
     let inputs = table.get("inputs").and_then(|value| value.get_ref().as_table());
     let stated = inputs.into_iter().flat_map(|inputs| inputs.iter()).filter_map(|(name, value)| {

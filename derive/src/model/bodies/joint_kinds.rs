@@ -14,7 +14,7 @@ pub enum JointKind {
     Free,
 }
 
-/// The kinds by name, in the order in which a message lists them.
+/// Kinds of joints by name, in the order in which a message lists them.
 pub const KINDS: [(&str, JointKind); 9] = [
     ("pin", JointKind::Pin),
     ("slider", JointKind::Slider),
@@ -27,7 +27,7 @@ pub const KINDS: [(&str, JointKind); 9] = [
     ("free", JointKind::Free),
 ];
 
-/// Their names.
+/// Names of the kinds of joints, in the order of [`KINDS`].
 pub const JOINT_KINDS: [&str; KINDS.len()] = {
     let mut names = [""; KINDS.len()];
     let mut at = 0;
@@ -38,21 +38,22 @@ pub const JOINT_KINDS: [&str; KINDS.len()] = {
     names
 };
 
-/// One coordinate of a joint: a way along or a turn about an axis, 0, 1 or 2.
+/// A coordinate of a joint: a displacement along or a turn about an axis, 0, 1 or 2.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Freedom {
-    /// Along an axis of the joint's frame on the body that carries.
+    /// A displacement along an axis of the joint's frame on the body that carries.
     Along(usize),
-    /// About an axis of the frame that the turns before it lead to.
+    /// A turn about an axis of the frame to which the turns before it lead.
     About(usize),
-    /// About an axis, and along it by the lead for each turn.
+    /// A turn about an axis with a displacement along it: one lead for each full turn.
     Screwed(usize),
-    /// An Euler parameter, the first of four the scalar.
+    /// An Euler parameter. The first of the four is the scalar.
     Parameter,
 }
 
 impl JointKind {
-    /// Motion of each coordinate of such a joint, in their order.
+    /// Motion of each coordinate of a joint of this kind, in the order of the coordinates. `axes` are those of its
+    /// turns; empty for Euler parameters.
     pub fn freedoms(self, axes: &[usize]) -> Vec<Freedom> {
         let turns = axes.iter().map(|axis| Freedom::About(*axis));
         let parameters = if axes.is_empty() { 4 } else { 0 };
@@ -72,7 +73,7 @@ impl JointKind {
         }
     }
 
-    /// The keys that such a joint may have beside those of all.
+    /// Keys that a joint of this kind may have in addition to those of every joint.
     pub fn keys(self) -> &'static [&'static str] {
         match self {
             Self::Pin | Self::Slider | Self::Cylinder | Self::Planar => &["axis"],
@@ -84,7 +85,8 @@ impl JointKind {
     }
 }
 
-/// Components in the frame of ω by Euler parameters, the scalar first, as formulas: 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|².
+/// Components of ω by Euler parameters, in the turned frame, as formulas: 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|². The scalar
+/// ε₀ comes first.
 pub fn by_euler_parameters(names: [&str; 4]) -> [String; 3] {
     let [w, x, y, z] = names;
     let length = names.map(|name| format!("{name}^2")).join(" + ");
@@ -92,14 +94,14 @@ pub fn by_euler_parameters(names: [&str; 4]) -> [String; 3] {
         .map(|(i, j, k)| format!("2*({w}*{i}' - {w}'*{i} - {j}*{k}' + {k}*{j}')/({length})"))
 }
 
-/// Components in the last frame of ω after three turns about body-fixed axes, as formulas.
+/// Components of ω after turns about body-fixed axes, in the last frame, as formulas.
 ///
-/// Each turn's rate is along an axis that the turns after it carry on: e_a is seen from a frame turned by q about b as
-/// e_a cos q ∓ (the third axis) sin q.
+/// Each turn's axis is expressed in the last frame by the turns after it. A frame turned by q about axis b sees the
+/// unit vector e_a as e_a cos q ∓ (third axis) sin q.
 pub fn angular_velocity(axes: &[usize], angles: &[&str]) -> Vec<String> {
     let mut sums: [Vec<String>; 3] = Default::default();
     for (first, (axis, angle)) in axes.iter().zip(angles).enumerate() {
-        // (axis, sign, factors) of each part of the turn's axis.
+        // Each part of the turn's axis as (axis, sign, factors).
         let mut parts = vec![(*axis, 1, String::new())];
         for (about, by) in axes.iter().zip(angles).skip(first + 1) {
             let turned = |(axis, sign, factors): &(usize, i32, String)| {
@@ -107,7 +109,7 @@ pub fn angular_velocity(axes: &[usize], angles: &[&str]) -> Vec<String> {
                     return vec![(*axis, *sign, factors.clone())];
                 }
                 let third = 3 - axis - about;
-                // Seen from the turned frame the axis turns back: towards axis × about.
+                // Seen from the turned frame, the axis turns back, towards axis × about.
                 let side = if (axis + 1) % 3 == *about { 1 } else { -1 };
                 vec![
                     (*axis, *sign, format!("{factors}*cos({by})")),

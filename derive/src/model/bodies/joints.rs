@@ -1,8 +1,8 @@
-//! Joints: each connects two bodies, and brings the frame, points, coordinates and speeds of the one that it carries.
+//! Joints: each connects two bodies. A joint that carries a body adds the body's frame, points, coordinates and speeds.
 //!
-//! A joint adds entries to the sections of a file, so that people need not write them, by names that they may use. Only
-//! the reading of files knows of joints. The first joint that names a body carries it, unless its frame is declared. A
-//! further joint closes a loop.
+//! A joint adds entries to the sections of a model file, under names that formulas may use. Only the reading of files
+//! knows of joints. The first joint that names a body carries it, unless the body's frame is declared. A further joint
+//! of a body closes a loop.
 
 use super::joint_kinds::{Freedom, JointKind, KINDS, angular_velocity, by_euler_parameters};
 use crate::diagnostic::{nearest, shown};
@@ -16,67 +16,67 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Word that asks for Euler parameters in place of a sequence of turns.
+/// Value of `sequence` that asks for Euler parameters in place of a sequence of turns.
 const EULER: &str = "euler";
 
-/// A joint as the file states it.
+/// A joint as the model file states it.
 pub struct Joint<'a> {
     pub name: Located,
     pub entry: &'a DeTable<'a>,
     /// Name of the joint in messages.
     pub what: String,
     pub kind: JointKind,
-    /// Axes in the order of the turns; a kind with one axis has one entry. Empty for a kind with three turns that has
+    /// Axes in the order of the turns; one entry for a kind with one axis. Empty for a kind with three turns that uses
     /// Euler parameters.
     pub axes: Vec<usize>,
-    /// The vector along which axis 3 of the joint lies, if it is stated so.
+    /// Vector along which axis 3 of the joint lies; `None` if the model file states an axis by number or none.
     pub along: Option<&'a Spanned<DeValue<'a>>>,
-    /// The body that it connects to its holder.
+    /// Name of the body that the joint connects to its holder.
     pub body: Located,
-    /// The body that carries; the ground if there is none.
+    /// Name of the body that carries; `None` for the ground.
     pub to: Option<Located>,
-    /// True if the joint carries its body; otherwise it closes a loop.
+    /// True if the joint carries its body; false if it closes a loop.
     pub carries: bool,
-    /// The names of its coordinates.
+    /// Names of the joint's coordinates.
     pub coordinates: Vec<Located>,
 }
 
-/// Names of the frame, mass centre and joint that place a body.
+/// Names of the frame and mass centre of a body, and of the joint that carries it.
 #[derive(Clone)]
 pub struct Placed {
     pub frame: Located,
     pub centre: Located,
-    /// The joint that carries it, whose name is that of its point on the body.
+    /// Name of the joint that carries the body, and of its point on the body; `None` if no joint carries it.
     pub joint: Option<Located>,
 }
 
-/// All joints of a file, and the names by which they place bodies.
+/// All joints of a model file, and the names by which they place bodies.
 #[derive(Default)]
 pub struct Joints<'a> {
     pub list: Vec<Joint<'a>>,
-    /// Frames and mass centres of bodies by name, stated or those that joints bring.
+    /// Frames and mass centres of bodies by name of the body: stated names or default names.
     pub bodies: FxHashMap<String, Placed>,
-    /// Names and definitions of the speeds that joints bring.
+    /// Name and definition of each speed that joints add.
     pub speeds: Vec<(Located, Located)>,
-    /// Names of those of them that the file states.
+    /// Names of speeds of joints that the model file states.
     pub stated_speeds: FxHashSet<String>,
-    /// True if a joint could not be read, so that names it would bring are not reported as missing.
+    /// True if a joint could not be read. Names that it would add are then not reported as missing.
     pub is_short: bool,
 }
 
 impl Joints<'_> {
-    /// True if a joint brings this speed.
+    /// True if a joint adds this speed to the model.
     pub fn brings(&self, speed: &Speed) -> bool {
         self.speeds.iter().any(|(name, _)| name.text == speed.name)
     }
 
-    /// A speed that follows from others.
+    /// The dependent speed made of a joint's speed that follows from others.
     pub fn dependent(&self, speed: Speed) -> DependentSpeed {
         let is_stated = self.stated_speeds.contains(&speed.name);
         DependentSpeed { name: speed.name, definition: speed.definition, is_stated }
     }
 
-    /// Coordinates that joints bring, each with its unit and a description.
+    /// Coordinates that joints add, each with its unit and a description.
     pub fn coordinates(&self) -> Vec<(Located, Unit, String)> {
         let mut list = Vec::new();
         for joint in self.list.iter().filter(|joint| joint.carries) {
@@ -97,7 +97,7 @@ impl Joints<'_> {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[joints]`, but for the formulas in it, which may name the coordinates that it brings.
+    /// Reads `[joints]`, except formulas, since these may name coordinates of joints.
     pub fn joints(&mut self, table: &'a DeTable<'a>) -> Joints<'a> {
         let mut joints = Joints::default();
         let entries = self.section(table, "joints", &[Kind::Point, Kind::Frame, Kind::Coordinate, Kind::Speed]);
@@ -132,14 +132,14 @@ impl<'a> Loading<'a> {
                 continue;
             }
             joints.is_short = true;
-            // What it would have brought is not missed.
+            // Names that this joint would have added are not reported as missing.
             let carried = joints.bodies.values().filter(|placed| placed.joint.as_ref() == Some(&name));
             for placed in carried {
                 self.names.spoil(&placed.frame.text);
                 self.names.spoil(&placed.centre.text);
             }
             if self.reader.errors.len() == before {
-                // Its cause is reported elsewhere.
+                // The cause of this failure is reported elsewhere.
                 self.names.spoil(&name.text);
             } else {
                 self.names.unread(&[Kind::Point, Kind::Frame, Kind::Coordinate, Kind::Rate, Kind::Speed]);
@@ -212,7 +212,7 @@ impl<'a> Loading<'a> {
         Some(joint)
     }
 
-    /// The rigid body under a key.
+    /// Name of the rigid body under a key of a joint; reports a name that is no rigid body.
     fn jointed(
         &mut self,
         joints: &Joints<'a>,
@@ -232,7 +232,7 @@ impl<'a> Loading<'a> {
         None
     }
 
-    /// The axes of a kind's turns, from 0.
+    /// Axes of the turns of a joint of this kind: 0, 1 or 2.
     fn axes(&mut self, kind: JointKind, entry: &'a DeTable<'a>, what: &str) -> Option<Vec<usize>> {
         match kind {
             JointKind::Weld => Some(Vec::new()),
@@ -263,7 +263,7 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// An axis of a frame, from 0.
+    /// Reads an axis of a frame, 1, 2 or 3, as 0, 1 or 2.
     pub fn axis(&mut self, value: &'a toml::Spanned<DeValue<'a>>) -> Option<usize> {
         let axis = match value.get_ref() {
             DeValue::Integer(n) => ["1", "2", "3"].iter().position(|a| *a == n.as_str()),
@@ -275,7 +275,7 @@ impl<'a> Loading<'a> {
         axis
     }
 
-    /// The axes of turns that follow one another, from 0, such as those of `"313"`.
+    /// Reads the axes of successive turns, such as `"313"`, as 0, 1 or 2. `count` is the number required, if any.
     pub fn sequence(&mut self, value: &'a toml::Spanned<DeValue<'a>>, count: Option<usize>) -> Option<Vec<usize>> {
         let text = self.reader.string(value, "`sequence`")?;
         let axes: Option<Vec<usize>> =
@@ -292,7 +292,7 @@ impl<'a> Loading<'a> {
         good
     }
 
-    /// The names under a key, one for each of `count`, or those by default.
+    /// Reads `count` names under a key of a joint; if the key is absent, takes the default names.
     fn joint_names(
         &mut self,
         joint: &Joint<'a>,
@@ -318,8 +318,8 @@ impl<'a> Loading<'a> {
         list.iter().map(|item| self.reader.string(item, &format!("one of `{key}`"))).collect()
     }
 
-    /// Speeds that a joint brings: rates of displacements and of turns. For three turns they are the components of the
-    /// angular velocity relative to the holder, in the frame of the body.
+    /// Names and definitions of the speeds of a joint: rates of displacements and of turns. For three turns they are
+    /// the components of the body's angular velocity relative to its holder, in the frame of the body.
     fn joint_speeds(&mut self, joint: &Joint<'a>, freedoms: &[Freedom]) -> Option<Vec<(Located, Located)>> {
         let none = self.reader.get(joint.entry, "speeds").and_then(|v| v.get_ref().as_array());
         if none.is_some_and(|list| list.iter().next().is_none()) {

@@ -1,4 +1,4 @@
-//! Gravity, forces, torques and reactions, as the model file states them.
+//! Gravity, forces, torques and reactions, as a model file states them.
 
 use super::elements::{Elements, vector};
 use crate::algebra::Expr;
@@ -15,7 +15,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 impl Elements {
-    /// Reads `[gravity]`.
+    /// Reads the section `[gravity]` of a model file.
     pub fn read_gravity<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         let Some(value) = loading.reader.get(table, "gravity") else { return };
         let what = "`gravity`";
@@ -35,7 +35,7 @@ impl Elements {
         }
     }
 
-    /// Reads `[forces]`.
+    /// Reads the section `[forces]` of a model file.
     pub fn read_forces<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         for (name, value) in loading.section(table, "forces", &[]) {
             let entry = loading.entry(&name, value, Kind::Force, None, "[forces.NAME]");
@@ -62,7 +62,7 @@ impl Elements {
         }
     }
 
-    /// Reads `[torques]`.
+    /// Reads the section `[torques]` of a model file.
     pub fn read_torques<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         for (name, value) in loading.section(table, "torques", &[]) {
             let entry = loading.entry(&name, value, Kind::Torque, None, "[torques.NAME]");
@@ -71,7 +71,7 @@ impl Elements {
             let on = loading.reader.need(entry, "on", &what, &name.span);
             let on = on.and_then(|v| self.turned(loading, v, "on"));
             let against = loading.reader.get(entry, "against").and_then(|v| self.turned(loading, v, "against"));
-            // What turns the ground does nothing.
+            // A torque on the ground has no effect.
             let against = against.filter(|(frame, _)| *frame != 0);
             let frame = self.frame(loading, entry, &what, &name.span);
             let unit = Unit::new(2, 1, -2);
@@ -82,7 +82,8 @@ impl Elements {
         }
     }
 
-    /// Reads the target of a torque, a rigid body or a frame without mass: the frame, and its body if it has one.
+    /// Reads the target of a torque, a rigid body or a frame without mass: index of the frame, and of its body if it
+    /// has one.
     fn turned<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -106,7 +107,8 @@ impl Elements {
         }
     }
 
-    /// The rigid body that a reaction torque turns, if it is not the ground; reports any other frame.
+    /// Index of the rigid body that a reaction torque turns; `None` for the ground. Reports a frame that carries no
+    /// body.
     fn turned_body<'a>(&self, loading: &mut Loading<'a>, entry: &'a DeTable<'a>, key: &str) -> Option<usize> {
         let value = loading.reader.get(entry, key)?;
         let (frame, body) = self.turned(loading, value, key)?;
@@ -118,7 +120,7 @@ impl Elements {
         body
     }
 
-    /// Reads the reactions, whose names are declared already.
+    /// Reads the entries of `[reactions]`, whose names are declared already.
     pub fn read_reactions<'a>(&mut self, loading: &mut Loading<'a>, entries: &[Entry<'a>]) {
         for (name, value) in entries {
             let what = format!("reaction `{}`", name.text);
@@ -168,8 +170,8 @@ impl Elements {
         }
     }
 
-    /// The velocities that formulas name, by their places in the lists of the model; reports a particle that is not at
-    /// the point.
+    /// Velocities and positions that formulas name, with indices into the lists of the model. Reports a particle that
+    /// is not at the named point.
     pub fn velocities(&self, loading: &mut Loading<'_>) -> Vec<NamedVelocity> {
         let stated = std::mem::take(&mut loading.names.velocities);
         stated.iter().filter_map(|velocity| self.velocity(loading, velocity)).collect()
@@ -202,7 +204,7 @@ impl Elements {
         Some(NamedVelocity { symbol, of, frame, axis })
     }
 
-    /// The frame of a rigid body; reports a particle, which has none.
+    /// Index of the frame of a rigid body; reports a particle, which has no frame.
     fn frame_of_body(&self, loading: &mut Loading<'_>, name: &Located, body: usize) -> Option<usize> {
         let frame = self.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
         if frame.is_none() {
@@ -217,7 +219,7 @@ impl Elements {
         self.bodies.iter().position(|b| known && b.name == name.text)
     }
 
-    /// The body and point under two keys; the point is the mass centre unless stated.
+    /// Reads a body and a point under two keys of an entry; the point is the body's mass centre unless stated.
     pub fn place<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -244,7 +246,8 @@ impl Elements {
         Some(Place { body, point })
     }
 
-    /// Reads where the opposite of a force acts: on the body `against`, at `against_at` or where the force acts.
+    /// Reads the place of a force's opposite: on the body `against`, at the point `against_at` or at the point of the
+    /// force.
     fn opposite<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -295,7 +298,7 @@ fn zero_at<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Ve
         let symbol = loading.arena.symbol(&name.text);
         let Some(unit) = loading.units.get(&symbol).cloned() else { continue };
         let what = "a coordinate's value";
-        // A plain number is in the coordinate's own unit.
+        // A plain number is in the coordinate's own unit, and needs no check.
         let plain = loading.names.formula(&mut loading.reader, &mut loading.arena, &formula, PARAMETERS, what);
         let Some(e) = plain else { continue };
         if loading.arena.as_number(e).is_none() {

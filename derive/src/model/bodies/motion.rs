@@ -1,4 +1,4 @@
-//! Positions and velocities of the frames and points that were read, in q and q̇.
+//! Positions and velocities of the frames and points of a model file, in q and q̇.
 
 use super::elements::Elements;
 use crate::algebra::form::simplify::Simplifier;
@@ -10,7 +10,7 @@ use crate::geometry::{Frames, Motion, Vector};
 use crate::model::velocities::NamedVelocity;
 use crate::model::{Coordinate, Place};
 
-/// Frames and points of a mechanism along every motion of its coordinates.
+/// Positions and velocities of the frames and points of a mechanism, in q and q̇.
 pub struct Moving {
     frames: Frames,
     motion: Motion,
@@ -19,7 +19,7 @@ pub struct Moving {
 }
 
 impl Moving {
-    /// The motion of elements without errors.
+    /// The motion of frames and points that were read without errors.
     pub fn new(arena: &mut Arena, elements: &Elements, coordinates: &[Coordinate]) -> Self {
         let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut rates = Differential::along(&rates);
@@ -28,7 +28,7 @@ impl Moving {
         Self { frames, motion, rates, simplifier: Simplifier::default() }
     }
 
-    /// Component of a velocity or position that a formula names.
+    /// Component of a velocity or position that a formula names, as a simplified term in q and q̇.
     pub fn named(&mut self, arena: &mut Arena, elements: &Elements, name: &NamedVelocity) -> Expr {
         let vector = match name.of {
             VelocityOf::Material(body, point) => self.material(arena, elements, body, point),
@@ -39,13 +39,13 @@ impl Moving {
         self.component(arena, &vector, name.frame, name.axis)
     }
 
-    /// One component of a vector, simplified.
+    /// Component of a vector along an axis, 0, 1 or 2, of a frame, simplified.
     pub fn component(&mut self, arena: &mut Arena, vector: &Vector, frame: usize, axis: usize) -> Expr {
         let component = self.frames.component(arena, vector, frame, axis);
         self.simplifier.simplify(arena, component)
     }
 
-    /// The velocity of the material of a body at a point.
+    /// Velocity, relative to the inertial frame, of the material of a body at a point.
     pub fn material(&mut self, arena: &mut Arena, elements: &Elements, body: usize, point: usize) -> Vector {
         let body = &elements.bodies[body];
         match &body.rigid {
@@ -54,31 +54,31 @@ impl Moving {
         }
     }
 
-    /// The angular velocity of a frame.
+    /// Angular velocity of a frame relative to the inertial frame.
     pub fn turning(&self, frame: usize) -> Vector {
         self.motion.angular[frame].clone()
     }
 
-    /// From one point to another.
+    /// Vector from one point to another, as a function of q.
     pub fn way(&self, arena: &mut Arena, from: usize, to: usize) -> Vector {
         let back = self.motion.positions[from].neg(arena);
         self.motion.positions[to].add(arena, &back)
     }
 
-    /// |v|² of a vector, simplified.
+    /// Square |v|² of the length of a vector, simplified.
     pub fn square(&mut self, arena: &mut Arena, vector: &Vector) -> Expr {
         let square = self.frames.dot(arena, vector, vector);
         self.simplifier.simplify(arena, square)
     }
 
-    /// The time derivative of a term in q.
+    /// Time derivative of a term in q, simplified.
     pub fn rate(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         let rate = self.rates.apply(arena, e);
         self.simplifier.simplify(arena, rate)
     }
 
-    /// True if a body always has the same material at a point. Otherwise the work of a force there is not that along
-    /// the path of the point.
+    /// True if a body always has the same material at a point. Otherwise the power of a force at the point is not force
+    /// times velocity of the point.
     pub fn stays(&mut self, arena: &mut Arena, elements: &Elements, Place { body, point }: Place) -> bool {
         let back = self.motion.linear[point].neg(arena);
         let slip = self.material(arena, elements, body, point).add(arena, &back);

@@ -1,4 +1,4 @@
-//! Potentials that the file gives: energies that depend on where everything is, and on nothing else.
+//! Potentials that the model file states: energies that depend only on coordinates, positions and time.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -10,7 +10,7 @@ use crate::read::Located;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
-/// A potential as the file states it, with the place of its formula.
+/// A potential as the model file states it, with the byte range of its formula.
 pub struct StatedPotential {
     name: Located,
     energy: Expr,
@@ -18,7 +18,7 @@ pub struct StatedPotential {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[potentials]`.
+    /// Reads the section `[potentials]` of a model file.
     pub fn potentials(&mut self, table: &'a DeTable<'a>) -> Vec<StatedPotential> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "potentials", &[]) {
@@ -39,7 +39,7 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// Potentials with the positions that they name put in; reports one that exerts nothing.
+    /// Potentials in which terms replace the positions that they name; reports a potential that exerts no force.
     pub fn placed_potentials(&mut self, put: &mut Substitution, stated: Vec<StatedPotential>) -> Vec<Potential> {
         let time = self.arena.find_symbol(crate::model::TIME);
         let mut coordinates = self.names.symbols_of(&[Kind::Coordinate]);

@@ -1,7 +1,7 @@
-//! Shapes of a mechanism, `[shapes]` of a model file, which views draw and no equation uses.
+//! Shapes of a mechanism, from `[shapes]` of a model file. Views draw them; no equation uses them.
 //!
-//! Invariant: no derived result depends on a shape. Neither does the hash of a model's text, if its shapes are at the
-//! end of the file ([`without_shapes`]).
+//! Invariant: no derived result depends on a shape. The hash of a model's text does not depend on shapes at the end of
+//! the file ([`without_shapes`]).
 
 use super::elements::{Elements, vector};
 use crate::algebra::Expr;
@@ -16,72 +16,72 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Something to be seen, fixed in a frame.
+/// A visible shape, such as a sphere or a disk, fixed in a frame.
 #[derive(Clone, Debug)]
 pub struct Shape {
-    /// Its name in the file.
+    /// Name of the shape in the model file.
     pub name: String,
-    /// Description in words.
+    /// Description of the shape in words; empty if the model file gives none.
     pub about: String,
     /// Form of the shape.
     pub form: ShapeForm,
-    /// The body that it belongs to, if the file says one.
+    /// Index of the body to which the shape belongs; `None` if the model file names none.
     pub body: Option<usize>,
-    /// The frame that it is fixed in.
+    /// Index of the frame in which the shape is fixed.
     pub frame: usize,
-    /// Point from which the position of its middle is measured.
+    /// Index of the point from which the position of the shape's middle is measured.
     pub point: usize,
-    /// Position of its middle relative to that point, in the frame, m.
+    /// Components of the position of the shape's middle relative to `point`, in `frame`, m.
     pub position: [Expr; 3],
 }
 
 /// Form of a shape: lengths in m, in parameters.
 #[derive(Clone, Debug)]
 pub enum ShapeForm {
-    /// A ball about its middle.
+    /// A ball about the middle of the shape.
     Sphere {
-        /// Its radius.
+        /// Radius of the ball, m.
         radius: Expr,
     },
-    /// A disk about an axis of its frame, 0, 1 or 2.
+    /// A disk about an axis, 0, 1 or 2, of the shape's frame.
     Disk {
-        /// The axis.
+        /// Axis of the disk: 0, 1 or 2.
         axis: usize,
-        /// Its radius.
+        /// Radius of the disk, m.
         radius: Expr,
-        /// Thickness; the disk is thin if the file states none.
+        /// Thickness of the disk, m; `None` for a thin disk.
         thickness: Option<Expr>,
     },
-    /// A cylinder about an axis of its frame, 0, 1 or 2.
+    /// A cylinder about an axis, 0, 1 or 2, of the shape's frame.
     Cylinder {
-        /// The axis.
+        /// Axis of the cylinder: 0, 1 or 2.
         axis: usize,
-        /// Its radius.
+        /// Radius of the cylinder, m.
         radius: Expr,
-        /// Its length.
+        /// Length of the cylinder, m.
         length: Expr,
     },
-    /// A box along the axes of its frame.
+    /// A box along the axes of the shape's frame.
     Box {
-        /// Its three edges.
+        /// Lengths of the box along the three axes, m.
         size: [Expr; 3],
     },
-    /// A line through points, one after the other.
+    /// A line through points, in their order.
     Line {
-        /// The points, two at least.
+        /// Indices of the points, at least two.
         through: Vec<usize>,
-        /// Its radius; thin if the file does not say.
+        /// Radius of the line, m; `None` for a thin line.
         radius: Option<Expr>,
     },
-    /// A plane across an axis of its frame, 0, 1 or 2.
+    /// A plane whose normal is an axis, 0, 1 or 2, of the shape's frame.
     Ground {
-        /// The axis.
+        /// Axis normal to the plane: 0, 1 or 2.
         axis: usize,
     },
 }
 
 impl ShapeForm {
-    /// Every length, with the key that states it.
+    /// Every length of the shape, after the key that states it.
     #[must_use]
     pub fn lengths(&self) -> Vec<(&'static str, Expr)> {
         match self {
@@ -97,7 +97,7 @@ impl ShapeForm {
     }
 }
 
-/// The kinds, each with its keys and an example.
+/// Kinds of shapes, each with its keys and an example.
 const KINDS: [(&str, &[&str], &str); 6] = [
     ("sphere", &["radius"], "{ kind = \"sphere\", body = \"bob\", radius = \"r\" }"),
     ("disk", &["radius", "thickness", "axis"], "{ kind = \"disk\", body = \"wheel\", axis = 3, radius = \"R\" }"),
@@ -111,7 +111,7 @@ const KINDS: [(&str, &[&str], &str); 6] = [
     ("ground", &["axis"], "{ kind = \"ground\", axis = 3 }"),
 ];
 
-/// Their names.
+/// Names of the kinds of shapes, in the order of [`KINDS`].
 pub(crate) const SHAPE_KINDS: [&str; KINDS.len()] = {
     let mut names = [""; KINDS.len()];
     let mut at = 0;
@@ -122,10 +122,10 @@ pub(crate) const SHAPE_KINDS: [&str; KINDS.len()] = {
     names
 };
 
-/// Keys of every kind but a line.
+/// Keys that place a shape of any kind except a line.
 const PLACE: [&str; 4] = ["body", "frame", "at", "position"];
 
-/// One entry, as it is read.
+/// Table of one shape, its name in messages, and the byte range of its name.
 struct Entry<'a, 'b> {
     table: &'a DeTable<'a>,
     what: &'b str,
@@ -133,7 +133,7 @@ struct Entry<'a, 'b> {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[shapes]`. Names of shapes are theirs alone: a disk may be called as the body is.
+    /// Reads `[shapes]`. A shape may have the name of a body, such as a disk of a body `disk`.
     pub fn shapes(&mut self, table: &'a DeTable<'a>, elements: &Elements, parameters: &[Parameter]) -> Vec<Shape> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "shapes", &[]) {
@@ -216,13 +216,13 @@ impl<'a> Loading<'a> {
         axis
     }
 
-    /// A length that must be there.
+    /// Reads a length that must be stated, m.
     fn size(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
         self.reader.need(entry.table, key, entry.what, entry.owner)?;
         self.optional_size(entry, key)
     }
 
-    /// A length that may be absent; one that is wrong is reported, and the shape with it left out.
+    /// Reads a length that may be absent, m. A wrong length is reported, and its shape is left out.
     fn optional_size(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
         let value = self.reader.get(entry.table, key)?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
@@ -230,7 +230,7 @@ impl<'a> Loading<'a> {
         self.quantity(&formula, PARAMETERS, &Unit::new(1, 0, 0), &what)
     }
 
-    /// The points of a line.
+    /// Indices of the points of a line; reports fewer than two.
     fn through(&mut self, elements: &Elements, entry: &Entry<'a, '_>) -> Option<Vec<usize>> {
         let value = self.reader.need(entry.table, "through", entry.what, entry.owner)?;
         let help = "name two points or more, such as through = [\"O\", \"P\"]";
@@ -253,7 +253,7 @@ impl<'a> Loading<'a> {
         points.into_iter().collect()
     }
 
-    /// The body, the frame and the point of a shape: those of its body, unless it names others.
+    /// Body, frame and point of a shape. The frame and the point are those of the body, unless the shape names others.
     fn where_it_is(
         &mut self,
         elements: &Elements,
@@ -289,7 +289,7 @@ impl<'a> Loading<'a> {
         Some((body, frame?, point?))
     }
 
-    /// Reports lengths that are nothing at the default values.
+    /// Reports lengths of a shape that are not positive at the default values.
     fn positive_lengths(
         &mut self,
         parameters: &[Parameter],
@@ -309,10 +309,10 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Text of a model without the sections `[shapes]` at its end, and without blank lines before them: all that equations
-/// are derived from.
+/// Text of a model without the sections `[shapes]` at its end, and without blank lines before them. Equations are
+/// derived from this text.
 ///
-/// Shapes elsewhere in the file stay; so does text that only looks like them, such as a line in a longer text.
+/// Shapes elsewhere in the file stay. Text that only looks like a section stays too, such as a line in a longer text.
 #[must_use]
 pub fn without_shapes(text: &str) -> &str {
     let is_shapes = |line: &str| line.starts_with("[shapes]") || line.starts_with("[shapes.");

@@ -1,7 +1,7 @@
 //! Springs and dampers between two points.
 //!
-//! A spring of stiffness k and free length l₀, and a damper c, pull the ends together with the force k (d − l₀) + c ḋ,
-//! where d is their distance. At rest the potential is k (d − l₀)²/2.
+//! A spring of stiffness k and free length l₀, and a damper c, pull the ends together. The force is k (d − l₀) + c ḋ,
+//! where d is the distance of the ends. At rest the potential is k (d − l₀)²/2.
 
 use super::elements::Elements;
 use super::motion::Moving;
@@ -14,13 +14,13 @@ use crate::model::{Force, Place};
 use crate::read::Located;
 use toml::de::DeTable;
 
-/// A spring as the file states it.
+/// A spring or damper as the model file states it.
 pub struct StatedSpring {
     name: Located,
     on: Place,
-    /// The body at the other end; the ground if there is none.
+    /// Index of the body at the other end of the spring; `None` for the ground.
     against: Option<usize>,
-    /// The point at the other end.
+    /// Index of the point at the other end of the spring.
     to: usize,
     stiffness: Expr,
     free_length: Expr,
@@ -28,7 +28,7 @@ pub struct StatedSpring {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[springs.NAME]`.
+    /// Reads the section `[springs]` of a model file.
     pub fn springs(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedSpring> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "springs", &[]) {
@@ -64,7 +64,7 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// A formula of parameters under a key; 0 if it is left out.
+    /// Value in parameters of a spring under a key, in `unit`; 0 if the key is absent.
     fn spring_number(&mut self, entry: &'a DeTable<'a>, key: &str, unit: &Unit) -> Option<Expr> {
         let Some(value) = self.reader.get(entry, key) else { return Some(Expr::ZERO) };
         let what = format!("`{key}`");
@@ -72,7 +72,8 @@ impl<'a> Loading<'a> {
         self.quantity(&formula, PARAMETERS, unit, &what)
     }
 
-    /// Forces of springs. Reports a spring whose ends coincide at all times, or of which an end moves in its body.
+    /// Forces of springs and dampers. Reports a spring whose ends coincide at all times, or whose end moves in its
+    /// body.
     pub fn spring_forces(
         &mut self,
         moving: &mut Moving,

@@ -1,5 +1,5 @@
 //! Decisions made in the closed poses of a mechanism: the constraints that follow from others there, and the joint
-//! speeds that determine the motion best.
+//! speeds that describe the motion best.
 
 use super::closed_poses::{Closed, Dependent, Poses, reach};
 use super::motion::Ties;
@@ -10,9 +10,9 @@ use crate::model::{Coordinate, DependentConstraint, Tie, Unit};
 use std::ops::{Range, RangeInclusive};
 
 impl Loading<'_> {
-    /// Takes constraints that follow from others wherever the loops are closed out of the independent ones. Where there
-    /// are too many speeds, it chooses among those that joints bring (`brought`). Without closed poses it takes out
-    /// those of `also`, whose rates follow from the others everywhere.
+    /// Removes from the independent constraints those that follow from others wherever the loops are closed. If there
+    /// are too many speeds, it chooses among those of joints (`brought`). Without closed poses it removes the
+    /// constraints at `also`, whose rates follow from the others everywhere.
     pub fn when_closed(
         &mut self,
         coordinates: &[Coordinate],
@@ -48,8 +48,8 @@ impl Loading<'_> {
         }
     }
 
-    /// Slopes of constraints and speeds in closed poses, on a branch with as many freedoms as are declared; `None` if
-    /// none are found.
+    /// Slopes of constraints and speeds in closed poses, on a branch whose number of freedoms is `declared`; `None` if
+    /// no closed pose is found.
     fn closed_poses(
         &mut self,
         coordinates: &[Coordinate],
@@ -74,8 +74,8 @@ impl Loading<'_> {
     }
 }
 
-/// Takes a constraint out of the independent ones; if it closes a loop, it continues to do that. Returns its name, and
-/// the expression that is zero if the constraint is between velocities.
+/// Removes a constraint from the independent ones. A loop continues to be closed. Returns its name, and for a
+/// constraint between velocities the expression that is zero.
 fn take_out(ties: &mut Ties, at: usize) -> (String, Option<Expr>) {
     let (constraint, _) = ties.motion.remove(at);
     let Tie::Loop(place) = constraint.tie else { return (constraint.name, Some(constraint.equation)) };

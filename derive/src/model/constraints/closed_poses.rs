@@ -1,7 +1,7 @@
 //! Closed poses of a mechanism with loops, at the default values of its parameters, and the constraints that are
 //! independent there.
 //!
-//! Loops may tie more at random places than when closed. Six pins in space prevent all motion of six bars, except
+//! Loops may restrict more at random places than when closed. Six pins in space prevent all motion of six bars, except
 //! for special lengths. In the closed poses of such bars, one equation follows from the others (R. Bricard 1897). So
 //! independence is decided in closed poses, in doubles. Values that count as zero are far below the smallest value that
 //! does not.
@@ -17,66 +17,66 @@ use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Largest number of random starts of a search for closed poses, which is smaller for large mechanisms. `ENOUGH` poses
-/// end the search, and `STEPS` bounds the steps from one start.
+/// Largest number of random starts of a search for closed poses; large mechanisms have fewer starts. `ENOUGH` poses end
+/// the search, and `STEPS` bounds the steps from one start.
 const TRIES: usize = 40;
 const ENOUGH: usize = 6;
 const STEPS: usize = 200;
-/// Number of poses on a walk through closed poses. `STRIDE` is the step between them, over the reach of the
+/// Number of poses on a walk through closed poses. `STRIDE` is the step between two poses, over the reach of the
 /// coordinates. Mechanisms with more than `WALKED` loops are not walked.
 const WALK: usize = 60;
 const STRIDE: f64 = 0.05;
 const WALKED: usize = 24;
-/// Largest number of loops for which poses are also found by closing one loop after another. There are `GROWTHS` random
-/// starts, and walks from `WAYS` of the poses found.
+/// Largest number of loops for which poses are also found by closing one loop after another. This search has `GROWTHS`
+/// random starts, and walks from `WAYS` of its poses.
 const GROWN: usize = 60;
 const GROWTHS: usize = 16;
 const WAYS: usize = 2;
-/// Residual up to which a loop counts as closed, over the length of its row of slopes.
+/// Residual up to which a loop counts as closed, over the length of the loop's row of slopes.
 const CLOSED: f64 = 1e-13;
-/// Residual above which a row of length 1 is independent of the others, which are projected out of it.
+/// Residual above which a row of length 1 is independent of other rows, after these are projected out of it.
 const INDEPENDENT: f64 = 1e-6;
-/// Residual below which such a row depends on the others. A residual between the two bounds decides nothing.
+/// Residual below which a row of length 1 depends on other rows. A residual between this and `INDEPENDENT` decides
+/// nothing.
 const DEPENDENT: f64 = 1e-8;
 
-/// Equations between coordinates, and the ranges from which coordinates are drawn.
+/// Loop equations of a mechanism, known values of parameters, and the ranges from which coordinates are drawn.
 pub struct Poses<'m> {
     pub known: &'m [(Expr, f64)],
     pub coordinates: &'m [Expr],
     /// Largest absolute value at which a coordinate is drawn: π for angles, a length of the mechanism for distances.
     pub reach: &'m [f64],
     pub loops: &'m [Expr],
-    /// Additional residual allowed for each equation, over the norm of all slopes, since an equation may have no slope
-    /// of its own in the pose; 0 if every equation has one.
+    /// Additional residual allowed for each equation, over the norm of all slopes; 0 if every equation has a slope. An
+    /// equation may have no slope of its own in the pose.
     pub flat: f64,
 }
 
 /// A constraint that follows from others in every closed pose that was found.
 pub struct Dependent {
-    /// Index of the constraint; `of` has the indices of the others.
+    /// Index of the dependent constraint. `of` has the indices of the constraints from which it follows.
     pub at: usize,
     pub of: Vec<usize>,
 }
 
-/// Slopes of constraints, and of speeds that may be chosen, in closed poses: rows of length 1.
+/// Slopes of constraints and speeds in closed poses: rows of length 1, and the rows among them that are independent.
 pub struct Closed {
     poses: Vec<DMatrix<f64>>,
-    /// Indices of the rows that are independent of those before them, in order, in the pose where most rows are
-    /// independent.
+    /// Indices of the rows that are independent of earlier rows, in order, in the pose where most rows are independent.
     independent: Vec<usize>,
-    /// The dependent rows, each with those that it follows from.
+    /// Dependent rows, each with the rows from which it follows.
     dependent: Vec<Dependent>,
     branch: Branch,
 }
 
-/// Coordinates, slopes, and independent rows of one closed pose.
+/// Coordinates, rows of slopes, and independent rows of one closed pose.
 struct Found {
     q: Vec<f64>,
     matrix: DMatrix<f64>,
     rows: Rows,
 }
 
-/// Rows that are independent of those before them, and rows that depend on them.
+/// Indices of rows that are independent of earlier rows, and rows that depend on earlier rows.
 struct Rows {
     independent: Vec<usize>,
     dependent: Vec<Dependent>,
@@ -84,16 +84,16 @@ struct Rows {
     left: (f64, f64),
 }
 
-/// A generator of numbers that are the same on every machine (G. Marsaglia 2003, xorshift64*).
+/// A generator of random numbers that are the same on every machine (G. Marsaglia 2003, xorshift64*).
 pub struct Chance(u64);
 
 impl Chance {
-    /// A generator that gives equal numbers in every run.
+    /// A generator with a fixed seed, which gives equal numbers in every run.
     pub fn new() -> Self {
         Self(SEED)
     }
 
-    /// Between -1 and 1.
+    /// Next random number, between -1 and 1.
     pub fn draw(&mut self) -> f64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
@@ -105,15 +105,16 @@ impl Chance {
     }
 }
 
-/// Seed of the random numbers.
+/// Seed of the random numbers in searches for closed poses.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Factor by which the least singular value of a later choice must exceed that of the first in order.
+/// Factor by which the least singular value of a later choice of rows must exceed that of the earliest choice.
 const BETTER: f64 = 1.5;
 
 impl Closed {
-    /// Rows in q of constraints and then of speeds, in poses where the loops are closed. The poses are on a branch with
-    /// as many freedoms as are `declared`, if there is one. `None` if no pose was found, or a value is not known.
+    /// Finds closed poses and judges rows there: first `constraints` rows of constraints, then rows of speeds, in q.
+    /// The poses are on a branch whose number of freedoms is `declared`, if there is such a branch. `None` if no pose
+    /// was found, or a value is not known.
     pub fn new(
         arena: &mut Arena,
         poses: &Poses<'_>,
@@ -135,7 +136,8 @@ impl Closed {
         let freedoms = |found: &Found| poses.coordinates.len() - found.rows.independent.len();
         let is_declared = |found: &Found| declared.contains(&freedoms(found));
         let mut all: Vec<Found> = poses.find(&of_loops).into_iter().filter_map(judged).collect();
-        // Random poses come to where most may move, though a mechanism is meant to be assembled otherwise.
+        // Random poses reach the branch with most freedoms, although a mechanism may be meant to be assembled on
+        // another branch.
         if !all.iter().any(is_declared) || all.iter().any(|found| freedoms(found) != freedoms(&all[0])) {
             let moves = |found: &&Found| is_declared(found) && (freedoms(found) > 0 || *declared.end() == 0);
             let best = |list: &[Found]| list.iter().filter(moves).map(|found| found.rows.independent.len()).max();
@@ -148,13 +150,13 @@ impl Closed {
         if all.iter().any(is_declared) {
             all.retain(is_declared);
         }
-        // A mechanism that is closed the other way round, or only in one pose, may be unable to move there. Such a pose
-        // says nothing of the poses in which it moves.
+        // A mechanism may be unable to move in a pose that is closed the other way round. Such a pose tells nothing
+        // about the poses in which it moves.
         let moves = |found: &Found| found.rows.independent.len() < poses.coordinates.len();
         if all.iter().filter(|found| moves(found)).count() > ENOUGH {
             all.retain(moves);
         }
-        // At singular poses more is dependent than elsewhere: they say nothing of the others.
+        // At singular poses more rows are dependent than elsewhere: these poses tell nothing about the others.
         let most = all.iter().map(|found| found.rows.independent.len()).max()?;
         all.retain(|found| found.rows.independent.len() == most);
         let branch = Branch {
@@ -177,7 +179,7 @@ impl Closed {
         Some(closed)
     }
 
-    /// Number of poses in which independence was decided.
+    /// Number of closed poses in which independence was decided.
     pub fn count(&self) -> usize {
         self.poses.len()
     }
@@ -187,18 +189,19 @@ impl Closed {
         &self.branch
     }
 
-    /// Constraints that follow from others.
+    /// Constraints that follow from others in every closed pose that was found.
     pub fn dependent(&self) -> &[Dependent] {
         &self.dependent
     }
 
-    /// Least singular value of these rows over all poses: their distance from dependent rows.
+    /// Least singular value of these rows over all closed poses: their distance from dependent rows.
     fn least(&self, rows: &[usize]) -> f64 {
         let value = |pose: &DMatrix<f64>| pose.select_rows(rows).singular_values().min();
         self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
     }
 
-    /// Chooses the dependent row of each dependent group: the one without which the rest is farthest from dependent.
+    /// Chooses the dependent row of each dependent group: the row without which the other rows are farthest from
+    /// dependent.
     fn choose_dependent(&mut self) {
         for at in 0..self.dependent.len() {
             let Dependent { at: last, of } = &self.dependent[at];
@@ -222,8 +225,8 @@ impl Closed {
         self.dependent.sort_by_key(|dependent| dependent.at);
     }
 
-    /// Chooses up to `wanted` rows of `among` that stay independent in all poses, together with those `kept`. Rows
-    /// whose choice leaves the largest least singular value come first.
+    /// Chooses up to `wanted` rows of `among` that stay independent in all closed poses, together with the rows `kept`.
+    /// Rows whose choice leaves the largest least singular value come first.
     pub fn choose(&self, mut kept: Vec<usize>, mut among: Vec<usize>, wanted: usize) -> Vec<usize> {
         let mut chosen = Vec::new();
         while chosen.len() < wanted {
@@ -244,20 +247,20 @@ impl Closed {
         chosen
     }
 
-    /// Constraints that do not follow from others.
+    /// Indices of constraints that do not follow from others.
     pub fn independent(&self) -> &[usize] {
         &self.independent
     }
 }
 
-/// The first rows that do not follow from those before them, and those that do; nothing where it is not clear.
+/// Splits the first `count` rows into independent and dependent ones, in order. `None` if a residual decides nothing.
 fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut rows = Rows { independent: Vec::new(), dependent: Vec::new(), left: (f64::INFINITY, 0.0) };
     for at in 0..count {
         let row: DVector<f64> = matrix.row(at).transpose();
         let mut left = row.clone();
-        // Twice, for what rounding leaves.
+        // Twice, to remove the rounding error of the first projection.
         for _ in 0..2 {
             for other in &basis {
                 left -= other * other.dot(&left);
@@ -278,7 +281,7 @@ fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
     Some(rows)
 }
 
-/// The rows, of those kept, that a row is a sum of.
+/// Indices of the rows, among those kept, of which a row is a linear combination. `None` if the solution fails.
 fn shares(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
     let shares = matrix.select_rows(kept).transpose().svd(true, true).solve(row, 1e-12).ok()?;
     Some(kept.iter().zip(shares.iter()).filter(|(_, share)| share.abs() > INDEPENDENT).map(|(at, _)| *at).collect())
@@ -293,7 +296,7 @@ impl Poses<'_> {
         self.known.iter().map(|(_, value)| *value).chain(q.iter().copied()).collect()
     }
 
-    /// Closed poses, from random places and on the way from those.
+    /// Closed poses found from random places, and on walks from these.
     fn find(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = Chance(SEED);
         let mut found = self.seek(tape, &mut chance, ENOUGH);
@@ -306,7 +309,7 @@ impl Poses<'_> {
     }
 
     /// Closed poses on the branches with the fewest freedoms, found by closing one loop after another. A search that
-    /// closes all loops at once ends where most freedoms are left.
+    /// closes all loops at once ends on branches with most freedoms.
     fn grown(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = Chance(SEED ^ 1);
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
@@ -337,18 +340,18 @@ impl Poses<'_> {
         found
     }
 
-    /// Some poses, from random places alone, at most as many as are asked for; nothing where a value is not known.
+    /// At most `most` closed poses, found from random places alone; `None` if a value is not known.
     pub fn some(&self, arena: &mut Arena, most: usize) -> Option<Vec<Vec<f64>>> {
         let tape = self.tape(arena)?;
         Some(self.seek(&tape, &mut Chance(SEED), most))
     }
 
-    /// Number of random starts of a search for closed poses.
+    /// Number of random starts of a search for closed poses; smaller for more loops.
     pub fn tries(&self) -> usize {
         (TRIES * 1000 / (self.loops.len().pow(2) + 1)).clamp(3, TRIES)
     }
 
-    /// The equations and their slopes.
+    /// Values of all loop equations, then their slopes along the coordinates, as one program.
     fn tape(&self, arena: &mut Arena) -> Option<Tape> {
         let mut gradient = Gradient::new(self.coordinates);
         let mut all = self.loops.to_vec();
@@ -376,7 +379,7 @@ impl Poses<'_> {
         found
     }
 
-    /// Closed poses on the way from one, on and on into a direction that the loops leave open.
+    /// Adds closed poses on a walk from one pose, ahead along a direction that the loops leave open.
     fn walk(&self, tape: &Tape, mut q: Vec<f64>, chance: &mut Chance, found: &mut Vec<Vec<f64>>) {
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
         let start: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
@@ -385,7 +388,7 @@ impl Poses<'_> {
             let values = tape.evaluate(&self.with_known(&q));
             let svd = DMatrix::from_row_slice(rows, columns, &values[rows..]).svd(false, true);
             let (Some(axes), largest) = (svd.v_t, svd.singular_values.max()) else { return };
-            // Along the way so far, as far as the loops let it.
+            // Continue in the direction so far, as far as the loops permit.
             let mut onward = direction.clone();
             for (axis, value) in axes.row_iter().zip(svd.singular_values.iter()) {
                 if *value > INDEPENDENT * largest {
@@ -407,7 +410,7 @@ impl Poses<'_> {
         }
     }
 
-    /// Goes to a pose in which the first `rows` loops are closed, if it comes to one.
+    /// Moves `q` to a pose in which the first `rows` loops are closed. Returns false if no such pose is reached.
     fn closes(&self, tape: &Tape, rows: usize, q: &mut Vec<f64>) -> bool {
         let (columns, all) = (q.len(), self.loops.len());
         let at = |q: &[f64]| {
@@ -451,8 +454,8 @@ impl Poses<'_> {
     }
 }
 
-/// Largest absolute values at which coordinates are drawn: π for angles, and twice the longest known length for
-/// distances (1 if no length is known).
+/// Largest absolute values at which coordinates are drawn: π for angles. For distances, twice the longest known length,
+/// or 1 if no length is known.
 pub fn reach(is_angle: impl Iterator<Item = bool>, lengths: impl Iterator<Item = f64>) -> Vec<f64> {
     let longest = lengths.fold(0.0, |most: f64, length| most.max(length.abs()));
     let longest = if longest > 0.0 { 2.0 * longest } else { 1.0 };

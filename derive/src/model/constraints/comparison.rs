@@ -1,4 +1,4 @@
-//! Bodies that a constraint of the file ties, and the test that it compares them.
+//! Bodies that a constraint of the model file ties, and a test whether the constraint compares them.
 //!
 //! An equation compares two bodies if it stays true while both move together: along each direction the slopes of its
 //! variables sum to zero, as in `y2 = y1 + h`. A rope over a pulley, `a + b = l`, ties two bodies and compares none:
@@ -14,15 +14,15 @@ use crate::model::reading::names::Kind;
 use crate::model::reading::reader::Loading;
 use crate::model::{Coordinate, NamedVelocity};
 
-/// A variable of an equation, with the frame and axis (0, 1 or 2) along which it moves a body and the distance for each
-/// unit; `None` if it moves the body otherwise.
+/// A variable of an equation. `motion` has the frame, the axis (0, 1 or 2) and the distance per unit with which the
+/// variable moves a body; `None` for any other motion.
 struct Tied {
     symbol: Expr,
     motion: Option<(usize, usize, Expr)>,
 }
 
 impl Loading<'_> {
-    /// Finds the bodies that an equation ties, before values replace its names.
+    /// Finds the bodies that an equation ties. Named velocities must still be symbols in the equation.
     pub fn compared(
         &mut self,
         elements: &Elements,
@@ -39,7 +39,7 @@ impl Loading<'_> {
         let mut tied: Vec<Tied> =
             translations.map(|v| Tied { symbol: v.symbol, motion: Some((v.frame, v.axis, Expr::ONE)) }).collect();
         let mut own = Vec::new();
-        // Coordinates beside several names, or beside speeds, are coefficients.
+        // Coordinates next to several names, or next to speeds, are coefficients.
         if names.len() <= 1 && !has_speeds {
             for (body, symbol, coordinate) in own_variables(&self.arena, elements, coordinates, equation) {
                 own.push(body);
@@ -53,8 +53,8 @@ impl Loading<'_> {
         Compared { named, own, moved, is_difference }
     }
 
-    /// Bodies whose own coordinates an equation ties, or the rates of these if it contains any, in the order of the
-    /// file.
+    /// Indices of bodies whose own coordinates an equation contains, in the order of the model file. If the equation
+    /// contains rates, those count instead.
     pub fn moved(&self, elements: &Elements, coordinates: &[Coordinate], equation: Expr) -> Vec<usize> {
         let own = own_variables(&self.arena, elements, coordinates, equation);
         let mut bodies: Vec<usize> = own.into_iter().map(|(body, ..)| body).collect();
@@ -64,8 +64,8 @@ impl Loading<'_> {
     }
 }
 
-/// Coordinates that move one body alone and stand in an equation, or the rates of these if it contains any: the body,
-/// the symbol in the equation, and the coordinate.
+/// Coordinates of an equation that each move one body alone: the body, the symbol in the equation, and the coordinate.
+/// If the equation contains rates, the symbols are rates.
 fn own_variables(
     arena: &Arena,
     elements: &Elements,
@@ -79,7 +79,7 @@ fn own_variables(
     tied.filter_map(|(symbol, coordinate)| Some((elements.placed_by(arena, coordinate)?, symbol, coordinate))).collect()
 }
 
-/// True if an equation stays true while all that it ties moves together along any of its directions; false if a
+/// True if an equation stays true while everything that it ties moves together along each direction; false if a
 /// direction is unknown.
 fn is_difference(arena: &mut Arena, tied: &[Tied], equation: Expr) -> bool {
     let Some(motions) = tied.iter().map(|one| one.motion).collect::<Option<Vec<_>>>() else { return false };

@@ -1,8 +1,8 @@
 //! Constraints between coordinates, which are solved for one coordinate if possible, and constraints between
 //! velocities.
 //!
-//! A coordinate that a constraint is solved for leaves the model. A prescribed coordinate stays, tied by its
-//! constraint, if a potential pushes along it. If its value were put in, the potential would depend on time alone there
+//! A coordinate for which a constraint is solved leaves the model. A prescribed coordinate stays, tied by its
+//! constraint, if a potential pushes along it. If a value replaced it, the potential would depend on time alone there
 //! and push nothing. The drive of the coordinate would then seem to need no more power than without the potential.
 
 use crate::algebra::solve::linear::LinearForm;
@@ -19,20 +19,20 @@ use toml::de::DeTable;
 
 /// A constraint as read, before it is solved.
 pub struct Stated {
-    /// Its name.
+    /// Name of the constraint.
     pub name: String,
-    /// The expression that is zero.
+    /// Left side less right side of the constraint: the expression that is zero.
     pub equation: Expr,
-    /// The reaction that enforces it.
+    /// Index of the reaction that enforces the constraint; `None` if the model file names none.
     pub enforced_by: Option<usize>,
-    /// Byte range of the equation in the file.
+    /// Byte range of the equation in the model file.
     pub span: Range<usize>,
-    /// True if the equation may follow from others: it then counts as no constraint.
+    /// True if the equation may follow from other constraints without an error. It is then no constraint.
     pub may_repeat: bool,
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[constraints]`.
+    /// Reads the section `[constraints]` of a model file.
     pub fn constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<Stated> {
         let mut stated = Vec::new();
         for (name, value) in self.section(table, "constraints", &[]) {
@@ -63,21 +63,22 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Constraints between coordinates, sorted out.
+/// Results of solving constraints between coordinates.
 pub struct Solved {
-    /// Those that were solved for a coordinate.
+    /// Constraints that were solved for a coordinate.
     pub constraints: Vec<Constraint>,
-    /// Coordinates that they fix and the time derivatives of these, each with its replacement.
+    /// Coordinates that constraints fix, and the time derivatives of these, each with its replacement.
     pub replacements: Vec<(Expr, Expr)>,
-    /// Those that could not be solved: loops.
+    /// Constraints that could not be solved for a coordinate: loops and prescribed coordinates.
     pub kept: Vec<Stated>,
-    /// Names of constraints that follow from others and may do so.
+    /// Names of constraints that follow from others, which is no error for them.
     pub repeated: Vec<String>,
-    /// The names of those of the file that are kept and name one coordinate.
+    /// Names of constraints of the model file that stay unsolved and contain one coordinate other than time.
     pub prescribing: Vec<String>,
 }
 
-/// Solves the constraints one after the other, in a model with these potentials.
+/// Solves constraints for coordinates, one after the other, and removes these coordinates. Reports constraints that are
+/// always or never fulfilled.
 pub fn solve_all(
     reader: &mut Reader<'_>,
     arena: &mut Arena,
@@ -151,13 +152,13 @@ pub fn solve_all(
     Solved { constraints: solved, replacements, kept, repeated, prescribing }
 }
 
-/// Coordinates other than time.
+/// Symbols of the coordinates other than time.
 fn own(coordinates: &[Coordinate]) -> Vec<Expr> {
     coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
 }
 
-/// The last coordinate in which the equation is linear with a constant, nonzero factor, and its value. If the equation
-/// contains time, coordinates that these energies contain are excluded.
+/// Solves an equation for the last coordinate in which it is linear with a constant, nonzero factor: index and value.
+/// If the equation contains time, coordinates that `energies` contain are excluded.
 fn solve_one(
     arena: &mut Arena,
     coordinates: &[Coordinate],

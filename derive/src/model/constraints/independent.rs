@@ -2,9 +2,9 @@
 //!
 //! Components of rolling that follow from other constraints are left out: the coordinates often already keep a body
 //! from penetrating the ground. Along some axes a component follows in most poses only. An example is two wheels on an
-//! axle: the second wheel's slip along a fixed axis of the ground tells how that wheel turns, except where it heads
-//! across the axis. So a contact whose frame the file does not state is taken along the axes of another frame. In that
-//! frame every component that follows does so in every pose, if the mechanism has such a frame.
+//! axle. The second wheel's slip along a fixed axis of the ground tells how that wheel turns, except where the wheel
+//! heads across the axis. So a contact whose frame the model file does not state is taken along the axes of another
+//! frame. In that frame every component that follows does so in every pose, if the mechanism has such a frame.
 
 use super::closed_poses::{Poses, reach};
 use crate::algebra::form::simplify::Simplifier;
@@ -23,7 +23,7 @@ use crate::read::Located;
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 
-/// An equation A q̇ + a = 0 before it is known to say something new.
+/// An equation A q̇ + a = 0 before it is known to be independent.
 pub struct Candidate {
     pub name: String,
     pub equation: Expr,
@@ -33,12 +33,13 @@ pub struct Candidate {
     pub may_repeat: bool,
 }
 
-/// Independent constraints, and those that follow from them.
+/// Independent constraints, and equations that follow from them.
 #[derive(Default)]
 pub struct Independent {
     pub motion: Vec<(MotionConstraint, Range<usize>)>,
     pub repeated: Vec<Repeated>,
-    /// Loops of joints whose rates follow from the others: they may be closed or open where the others are closed.
+    /// Loops of joints whose rates follow from other constraints. Where the others are closed, these loops may be
+    /// closed or open.
     pub also: Vec<(MotionConstraint, Range<usize>)>,
 }
 
@@ -46,35 +47,36 @@ pub struct Independent {
 pub struct Given<'m> {
     pub coordinates: &'m [Coordinate],
     pub elements: &'m Elements,
-    /// Equations between coordinates, by their places in [`Tie::Loop`].
+    /// Equations between coordinates, indexed by [`Tie::Loop`].
     pub loops: &'m [Loop],
-    /// Default values of parameters.
+    /// Symbols of parameters with their default values.
     pub defaults: &'m [(Expr, f64)],
 }
 
 /// Number of closed poses in which an equation that restricts no further velocity is tested.
 const POSES: usize = 6;
-/// Residual up to which such an equation holds in a closed pose, over its slopes and the reach of the coordinates.
+/// Residual up to which such an equation holds in a closed pose, over the sum of its slopes times the reach of the
+/// coordinates.
 const CLOSED: f64 = 1e-8;
 
-/// Constraints taken so far, and the rows against which others are tested.
+/// Constraints taken so far, and the rows against which candidates are tested.
 struct Taken {
     form: LinearForm,
-    /// Slopes along the rates, then the term without rates.
+    /// Coefficients of each constraint taken: slopes along the rates, then the term without rates.
     rows: Vec<Vec<Expr>>,
-    /// Slopes along the rates of constraints that are not contacts.
+    /// Slopes along the rates of the constraints taken that are not contacts.
     others: Vec<Vec<Expr>>,
-    /// The slips of contacts, all three components of each.
+    /// Slip velocities of the contacts taken, each with all three components.
     slips: Vec<Vector>,
     frames: Frames,
     simplifier: Simplifier,
-    /// The coordinates, and time.
+    /// Symbols of the coordinates, including time.
     places: FxHashSet<Expr>,
     found: Independent,
 }
 
 impl Taken {
-    /// Slopes along the rates of an equation, without what is left at rest.
+    /// Slopes along the rates of every constraint taken, without the term that has no rates.
     fn slopes(&self) -> Vec<Vec<Expr>> {
         self.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect()
     }
@@ -85,8 +87,8 @@ impl Taken {
     }
 
     /// True if every component of a contact along the axes of a frame that follows from other constraints does so in
-    /// every pose. It may also follow from other components. Earlier contacts are taken along the same axes: their
-    /// three components together say the same along any axes.
+    /// every pose. A component may also follow from other components of the contact. Earlier contacts are taken along
+    /// the same axes: their three components together say the same along any axes.
     fn follow_everywhere(&mut self, arena: &mut Arena, slip: &Vector, frame: usize) -> bool {
         let mut kept = self.others.clone();
         for before in self.slips.clone() {
@@ -100,8 +102,8 @@ impl Taken {
         left.iter().all(|row| follows_everywhere(arena, &kept, row, &self.places))
     }
 
-    /// Adds the rows of equations that are independent of those kept, and returns the others; `None` if independence is
-    /// not known.
+    /// Adds the rows of equations that are independent of those kept, and returns the dependent rows; `None` if
+    /// independence is not known.
     fn keep_independent(
         &mut self,
         arena: &mut Arena,
@@ -121,7 +123,8 @@ impl Taken {
 }
 
 impl Loading<'_> {
-    /// Those that say something new, each independent of those before it; reports what contradicts or repeats others.
+    /// Chooses the constraints that are independent of those before them. Reports constraints that contradict or repeat
+    /// others.
     pub fn independent(&mut self, given: &Given<'_>, candidates: Vec<Candidate>) -> Independent {
         let coordinates = given.coordinates;
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
@@ -154,8 +157,8 @@ impl Loading<'_> {
         taken.found
     }
 
-    /// Takes a contact along the axes of another frame if a component along its own axes follows from others in most
-    /// poses only. Returns true if the components that follow then do so in every pose.
+    /// Takes a contact along the axes of another frame if a component along its own axes follows from other constraints
+    /// in most poses only. Returns true if the components that follow do so in every pose.
     fn turn_contact(
         &mut self,
         taken: &mut Taken,
@@ -183,7 +186,8 @@ impl Loading<'_> {
         everywhere
     }
 
-    /// Takes a candidate if it says something new; else it follows from those before it, `everywhere` or in most poses.
+    /// Takes a candidate if it is independent of those taken before; else it follows from them, `everywhere` or in most
+    /// poses.
     fn take(&mut self, taken: &mut Taken, given: &Given<'_>, candidate: Candidate, everywhere: bool) {
         let Candidate { name, equation, tie, enforced_by, span, may_repeat } = candidate;
         let (row, rest) = match taken.form.coefficients(&mut self.arena, equation) {
@@ -247,7 +251,7 @@ impl Loading<'_> {
         }
     }
 
-    /// Describes an equation between coordinates whose rate follows from earlier ones: it follows from them or
+    /// Words for an equation between coordinates whose rate follows from earlier ones. It follows from them, or
     /// contradicts them, in the poses where these hold.
     fn where_others_hold(&mut self, taken: &Taken, given: &Given<'_>, place: usize) -> &'static str {
         let others = taken.found.motion.iter().filter_map(|(c, _)| match c.tie {
@@ -265,8 +269,8 @@ impl Loading<'_> {
         }
     }
 
-    /// Number of poses in which an equation holds, and number of poses tested, in which the other equations hold, at
-    /// the default values. `None` if no pose was found.
+    /// Number of poses in which an equation holds, and number of poses tested. The other equations hold in all tested
+    /// poses, at the default values. `None` if no pose was found.
     fn closed_share(&mut self, given: &Given<'_>, others: &[Expr], equation: Expr) -> Option<(usize, usize)> {
         let lengths = given.defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
         let reach = reach(given.coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
@@ -302,7 +306,7 @@ impl Loading<'_> {
     }
 }
 
-/// Frames along whose axes a contact may be taken, from the ground outwards: those that carry its bodies and its point.
+/// Frames along whose axes a contact may be taken: those from the ground outwards to its bodies and its point.
 fn frames_at(elements: &Elements, rolled: Rolled) -> Vec<usize> {
     let of_body = |body: usize| elements.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
     let of_point = elements.points[rolled.point].position.as_ref().map(|(_, frame, _)| *frame);

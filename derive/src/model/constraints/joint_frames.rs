@@ -16,9 +16,9 @@ use crate::model::{Hung, Model, Place, Reaction, ReactionKind};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
-/// A frame as it is placed.
+/// A frame with its parent and its turn, before frames are sorted.
 type FrameNode = Node<Turn>;
-/// A point as it is placed: the frame of its components, and those.
+/// A point with its parent, the frame of its components, and its components, before points are sorted.
 type PointNode = Node<(Located, [Expr; 3])>;
 
 /// A joint that closes a loop.
@@ -26,32 +26,32 @@ pub struct Closing {
     name: Located,
     kind: JointKind,
     axes: Vec<usize>,
-    /// The frame of the joint on the body that carries, and that of the other.
+    /// Indices of the joint's frame on the body that carries, and of the joint's frame on the closed body.
     frames: [usize; 2],
-    /// True if the two sides of the loop are turned from no frame except the inertial one.
+    /// True if both sides of the loop branch at the inertial frame.
     parts_at_ground: bool,
-    /// The joint's points on the two.
+    /// Indices of the joint's point on the body that carries, and of its point on the closed body.
     points: [usize; 2],
-    /// The body, and that which carries.
+    /// Index of the closed body, and index of the body that carries; `None` for the ground.
     bodies: (usize, Option<usize>),
 }
 
-/// Reaction that holds a closed joint, with the name of its equation.
+/// Name of an equation of a closed joint, and the reaction that holds this equation.
 pub type Holding = (String, Reaction);
 
 impl Joint<'_> {
-    /// A name of its own.
+    /// Name `JOINT_part`, made of the joint's name and a part.
     fn named(&self, part: &str) -> Located {
         Located { text: format!("{}_{part}", self.name.text), span: self.name.span.clone(), exact: false }
     }
 
-    /// The frame on the body that carries, in which its coordinates start from 0.
+    /// Name of the frame on the body that carries, in which the joint's coordinates start from 0.
     fn base(&self, joints: &Joints<'_>, root: &str) -> Located {
         let has_own = self.entry.contains_key("turned") || self.along.is_some();
         if has_own { self.named("base") } else { self.frame_below(joints, root) }
     }
 
-    /// The frame of the body that carries.
+    /// Name of the frame of the body that carries the joint, or of the inertial frame.
     fn frame_below(&self, joints: &Joints<'_>, root: &str) -> Located {
         match self.to.as_ref().and_then(|to| Some((to, joints.bodies.get(&to.text)?))) {
             Some((to, placed)) => Located { text: placed.frame.text.clone(), ..to.clone() },
@@ -59,7 +59,8 @@ impl Joint<'_> {
         }
     }
 
-    /// The point from which places on a body are told: that of the joint that carries it, else its mass centre.
+    /// Name of the point from which positions on a body are measured: the joint that carries the body, else its mass
+    /// centre. The origin for the ground.
     fn home(&self, body: Option<&Located>, joints: &Joints<'_>, origin: &str) -> Located {
         let text = match body.and_then(|body| joints.bodies.get(&body.text)) {
             Some(Placed { joint: Some(joint), .. }) => joint.text.clone(),
@@ -71,7 +72,7 @@ impl Joint<'_> {
 }
 
 impl<'a> Joints<'a> {
-    /// The joints that close loops, once frames and points are in order.
+    /// Joints that close loops, by indices into the sorted frames and points.
     pub fn closings(&self, elements: &Elements) -> Vec<Closing> {
         let frame = |name: &str| elements.frames.iter().position(|f| f.name == name);
         let point = |name: &str| elements.points.iter().position(|p| p.name == name);
@@ -120,7 +121,7 @@ impl Joints<'_> {
 }
 
 impl<'a> Loading<'a> {
-    /// Declares the frames that joints bring.
+    /// Declares the frames that joints add, and returns them with their turns.
     pub fn joint_frames(&mut self, joints: &Joints<'a>, root: &str) -> Vec<FrameNode> {
         let mut nodes = Vec::new();
         for joint in &joints.list {
@@ -183,7 +184,8 @@ impl<'a> Loading<'a> {
         turns
     }
 
-    /// Frames from one to another, `last`, by turns; those on the way are declared.
+    /// Appends the frames that lead from a parent to the frame `last` by successive turns. Intermediate frames are
+    /// declared. Returns the name of the last frame.
     pub fn chain(
         &mut self,
         nodes: &mut Vec<FrameNode>,
@@ -195,7 +197,7 @@ impl<'a> Loading<'a> {
             let is_last = at + 1 == count;
             let turned = || Located { text: format!("{}_turn{}", last.text, at + 1), ..last.clone() };
             let name = if is_last { last.clone() } else { turned() };
-            // A frame of the file is declared where it stands.
+            // A frame of the model file is declared already.
             if !is_last || self.names.kind(&name.text).is_none() {
                 self.names.declare_brought(&mut self.reader, &name, Kind::Frame);
             }
@@ -205,7 +207,8 @@ impl<'a> Loading<'a> {
         parent
     }
 
-    /// Declares the points that joints bring: that of each on its body, of the same name, and the mass centre.
+    /// Declares the points that joints add: the point of each joint on its body, with the joint's name, and the mass
+    /// centre.
     pub fn joint_points(&mut self, joints: &Joints<'a>, table: &'a DeTable<'a>, root: (&str, &str)) -> Vec<PointNode> {
         let stated = table.get("points").and_then(|v| v.get_ref().as_table());
         let mut nodes = Vec::new();
@@ -256,7 +259,7 @@ impl<'a> Loading<'a> {
         nodes
     }
 
-    /// Notes that it is reported why a joint has no points.
+    /// Marks the points of a joint as spoiled, since the reason why they are missing is reported.
     fn spoil_points(&mut self, joint: &Joint<'a>, joints: &Joints<'a>) {
         self.names.spoil(&joint.name.text);
         if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
@@ -264,7 +267,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Location of a joint on a body: a point, or components from `home`. Without the key it is `home`.
+    /// Reads the location of a joint on a body under a key: a point, or components from `home`. Without the key it is
+    /// `home`.
     fn place(&mut self, joint: &Joint<'a>, key: &str, home: Located) -> Option<(Located, [Expr; 3])> {
         match self.reader.get(joint.entry, key) {
             None => Some((home, [Expr::ZERO; 3])),
@@ -301,16 +305,16 @@ impl<'a> Loading<'a> {
         Some(way)
     }
 
-    /// Equations that closed joints state: components of the vector between their two points, and cosines of axes that
-    /// stay at right angles.
-    /// The force on the body acts at the joint's point. Its opposite acts on the other body at that body's own joint
-    /// point, or at its material at the first point. So they do no work in open loops either.
+    /// Equations of joints that close loops: components of the vector between the joint's two points, and cosines of
+    /// axes that stay perpendicular. Each has its reaction. The force on the closed body acts at the joint's point. Its
+    /// opposite acts on the other body, at that body's joint point or at its material at the first point. So the two do
+    /// no work in open loops either.
     pub fn closed(&mut self, moving: &mut Moving, closings: &[Closing]) -> (Vec<Stated>, Vec<Holding>) {
         let (mut list, mut holding) = (Vec::new(), Vec::new());
         for Closing { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in closings {
             let axis = axes.first().copied().unwrap_or(2);
             let across = [(axis + 1) % 3, (axis + 2) % 3];
-            // (axis of the body, axis of the base) pairs that stay at right angles.
+            // Pairs (axis of the body, axis of the base) that stay perpendicular.
             let (ways, right): (Vec<usize>, Vec<(usize, usize)>) = match kind {
                 JointKind::Pin => (vec![0, 1, 2], across.map(|i| (axis, i)).to_vec()),
                 JointKind::Ball => (vec![0, 1, 2], Vec::new()),
@@ -342,9 +346,9 @@ impl<'a> Loading<'a> {
                     });
                 };
             let way = moving.way(&mut self.arena, *on, *at);
-            // Points that coincide do so in any frame; formulas are shortest in the frame from which both points are
-            // stated. In an open loop the vector changes in the inertial frame as the joint's two points move, in
-            // another frame as two points at one place do.
+            // The points coincide in every frame; formulas are shortest in the frame from which both points are stated.
+            // In an open loop the vector changes in the inertial frame as the joint's two points move. In another frame
+            // it changes as two points at one place do.
             let is_told_there = *parts_at_ground && ways.len() == 3;
             let (frame, held) = if is_told_there { (0, on) } else { (*base, at) };
             for i in ways {
@@ -360,7 +364,7 @@ impl<'a> Loading<'a> {
                 unit[of] = Expr::ONE;
                 let axis = Vector::in_frame(*body, unit);
                 let [x, y, z] = [0, 1, 2].map(|i| moving.component(&mut self.arena, &axis, *base, i));
-                // The cosine of two axes changes as they turn about the normal of both.
+                // The cosine of two axes changes as the body turns about their common normal.
                 let mut other = [Expr::ZERO; 3];
                 other[along] = Expr::ONE;
                 let direction = cross_components(&mut self.arena, &[x, y, z], &other);
@@ -372,9 +376,9 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// The nearest frame from which both of two are turned.
+/// Index of the last frame from which two frames are both turned.
 fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
-    // A frame comes after the one that it is turned from.
+    // A frame comes after its parent in the list.
     while a != b {
         let later = if a > b { &mut a } else { &mut b };
         *later = frames[*later].rotation.as_ref().map_or(0, |(parent, _)| *parent);
@@ -383,8 +387,8 @@ fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
 }
 
 impl Model {
-    /// Takes the reactions of joint equations that are constraints; those of dependent equations are redundant.
-    /// Coordinates that constraints fix are replaced by their values in directions.
+    /// Adds the reactions of joint equations that are constraints; the reactions of dependent equations are redundant.
+    /// In directions, values replace the coordinates that constraints fix.
     pub(in crate::model) fn hold_joints(&mut self, holding: Vec<Holding>, fixed: &mut Substitution) {
         for (name, mut reaction) in holding {
             let solved = self.constraints.iter().any(|c| c.name == name);

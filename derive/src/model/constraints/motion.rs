@@ -8,8 +8,8 @@
 //! [ J ] q̇  =  [ u − d ]
 //! ```
 //!
-//! as q̇ = W u + w. An equation between coordinates that cannot be solved for one of them ties their rates by its time
-//! derivative.
+//! as q̇ = W u + w. An equation between coordinates that cannot be solved for a coordinate restricts their rates by its
+//! time derivative.
 
 use super::configuration::Stated;
 use super::independent::{Candidate, Given, Independent};
@@ -30,7 +30,7 @@ use crate::read::Located;
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// Rolling of a body, as the file states it.
+/// Rolling of a body, as the model file states it.
 pub struct StatedRolling {
     name: Located,
     body: usize,
@@ -47,33 +47,34 @@ pub struct Tied<'m> {
     pub speeds: &'m [(Speed, Range<usize>)],
     pub joints: &'m Joints<'m>,
     pub parameters: &'m [Parameter],
-    /// Equations between coordinates that were not solved.
+    /// Equations between coordinates that were not solved for a coordinate.
     pub kept: Vec<Stated>,
-    /// Equations between velocities.
+    /// Equations between velocities that the model file states.
     pub stated: Vec<Stated>,
-    /// Components of velocities of bodies that roll.
+    /// Components of the velocities at which rolling bodies would slip, each as an equation.
     pub rolling: Vec<(Stated, Rolled)>,
 }
 
-/// Motion constraints, with their places in the file, and the equations between coordinates that some are of.
+/// Motion constraints, with their byte ranges in the model file, and the loops of which some are time derivatives.
 #[derive(Default)]
 pub struct Ties {
     pub motion: Vec<(MotionConstraint, Range<usize>)>,
     pub loops: Vec<Loop>,
-    /// Components of rolling that follow from the rest.
+    /// Equations of rolling and of joints that follow from other constraints.
     pub repeated: Vec<Repeated>,
-    /// Equations between coordinates whose rates follow from those of the others wherever all of them hold.
+    /// Loops whose rates follow from other constraints wherever all loops are closed.
     pub closed: Vec<Loop>,
     /// Constraints that depend on others in the closed poses.
     pub dependent: Vec<DependentConstraint>,
     /// Branch of closed poses on which dependence was decided.
     pub branch: Option<Branch>,
-    /// Indices, among all speeds, of those to keep; `None` if no speed of a joint is left out because of closed poses.
+    /// Indices, among all speeds, of those to keep; `None` if closed poses did not decide which speeds of joints to
+    /// keep.
     pub speeds: Option<Vec<usize>>,
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[rolling.NAME]`.
+    /// Reads the section `[rolling]` of a model file: an entry `[rolling.NAME]` for each contact.
     pub fn rolling(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedRolling> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "rolling", &[]) {
@@ -107,7 +108,7 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// The components of the velocities at which bodies would slip that roll, as equations.
+    /// Equations of rolling: three components of the velocity at which each rolling body would slip are zero.
     pub fn slips(
         &mut self,
         moving: &mut Moving,
@@ -132,8 +133,8 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// The motion constraints of a mechanism, each independent of those before it; reports what contradicts or repeats
-    /// others.
+    /// The motion constraints of a mechanism, each independent of those before it. Reports constraints that contradict
+    /// or repeat others.
     pub fn ties(&mut self, tied: Tied<'_>) -> Option<Ties> {
         let Tied { coordinates, elements, speeds, joints, parameters, kept, stated, rolling } = tied;
         let clock = coordinates.iter().any(|c| c.name == TIME);
@@ -183,7 +184,7 @@ impl<'a> Loading<'a> {
         if self.reader.errors.len() > before {
             return None;
         }
-        // Loops come first.
+        // Constraints of loops come first.
         let place = motion.iter().take_while(|(c, _)| matches!(c.tie, Tie::Loop(_))).count();
         let also_at = place..place + also.len();
         motion.splice(place..place, also);
@@ -194,7 +195,7 @@ impl<'a> Loading<'a> {
         Some(ties)
     }
 
-    /// The unit of what is zero, in which sums were checked when they were read.
+    /// Unit of an equation's left side less its right side. Its sums were checked when it was read.
     pub fn unit_of_difference(&self, e: Expr) -> crate::model::Unit {
         crate::model::units::unit_of(&self.arena, e, &self.units).ok().flatten().unwrap_or_default()
     }

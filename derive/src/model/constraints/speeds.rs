@@ -1,4 +1,4 @@
-//! Generalized speeds and the kinematic equations they give.
+//! Generalized speeds, and the kinematic equations that they define.
 
 use super::motion::Ties;
 use crate::algebra::form::simplify::Simplifier;
@@ -18,11 +18,12 @@ use crate::read::{Located, Reader};
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// Speeds with their places in the file, and those that were left out.
+/// Speeds of a model, with their places in the file, and the speeds that were left out.
 type Chosen = (Vec<(Speed, Range<usize>)>, Vec<Speed>);
 
 impl<'a> Loading<'a> {
-    /// Declares the speeds; their definitions are read once the coordinates are known.
+    /// Declares the speeds. Reads the expressions and the units of the speeds; definitions are read once coordinates
+    /// are known.
     pub fn speed_symbols(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<(Located, Located)> {
         let mut texts = Vec::new();
         for (name, value) in self.section(table, "speeds", &[Kind::Speed]) {
@@ -42,20 +43,20 @@ impl<'a> Loading<'a> {
         let expressions = self.expressions(table);
         for (name, formula) in &texts {
             let what = "the definition of a speed";
-            // The unit of a speed is that of its definition: read here, since forces may use speeds.
+            // A speed has the unit of its definition, which is read here, since forces may use speeds.
             let e = self.names.formula(&mut self.reader, &mut self.arena, formula, VELOCITY, what);
             let unit = e.and_then(|e| self.unit_of(e, &formula.span));
             let symbol = self.arena.symbol(&name.text);
             self.units.extend(unit.map(|unit| (symbol, unit)));
         }
-        // Those of speeds are known only now.
+        // Units of expressions that contain speeds are known only now.
         for (e, span) in expressions {
             self.unit_of(e, &span);
         }
         texts
     }
 
-    /// The speeds, in which constrained variables are replaced by their values.
+    /// Reads the definitions of the speeds; values replace the constrained variables in them.
     pub fn speeds(
         &mut self,
         texts: Vec<(Located, Located)>,
@@ -64,7 +65,7 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(replacements);
         let mut speeds = Vec::new();
         for (name, formula) in texts {
-            // Already reported where it was declared, if it has errors.
+            // Errors of a definition are already reported where it was declared.
             let mut scratch = Reader::new(self.reader.source);
             let Some(e) = self.names.formula(&mut scratch, &mut self.arena, &formula, VELOCITY, "a speed") else {
                 continue;
@@ -78,9 +79,9 @@ impl<'a> Loading<'a> {
         speeds
     }
 
-    /// Splits speeds into those that constraints leave independent, and the others, whose definitions replace them in
-    /// formulas. A speed that a joint brings is left out if it follows from the constraints and the speeds before it.
-    /// Speeds of the file all stay.
+    /// Splits speeds into those that constraints leave independent, and those that they make dependent. A speed of a
+    /// joint is dependent if it follows from the constraints and the speeds before it. Speeds that the model file
+    /// states all stay.
     pub fn independent_speeds(
         &mut self,
         coordinates: &[Coordinate],
@@ -108,7 +109,7 @@ impl<'a> Loading<'a> {
         let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(stay.iter().map(|(s, _)| s.definition));
         let rows: Option<Vec<_>> = equations.map(|e| row(&mut self.arena, e)).collect();
         let of_brought: Option<Vec<_>> = brought.iter().map(|(s, _)| row(&mut self.arena, s.definition)).collect();
-        // What is not linear is reported where the rates are solved for.
+        // A definition that is not linear is reported where the rates are solved for.
         if let (Some(mut rows), Some(of_brought)) = (rows, of_brought) {
             let first = rows.len();
             rows.extend(of_brought);
@@ -126,7 +127,8 @@ impl<'a> Loading<'a> {
         (stay, left_out)
     }
 
-    /// Solves u = J q̇ + d and A q̇ + a = 0 for q̇; reports speeds too few, too many, not linear or not independent.
+    /// Solves u = J q̇ + d and A q̇ + a = 0 for q̇. Reports speeds that are too few, too many, not linear or not
+    /// independent.
     pub fn kinematic_equations(
         &mut self,
         table: &DeTable<'_>,
@@ -143,7 +145,7 @@ impl<'a> Loading<'a> {
         let mut form = LinearForm::new(&rates);
         let (mut matrix, mut right) = (Vec::new(), Vec::new());
         for (constraint, _) in constraints {
-            // They were found linear when they were read.
+            // The constraints were found linear when they were read.
             let (row, rest) = form.coefficients(&mut self.arena, constraint.equation).ok()?;
             matrix.push(row);
             right.push(self.arena.neg(rest));
@@ -199,8 +201,9 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// q̇ = W u + w, with names for terms in W and w that divide by sums. `ratio_q2_u1` is the factor of u1 in q2', up
-    /// to a number. Without names, loops would grow with every product that contains these terms.
+    /// Solution q̇ = W u + w with names for terms in W and w that divide by sums. `ratio_q2_u1` is the factor of u1 in
+    /// q2', up to a number. Without names, the equations of loops would grow with every product that contains these
+    /// terms.
     fn with_names(
         &mut self,
         coordinates: &[Coordinate],
@@ -231,8 +234,8 @@ impl<'a> Loading<'a> {
         result
     }
 
-    /// The factors of divisors that depend on coordinates, each once: a length that divides does not vanish
-    /// on the way.
+    /// Factors of divisors that depend on coordinates, each once. Other factors, such as a length, do not vanish during
+    /// a motion.
     fn moving_factors(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
         let mut factors = Vec::new();
         for divisor in divisors {
@@ -310,7 +313,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// True if a term divides by a sum.
+/// True if a term has a divisor that is a sum.
 fn divides_by_sum(arena: &Arena, e: Expr) -> bool {
     let is_sum =
         |e: &Expr| matches!(arena.node(*e), Node::Sum(constant, terms) if !constant.is_zero() || terms.len() > 1);

@@ -1,8 +1,9 @@
 //! Explicit time: a coordinate `t` whose rate a constraint holds at 1.
 //!
-//! So only the reading of files knows of time. Terms that depend on t have a rate along t', and prescribed motions are
-//! coordinates that are solved for. The multiplier of the constraint is the power of the drive: energy proves constant
-//! only where that is 0. C. Lanczos, *The Variational Principles of Mechanics*, 4th edition (1970), chapter V, §6.
+//! Only the reading of files knows that this coordinate is time. Terms that depend on t have a rate along t', and
+//! prescribed motions are coordinates that are solved for. The multiplier of the constraint is the power of the drive:
+//! energy proves constant only where that power is 0. C. Lanczos, *The Variational Principles of Mechanics*, 4th
+//! edition (1970), chapter V, §6.
 
 use crate::algebra::Expr;
 use crate::model::bodies::inputs::formulas;
@@ -12,7 +13,7 @@ use crate::model::{Coordinate, Model, Tie, Unit};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Sections whose formulas may name time.
+/// Sections of a model file whose formulas may name time.
 const TIMED: [&str; 13] = [
     "speeds",
     "joints",
@@ -29,11 +30,11 @@ const TIMED: [&str; 13] = [
     "domain",
 ];
 
-/// Keys under which there is prose.
+/// Key of an entry under which there is prose, not a formula.
 const PROSE: &str = "about";
 
 impl<'a> Loading<'a> {
-    /// Time as the last coordinate, if a formula of the file names it.
+    /// Adds time as the last coordinate, if a formula of the model file or of a scene's inputs names it.
     pub fn time(&mut self, table: &'a DeTable<'a>, coordinates: &mut Vec<Coordinate>) {
         let sections = TIMED.iter().filter_map(|key| table.get(*key));
         let in_inputs = formulas(table, &self.bindings).into_iter().any(is_of_time);
@@ -55,13 +56,13 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// True if a formula names time.
+/// True if the word `t`, the name of time, stands in a formula.
 fn is_of_time(formula: &str) -> bool {
     let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
     formula.split(|c| !is_part(c)).any(|word| word == TIME)
 }
 
-/// True if a formula under an entry names time.
+/// True if a formula in an entry names time, at any depth.
 fn names_time(value: &Spanned<DeValue<'_>>) -> bool {
     let mut open = vec![value];
     while let Some(value) = open.pop() {
@@ -78,7 +79,7 @@ fn names_time(value: &Spanned<DeValue<'_>>) -> bool {
 }
 
 impl Model {
-    /// The place of time among the coordinates, where formulas of the model name it.
+    /// Index of time among the coordinates; `None` if no formula of the model names time.
     #[must_use]
     pub fn time(&self) -> Option<usize> {
         self.coordinates.iter().position(|c| c.name == TIME)
@@ -90,9 +91,9 @@ impl Model {
         self.motion_constraints.iter().any(|constraint| constraint.tie != Tie::Clock)
     }
 
-    /// True if constraints move the mechanism even where all speeds are zero: a constraint states a velocity, or
-    /// frames, points or constraints depend on time. The forces of these constraints then do work, so that T + V
-    /// changes by more than the work of loads.
+    /// True if constraints move the mechanism even where all speeds are zero. A constraint then states a velocity, or
+    /// frames, points or constraints depend on time. The forces of these constraints do work, so that T + V changes by
+    /// more than the work of loads.
     #[must_use]
     pub fn is_driven(&self) -> bool {
         let states_velocity = |c: &crate::model::MotionConstraint| c.tie != Tie::Clock && c.drive != Expr::ZERO;

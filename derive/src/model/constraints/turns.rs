@@ -1,4 +1,4 @@
-//! Turns of frames, as files state them.
+//! Turns of frames, as model files state them.
 
 use super::configuration::Stated;
 use crate::algebra::form::simplify::Simplifier;
@@ -16,7 +16,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 impl<'a> Loading<'a> {
-    /// Turns that are written one after the other: `{ sequence = "13", angles = ["pi/2", "a"] }`.
+    /// Reads successive turns, such as `{ sequence = "13", angles = ["pi/2", "a"] }`.
     pub fn turns(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Vec<Turn>> {
         let sequence = self.reader.need(entry, "sequence", what, span)?;
         let axes = self.sequence(sequence, None)?;
@@ -38,7 +38,7 @@ impl<'a> Loading<'a> {
         Some(turns)
     }
 
-    /// The turns of a frame, in the order in which they lead to it: those about fixed axes come last to first.
+    /// Turns that lead to a frame, in their order. Turns about space-fixed axes are reversed.
     pub fn frame_turns(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Vec<Turn>> {
         let mut turns = self.turns(entry, what, span)?;
         match self.reader.get(entry, "fixed") {
@@ -59,7 +59,7 @@ impl<'a> Loading<'a> {
         Some(turns)
     }
 
-    /// The turns under a key of a joint.
+    /// Reads the turns under a key of a joint, such as `turned`.
     pub fn turned(&mut self, joint: &Joint<'a>, key: &str, value: &'a toml::Spanned<DeValue<'a>>) -> Option<Vec<Turn>> {
         let what = format!("`{key}` of {}", joint.what);
         let table = self.reader.table(value, &what, "{ sequence = \"13\", angles = [\"pi/2\", \"a\"] }")?;
@@ -67,7 +67,7 @@ impl<'a> Loading<'a> {
         self.turns(table, &what, &value.span())
     }
 
-    /// The turn that takes axis 3 along a vector under a key, and that back.
+    /// Reads a vector. Returns the turn that takes axis 3 along the vector, and the turn back.
     pub fn towards(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Turn; 2]> {
         let components = self.plain(value, what, PARAMETERS)?;
         let squares = components.map(|e| self.arena.square(e));
@@ -82,7 +82,7 @@ impl<'a> Loading<'a> {
         Some(Turn::of_axis(&mut self.arena, 2, &unit))
     }
 
-    /// The turns that lead to a frame which is turned by an angle about a vector.
+    /// Turns that lead to a frame that is turned by an angle about a vector.
     pub fn turns_about(
         &mut self,
         axis: &'a Spanned<DeValue<'a>>,
@@ -96,14 +96,14 @@ impl<'a> Loading<'a> {
         Some(vec![there, Turn::About(2, angle), back])
     }
 
-    /// The angle of a frame.
+    /// Reads the angle of a frame under the key `angle`, rad.
     pub fn angle(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Expr> {
         let angle = self.reader.need(entry, "angle", what, span)?;
         let angle = self.reader.formula(angle, "an angle")?;
         self.quantity(&angle, CONFIGURATION, &Unit::default(), "an angle")
     }
 
-    /// Plain numbers, one formula for each.
+    /// Reads an array of N formulas, each without a unit.
     fn plain<const N: usize>(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
@@ -123,7 +123,7 @@ impl<'a> Loading<'a> {
         values.try_into().ok()
     }
 
-    /// The turn by four Euler parameters under a key.
+    /// Reads four Euler parameters under a key. Returns their turn.
     pub fn euler_parameters(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<Turn> {
         let what = "`euler_parameters`";
         let parameters: [Expr; 4] = self.plain(value, what, CONFIGURATION)?;
@@ -136,8 +136,8 @@ impl<'a> Loading<'a> {
         Some(Turn::by_euler_parameters(&mut self.arena, parameters))
     }
 
-    /// Constraints that the Euler parameters of a frame have length 1: `FRAME_norm` for each frame that is turned by
-    /// such parameters.
+    /// Constraints `FRAME_norm`: the Euler parameters of a frame have length 1. One for each frame that is turned by
+    /// Euler parameters.
     pub fn norms(&mut self, frames: &[Frame]) -> Vec<Stated> {
         let mut list = Vec::new();
         for frame in frames {

@@ -9,7 +9,8 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::model::{Model, ReactionKind};
 
 impl DrawnModel {
-    /// m a − ΣF and dH/dt − ΣM of each body without reactions, in the components of its rows.
+    /// Residues of m a − ΣF and dH/dt − ΣM of each body without reactions, six for each body, in the frame of its
+    /// inertia. `None` if a term has no value.
     pub fn balances(&self, model: &Model, arena: &mut Arena) -> Option<Vec<u64>> {
         let mut terms: Vec<Expr> = model.gravity.as_ref().map_or([Expr::ZERO; 3], |g| g.acceleration).to_vec();
         for body in &model.bodies {
@@ -70,7 +71,7 @@ impl DrawnModel {
         Some(all)
     }
 
-    /// Contribution to all balances of a force through a point of one body and of a moment on that body.
+    /// Contribution to all balances of a force through a point of one body, and of a moment on that body.
     fn on_body(&self, model: &Model, body: usize, point: usize, force: Triple, moment: Triple) -> Vec<u64> {
         let DrawnModel { space, frames, points, .. } = self;
         let mut all = vec![0; 6 * model.bodies.len()];

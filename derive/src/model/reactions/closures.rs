@@ -1,17 +1,17 @@
-//! Forces and torques that may act where equations of the file keep two points of bodies together, beyond those that
-//! the equations state.
+//! Forces and torques that may act where equations of the model file keep two points of bodies together, in addition to
+//! those that the equations state.
 //!
-//! A pin that is stated as two equations in the plane of a linkage holds there. It may also hold across the plane:
-//! equations between coordinates do not tell. So a force or a torque may act along each direction without motion in any
-//! permitted motion, in equilibrium with other reactions. Closings are sought where two forces or more were found
-//! between two bodies at a pair of points. The bodies must neither hang on one another nor be connected by a joint of
-//! the file. A single force, as that of a tooth or a slot, holds nothing else.
+//! A pin that is stated as two equations in the plane of a linkage holds in the plane. It may also hold across the
+//! plane: equations between coordinates do not tell. So a force or a torque may act along each direction in which no
+//! permitted motion moves the points, in equilibrium with other reactions. Closings are sought where two forces or more
+//! were found between two bodies at a pair of points. The bodies must neither rest on one another nor be connected by a
+//! joint of the model file. A single force, as that of a tooth or a slot, holds nothing else.
 
 use super::relative_motion::{Holder, Relative};
 use crate::algebra::Expr;
 use crate::model::{Place, Reaction, ReactionKind, Tie};
 
-/// Two bodies, or a body and the ground, kept together at a point of each.
+/// A pair of bodies, or a body and the ground, that equations keep together at a point of each.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Closing {
     on: Place,
@@ -20,7 +20,7 @@ struct Closing {
 }
 
 impl Relative<'_> {
-    /// Forces and torques that may act where equations keep points together, each with an empty text.
+    /// Forces and torques that may act where equations keep points together, each after an empty string.
     pub fn closings(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
         let found: Vec<Closing> = self.model.reactions.iter().filter_map(|r| self.closing(r, holders)).collect();
         let mut list = Vec::new();
@@ -33,7 +33,8 @@ impl Relative<'_> {
         list
     }
 
-    /// Pair of points that a reaction keeps together, if it was found and closes a loop of equations.
+    /// Pair of points that a reaction keeps together; `None` unless the reaction was found and closes a loop of
+    /// equations.
     fn closing(&self, reaction: &Reaction, holders: &[(usize, Holder)]) -> Option<Closing> {
         let ReactionKind::Force { on, against } = reaction.kind else { return None };
         let by = against.map(|place| place.body);
@@ -43,7 +44,7 @@ impl Relative<'_> {
             _ => false,
         });
         let hangs = holders.iter().any(|(body, holder)| pairs.contains(&(Some(*body), *holder)));
-        // What a joint of the file closes has a name that the file declares.
+        // A reaction of a joint of the model file has a declared name.
         let is_named = reaction.is_stated || self.model.declared.contains_key(&reaction.name);
         let is_axis = reaction.direction.iter().all(|e| [Expr::ZERO, Expr::ONE].contains(e));
         (is_axis && !is_named && !reaction.is_shared && !rolls && !hangs).then_some(Closing {
@@ -53,7 +54,7 @@ impl Relative<'_> {
         })
     }
 
-    /// Reactions at a closing that do no work in any permitted motion, each with an empty text.
+    /// Reactions at a closing that do no work in any permitted motion, each after an empty string.
     fn held_at(&self, closing: &Closing) -> Vec<(String, Reaction)> {
         let &Closing { on, against, frame } = closing;
         let (body, holder, space) = (on.body, against.map(|place| place.body), self.drawn.space);

@@ -1,12 +1,13 @@
-//! Reactions that nobody named: what holds bodies to each other and to the ground, for the Newton–Euler equations.
+//! Reactions that nobody named: forces and torques that hold bodies to each other and to the ground, for the
+//! Newton–Euler equations.
 //!
-//! The connections of the file are visited in order, those first that the file states most plainly ([`held`]):
+//! The connections of the model file are visited in order, those first that the file states most plainly ([`held`]):
 //! reactions that it names, contacts without slip, joints and placement on other bodies, contacts, and the ground last.
 //! Each connection carries forces along axes of frames and torques about them, if these do no work in the motions that
-//! the connection itself permits. It carries only what those before it leave open, in all directions, felt or not. If
-//! that is not enough, as when equations tie coordinates, forces and torques are sought wherever they do no work
-//! ([`elsewhere`]). In closed loops, the joints of the tree hold what they would hold in open loops: a pin takes no
-//! torque about its axis, even if a loop prevents it from turning.
+//! the connection itself permits. It carries only directions that the connections before it leave open, whether bodies
+//! feel them or not. If that is not enough, as when equations tie coordinates, forces and torques are sought wherever
+//! they do no work ([`elsewhere`]). In closed loops, the joints of the tree hold the directions that they would hold in
+//! open loops. A pin takes no torque about its axis, even if a loop prevents it from turning.
 //!
 //! A contact, or the ground, that carries none of these reactions is left out ([`crate::model::Contacts::idle`]): no
 //! load is handed on to it.
@@ -27,27 +28,28 @@ use crate::geometry::Frames;
 use crate::model::{Model, Reaction, ReactionKind};
 use search::{Along, Found, Search};
 
-/// Equations of bodies up to which reactions are found: larger systems must name them.
+/// Largest number of Newton–Euler equations for which reactions are found. In larger systems the model file must name
+/// them.
 pub(in crate::model) const MOST_EQUATIONS: usize = 72;
-/// The longest name of a reaction, before its number.
+/// Most characters of the name of a found reaction, without its number.
 const MAX_LENGTH: usize = 56;
 
 impl Model {
-    /// The reactions that the file names: the first.
+    /// Reactions that the model file names. They come first in [`Self::reactions`].
     #[must_use]
     pub fn stated_reactions(&self) -> &[Reaction] {
         let found = self.reactions.iter().position(|r| !r.is_stated);
         &self.reactions[..found.unwrap_or(self.reactions.len())]
     }
 
-    /// Number of Newton–Euler equations of all bodies, if it is too large to find reactions for; otherwise `None`.
+    /// Number of Newton–Euler equations of all bodies, if it is too large to find reactions; otherwise `None`.
     pub(in crate::model) fn too_many_equations(&self) -> Option<usize> {
         let equations = |body: &crate::model::Body| if body.rigid.is_some() { 6 } else { 3 };
         Some(self.bodies.iter().map(equations).sum()).filter(|all| *all > MOST_EQUATIONS)
     }
 
-    /// Adds reactions until there are as many as the Newton–Euler equations of all bodies need. Leaves them as they are
-    /// if that cannot be done.
+    /// Adds reactions until there are as many as the Newton–Euler equations of all bodies need. Adds none if that
+    /// cannot be done.
     pub(in crate::model) fn complete_reactions(&mut self) {
         let on_nothing =
             |t: &crate::model::Torque| t.on.1.is_none() || t.against.is_some_and(|(_, body)| body.is_none());
@@ -57,7 +59,7 @@ impl Model {
         let Some(mut search) = Search::new(self) else { return };
         search.held();
         search.elsewhere();
-        // An incomplete set would make the equations unsolvable, and would not be what the file says.
+        // An incomplete set would make the equations unsolvable, and the file would not state these reactions.
         if search.missing > 0 {
             return;
         }
@@ -68,7 +70,7 @@ impl Model {
         self.contacts.idle = idle;
     }
 
-    /// Adds a reaction that was found, under a name that is free.
+    /// Adds a reaction that was found, under a name that no other quantity has.
     fn name_reaction(&mut self, Found { kind, along, is_shared }: Found) {
         let (what, body) = match kind {
             ReactionKind::Force { on, .. } => ("force", on.body),
@@ -96,7 +98,7 @@ impl Model {
         self.reactions.push(Reaction { name, symbol, kind, frame, direction, is_stated: false, is_shared });
     }
 
-    /// The unit vector from one point to another, in the inertial frame.
+    /// Unit vector from one point to another: components in the inertial frame.
     fn unit_along(&mut self, from: usize, to: usize) -> [Expr; 3] {
         let mut arena = std::mem::take(&mut self.arena);
         let mut frames = Frames::new(&self.frames);

@@ -3,10 +3,10 @@
 //! A potential in coordinates states the work that it does, but not the bodies on which it acts, which the Newton–Euler
 //! equations need. It is exerted as motors and springs in joints would exert it: along and about axes of frames,
 //! between each body and its holder ([`super::relative_motion`]). The velocities along these axes, r = R q̇, determine
-//! q̇; those that fewest coordinates change come first. The efforts w do the work of the potential in every motion: Rᵀ
-//! w = −∂V/∂q. If the bodies do not determine q̇, as with Euler parameters, they determine u. The efforts then do that
-//! work in every permitted motion. Accelerations do not depend on the choice of axes; reactions are those with this
-//! choice.
+//! q̇; axes whose velocities depend on the fewest coordinates come first. The efforts w do the work of the potential in
+//! every motion: Rᵀ w = −∂V/∂q. If the motions of the bodies do not determine q̇, as with Euler parameters, they
+//! determine u. The efforts then do that work in every permitted motion. Accelerations do not depend on the choice of
+//! axes; reactions do.
 
 use super::random_pose::{DrawnModel, Triple};
 use super::relative_motion::{Holder, Relative};
@@ -19,20 +19,20 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Motion, Vector};
 use crate::model::{Effort, Model, Place, ReactionKind};
 
-/// Bodies up to which efforts are sought.
+/// Largest number of bodies for which efforts of potentials are sought.
 const MOST_BODIES: usize = 24;
 
 /// Axis of a frame along or about which an effort acts: kind, frame, axis.
 type Axis = (ReactionKind, usize, usize);
 
 impl Model {
-    /// Finds the loads that the file leaves open: potentials as forces and torques, then reactions.
+    /// Finds the loads that the model file leaves open: potentials as forces and torques, then reactions.
     pub(in crate::model) fn complete_loads(&mut self) {
         self.place_potentials();
         self.complete_reactions();
     }
 
-    /// Finds the efforts of potentials; leaves none where there are none that do their work.
+    /// Finds forces and torques with the work of the potentials; leaves none if none do this work.
     fn place_potentials(&mut self) {
         if self.potentials.is_empty() || self.bodies.len() > MOST_BODIES {
             return;
@@ -60,7 +60,8 @@ impl Model {
         }
     }
 
-    /// Solves Rᵀ w = Q for velocities along these axes, in q̇ or in its substitutes `put`.
+    /// Solves Rᵀ w = −∂V/∂q for the efforts w along these axes. `put` replaces q̇ by terms in u, if the `variables` are
+    /// speeds.
     fn efforts_along(&self, axes: &[Axis], variables: &[Expr], put: &mut Substitution) -> Option<(Arena, Vec<Effort>)> {
         let mut arena = self.arena.clone();
         let mut simplifier = Simplifier::default();
@@ -99,7 +100,7 @@ impl Model {
         Some((arena, efforts))
     }
 
-    /// −∂V/∂q · q̇ of all potentials; time is no coordinate that they push.
+    /// Power −∂V/∂q · q̇ of all potentials; potentials do not push time.
     fn potential_power(&self, arena: &mut Arena) -> Expr {
         let energies: Vec<Expr> = self.potentials.iter().map(|potential| potential.energy).collect();
         let energy = arena.sum(&energies);
@@ -110,7 +111,8 @@ impl Model {
         arena.neg(growth)
     }
 
-    /// Velocity, or angular velocity, of the side that is pushed, relative to the side that the opposite pushes.
+    /// Velocity, or angular velocity for a torque, of the body on which a reaction acts, relative to the body on which
+    /// its opposite acts.
     pub(in crate::model) fn relative_velocity(
         &self,
         arena: &mut Arena,
@@ -140,7 +142,8 @@ impl Model {
 
 impl Relative<'_> {
     /// Finds `count` axes along which relative velocities are independent, preferring those that depend on the fewest
-    /// variables. `listed` maps velocities along q̇ to velocities along the variables. `None` if there are not enough.
+    /// variables. `listed` maps velocities along q̇ to velocities along the variables. `None` if there are not enough
+    /// axes.
     fn axes(&self, count: usize, listed: impl Fn(&dyn Fn(usize) -> Triple) -> Vec<Triple>) -> Option<Vec<Axis>> {
         let mut candidates: Vec<(usize, Vec<u64>, Axis)> = Vec::new();
         for (body, holder) in self.holders() {
@@ -171,7 +174,7 @@ impl Relative<'_> {
         let space = self.drawn.space;
         let mut list = Vec::new();
         if self.is_rigid(Some(body)) {
-            // A particle takes no torque: the ground does.
+            // A particle takes no torque: the opposite acts on the ground.
             let against = holder.filter(|_| self.is_rigid(holder));
             let turns = |along: usize| space.sub(self.turning(Some(body), along), self.turning(against, along));
             list.push((ReactionKind::Torque { on: body, against }, listed(&turns)));

@@ -1,8 +1,8 @@
 //! Force or torque that one body exerts on another through their connections: the sum of all reactions between the two.
 //!
-//! A formula names a component of it, `force(base on arm) @ N [1]`. While the file is read a symbol stands for it,
-//! since reactions that nobody named are found last. Then the sum is put in, so that only the reading of files knows of
-//! it.
+//! A formula names a component of the force or torque, `force(base on arm) @ N [1]`. While the model file is read a
+//! symbol stands for the component, since reactions that nobody named are found last. Then the sum replaces the symbol,
+//! so that only the reading of files knows of the name.
 
 use super::connections::MOST_EQUATIONS;
 use super::relative_motion::{Holder, sides};
@@ -17,15 +17,15 @@ use crate::model::{Hung, Model, Place, Reaction, ReactionKind};
 use crate::read::Located;
 use std::ops::Range;
 
-/// Name of the ground where bodies are named. If a body has this name, the body is meant.
+/// Name of the ground where bodies are named. If a body has this name, it means the body.
 pub const GROUND: &str = "ground";
 
-/// Component of the force or torque that a body exerts on another, by names with their places in the file.
+/// Component of the force or torque that a body exerts on another, by names with their places in the model file.
 #[derive(Clone, Debug)]
 pub struct StatedInteraction {
-    /// Symbol that stands for it until reactions are known.
+    /// Symbol of the component until reactions are known.
     pub symbol: Expr,
-    /// Its name in canonical form.
+    /// Name of the component in canonical form, `force(base on arm) @ N [1]`.
     pub text: String,
     pub is_torque: bool,
     pub by: Located,
@@ -33,7 +33,7 @@ pub struct StatedInteraction {
     pub about: Option<Located>,
     pub frame: Located,
     pub axis: usize,
-    /// Byte range of the whole name in the file.
+    /// Byte range of the component's whole name in the model file.
     pub span: Range<usize>,
 }
 
@@ -70,14 +70,15 @@ impl StatedInteraction {
         }
     }
 
-    /// N or N m.
+    /// Unit of the component: N for a force, N m for a torque.
     pub fn unit(&self) -> Unit {
         Unit::new(if self.is_torque { 2 } else { 1 }, 1, -2)
     }
 }
 
 impl Interaction {
-    /// True if a reaction belongs to it with a positive sign, false if with a negative one; `None` if it does not.
+    /// True if a reaction is part of this force or torque with a positive sign, false if with a negative sign. `None`
+    /// if it is no part.
     fn sign(&self, reaction: &Reaction) -> Option<bool> {
         let (on, against) = sides(reaction.kind);
         match (Some(on), against) {
@@ -89,11 +90,11 @@ impl Interaction {
 }
 
 impl Model {
-    /// Term in the reactions of this model and in q for the component that a formula names.
+    /// Term in the reactions of this model and in q for a component of a force or torque that a formula names.
     ///
     /// # Errors
-    /// A [`Diagnostic`] at its place if a name is unknown, nothing acts between the two, the point of a torque is open,
-    /// or equilibrium does not determine the component.
+    /// A [`Diagnostic`] at the name's place in these cases: a name is unknown, nothing acts between the two bodies, the
+    /// point of a torque is open, or equilibrium does not determine the component.
     pub fn interaction(&mut self, stated: &StatedInteraction) -> Result<Expr, Diagnostic> {
         let mut sought = self.found_interaction(stated)?;
         let acting: Vec<(Reaction, bool)> =
@@ -113,7 +114,7 @@ impl Model {
         Ok(value)
     }
 
-    /// The sum of reactions, with the moments of forces about a point.
+    /// Component of the sum of reactions, with the moments of forces about the point `sought.about`.
     fn sum_of(&self, arena: &mut Arena, sought: Interaction, acting: &[(Reaction, bool)]) -> Expr {
         let mut frames = Frames::new(&self.frames);
         let mut sum = Vector::default();
@@ -139,7 +140,7 @@ impl Model {
         Simplifier::default().simplify(arena, component)
     }
 
-    /// A point from the origin.
+    /// Position of a point relative to the origin.
     pub(in crate::model) fn position(&self, arena: &mut Arena, point: usize) -> Vector {
         let (mut at, mut sum) = (point, Vector::default());
         while let Some((parent, frame, components)) = self.points[at].position {
@@ -149,7 +150,8 @@ impl Model {
         sum
     }
 
-    /// The point about which a torque is meant: that which is named, that of the joint, or the one where forces act.
+    /// Index of the point about which a torque is taken: the named point, the point of the joint, or the single point
+    /// where forces act. Reports several such points.
     fn point_of(
         &self,
         stated: &StatedInteraction,
@@ -191,7 +193,7 @@ impl Model {
         Err(Diagnostic::new(stated.span.clone(), message, help))
     }
 
-    /// The bodies, the point and the frame that a formula names.
+    /// Finds the bodies, the point and the frame that a formula names.
     fn found_interaction(&self, stated: &StatedInteraction) -> Result<Interaction, Diagnostic> {
         let (by, on) = (self.holder(&stated.by)?, self.holder(&stated.on)?);
         if by == on {
@@ -210,7 +212,7 @@ impl Model {
         Ok(Interaction { is_torque: stated.is_torque, by, on, about, frame, axis: stated.axis })
     }
 
-    /// A body, or the ground under its own name or that of the inertial frame.
+    /// Index of a body, or `None` for the ground under its own name or that of the inertial frame.
     fn holder(&self, name: &Located) -> Result<Holder, Diagnostic> {
         if let Some(at) = self.bodies.iter().position(|b| b.name == name.text) {
             return Ok(Some(at));
@@ -223,7 +225,7 @@ impl Model {
         Err(Diagnostic::new(name.span.clone(), message, nearest(&name.text, names)))
     }
 
-    /// The name of a body, or of the ground.
+    /// Name of a body, or of the ground.
     pub(in crate::model) fn holder_name(&self, holder: Holder) -> &str {
         holder.map_or(GROUND, |at| &self.bodies[at].name)
     }
@@ -252,22 +254,22 @@ impl Model {
     }
 }
 
-/// Index of the point at which a force acts, or if `is_along` is false, its opposite.
+/// Index of the point at which a force acts, or, if `is_along` is false, at which its opposite acts.
 fn felt_at(on: Place, against: Option<Place>, is_along: bool) -> usize {
     against.filter(|_| !is_along).unwrap_or(on).point
 }
 
-/// A reaction that a condition of the domain names, by its own name or by the bodies.
+/// A reaction that a condition of the domain names, by the reaction's own name or by two bodies.
 #[derive(Clone, Debug)]
 pub enum AskedReaction {
-    /// One that is yet to be found: the symbol that stands for it, its name, and its unit.
+    /// A reaction that may be found later: the symbol that stands for it, its name, and its unit.
     Found(Expr, Located, Unit),
-    /// Force or torque that a body exerts on another.
+    /// A component of the force or torque that a body exerts on another.
     Between(StatedInteraction),
 }
 
 impl AskedReaction {
-    /// Symbol that stands for the reaction, and its unit.
+    /// Symbol that stands for the reaction until reactions are known, and its unit.
     pub fn symbol(&self) -> (Expr, Unit) {
         match self {
             Self::Between(stated) => (stated.symbol, stated.unit()),
@@ -277,8 +279,8 @@ impl AskedReaction {
 }
 
 impl Model {
-    /// Puts the reactions that conditions of the domain name into these conditions, now that all reactions are known.
-    /// Returns a diagnostic, at its place, for each reaction that cannot be determined.
+    /// Replaces the names of reactions in conditions of the domain, now that all reactions are known. Returns a
+    /// diagnostic, at its place, for each reaction that cannot be determined.
     pub(in crate::model) fn name_reactions(&mut self, asked: Vec<AskedReaction>) -> Vec<Diagnostic> {
         let (mut pairs, mut errors) = (Vec::new(), Vec::new());
         for reaction in asked {
@@ -315,7 +317,7 @@ impl Model {
         errors
     }
 
-    /// A reaction by the name under which it was found.
+    /// Symbol of a reaction by the name under which it was found; an error if none has this name.
     fn found_reaction(&self, name: &Located) -> Result<Expr, Diagnostic> {
         self.reactions.iter().find(|r| r.name == name.text).map(|r| r.symbol).ok_or_else(|| {
             let names = self.reactions.iter().map(|r| r.name.as_str());
@@ -325,7 +327,7 @@ impl Model {
     }
 }
 
-/// Why a reaction has no value that joints hold more than once, and what can be had.
+/// Message and advice for a reaction without a value, since joints hold its direction more than once.
 pub fn is_redundant(name: &str) -> (String, &'static str) {
     let message = format!("equilibrium does not determine `{name}`: what it holds is held otherwise as well");
     (
@@ -334,7 +336,7 @@ pub fn is_redundant(name: &str) -> (String, &'static str) {
     )
 }
 
-/// The unit of a reaction that might be found under such a name: after a body, with what it is.
+/// Unit of a reaction that may be found under a name such as `BODY_force_…` or `BODY_torque_…`; `None` for other names.
 pub fn may_be_found<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
     let is_of = |body: &str| {
         let rest = name.strip_prefix(body)?;

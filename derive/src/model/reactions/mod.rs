@@ -1,4 +1,4 @@
-//! Forces that bodies exert on each other through connections, stated in the file or not.
+//! Forces and torques that bodies exert on each other through connections, stated in the model file or found.
 
 pub(super) mod actions;
 pub(super) mod closures;

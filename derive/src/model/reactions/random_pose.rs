@@ -1,8 +1,8 @@
 //! A mechanism in one random pose and motion, in residues modulo a prime. A term whose residue is zero is identically
 //! zero, except with a chance below 2⁻⁵⁰.
 //!
-//! Frames and points are visited once, parents first. Each frame costs a few multiplications, where a symbolic
-//! derivation would multiply out all turns.
+//! Frames and points are visited once, parents first. Each frame costs few multiplications, where a symbolic derivation
+//! would multiply out all turns.
 
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::text::parse::VelocityOf;
@@ -13,10 +13,10 @@ use crate::geometry::Turn;
 use crate::model::Model;
 use std::collections::BTreeMap;
 
-/// Three components, of inertial axes if nothing else is said.
+/// Residues of three components of a vector, along inertial axes if nothing else is said.
 pub type Triple = [u64; 3];
 
-/// Arithmetic of triples.
+/// Arithmetic of vectors whose components are residues modulo a prime.
 #[derive(Clone, Copy)]
 pub struct Space(pub Field);
 
@@ -45,13 +45,13 @@ impl Space {
         })
     }
 
-    /// Σ components · axes.
+    /// Vector with these components along these axes: Σ components[i] · axes[i].
     pub fn along(self, axes: &[Triple; 3], components: Triple) -> Triple {
         (0..3).fold([0; 3], |sum, i| self.add(sum, self.scale(components[i], axes[i])))
     }
 }
 
-/// Residues of terms, read in the order of the terms.
+/// Residues of terms, read one after another in the order of the terms.
 pub struct Residues(std::vec::IntoIter<u64>);
 
 impl Residues {
@@ -59,18 +59,18 @@ impl Residues {
         Self(list.into_iter())
     }
 
-    /// The next.
+    /// Reads the residue of the next term.
     pub fn one(&mut self) -> u64 {
         self.0.next().expect("each term that was asked for has a residue")
     }
 
-    /// The next three.
+    /// Reads the residues of the next three terms, as a vector.
     pub fn triple(&mut self) -> Triple {
         std::array::from_fn(|_| self.one())
     }
 }
 
-/// A frame: its axes, its angular velocity along each q̇ and in all, its angular acceleration.
+/// A frame in a random pose: axes, angular velocity along each q̇ and in total, and angular acceleration.
 #[derive(Clone)]
 pub struct Turned {
     pub axes: [Triple; 3],
@@ -79,7 +79,7 @@ pub struct Turned {
     pub acceleration: Triple,
 }
 
-/// A point: its place, its velocity along each q̇ and in all, its acceleration.
+/// A point in a random pose: position, velocity along each q̇ and in total, and acceleration.
 #[derive(Clone)]
 pub struct Moved {
     pub place: Triple,
@@ -88,17 +88,17 @@ pub struct Moved {
     pub acceleration: Triple,
 }
 
-/// A model in a random pose and motion.
+/// A model in a random pose and motion, in residues modulo a prime.
 pub struct DrawnModel {
     pub space: Space,
     pub frames: Vec<Turned>,
     pub points: Vec<Moved>,
-    /// ∂q̇/∂u, a row for each coordinate.
+    /// Slopes ∂q̇/∂u: a row for each coordinate, a column for each speed.
     pub partial_rates: Vec<Vec<u64>>,
     drawn: Drawn,
 }
 
-/// Terms needed of a quantity that depends on coordinates: its value, its slopes along coordinates, and two time
+/// Terms of a quantity that depends on coordinates: its value, its slopes along coordinates, and its first two time
 /// derivatives.
 struct Followed {
     value: Expr,
@@ -127,7 +127,7 @@ impl Followed {
     }
 }
 
-/// Follows quantities along the motion of a model.
+/// Differentiates quantities along the coordinates, and along the motion of a model.
 struct Follower {
     slopes: Gradient,
     d_dt: Differential,
@@ -147,7 +147,7 @@ impl Follower {
         Followed { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
     }
 
-    /// The angular velocity that a turn adds, by its axes.
+    /// Angular velocity that a turn adds: an axis, 0, 1 or 2, and the component along it.
     fn spins(&mut self, arena: &mut Arena, turn: &Turn) -> Vec<(usize, Followed)> {
         let oriented = match turn {
             Turn::About(axis, angle) => return vec![(*axis, self.follow(arena, *angle))],
@@ -172,16 +172,16 @@ impl Follower {
     }
 }
 
-/// Terms that place a turned frame: its cosines (cosine and sine for a turn about one axis), and the angular velocity
-/// that it adds.
+/// Terms of a turned frame: its cosines (cosine and sine for a turn about one axis), and the angular velocity that its
+/// turn adds.
 struct Turning {
     cosines: Vec<Expr>,
     spins: Vec<(usize, Followed)>,
 }
 
 impl DrawnModel {
-    /// Draws a pose, with new terms in a store of their own, a copy of the model's; nothing if none was found in which
-    /// everything has a value.
+    /// Draws a pose and motion. New terms go to `arena`, a copy of the model's store. `None` if no pose was found in
+    /// which every term has a value.
     pub fn new(model: &Model, arena: &mut Arena) -> Option<Self> {
         let mut follower = Follower::new(model);
         let mut terms = Vec::new();
@@ -250,7 +250,8 @@ impl DrawnModel {
         Some(Self { space, frames, points, partial_rates, drawn })
     }
 
-    /// Residues of other terms in the same pose; the velocities that they name are put in.
+    /// Residues of further terms in the same pose; residues replace the velocities that the terms name. `None` if a
+    /// term has no value.
     pub fn values(&self, model: &Model, arena: &mut Arena, terms: &[Expr]) -> Option<Residues> {
         let symbols = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
         let mut known: Vec<(Expr, Expr)> = symbols.collect();
@@ -270,7 +271,7 @@ impl DrawnModel {
         self.drawn.values(arena, &terms).map(Residues::new)
     }
 
-    /// The velocity of the material of a body at a point, along one q̇ or in all.
+    /// Velocity of the material of a body at a point, along q̇ of one coordinate or, with `None`, in total.
     pub fn material(&self, model: &Model, body: usize, point: usize, along: Option<usize>) -> Triple {
         let body = &model.bodies[body];
         let centre = &self.points[body.centre];
@@ -288,7 +289,7 @@ impl Turned {
         Self { axes, along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
-    /// The axes of a frame turned about one of them.
+    /// Axes of a frame that is turned from this frame about one of its axes, given cosine and sine of the angle.
     fn about(&self, space: Space, axis: usize, [cos, sin]: [u64; 2]) -> [Triple; 3] {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut axes = self.axes;
@@ -297,7 +298,7 @@ impl Turned {
         axes
     }
 
-    /// A frame turned from this one to these axes, with the components of the angular velocity that this adds.
+    /// A frame turned from this frame to these axes, given the components of the angular velocity that the turn adds.
     fn turned(&self, space: Space, axes: [Triple; 3], spins: &[(usize, Values)]) -> Self {
         let mut along = self.along.clone();
         let (mut spin, mut second) = ([0; 3], [0; 3]);
@@ -320,7 +321,7 @@ impl Moved {
         Self { place: [0; 3], along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
-    /// A point placed from this one in a frame.
+    /// A point placed from this point in a frame, given the components of its position.
     fn moved(&self, space: Space, frame: &Turned, place: &[Values; 3]) -> Self {
         let of = |part: fn(&Values) -> u64| space.along(&frame.axes, [0, 1, 2].map(|i: usize| part(&place[i])));
         let (arm, slip, second) = (of(|v| v.value), of(|v| v.rate), of(|v| v.second));

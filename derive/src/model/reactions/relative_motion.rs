@@ -6,7 +6,7 @@ use crate::algebra::value::rank::Basis;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, MotionConstraint, ReactionKind};
 
-/// A body, or the ground.
+/// Index of a body on which another body rests; `None` is the ground.
 pub type Holder = Option<usize>;
 
 /// Body on which a reaction acts, and body or ground on which the opposite acts.
@@ -17,21 +17,22 @@ pub fn sides(kind: ReactionKind) -> (usize, Holder) {
     }
 }
 
-/// A model in a random pose, and how its bodies move there.
+/// A model in a random pose, and the motion of its bodies relative to one another in that pose.
 pub struct Relative<'m> {
     pub model: &'m Model,
     pub drawn: DrawnModel,
-    /// Ways to move, each a value for every q̇, in whose stead those along the speeds count if there are none here.
+    /// Motions, each a value for every q̇, that replace those along the speeds if they are `Some`.
     pub ways_if_open: Option<Vec<Vec<u64>>>,
 }
 
 impl Relative<'_> {
-    /// The velocity of the material of a body, or of the ground, at a point, along q̇.
+    /// Velocity of the material of a body, or of the ground, at a point, if only q̇ of the coordinate `along` is 1.
     pub fn material(&self, body: Holder, point: usize, along: usize) -> Triple {
         body.map_or([0; 3], |body| self.drawn.material(self.model, body, point, Some(along)))
     }
 
-    /// The angular velocity of a rigid body, or of the ground, along q̇.
+    /// Angular velocity of a rigid body, or of the ground, if only q̇ of the coordinate `along` is 1. A particle does
+    /// not turn.
     pub fn turning(&self, body: Holder, along: usize) -> Triple {
         let frame = body.and_then(|body| Some(self.model.bodies[body].rigid.as_ref()?.0));
         frame.map_or([0; 3], |frame| self.drawn.frames[frame].along[along])
@@ -41,14 +42,14 @@ impl Relative<'_> {
         body.is_none_or(|body| self.model.bodies[body].rigid.is_some())
     }
 
-    /// Coordinates other than time.
+    /// Indices of the coordinates other than time.
     pub fn own_motions(&self) -> impl Iterator<Item = usize> + use<'_> {
         let time = self.model.time();
         (0..self.model.coordinates.len()).filter(move |at| Some(*at) != time)
     }
 
-    /// Number of independent ways in which triples change along the coordinates and time. Time counts: a body that
-    /// hangs on a driven crank does not hang on the ground.
+    /// Number of independent ways in which vectors `of` a coordinate change along the coordinates and time. Time
+    /// counts: a body that hangs on a driven crank does not hang on the ground.
     pub fn ways(&self, of: impl Fn(usize) -> Vec<Triple>) -> usize {
         let mut basis = Basis::new(self.drawn.space.0);
         for along in 0..self.model.coordinates.len() {
@@ -60,7 +61,7 @@ impl Relative<'_> {
     /// Number of independent ways in which a body moves relative to another, or to the ground.
     pub fn freedom(&self, body: usize, against: Holder) -> usize {
         let space = self.drawn.space;
-        // A particle holds nothing that turns.
+        // Nothing turns against a particle.
         let turns = self.is_rigid(Some(body));
         // The material of a particle is at its own point alone.
         let particle = against.filter(|_| !self.is_rigid(against));
@@ -95,7 +96,7 @@ impl Relative<'_> {
         points.into_iter().min_by_key(|point| slip(*point)).unwrap_or(centre)
     }
 
-    /// The frames along whose axes reactions are sought: that of the holder, that of the body, all others.
+    /// Frames along whose axes reactions are sought: that of the holder, that of the body, then all others.
     pub fn frames(&self, body: usize, holder: Holder) -> Vec<usize> {
         let of = |body: usize| self.model.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
         let mut list = vec![holder.and_then(of).unwrap_or(0)];
@@ -108,7 +109,8 @@ impl Relative<'_> {
         list
     }
 
-    /// Motions of the mechanism if only these motion constraints held: a basis of their null space.
+    /// Basis of the motions of the mechanism if only the motion constraints that `holds` accepts held. `None` if a term
+    /// has no value.
     pub fn open_ways(&self, arena: &mut Arena, holds: &dyn Fn(&MotionConstraint) -> bool) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let held: Vec<Expr> = model.motion_constraints.iter().filter(|c| holds(c)).map(|c| c.equation).collect();
@@ -128,7 +130,7 @@ impl Relative<'_> {
         Some(basis.null_space(n))
     }
 
-    /// Velocities along each speed, or each of the ways that count in their stead, from those along q̇.
+    /// Velocities along each speed, or along each motion of [`Self::ways_if_open`], from those `along` q̇.
     pub fn permitted(&self, along: impl Fn(usize) -> Triple) -> Vec<Triple> {
         let space = self.drawn.space;
         if let Some(ways) = &self.ways_if_open {
@@ -148,7 +150,8 @@ impl Relative<'_> {
         list
     }
 
-    /// Velocities of the material of a body at a point relative to that of its holder at another, one for each speed.
+    /// Velocities of a body's material at a point relative to its holder's material at another point, one for each
+    /// speed.
     pub fn slips(&self, body: usize, holder: Holder, (point, opposite): (usize, usize)) -> Vec<Triple> {
         let space = self.drawn.space;
         self.permitted(|along| {
@@ -156,14 +159,14 @@ impl Relative<'_> {
         })
     }
 
-    /// Pairs of a body with the ground, then with each body after it, that both may have material at a point.
+    /// Pairs of each body with the ground, then with each later body, between which reactions are sought.
     pub fn pairs(&self) -> Vec<(usize, Holder)> {
         let count = self.model.bodies.len();
         let on_ground = (0..count).map(|body| (body, None));
         on_ground.chain((0..count).flat_map(|a| (a + 1..count).map(move |b| (a, Some(b))))).collect()
     }
 
-    /// True if the material of a body is at a point, and stays there.
+    /// True if a body has the same material at a point at all times.
     pub fn has(&self, body: usize, point: usize) -> bool {
         if !self.is_rigid(Some(body)) {
             return self.model.bodies[body].centre == point;
@@ -172,7 +175,7 @@ impl Relative<'_> {
         !self.own_motions().any(moves)
     }
 
-    /// True if a point rests on the ground.
+    /// True if a point is fixed to the ground.
     pub fn stays(&self, point: usize) -> bool {
         self.own_motions().all(|along| self.drawn.points[point].along[along] == [0; 3])
     }

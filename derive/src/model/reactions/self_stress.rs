@@ -1,10 +1,11 @@
 //! Reactions that equilibrium does not determine. They occur in a loop that joints or rolling contacts hold more often
-//! than necessary. They may also occur where equations keep two points together and do not state what else holds there.
+//! than necessary. They may also occur where equations keep two points together and do not state which further
+//! directions are held there.
 //!
-//! For each equation of a joint or contact that follows from others, there are forces and torques that do no work along
-//! any q', are in equilibrium with one another, and may have any size. They satisfy A λ = 0, where A has a column for
-//! the work of each of them along q'. They are computed in one closed pose, in doubles, at the default values. From
-//! loops they go down the tree of bodies to the ground.
+//! For each equation of a joint or contact that follows from others, there are forces and torques in equilibrium with
+//! one another. They do no work along any q', and may have any size. They satisfy A λ = 0, where A has a column for the
+//! work of each of them along q'. They are computed in one closed pose, in doubles, at the default values. Forces and
+//! torques of loops go down the tree of bodies to the ground.
 //! S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically indeterminate frameworks,
 //! *International Journal of Solids and Structures* 22 (1986) 409–428.
 
@@ -18,36 +19,36 @@ use crate::model::physics::{defaults, values_at};
 use crate::model::{Model, Place, Reaction, ReactionKind, Rolled};
 use nalgebra::{DMatrix, DVector, Vector3};
 
-/// Residual, over its length, up to which a column depends on others; these are projected out of it.
+/// Residual, over its length, up to which a column depends on other columns; these are projected out of it.
 const DEPENDENT: f64 = 1e-6;
-/// A component below this fraction of the largest counts as zero.
+/// Fraction of the largest component below which another component counts as zero.
 const NOTHING: f64 = 1e-7;
 
-/// Largest number of poses that are drawn if a required value does not exist.
+/// Largest number of poses that are drawn until all required values exist.
 const MOST_POSES: usize = 20;
 
-/// A force, and its moment about the origin.
+/// A force, N, and its moment about the origin, N m.
 type Wrench = (Vector3<f64>, Vector3<f64>);
 
 /// Frames, points and reactions in one pose.
 struct Pose {
-    /// Axes of each frame, in columns.
+    /// Axes of each frame in the inertial frame.
     axes: Vec<[Vector3<f64>; 3]>,
     points: Vec<Vector3<f64>>,
-    /// Directions of reactions, and their work along q', those of the model first.
+    /// Directions of reactions, and their work along q': reactions of the model first, then repeated ones.
     acting: Vec<(Vector3<f64>, DVector<f64>)>,
 }
 
-/// Forces and torques between bodies that are in equilibrium without loads, by pairs (on, by).
+/// Forces and torques between pairs (on, by) of bodies that are in equilibrium without loads.
 struct SelfStress {
     between: Vec<((usize, Holder), Wrench)>,
-    /// The largest force, and the largest moment.
+    /// Largest force, and largest moment, of the self-stress.
     size: (f64, f64),
     reach: f64,
 }
 
 impl Model {
-    /// Why equilibrium does not determine what a formula asks for, if it does not, and a way out.
+    /// Message and advice if equilibrium does not determine the wanted component; `None` if it does.
     pub(in crate::model) fn undetermined(&self, sought: &Interaction, text: &str) -> Option<(String, String)> {
         let is_simple =
             self.redundant.is_empty() && self.loops.is_empty() && self.repeated.iter().all(|r| r.rolled.is_none());
@@ -86,8 +87,8 @@ impl Model {
         twice.or_else(|| self.undetermined_by_equations(&relative?, &holders, sought, text))
     }
 
-    /// Finds a component left undetermined by equations that keep two points together, and explains it as
-    /// [`Self::undetermined`] does.
+    /// Message and advice if equations that keep two points together leave the wanted component undetermined; `None` if
+    /// they do not.
     fn undetermined_by_equations(
         &self,
         relative: &Relative<'_>,
@@ -99,7 +100,7 @@ impl Model {
         if closings.is_empty() {
             return None;
         }
-        // If no closed pose is known, any pose shows what a plane mechanism leaves undetermined.
+        // If no closed pose is known, any pose shows the components that a plane mechanism leaves undetermined.
         let pose = self.closed_pose(&closings).or_else(|| self.any_pose(&closings))?;
         let first = self.reactions.len();
         closings.iter().enumerate().find_map(|(at, (_, reaction))| {
@@ -122,9 +123,10 @@ impl Model {
         })
     }
 
-    /// Reactions of size 1 along directions that are held otherwise as well: those of joints, and forces where bodies
-    /// roll. Examples are the ground that presses on one of two wheels, and a gear that presses on another along the
-    /// line of their pinned centres. If a body's own holder holds a direction twice, this is one force of the holder.
+    /// Reactions of size 1 along directions that are held otherwise as well: those of joints, forces where bodies roll,
+    /// and reactions that the file names. Examples are the ground that presses on one of two wheels, and a gear that
+    /// presses on another along the line of their pinned centres. If a body's own holder holds a direction twice, both
+    /// count as one force of the holder.
     fn held_again(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
         let contacts = self.repeated.iter().filter_map(|r| Some((r.name.clone(), r.rolled?)));
         let contacts = contacts.filter(|(_, rolled)| {
@@ -193,17 +195,18 @@ impl Model {
         (message, format!("{free}, or ask for a component that is determined"))
     }
 
-    /// The pose in which independence was asked, with what acts there.
+    /// Pose in which independence of constraints was decided, with the reactions that act there; `None` if no closed
+    /// pose is known.
     fn closed_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
         match &self.branch {
             Some(branch) => self.pose(repeated, branch.pose.clone(), 0),
-            // Any pose and any values will do where nothing has to be closed.
+            // If nothing has to be closed, any pose and any values will do.
             None if self.loops.is_empty() => self.any_pose(repeated),
             None => None,
         }
     }
 
-    /// A pose in which all required terms have values.
+    /// A pose in which all required terms have values; `None` if none is found.
     fn any_pose(&self, repeated: &[(String, Reaction)]) -> Option<Pose> {
         (0..MOST_POSES).find_map(|at| {
             let first = at * (self.coordinates.len() + self.parameters.len());
@@ -211,8 +214,8 @@ impl Model {
         })
     }
 
-    /// Evaluates frames, points and reactions in a pose. Parameters without a default are drawn, from index `first` on.
-    /// `None` if a value does not exist.
+    /// Evaluates frames, points and reactions in a pose. Parameters without a default value are drawn, from index
+    /// `first` on. `None` if a value does not exist.
     fn pose(&self, repeated: &[(String, Reaction)], pose: Vec<f64>, first: usize) -> Option<Pose> {
         let mut known = defaults(&self.parameters);
         if self.branch.is_none() {
@@ -267,7 +270,7 @@ impl Model {
         Some(Pose { axes, points, acting })
     }
 
-    /// A power along each coordinate other than time, 0 along that.
+    /// Slopes of a power along each q̇; 0 along the rate of time.
     fn slopes(&self, arena: &mut Arena, along: &mut Gradient, power: Expr) -> Vec<Expr> {
         let mut list = vec![Expr::ZERO; self.coordinates.len()];
         for (at, slope) in along.apply(arena, power).iter().filter(|(at, _)| Some(*at) != self.time()) {
@@ -276,7 +279,8 @@ impl Model {
         list
     }
 
-    /// The work of a reaction of size 1 along q̇, and what it would hand on to what is left out, which must be nothing.
+    /// Work of a reaction of size 1 along q̇, then the forces and moments that it hands on to idle contacts, which must
+    /// be zero.
     fn effect(&self, pose: &Pose, (at, reaction): (usize, &Reaction), holders: &[(usize, Holder)]) -> DVector<f64> {
         let (direction, work) = &pose.acting[at];
         let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
@@ -290,7 +294,7 @@ impl Model {
         DVector::from_vec(all)
     }
 
-    /// Self-stress that contains one redundant reaction, with size 1; `None` if other reactions cannot balance it.
+    /// Self-stress that contains one redundant reaction, with size 1. `None` if other reactions cannot balance it.
     fn self_stress(
         &self,
         pose: &Pose,
@@ -328,7 +332,7 @@ impl Model {
             add_between(&mut between, (body, holder), (-force, -moment));
         }
         let reach = pose.points.iter().map(Vector3::norm).fold(0.0, f64::max);
-        // It is one of them itself, though what balances it may leave nothing of it.
+        // The redundant reaction has size 1, even if the balancing reactions cancel it between two bodies.
         let own = if let ReactionKind::Force { .. } = its_reaction.kind { (1.0, 0.0) } else { (0.0, 1.0) };
         let size = between
             .iter()
@@ -375,7 +379,7 @@ fn put_on(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
     }
 }
 
-/// Force and moment that each body hands on to its holder, from the outside in, given those that act on the bodies.
+/// Force and moment that each body hands on to its holder, outermost bodies first, given those that act on the bodies.
 fn handed_on(on_bodies: &mut [Wrench], holders: &[(usize, Holder)]) -> Vec<((usize, Holder), Wrench)> {
     let mut list = Vec::with_capacity(holders.len());
     for (body, holder) in holders {
@@ -388,7 +392,7 @@ fn handed_on(on_bodies: &mut [Wrench], holders: &[(usize, Holder)]) -> Vec<((usi
     list
 }
 
-/// Sums the wrenches that bodies exert on one another, by pairs.
+/// Adds the wrench between two bodies to the sum for their pair.
 fn add_between(list: &mut Vec<((usize, Holder), Wrench)>, pair: (usize, Holder), wrench: Wrench) {
     let other = pair.1.map(|by| (by, Some(pair.0)));
     match list.iter_mut().find(|(known, _)| *known == pair || Some(*known) == other) {
@@ -402,7 +406,7 @@ fn add(sum: &mut Wrench, wrench: Wrench, sign: f64) {
     sum.1 += wrench.1 * sign;
 }
 
-/// A force at its place, or a torque, with its moment about the origin.
+/// Wrench of a reaction with this vector: a force at its place, or a torque.
 fn wrench_of(pose: &Pose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
     match reaction.kind {
         ReactionKind::Force { on, .. } => (vector, pose.points[on.point].cross(&vector)),
@@ -416,12 +420,12 @@ fn unit(axis: usize) -> [Expr; 3] {
     unit
 }
 
-/// Numbers between 0 and 1 in no order: multiples of the golden ratio.
+/// Numbers between 0 and 1 without order: multiples of the golden ratio.
 fn scattered(at: usize) -> f64 {
     (0.618_033_988_749_895 * (at + 1) as f64).fract()
 }
 
-/// In three digits.
+/// Text of a value in three digits.
 fn rounded(value: f64) -> String {
     let text = format!("{value:.2e}");
     text.parse::<f64>().map_or(text, |value| value.to_string())

@@ -1,12 +1,12 @@
-//! Body, or the ground, on which each body rests, as the file states it.
+//! The body, or the ground, on which each body rests, as the model file states it.
 //!
-//! A joint states it. Otherwise a body rests where it moves least. If it moves equally little against several, it rests
-//! first on a body that the file says it touches. Two bodies touch if one rolls on the other, a reaction or friction
-//! acts between them, or one constraint compares their motions. Next comes a body from whose points or in whose frames
-//! it is placed, then the ground: the ground holds nothing that a body holds.
-//! A statement has a direction: a body that rolls, or that a reaction or friction acts *on*, rests on the body
-//! *against* which it does. An equation has none. Of two bodies that it compares, the one further from the ground rests
-//! on the other; the distance is counted in such equations.
+//! A joint states its holder. Otherwise a body rests where it moves least. If it moves equally little against several,
+//! it rests first on a body that the file says it touches. Two bodies touch if one rolls on the other, a reaction or
+//! friction acts between them, or one constraint compares their motions. Next comes a body from whose points or in
+//! whose frames it is placed, then the ground: the ground holds nothing that a body holds.
+//! A statement has a direction: a body that rolls, or that a reaction or friction acts *on*, rests on the body that the
+//! file names under *against*. An equation has no direction. Of two bodies that it compares, the body further from the
+//! ground rests on the other; the distance is counted in such equations.
 //! An equation that ties two bodies and compares none, such as a rope over a pulley, does not make them touch.
 
 use super::relative_motion::{Holder, Relative};
@@ -14,22 +14,22 @@ use crate::algebra::text::parse::VelocityOf;
 use crate::model::{Compared, Rolled, Tie};
 use std::cmp::{Ordering, Reverse};
 
-/// Why a body may rest on another, the strongest reason first.
+/// Reason why a body may rest on another, the strongest reason first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Reason {
-    /// A joint of the file carries it.
+    /// A joint of the model file carries the body.
     Joint,
-    /// The file states that the two touch.
+    /// The model file states a contact of the two bodies.
     Touch,
-    /// It is placed from a point of the other, or in its frame.
+    /// The body is placed from a point of the other body, or in the other body's frame.
     Placed,
-    /// The ground, of which all places are told.
+    /// The body rests on the ground, from which all positions are measured.
     Ground,
-    /// It moves least against the other, of which the file states nothing.
+    /// The body moves least against the other body, and the model file states nothing between them.
     Least,
 }
 
-/// A body, its holder, and the reason for it.
+/// A body, its holder, and the reason why it rests there.
 #[derive(Clone, Copy, Debug)]
 pub struct Rest {
     pub body: usize,
@@ -38,7 +38,7 @@ pub struct Rest {
 }
 
 impl Relative<'_> {
-    /// Each body with its holder, from the outside in: bodies that a body carries come before it.
+    /// Each body with its holder, outermost bodies first: bodies that rest on a body come before that body.
     pub fn rests(&self) -> Vec<Rest> {
         let count = self.model.bodies.len();
         let free = self.freedoms();
@@ -52,7 +52,7 @@ impl Relative<'_> {
         found.sort_by_key(|rest| Reverse((free[rest.body], rest.body)));
         let mut list = Vec::with_capacity(count);
         while !found.is_empty() {
-            // The next on which nothing rests any more.
+            // The next body on which nothing rests any more.
             let is_free = |rest: &Rest| found.iter().all(|other| other.holder != Some(rest.body));
             let next = found.iter().position(is_free).unwrap_or(0);
             list.push(found.remove(next));
@@ -65,7 +65,7 @@ impl Relative<'_> {
         self.rests().into_iter().map(|rest| (rest.body, rest.holder)).collect()
     }
 
-    /// Finds the body, or the ground, on which a body rests, given the bodies that rest already.
+    /// Finds the body, or the ground, on which a body rests. `found` are the bodies whose holder is known.
     fn rest(&self, body: usize, free: &[usize], touches: &[(usize, Holder)], found: &[Rest]) -> Rest {
         if let Some(hung) = self.model.hung.iter().find(|hung| hung.body == body) {
             return Rest { body, holder: hung.on, reason: Reason::Joint };
@@ -83,7 +83,8 @@ impl Relative<'_> {
         };
         let candidates = (0..free.len()).filter(|other| *other != body && !rests_on(found, *other, body));
         let rests = std::iter::once(None).chain(candidates.map(Some)).map(|holder| (holder, reason(holder)));
-        // One that moves more rests on this one, if at all; one that moves as much holds it only if the file says so.
+        // A body that moves more rests on this one, if at all. One that moves as much holds it only if the file says
+        // so.
         let rests = rests.filter(|(holder, reason)| {
             holder.is_none_or(|other| {
                 let is_before = (free[other], other) < (free[body], body);
@@ -97,13 +98,13 @@ impl Relative<'_> {
         Rest { body, holder, reason }
     }
 
-    /// Number of ways in which each body moves against the ground.
+    /// Number of independent ways in which each body moves against the ground.
     pub fn freedoms(&self) -> Vec<usize> {
         (0..self.model.bodies.len()).map(|body| self.freedom(body, None)).collect()
     }
 
-    /// Pairs that the file states to touch: a body, and the body or ground that it rests on or is held against, with
-    /// [`Self::freedoms`].
+    /// Pairs that the model file states to touch: a body, and the body or ground that it rests on or is held against.
+    /// `free` are [`Self::freedoms`].
     pub fn touches(&self, free: &[usize]) -> Vec<(usize, Holder)> {
         let model = self.model;
         let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.tie {
@@ -113,20 +114,21 @@ impl Relative<'_> {
         let rolled = rolled.chain(model.repeated.iter().filter_map(|repeated| repeated.rolled));
         let mut list: Vec<(usize, Holder)> = rolled.map(|Rolled { body, against, .. }| (body, against)).collect();
         list.extend(model.stated_reactions().iter().map(|reaction| super::relative_motion::sides(reaction.kind)));
-        // Friction on the ground may be that of the air.
+        // Friction against the ground may be air resistance, which is no contact.
         list.extend(model.contacts.rubbing.iter().filter(|(_, against)| against.is_some()));
         list.extend(self.compared(free, &list));
         list
     }
 
-    /// Pairs of bodies that one constraint compares, the one that rests first, where others are `stated` to touch.
+    /// Pairs of bodies that one constraint compares, the resting body first. `stated` are the pairs that touch
+    /// otherwise.
     fn compared(&self, free: &[usize], stated: &[(usize, Holder)]) -> Vec<(usize, Holder)> {
         let constraints = &self.model.contacts.compared;
         let tied: Vec<(Vec<usize>, bool)> =
             constraints.iter().map(|compared| (self.bodies_of(compared), compared.is_difference)).collect();
         let compared = tied.iter().filter(|(_, is_difference)| *is_difference);
         let pairs: Vec<[usize; 2]> = compared.filter_map(|(bodies, _)| bodies.as_slice().try_into().ok()).collect();
-        // What another constraint or contact holds, but against what it is compared with.
+        // Bodies that another constraint or contact holds, except against the body with which they are compared.
         let is_pair = |one: usize, other: usize| pairs.iter().any(|pair| pair.contains(&one) && pair.contains(&other));
         let is_apart =
             |body: usize| (0..free.len()).all(|other| !is_pair(body, other) || !self.is_placed_on(body, other));
@@ -143,9 +145,9 @@ impl Relative<'_> {
         pairs.into_iter().filter_map(rests).collect()
     }
 
-    /// Number of these pairs between each body and the nearest one that is `held`, or that no constraint moves; `None`
-    /// for a body in no pair. In a group with neither, the body that moves least counts as held; the first of equals
-    /// does.
+    /// Number of these pairs between each body and the nearest body that is `held`, or that no constraint moves; `None`
+    /// for a body in no pair. In a group without such a body, the body that moves least counts as held; of equals, the
+    /// first.
     fn steps(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
         let is_moved = |body: usize| self.model.contacts.compared.iter().any(|compared| compared.moved.contains(&body));
         let mut steps = vec![None; free.len()];
@@ -165,8 +167,8 @@ impl Relative<'_> {
         steps
     }
 
-    /// The bodies whose motion or places a constraint names, and those whose own coordinates it ties if it names none
-    /// or compares both.
+    /// Bodies whose velocities or places a constraint names. Bodies whose own coordinates it contains are added if it
+    /// names none or compares bodies.
     fn bodies_of(&self, compared: &Compared) -> Vec<usize> {
         let named = compared.named.iter().filter_map(|of| match of {
             VelocityOf::Material(body, _) => Some(*body),
@@ -183,7 +185,7 @@ impl Relative<'_> {
         bodies
     }
 
-    /// The one body that has a point: as its mass centre, or else in its material.
+    /// The one body to which a point belongs: as its mass centre, or else in its material. `None` if several have it.
     fn owner(&self, point: usize) -> Option<usize> {
         let bodies = &self.model.bodies;
         if let Some(body) = bodies.iter().position(|body| body.centre == point) {
@@ -193,7 +195,7 @@ impl Relative<'_> {
         owners.next().filter(|_| owners.next().is_none())
     }
 
-    /// True if a body is placed from a point of another, or in its frame.
+    /// True if a body is placed from a point of another body, or in the other body's frame.
     fn is_placed_on(&self, body: usize, other: usize) -> bool {
         let model = self.model;
         let frame_of = |body: usize| model.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
@@ -206,14 +208,14 @@ impl Relative<'_> {
                 if self.has(other, parent) {
                     return true;
                 }
-                // Beyond a third body, it is the third body that is placed on the other.
+                // A third body in between is placed on the other body, not this body.
                 if (0..model.bodies.len()).any(|third| self.has(third, parent)) {
                     break;
                 }
             }
             at = parent;
         }
-        // The frame of the ground is nobody's, though a body that does not turn may have it.
+        // The inertial frame belongs to no body, even if a body that does not turn uses it.
         let Some(wanted) = frame_of(other).filter(|frame| *frame != 0 && Some(*frame) != own) else { return false };
         frames.into_iter().any(|mut frame| {
             while frame != wanted {
@@ -225,7 +227,7 @@ impl Relative<'_> {
     }
 }
 
-/// True if a body rests on another, directly or through others.
+/// True if a body rests on another body, directly or through others.
 fn rests_on(found: &[Rest], body: usize, other: usize) -> bool {
     let mut at = Some(body);
     while let Some(next) = at {

@@ -1,4 +1,4 @@
-//! Named expressions: a formula that has a name, and may stand wherever its parts may.
+//! Named expressions: a formula with a name, which may be used wherever its parts may be used.
 
 use super::names::{Allowed, Kind};
 use super::reader::Loading;
@@ -10,7 +10,8 @@ use toml::de::{DeTable, DeValue};
 const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
 
 impl<'a> Loading<'a> {
-    /// Reads `[expressions]`, in the order of the file: each may name those before it. Returns them with their places.
+    /// Reads `[expressions]`, in the order of the file: each expression may name earlier ones. Returns the terms with
+    /// their byte ranges.
     pub fn expressions(&mut self, table: &'a DeTable<'a>) -> Vec<(Expr, Range<usize>)> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "expressions", &[Kind::Expression]) {

@@ -1,4 +1,4 @@
-//! Sections of a model file that stand for themselves: names, parameters, expressions, repetition.
+//! Basic parts of the reading of model files: names, parameters, expressions, repetition and domain.
 
 pub(super) mod domain;
 pub(super) mod expressions;

@@ -12,7 +12,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::RefCell;
 use std::ops::Range;
 
-/// Kind of thing that a name stands for.
+/// Kind of thing that a name of a model file stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
 pub enum Kind {
     Parameter,
@@ -66,59 +66,60 @@ impl Kind {
     }
 }
 
-/// Kinds of quantities that a formula may contain.
+/// Kinds of quantities that a formula may contain, besides numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Allowed(pub &'static [Kind]);
 
-/// Nothing but numbers.
+/// Allows numbers only.
 pub const CONSTANT: Allowed = Allowed(&[]);
-/// Parameters.
+/// Allows numbers and parameters.
 pub const PARAMETERS: Allowed = Allowed(&[Kind::Parameter]);
-/// Parameters and coordinates.
+/// Allows parameters and coordinates, for positions and angles.
 pub const CONFIGURATION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate]);
-/// Quantities that potentials may contain: parameters, coordinates and positions.
+/// Allows quantities that potentials may contain: parameters, coordinates and positions.
 pub const PLACES: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Position]);
-/// Parameters, coordinates and their time derivatives.
+/// Allows parameters, coordinates and their time derivatives, for definitions of speeds.
 pub const VELOCITY: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate]);
-/// Quantities that constraints may contain: parameters, coordinates, their rates, speeds, and velocities of points.
+/// Allows quantities that constraints may contain: parameters, coordinates, their rates, speeds, and velocities of
+/// points.
 pub const MOTION: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity]);
-/// Quantities that loads may contain: those of constraints, and inputs.
+/// Allows quantities that loads may contain: those of constraints, and inputs.
 pub const DRIVEN: Allowed =
     Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Velocity, Kind::Input]);
-/// Everything that has a value during a run.
+/// Allows every quantity that has a value during a run, for conditions of the domain.
 pub const ANYTHING: Allowed =
     Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed, Kind::Reaction, Kind::Input]);
 
-/// The name of time in formulas. Nothing else may have it.
+/// Name of time in formulas. Nothing else may have this name.
 pub const TIME: &str = "t";
 
-/// The longest name: it becomes an identifier in generated code.
+/// Most characters of a name: it becomes an identifier in generated code.
 const MAX_LENGTH: usize = 60;
 
-/// All names of a file.
+/// All names of a model file.
 ///
-/// Invariant: what is wrong with a declaration is reported once, there. A name so spoiled is known
-/// to be spoiled, and what uses it fails in silence.
+/// Invariant: an error in a declaration is reported once, there. The name is then marked as spoiled, and everything
+/// that uses it fails in silence.
 #[derive(Default)]
 pub struct Names {
     known: FxHashMap<String, (Kind, Range<usize>, Option<Expr>)>,
     order: Vec<String>,
     spoiled: FxHashSet<String>,
-    /// Kinds whose section could not be read: an unknown name may be one of them.
+    /// Kinds whose section could not be read. An unknown name may be of one of these kinds.
     unread: Vec<Kind>,
-    /// The inertial frame, once it is read.
+    /// Name of the inertial frame, once it is read.
     pub root: String,
     /// Names that each named expression contains, with their kinds.
     made_of: FxHashMap<String, Vec<(String, Kind)>>,
-    /// Names that something refers to.
+    /// Names to which a formula or an entry of the file refers.
     used: RefCell<FxHashSet<String>>,
-    /// The velocities that formulas name, each once.
+    /// Velocities and positions that formulas name, each once.
     pub velocities: Vec<StatedVelocity>,
-    /// The reactions that formulas name before they are known.
+    /// Reactions that formulas name before reactions are found.
     pub reactions: Vec<AskedReaction>,
 }
 
-/// Why a text cannot be a name: it is no identifier, or it is reserved.
+/// Error for a text that cannot be a name: it is no identifier, or it is reserved. `None` if it can be a name.
 pub fn not_a_name(name: &Located) -> Option<Diagnostic> {
     let text = &name.text;
     let is_valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -135,7 +136,7 @@ pub fn not_a_name(name: &Located) -> Option<Diagnostic> {
 }
 
 impl Names {
-    /// Declares a name; reports one that is not an identifier, is reserved or is taken.
+    /// Declares a name; reports a name that is no identifier, is reserved or is declared already.
     pub fn declare(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind, symbol: Option<Expr>) {
         let text = &name.text;
         let twice = || {
@@ -159,7 +160,7 @@ impl Names {
         self.order.push(text.to_owned());
     }
 
-    /// Declares the name of an expression, which is made of these parts.
+    /// Declares the name of an expression `e` whose terms are `parts`.
     pub fn declare_expression(&mut self, reader: &mut Reader<'_>, name: &Located, e: Expr, parts: &[Expr]) {
         let is_part = |symbol: &Option<Expr>| symbol.is_some_and(|symbol| parts.contains(&symbol));
         let known = self.known.iter().filter(|(_, (kind, _, symbol))| *kind != Kind::Expression && is_part(symbol));
@@ -169,19 +170,19 @@ impl Names {
         self.declare(reader, name, Kind::Expression, Some(e));
     }
 
-    /// Declares a frame or point that a joint brings, which nobody need refer to.
+    /// Declares a frame or point of a joint, which is not reported as unused.
     pub fn declare_brought(&mut self, reader: &mut Reader<'_>, name: &Located, kind: Kind) {
         self.declare(reader, name, kind, None);
         self.used.borrow_mut().insert(name.text.clone());
     }
 
-    /// Notes that the declaration of a name is wrong and that this is reported.
+    /// Records that the declaration of a name is wrong and that this error is reported.
     pub fn spoil(&mut self, name: &str) {
         self.spoiled.insert(name.to_owned());
         self.spoiled.insert(format!("{name}'"));
     }
 
-    /// Notes that the names of these kinds could not be read and that this is reported.
+    /// Records that the names of these kinds could not be read and that this error is reported.
     pub fn unread(&mut self, kinds: &[Kind]) {
         self.unread.extend(kinds);
     }
@@ -192,7 +193,7 @@ impl Names {
             || (!self.known.contains_key(name) && self.unread.iter().any(|kind| kinds.contains(kind)))
     }
 
-    /// The names of some kinds, in order of declaration.
+    /// Names of these kinds, in order of declaration.
     pub fn of_kind(&self, kinds: &[Kind]) -> Vec<&str> {
         self.order.iter().filter(|n| kinds.contains(&self.known[*n].0)).map(String::as_str).collect()
     }
@@ -202,7 +203,7 @@ impl Names {
         self.known.values().filter(|(kind, ..)| kinds.contains(kind)).filter_map(|(.., symbol)| *symbol).collect()
     }
 
-    /// True if a name is of this kind; reports one that is not. If false, the name cannot be used.
+    /// True if a name is of this kind; reports a name that is not. If false, the name cannot be used.
     pub fn expect(&self, reader: &mut Reader<'_>, name: &Located, kind: Kind) -> bool {
         if self.excused(&name.text, &[kind]) {
             return false;
@@ -228,22 +229,22 @@ impl Names {
         names.map(|name| (self.known[name].0.noun(), name.to_owned())).collect()
     }
 
-    /// The kind of a name.
+    /// Kind of a name; `None` if it is not declared.
     pub fn kind(&self, name: &str) -> Option<Kind> {
         self.known.get(name).map(|(kind, _, _)| *kind)
     }
 
-    /// Byte range in the file of a name's declaration.
+    /// Byte range in the model file of a name's declaration; `None` if the name is not declared.
     pub fn span(&self, name: &str) -> Option<Range<usize>> {
         self.known.get(name).map(|(_, span, _)| span.clone())
     }
 
-    /// Byte range in the file of every name's declaration.
+    /// Byte range in the model file of every name's declaration.
     pub fn places(&self) -> FxHashMap<String, Range<usize>> {
         self.known.iter().map(|(name, (_, span, _))| (name.clone(), span.clone())).collect()
     }
 
-    /// Reads a formula; reports its errors.
+    /// Reads a formula that may contain `allowed` quantities; reports its errors. `what` names the formula in messages.
     pub fn formula(
         &mut self,
         reader: &mut Reader<'_>,
@@ -312,18 +313,19 @@ impl Names {
         }
     }
 
-    /// Symbol and unit of a reaction that the model may find, if no declared name is equal to this one.
+    /// Symbol and unit of a reaction that may be found later under this name; `None` if the name is declared or cannot
+    /// be that of a reaction.
     fn yet_to_be_found(&self, arena: &mut Arena, name: &str, allowed: Allowed) -> Option<(Expr, Unit)> {
         if !allowed.0.contains(&Kind::Reaction) || self.known.contains_key(name) {
             return None;
         }
         let unit = may_be_found(name, self.of_kind(&[Kind::Body]).into_iter())?;
-        // A reaction is found under a name that no symbol has.
+        // Such a reaction is found later under a name that no symbol may have now.
         Some((arena.symbol(&format!("reaction {name}")), unit))
     }
 
-    /// Keeps the forces and torques between bodies that a formula names; `None` if one of them refers to an undeclared
-    /// name.
+    /// Keeps the forces and torques between bodies that a formula names; `None`, with an error, if one of them refers
+    /// to an undeclared name.
     fn name_interactions(&mut self, reader: &mut Reader<'_>, stated: Vec<StatedInteraction>) -> Option<()> {
         let knows_body = |name: &Located, reader: &mut Reader<'_>| {
             let is_ground =
@@ -351,7 +353,7 @@ impl Names {
         (unknown == 0).then_some(())
     }
 
-    /// True if each name in a velocity is declared as the kind for which it is used; reports all that are not.
+    /// True if each name in a velocity is declared as the kind for which it is used; reports the names that are not.
     fn knows(&self, reader: &mut Reader<'_>, velocity: &StatedVelocity) -> bool {
         let of: &[(&Located, Kind)] = match &velocity.of {
             VelocityOf::Point(point) | VelocityOf::Place(point) => &[(point, Kind::Point)],
@@ -403,12 +405,12 @@ impl Names {
     }
 }
 
-/// A name of a kind that may not stand in a formula: what is wrong, and what may.
+/// Message and advice for a name of a kind that a formula may not contain.
 fn cannot_stand(kind: Kind, name: &str, allowed: Allowed, what: &str) -> (String, Option<String>) {
     let may: Vec<String> = allowed.0.iter().map(|kind| kind.plural()).collect();
     let may = if may.is_empty() { "numbers only".to_owned() } else { may.join(", ") };
     let message = format!("the {} `{name}` cannot stand in {what}", kind.noun());
-    // What may depend on the motion may not depend on what the motion makes of it.
+    // A quantity that the motion depends on may not depend on a result of the motion.
     if kind == Kind::Reaction && allowed.0.contains(&Kind::Speed) {
         let why = "a reaction follows from the accelerations, which a load that depends on it would change";
         let help = "state what presses there as a formula of parameters and of the motion, such as `m*g`";
@@ -417,7 +419,7 @@ fn cannot_stand(kind: Kind, name: &str, allowed: Allowed, what: &str) -> (String
     (message, Some(format!("allowed: {may}")))
 }
 
-/// Refuses a divisor that is zero by meaning, such as cos(q)^2 + sin(q)^2 - 1.
+/// Refuses a divisor that is identically zero, such as cos(q)^2 + sin(q)^2 - 1.
 fn no_hidden_zero(reader: &mut Reader<'_>, arena: &Arena, formula: &Located, e: Expr) -> Option<Expr> {
     let zero = zero_divisor(arena, e);
     let Some(zero) = zero else { return Some(e) };

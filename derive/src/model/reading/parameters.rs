@@ -1,4 +1,4 @@
-//! Parameters, and the plain numbers that are their defaults.
+//! Parameters of a model file, and the plain numbers that are their default values.
 
 use super::names::{CONSTANT, Kind};
 use super::reader::Loading;
@@ -10,7 +10,7 @@ use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
 impl<'a> Loading<'a> {
-    /// Reads `[parameters]`.
+    /// Reads the section `[parameters]` of a model file.
     pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Vec<Parameter> {
         let mut parameters = Vec::new();
         for (name, value) in self.section(table, "parameters", &[Kind::Parameter]) {
@@ -19,7 +19,7 @@ impl<'a> Loading<'a> {
             if let DeValue::String(text) = value.get_ref()
                 && let Some(stated) = StatedUnit::of(text)
             {
-                // `l = "0.5 m"` is all of it.
+                // `l = "0.5 m"` is a complete declaration.
                 self.names.declare(&mut self.reader, &name, Kind::Parameter, Some(symbol));
                 self.units.insert(symbol, stated.unit.clone());
                 let number = self.reader.formula(value, "a parameter").and_then(|formula| self.constant(&formula));
@@ -74,7 +74,7 @@ impl<'a> Loading<'a> {
         parameters
     }
 
-    /// A formula that must be a plain number.
+    /// Value of a formula that must be a plain number, in SI; reports any other formula.
     fn constant(&mut self, formula: &Located) -> Option<Rational> {
         let what = "a parameter's value";
         let stated = StatedUnit::of(&formula.text);
@@ -89,7 +89,7 @@ impl<'a> Loading<'a> {
                 crate::model::physics::values_at(&self.arena, &[], &[e]).and_then(|v| Rational::from_f64_exact(v[0]))
             }
         };
-        // Neither overflow nor a silent 0.
+        // Refuses overflow, and underflow to 0.
         let value = value.filter(|v| v.to_f64().is_finite() && (v.is_zero() || v.to_f64().is_normal()));
         if value.is_none() {
             let message = format!("`{}` is not a number of double precision", shown(&formula.text));

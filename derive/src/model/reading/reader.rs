@@ -1,4 +1,4 @@
-//! The state of reading one model file, and the questions that every section asks of it.
+//! State of the reading of one model file, and functions that read entries of any section.
 
 use super::names::Kind;
 use super::names::{Allowed, Names};
@@ -12,19 +12,19 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Entries that one section may have: no mechanism derived by symbols comes near.
+/// Largest number of entries in one section. Mechanisms derived by symbols are far smaller.
 const MAX_ENTRIES: usize = 5000;
 
-/// The state of reading one file.
+/// State of the reading of one model file.
 pub struct Loading<'a> {
     pub reader: Reader<'a>,
     pub arena: Arena,
     pub names: Names,
-    /// The unit of each symbol; none for a symbol whose declaration is wrong.
+    /// Unit of each symbol. A symbol whose declaration is wrong has none.
     pub units: FxHashMap<Expr, Unit>,
-    /// The formulas that a scene gives to inputs.
+    /// Formulas that a scene gives to inputs.
     pub bindings: Vec<Binding>,
-    /// Inputs that a parameter of their name is added to where they are formulas.
+    /// Names of inputs to whose formula a parameter of the same name is added.
     pub varied: Vec<String>,
 }
 
@@ -33,8 +33,8 @@ impl<'a> Loading<'a> {
         self.reader.prose(table, key)
     }
 
-    /// The named entries of a section, in the order of the file; none if the section is absent.
-    /// If it cannot be read, names of `kinds` are not missed elsewhere.
+    /// Named entries of a section, in the order of the file; empty if the section is absent. If the section cannot be
+    /// read, later references to names of `kinds` are not reported.
     pub fn section(&mut self, table: &'a DeTable<'a>, key: &str, kinds: &[Kind]) -> Vec<Entry<'a>> {
         let Some(value) = self.reader.get(table, key) else { return Vec::new() };
         let Some(section) = self.reader.table(value, &format!("`{key}`"), &format!("[{key}]")) else {
@@ -51,7 +51,7 @@ impl<'a> Loading<'a> {
         entries
     }
 
-    /// Declares a named entry and opens its table; returns with it what to call the entry.
+    /// Declares a named entry and opens its table. Returns the table and the entry's name in messages.
     pub fn entry(
         &mut self,
         name: &Located,
@@ -86,7 +86,7 @@ impl<'a> Loading<'a> {
         self.text(table, "about").unwrap_or_default()
     }
 
-    /// True if two sides have one unit; reports an error if not.
+    /// True if both sides of a relation have one unit; reports an error if not.
     pub fn comparable(&mut self, left: Expr, right: Expr, span: &Range<usize>) -> bool {
         let before = self.reader.errors.len();
         if let (Some(a), Some(b)) = (self.unit_of(left, span), self.unit_of(right, span))
@@ -98,7 +98,7 @@ impl<'a> Loading<'a> {
         self.reader.errors.len() == before
     }
 
-    /// Splits a relation at its one sign: the left side, the sign and the right side.
+    /// Splits a relation at its single sign: left side, sign and right side. Reports any other number of signs.
     pub fn split<'s>(
         &mut self,
         text: &Located,
@@ -127,7 +127,7 @@ impl<'a> Loading<'a> {
         Some((side(0..*at), (*sign, side(at + 1..text.text.len()))))
     }
 
-    /// The unit of a formula, where it is known; reports a sum of unlike quantities.
+    /// Unit of a formula, if it is known; reports a sum of unlike quantities.
     pub fn unit_of(&mut self, e: Expr, span: &Range<usize>) -> Option<Unit> {
         match unit_of(&self.arena, e, &self.units) {
             Ok(unit) => unit,
@@ -138,13 +138,13 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads a formula whose unit is known.
+    /// Reads a formula that must have this unit; reports another unit.
     pub fn quantity(&mut self, formula: &Located, allowed: Allowed, unit: &Unit, what: &str) -> Option<Expr> {
         if let Some(stated) = StatedUnit::of(&formula.text) {
             let number = stated.number(formula);
             let e = self.names.formula(&mut self.reader, &mut self.arena, &number, allowed, what)?;
             if !unit.is_plain() {
-                // A number in a formula has no unit to be checked by: what has one has a name.
+                // A number in a formula has no unit to check. A quantity with a unit needs a name.
                 let message = format!("a number with a unit cannot stand in {what}");
                 let help = format!("declare a parameter such as `x0 = \"{}\"` and use its name", shown(&formula.text));
                 self.reader.error(formula.span.clone(), message, help);
@@ -179,7 +179,7 @@ impl<'a> Loading<'a> {
         Some(e)
     }
 
-    /// Notes the units of the velocities that formulas have named so far.
+    /// Records the units of the velocities that formulas have named so far.
     pub fn know_units_of_velocities(&mut self) {
         self.units.extend(self.names.velocities.iter().map(|velocity| (velocity.symbol, velocity.unit())));
     }

@@ -9,7 +9,7 @@
 //! to = "rod{i-1}"
 //! ```
 //!
-//! So it is read before anything else, and what is read then has no ranges.
+//! Repetition is written out before anything else is read; the written-out tables have no ranges.
 
 use crate::algebra::text::parse::parse;
 use crate::algebra::{Arena, Rational};
@@ -20,17 +20,17 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Entries that one file may be repeated to: no mechanism derived by symbols comes near.
+/// Largest number of entries to which one model file may be repeated. Mechanisms derived by symbols are far smaller.
 const MAX_REPEATED: usize = 20_000;
 
-/// Keys under which braces are prose.
+/// Keys under which braces are prose, not ranges.
 const PROSE: [&str; 3] = ["name", "source", "about"];
 
-/// Named numbers with their values. A later one hides an earlier one of the same name.
+/// Named whole numbers. A later entry hides an earlier entry of the same name.
 type Numbers = Vec<(String, i64)>;
 
-/// Tables of a file with every repetition written out; `None` if the file repeats nothing. Errors are added to those of
-/// the reader.
+/// Tables of a model file with every repetition written out; `None` if the file repeats nothing. Errors are added to
+/// those of the reader.
 pub fn written_out<'a>(reader: &mut Reader<'_>, table: &DeTable<'a>) -> Option<DeTable<'a>> {
     if !table.contains_key("counts") && !has_ranges(table) {
         return None;
@@ -50,7 +50,7 @@ pub fn written_out<'a>(reader: &mut Reader<'_>, table: &DeTable<'a>) -> Option<D
     Some(whole)
 }
 
-/// True if a key at any depth contains an opening brace.
+/// True if a key of the table, at any depth, contains an opening brace.
 fn has_ranges(table: &DeTable<'_>) -> bool {
     table.iter().any(|(key, value)| key.get_ref().contains('{') || value.get_ref().as_table().is_some_and(has_ranges))
 }
@@ -82,7 +82,7 @@ impl Repeating<'_, '_> {
         }
     }
 
-    /// A value, in which the formulas in braces are replaced by numbers.
+    /// Copy of a value in which numbers replace the formulas in braces. In prose, braces without a number stay.
     fn value<'a>(&mut self, value: &Spanned<DeValue<'a>>, numbers: &Numbers, is_prose: bool) -> Spanned<DeValue<'a>> {
         let span = value.span();
         let new = match value.get_ref() {
@@ -130,7 +130,7 @@ impl Repeating<'_, '_> {
         result
     }
 
-    /// The names that a key with ranges stands for, with what its indices are for each.
+    /// Names that a key with ranges stands for, each with the numbers that include its indices.
     fn keys(&mut self, key: &str, numbers: &Numbers, span: &Range<usize>) -> Vec<(String, Numbers)> {
         let mut open = vec![(String::new(), numbers.clone())];
         let mut rest = key;
@@ -176,7 +176,7 @@ impl Repeating<'_, '_> {
         open.into_iter().map(|(text, numbers)| (text + rest, numbers)).collect()
     }
 
-    /// A text, in which the formulas in braces are replaced by numbers.
+    /// A text in which numbers replace the formulas in braces; reports formulas that are no whole number.
     fn put(&mut self, text: &str, numbers: &Numbers, span: &Range<usize>) -> String {
         let mut result = String::new();
         let mut rest = text;
@@ -195,7 +195,7 @@ impl Repeating<'_, '_> {
         result + rest
     }
 
-    /// Prose, in which braces that hold no number are braces.
+    /// Prose in which numbers replace the formulas in braces; braces without a whole number stay as they are.
     fn prose(&mut self, text: &str, numbers: &Numbers) -> String {
         let mut result = String::new();
         let mut rest = text;
@@ -217,7 +217,7 @@ impl Repeating<'_, '_> {
         result + rest
     }
 
-    /// A whole number from a formula of named numbers; reports a value that is not whole.
+    /// Whole number that a formula of named numbers gives; reports a value that is not whole.
     fn number(&mut self, formula: &str, numbers: &Numbers, span: &Range<usize>) -> Option<i64> {
         match self.known(formula, numbers) {
             Ok(number) => Some(number),
@@ -241,7 +241,7 @@ impl Repeating<'_, '_> {
     }
 }
 
-/// The index and the ends of `i in 1..n`.
+/// Index and ends of a range such as `i in 1..n`: `i`, `1` and `n`; `None` if the text is no range.
 fn range(inside: &str) -> Option<(&str, &str, &str)> {
     let (index, ends) = inside.split_once(" in ")?;
     let (from, to) = ends.split_once("..")?;

@@ -1,22 +1,22 @@
-//! Frames and points, each placed from another, put in order: parents first.
+//! Frames and points, each placed from a parent, sorted so that parents come first.
 
 use super::names::Kind;
 use super::reader::Loading;
 use crate::read::Located;
 use rustc_hash::FxHashMap;
 
-/// A child placed from a parent, by name, before the order is known.
+/// A named child that is placed from a named parent, before the order of nodes is known.
 pub struct Node<T> {
-    /// The child.
+    /// Name of the child.
     pub name: Located,
-    /// The parent.
+    /// Name of the parent.
     pub parent: Located,
-    /// Whatever belongs to the child.
+    /// Data that belongs to the child, such as its turn or position.
     pub payload: T,
 }
 
-/// Orders nodes so that parents come first, with the parent's position, the root being 0; reports
-/// unknown parents and cycles. Children of what has an error are left out in silence.
+/// Sorts nodes so that parents come first. Returns each node with its parent's position in the sorted list, where the
+/// root is 0. Reports unknown parents and cycles. Children of a node with an error are left out in silence.
 pub fn in_order<T>(
     loading: &mut Loading<'_>,
     nodes: Vec<Node<T>>,
@@ -46,7 +46,7 @@ pub fn in_order<T>(
     ordered
 }
 
-/// Reports each cycle among the nodes that the root does not reach, once.
+/// Reports each cycle among nodes that the root does not reach, once.
 fn report_cycles<T>(loading: &mut Loading<'_>, waiting: &[Node<T>]) {
     let position: FxHashMap<&str, usize> =
         waiting.iter().enumerate().map(|(at, node)| (node.name.text.as_str(), at)).collect();

@@ -3,17 +3,18 @@
 use crate::diagnostic::nearest;
 use crate::model::Model;
 
-/// Speeds that are listed in a message.
+/// Largest number of speeds that a message lists.
 const MOST_LISTED: usize = 12;
 
 impl Model {
-    /// Message and advice for a name that is neither a coordinate nor a speed where one is expected. `known` are the
+    /// Message and advice for a name that is neither a coordinate nor a speed, where one is expected. `known` are the
     /// names that are permitted there.
     #[must_use]
     pub fn no_state<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
         if !self.dependent_speeds.iter().any(|speed| speed.name == name) {
             let message = format!("the model has no coordinate or speed `{name}`");
-            // Speeds of turns about several axes are named by axes, and by no coordinate.
+            // Speeds of turns about several axes have the number of an axis in their name, not the name of a
+            // coordinate.
             let of = self.coordinates.iter().find(|coordinate| format!("u_{}", coordinate.name) == name);
             let help = match of {
                 Some(coordinate) => format!(

@@ -1,5 +1,4 @@
-//! Starting point of reductions: a model's equations, its momenta and its energy, with the parameters of a scene as
-//! numbers.
+//! Starting point of reductions: a model's equations, momenta and energy, with the parameters of a scene as numbers.
 
 use super::frame::{Frame, Turn};
 use super::reactions::ForceBalance;
@@ -18,100 +17,100 @@ use crate::model::{Model, Unit};
 use crate::prove::{Basis, Field, Integral, IntegralKind};
 use crate::scene::Scene;
 
-/// Number of coordinates above which first integrals are not searched.
+/// Most coordinates of a model whose first integrals are searched.
 const MOST_COORDINATES: usize = 12;
-/// Number of momenta up to which every choice is tried.
+/// Most momenta of a model for which every choice is tried.
 const MOST_TRIED: usize = 5;
 
-/// The momentum of a symmetry, linear in the speeds: row · u + rest.
+/// Momentum of a symmetry, linear in the speeds: row · u + rest.
 #[derive(Clone)]
 pub struct Momentum {
-    /// Kinds of the integral.
+    /// Kinds of the first integral that the momentum is.
     pub kinds: Vec<IntegralKind>,
-    /// True if the integral has a function of place beside the momentum.
+    /// True if the integral adds a function of q to the momentum.
     pub has_place: bool,
-    /// Name of its first kind, in words.
+    /// Name of the first kind, in words.
     pub about: String,
-    /// Its value in q and u.
+    /// Value of the momentum, in q and u.
     pub value: Expr,
-    /// Its coefficients of the speeds.
+    /// Coefficients of the speeds in the momentum, in q.
     pub row: Vec<Expr>,
     /// Part that does not depend on the speeds, in q.
     pub rest: Expr,
-    /// The symmetry q′ = ξ(q).
+    /// Components of the symmetry q′ = ξ(q), one for each coordinate.
     pub field: Vec<Expr>,
-    /// The direction of the symmetry in speeds.
+    /// Components of the symmetry in the speeds.
     pub direction: Vec<Expr>,
-    /// Its unit.
+    /// Unit of the momentum.
     pub unit: Unit,
-    /// A function of q whose rate the momentum is, if there is one: a mass times a coordinate of a mass centre.
+    /// Function of q whose rate the momentum is: a mass times a coordinate of a mass centre. `None` if there is no such
+    /// function.
     pub position: Option<Expr>,
-    /// The unit of `position`.
+    /// Unit of `position`.
     pub position_unit: Unit,
 }
 
-/// A variable that is replaced by its difference from a pivot.
+/// Variable that is replaced by its difference from a multiple of a pivot variable.
 #[derive(Clone, Copy, Debug)]
 pub struct Relative {
-    /// The variable.
+    /// Symbol of the replaced variable.
     pub variable: Expr,
-    /// Pivot variable whose multiple is subtracted.
+    /// Symbol of the pivot variable whose multiple is subtracted.
     pub pivot: Expr,
     /// Symbol of the difference.
     pub symbol: Expr,
 }
 
-/// A model's equations by Kane's method and its first integrals.
+/// A model's equations by Kane's method with its first integrals, from which reductions start.
 #[derive(Clone)]
 pub struct Ground {
-    /// The model.
+    /// Model of the equations, with the terms of this store.
     pub model: Model,
-    /// The store of all terms below.
+    /// Store of the terms of all fields.
     pub arena: Arena,
-    /// Remembers what was simplified.
+    /// Simplifier, which remembers the terms that were simplified.
     pub simplifier: Simplifier,
-    /// The coordinates; one may be the distance from a singular surface.
+    /// Symbols of the coordinates; one of them may be the distance from a singular surface.
     pub q: Vec<Expr>,
-    /// Values of these coordinates in the coordinates of the model.
+    /// Values of the coordinates `q` in the coordinates of the model.
     pub q_start: Vec<Expr>,
     /// Values of the equations' speeds in the speeds of the model.
     pub u_start: Vec<Expr>,
     /// Variables that are replaced by differences.
     pub relatives: Vec<Relative>,
-    /// The equations.
+    /// Equations by Kane's method.
     pub kane: Equations,
-    /// The force balance that determines reactions, or the reason why there is none.
+    /// Force balance that determines the reactions, or the reason why there is none.
     pub balance: Result<ForceBalance, DeriveError>,
     /// First integrals of the motion.
     pub integrals: Vec<Integral>,
     /// Momenta of symmetries among the integrals.
     pub momenta: Vec<Momentum>,
-    /// The energy, if it is conserved.
+    /// Energy T + V in q and u; `None` if it is not conserved.
     pub energy: Option<Expr>,
-    /// Parameters that are replaced by numbers.
+    /// Parameters that are replaced by numbers, with name and value.
     pub folded: Vec<(String, Rational)>,
-    /// Motions of the whole that may be symmetries.
+    /// Motions of the whole system that may be symmetries.
     pub(in crate::reduce) fields: Vec<Field>,
-    /// Symmetries that turn states into one another and leave a scene's wanted quantities unchanged; empty before these
-    /// are known.
+    /// Symmetries of the equations that leave a scene's wanted quantities unchanged. Empty before a frame is searched.
     pub turns: Vec<Turn>,
-    /// Symmetries that would be in `turns` if the domain did not depend on states that they turn, in words.
+    /// Descriptions of the symmetries that leave every shown quantity unchanged but change a condition of the domain.
     pub kept_by_domain: Vec<String>,
-    /// The moving frame that the equations are written in.
+    /// Moving frame in which the equations are written; `None` for the inertial frame.
     pub frame: Option<Frame>,
-    /// Basis of the search for first integrals; `None` once parameters cannot become numbers any more.
+    /// Basis of the search for first integrals; `None` after parameters became numbers.
     search: Option<Search>,
 }
 
-/// Basis of the search for first integrals, with data that the numbers of a scene would hide.
+/// Basis of the search for first integrals, with data that numbers in place of parameters would hide.
 #[derive(Clone)]
 struct Search {
     basis: Basis,
-    /// Σ m r along each inertial axis.
+    /// First moment Σ m r of the whole system along each inertial axis.
     centre: Vec<Expr>,
-    /// Their units.
+    /// Units of the components of `centre`.
     centre_units: Vec<Unit>,
-    /// The units of ∂L/∂q̇.
+    /// Units of the generalized momenta ∂L/∂q̇.
     units: Vec<Unit>,
 }
 
@@ -159,7 +158,7 @@ impl Ground {
         Ok(ground)
     }
 
-    /// Finds the first integrals of the motion.
+    /// Finds the first integrals of the model, and the momenta and the energy among them.
     fn find_integrals(&mut self) {
         let Some(search) = &self.search else { return };
         let terms = (&mut self.arena, &mut self.simplifier);
@@ -170,8 +169,8 @@ impl Ground {
         self.integrals = integrals;
     }
 
-    /// Puts the numbers of the scene in the place of the parameters that it does not leave free, if they are short and
-    /// exact.
+    /// Replaces parameters by the numbers of a scene. Parameters that the scene leaves free, and numbers that are not
+    /// short and exact, stay symbols.
     pub(in crate::reduce) fn fold(&mut self, scene: &Scene) {
         let parameters = self.model.parameters.iter().enumerate();
         let fixed = parameters.filter(|(at, _)| !scene.free.contains(at)).filter_map(|(at, p)| {
@@ -179,7 +178,7 @@ impl Ground {
             is_plain(&value).then(|| (p.name.clone(), p.symbol, value))
         });
         let mut values: Vec<(String, Expr, Rational)> = fixed.collect();
-        // A number under which a term loses its divisor stays a letter.
+        // A parameter stays a symbol if its number would make a divisor zero.
         loop {
             let mut trial = self.clone();
             let pairs: Vec<_> = values.iter().map(|(_, p, x)| (*p, trial.arena.number(x.clone()))).collect();
@@ -197,7 +196,7 @@ impl Ground {
         }
     }
 
-    /// Searches again with numbers for parameters: equal inertias or a damping of zero have integrals of their own.
+    /// Searches first integrals again with numbers for parameters. Equal inertias or zero damping have more integrals.
     fn search_at(&mut self, put: &mut Substitution) {
         let Some(mut search) = self.search.take().filter(|_| !self.folded.is_empty()) else { return };
         search.basis.change(&mut self.arena, &mut |arena, e| put.apply(arena, e));
@@ -211,7 +210,7 @@ impl Ground {
         self.search = None;
     }
 
-    /// Rewrites every term.
+    /// Rewrites every term of the ground in place.
     pub(in crate::reduce) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
         let Self { arena, simplifier, model, kane, balance, momenta, energy, fields, turns, .. } = self;
         kane.visit(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
@@ -236,15 +235,15 @@ impl Ground {
         }
     }
 
-    /// From the variables of the equations to those of the model.
+    /// Substitution of the equations' variables by their values in the model's variables.
     pub(in crate::reduce) fn back(&self) -> Substitution {
         let coordinates = self.q.iter().copied().zip(self.q_start.iter().copied());
         let speeds = self.kane.variables.iter().copied().zip(self.u_start.iter().copied());
         Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())
     }
 
-    /// Sets of momenta that may be held together, as lists of indices: all commuting sets of a few momenta, the largest
-    /// sets of many.
+    /// Sets of momenta that may be held together, as lists of indices. Up to `MOST_TRIED` momenta give all commuting
+    /// sets, more momenta only the largest sets.
     pub(in crate::reduce) fn choices(&mut self) -> Vec<Vec<usize>> {
         let count = self.momenta.len();
         let pairs = (0..count).flat_map(|a| (0..a).map(move |b| (a, b)));
@@ -271,7 +270,7 @@ impl Ground {
         list
     }
 
-    /// True if two symmetries commute: their bracket, with the components ξ·∂η_i − η·∂ξ_i, vanishes.
+    /// True if the symmetries of two momenta commute: their bracket, with the components ξ·∂η_i − η·∂ξ_i, vanishes.
     fn commute(&mut self, a: usize, b: usize) -> bool {
         let arena = &mut self.arena;
         let along = |field: &[Expr]| {
@@ -310,7 +309,7 @@ impl Search {
         Some(Self { basis, centre, centre_units, units: of_momenta })
     }
 
-    /// An integral that is linear in the speeds.
+    /// Momentum of an integral that is linear in the speeds; `None` for other integrals.
     fn momentum(
         &self,
         model: &Model,
@@ -331,7 +330,7 @@ impl Search {
         }
         let (kinds, value) = (integral.kinds.clone(), integral.expression);
         let about = integral.names(model, arena).swap_remove(0);
-        // A component that is a number has no unit of its own.
+        // If a component of the symmetry is a number, the momentum has the unit of ∂L/∂q̇ for this coordinate.
         let plain = field.iter().position(|x| arena.as_number(*x).is_some_and(|k| !k.is_zero()));
         let unit = plain.map_or_else(|| model.unit_of(arena, value).unwrap_or_default(), |at| self.units[at].clone());
         let axis = (0..3).find(|axis| {
@@ -346,7 +345,7 @@ impl Search {
     }
 }
 
-/// Numbers that make formulas shorter: halves, quarters and small whole numbers. Others cost as much as the letter,
+/// True for a number that shortens formulas: n, n/2 or n/4 with |n| ≤ 12. Other numbers cost as much as the symbol,
 /// which reads better.
 fn is_plain(value: &Rational) -> bool {
     value.small().is_some_and(|(n, d)| n.abs() <= 12 && [1, 2, 4].contains(&d))

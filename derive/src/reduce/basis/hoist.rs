@@ -1,7 +1,7 @@
-//! Factors of parameters alone become constants.
+//! Replaces factors of parameters and numbers by constants.
 //!
-//! What the start of a motion fixes is computed there once, and not in every call of the equations: 2 u₃ sin q₂ with a
-//! constant u₃ is c sin q₂ with c = 2 u₃.
+//! The start of a motion determines these constants, so they are computed once and not in every call of the equations.
+//! For example, with a constant u₃, 2 u₃ sin q₂ becomes c sin q₂ with c = 2 u₃.
 
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
@@ -9,15 +9,15 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// Constants that stand for products of parameters and numbers.
+/// Constants that replace products of parameters and numbers.
 #[derive(Default)]
 pub struct Hoist {
-    /// (symbol, product)
+    /// Constants, each as (symbol, product).
     pub constants: Vec<(Expr, Expr)>,
 }
 
 impl Hoist {
-    /// The term with a constant for every factor of parameters that costs an operation.
+    /// Term with a constant for every factor of parameters and numbers that costs an operation.
     pub fn apply(&mut self, arena: &mut Arena, parameters: &[Expr], e: Expr) -> Expr {
         let before = self.constants.len();
         let mut map: FxHashMap<Expr, Expr> = FxHashMap::default();
@@ -40,7 +40,8 @@ impl Hoist {
             };
             map.insert(part, new);
         }
-        // Written back it must be the same term by meaning; if a constant is in doubt, none is used.
+        // With the products put back, the term must be equal to the given one. If not proved equal, no constant is
+        // used.
         let written = Substitution::new(&self.constants).apply(arena, map[&e]);
         let difference = arena.sub(written, e);
         if zero_test(arena, difference) == ZeroTest::Zero {
@@ -50,7 +51,7 @@ impl Hoist {
         e
     }
 
-    /// k · term as another factor times a constant, where that saves a multiplication.
+    /// Writes k · term as another factor times a constant, if a constant saves a multiplication.
     fn term(
         &mut self,
         arena: &mut Arena,
@@ -88,7 +89,8 @@ impl Hoist {
     }
 }
 
-/// `u3_times_2` for 2 u₃, `k_per_m` for k/m, `l_squared_m_times_4_by_3` for 4/3 l² m: the product as it is said.
+/// Name of a constant after its product: `u3_times_2` for 2 u₃, `k_per_m` for k/m, `l_squared_m_times_4_by_3` for 4/3
+/// l² m.
 fn name(arena: &Arena, factors: &[(Expr, i32)], k: &Rational) -> String {
     let word = |(base, n): &(Expr, i32)| {
         let name = arena.symbol_name(*base).unwrap_or_default();

@@ -1,26 +1,26 @@
-//! Rows solved for some of their columns, simple pivots first. Apart from `elimination`: there are fewer rows than
-//! columns, the columns are chosen, and what is divided by is an answer, too.
+//! Rows solved for chosen columns, simple pivots first. Unlike in `elimination`, there are fewer rows than columns, the
+//! columns are chosen, and the divisors are part of the result.
 
 use crate::algebra::form::simplify::{Simplifier, cost};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::range::never_zero;
 use crate::algebra::{Arena, Expr};
 
-/// Independent rows in echelon form: row r of pivot (r, c) reads  x_c + Σ entry x_other = right, where the others are
-/// no pivots of rows before it.
+/// Independent rows in echelon form. The row of pivot (r, c) reads  x_c + Σ entry x_other = right, where no x_other
+/// belongs to an earlier pivot.
 pub struct Solved {
-    /// The (row, column) of each pivot, in order.
+    /// Pivots as (row, column), in the order of elimination.
     pub pivots: Vec<(usize, usize)>,
-    /// The rows, divided by their pivots.
+    /// Rows, each divided by its pivot.
     pub rows: Vec<Vec<Expr>>,
-    /// The right-hand sides of each row.
+    /// Right-hand sides of each row.
     pub right: Vec<Vec<Expr>>,
-    /// The pivots that the rows were divided by.
+    /// Pivots by which the rows were divided.
     pub divisors: Vec<Expr>,
 }
 
-/// Gaussian elimination with pivots wherever they are simplest: numbers, then what has no state in it, then what is
-/// never zero, then the shortest, and in these columns. It ends when each row has its pivot or is zero there.
+/// Gaussian elimination in the given columns with the simplest pivots first: numbers, then terms without states, then
+/// terms that are never zero, then the shortest terms. It ends when each row has its pivot or is zero in the columns.
 pub fn solve_rows(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -56,7 +56,8 @@ pub fn solve_rows(
 }
 
 impl Solved {
-    /// The unknown of the k-th pivot from the others: right − Σ entry x, `x` being a value for each column.
+    /// Value of the unknown of pivot `k`: right − Σ entry x, from values `x` of the other columns. `side` is the index
+    /// of the right-hand side.
     pub fn unknown(&self, arena: &mut Arena, k: usize, side: usize, x: &[Expr]) -> Expr {
         let (row, column) = self.pivots[k];
         let others = (0..x.len()).filter(|at| *at != column && self.rows[row][*at] != Expr::ZERO);

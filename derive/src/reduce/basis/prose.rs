@@ -1,25 +1,25 @@
-//! Words with formulas among them, as data: plain text prints a formula that a page typesets.
+//! Text with formulas, as data: plain text prints the formulas, and a page typesets them.
 
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 
-/// A part of a text: words, a term or an equation.
+/// Part of a text: words, a term or an equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Piece {
     /// Plain words.
     Words(String),
-    /// A term of the store.
+    /// Term of the reduction's store.
     Term(Expr),
-    /// Two terms that are equal.
+    /// Equation between two terms.
     Equation(Expr, Expr),
 }
 
-/// Text about a reduction: words and terms of its store.
+/// Text about a reduction, from words and terms of its store.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Prose(pub Vec<Piece>);
 
 impl Prose {
-    /// Text that consists of a term alone.
+    /// Text that consists of one term.
     #[must_use]
     pub fn term(e: Expr) -> Self {
         Self(vec![Piece::Term(e)])
@@ -32,7 +32,7 @@ impl Prose {
         self
     }
 
-    /// The text in plain characters.
+    /// Whole text in plain characters. `arena` contains its terms.
     #[must_use]
     pub fn text(&self, arena: &Arena) -> String {
         let piece = |piece: &Piece| match piece {

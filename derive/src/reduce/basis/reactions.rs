@@ -1,7 +1,7 @@
 //! Reactions in q, u and u̇, from the balances of the bodies.
 //!
-//! Balances along the reactions stand before those along axes of frames: there a reaction has the factor 1, and no
-//! divisor is a cosine that the motion may bring to zero.
+//! Balances along the reactions come before those along axes of frames. In them a reaction has the factor 1, so no
+//! cosine that the motion may bring to zero becomes a divisor.
 
 use super::pivots::solve_rows;
 use crate::algebra::form::simplify::Simplifier;
@@ -9,7 +9,7 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Equations, Kinematics, along_reactions};
 use crate::model::Model;
 
-/// matrix · reactions = right, with more rows than reactions, any of which may follow from others.
+/// Linear system matrix · reactions = right. It has more rows than reactions, and rows may depend on others.
 #[derive(Clone)]
 pub struct ForceBalance {
     reactions: Vec<Expr>,
@@ -18,7 +18,7 @@ pub struct ForceBalance {
 }
 
 impl ForceBalance {
-    /// The balances of equations whose unknowns are the accelerations and then the reactions.
+    /// Balances from equations whose unknowns are the accelerations and then the reactions.
     pub fn new(model: &Model, kinematics: &mut Kinematics, equations: &Equations) -> Self {
         let n = equations.variables.len();
         let along = along_reactions(model, kinematics, &equations.rows);
@@ -44,12 +44,13 @@ impl ForceBalance {
         Self { reactions: equations.unknowns[n..].to_vec(), matrix, right }
     }
 
-    /// Changes every expression.
+    /// Changes every term of the system in place.
     pub fn visit(&mut self, change: &mut dyn FnMut(&mut Expr)) {
         self.matrix.iter_mut().flatten().chain(&mut self.right).for_each(change);
     }
 
-    /// Each reaction and its value; `states` are the variables that change along a motion.
+    /// Solves for the reactions: each reaction's symbol with its value. `states` are the variables that change along a
+    /// motion.
     pub fn solved(self, arena: &mut Arena, simplifier: &mut Simplifier, states: &[Expr]) -> Vec<(Expr, Expr)> {
         let right = self.right.into_iter().map(|value| vec![value]).collect();
         let columns: Vec<usize> = (0..self.reactions.len()).collect();

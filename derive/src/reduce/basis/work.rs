@@ -1,22 +1,22 @@
-//! Limit of the work that is spent on trials before the best choice so far is taken.
+//! Limit of the work of a search for the best choice.
 
 use super::ground::Ground;
 
-/// Terms made by trials above which no further choice is tried. The scenes of the library make 23 109 at most; for a
-/// floating chain of four links all trials make 65 968 and take three times as long as one.
+/// Most terms that trials may make before no further choice is tried. The scenes of the library make at most 23 109
+/// terms. For a floating chain of four links all trials make 65 968 terms and take three times as long as one trial.
 const MOST_WORK: usize = 24_000;
 
-/// Work of the trials for a scene, in terms that they made: the same on every machine.
+/// Work of the trials for a scene, as the number of terms that they made: the same on every machine.
 #[derive(Default)]
 pub struct Work(usize);
 
 impl Work {
-    /// Counts the terms that a trial made beyond those of its ground.
+    /// Adds the number of terms that a trial made beyond those of its ground.
     pub fn add(&mut self, trial: &Ground, ground: &Ground) {
         self.0 += trial.arena.len().saturating_sub(ground.arena.len());
     }
 
-    /// True if no further choice is to be tried.
+    /// True if the work is used up and no further choice is tried.
     pub fn is_done(&self) -> bool {
         self.0 > MOST_WORK
     }

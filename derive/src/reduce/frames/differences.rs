@@ -1,8 +1,8 @@
-//! Variables that a symmetry moves together become differences.
+//! Differences in place of variables that a symmetry moves together.
 //!
-//! If a floating chain is turned as a whole, all of its angles change at one rate. In ψ_i = q_i − r_i q_g, and likewise
-//! in speeds, only q_g and u_g move along the symmetry. Its momentum determines u_g, with the inertia of the whole as a
-//! rigid body as divisor, which is never zero. Only outputs that show q_g need it.
+//! If a floating chain is turned as a whole, all of its angles change at equal rates. With ψ_i = q_i − r_i q_g, and
+//! similarly for speeds, only q_g and u_g move along the symmetry. The momentum determines u_g; its divisor is the
+//! inertia of the whole as a rigid body, which is never zero. Only outputs that depend on q_g need it.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
@@ -11,8 +11,8 @@ use crate::reduce::basis::ground::{Ground, Momentum, Relative};
 use crate::reduce::slices::outputs::Wanted;
 
 impl Ground {
-    /// Puts differences for the coordinates and for the speeds that one of these symmetries alone moves together at
-    /// constant ratios; returns the wanted quantities in them.
+    /// Replaces coordinates and speeds by differences, if a symmetry of these momenta moves them at constant ratios and
+    /// no other moves them. Returns the wanted quantities in the differences.
     pub(in crate::reduce) fn relative(&mut self, momenta: &[usize], wanted: Wanted) -> Wanted {
         let mut wanted = wanted;
         for at in momenta {
@@ -30,8 +30,8 @@ impl Ground {
         wanted
     }
 
-    /// Indices and numbers of the components at which this direction is not zero and the others are; `None` unless
-    /// there are several and all are numbers.
+    /// Indices and values of the components at which a direction is not zero and all others are zero. `None` unless
+    /// there are at least two such components and all are numbers.
     fn together(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<(usize, Expr)>> {
         let alone = |at: usize| others.iter().all(|other| other[at] == Expr::ZERO);
         let moved: Vec<(usize, Expr)> =
@@ -74,7 +74,7 @@ impl Ground {
             pairs.push((self.kane.unknowns[at], self.carried(rate, ratio, self.kane.unknowns[pivot])));
             let back = self.arena.neg(ratio);
             self.u_start[at] = self.carried(self.u_start[at], back, self.u_start[pivot]);
-            // Tᵀ M T and Tᵀ f for u = T w.
+            // The substitution u = T w changes M and f into Tᵀ M T and Tᵀ f.
             for row in &mut self.kane.matrix {
                 let moved = self.arena.mul(ratio, row[at]);
                 row[pivot] = self.arena.add(row[pivot], moved);
@@ -102,7 +102,7 @@ impl Ground {
         self.rewrite(&pairs, wanted)
     }
 
-    /// Ratio at which a variable moves with the pivot, and the symbol of their difference.
+    /// Ratio at which a variable moves with the pivot, and a new symbol for their difference.
     fn difference(&mut self, variable: Expr, pivot: Expr, number: Expr, of_pivot: Expr) -> (Expr, Expr) {
         let ratio = self.arena.div(number, of_pivot).expect("a component that is not zero");
         let name = |e: Expr| self.arena.symbol_name(e).unwrap_or_default();
@@ -112,7 +112,7 @@ impl Ground {
         (ratio, symbol)
     }
 
-    /// e + ratio · pivot.
+    /// Sum e + ratio · pivot.
     fn carried(&mut self, e: Expr, ratio: Expr, pivot: Expr) -> Expr {
         let along = self.arena.mul(ratio, pivot);
         self.arena.add(e, along)
@@ -125,7 +125,7 @@ impl Ground {
             let moved = put.apply(arena, e);
             simplifier.simplify(arena, moved)
         });
-        // The variables themselves are no terms to be rewritten.
+        // The symbols of the variables are restored, because they are no terms to be rewritten.
         self.kane.coordinates.clone_from(&kept);
         wanted.map(|e| put.apply(&mut self.arena, e))
     }

@@ -1,7 +1,7 @@
-//! Search for the moving frame by which a scene costs least.
+//! Search for the moving frame in which a scene costs least.
 //!
-//! Symmetries that leave all wanted quantities unchanged are tried alone and in sets that close under brackets, with
-//! pins among the states that the scene otherwise integrates.
+//! Symmetries that leave all wanted quantities unchanged are tried singly and in sets that close under brackets. The
+//! pins are states that the scene otherwise integrates.
 
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::modular::{ZeroTest, zero_test};
@@ -15,21 +15,21 @@ use crate::reduce::basis::work::Work;
 use crate::reduce::slices::outputs::Wanted;
 use crate::reduce::slices::slice::Flow;
 
-/// Number of symmetries above which none are combined.
+/// Most symmetries of which sets are combined.
 const MOST_TURNS: usize = 9;
-/// Sections that are tried for each set of symmetries and momenta.
+/// Most sections that are tried for each set of symmetries and momenta.
 const MOST_SECTIONS: usize = 4;
-/// Cost of a state beside that of its rate, in operations: sums of its stages, its error and its dense output.
+/// Operations that an integrated state costs besides its rate: sums of stages, error estimate and dense output.
 const STATE: usize = 12;
 
-/// A choice of momenta, and of a frame.
+/// Choice of momenta to be held, and of a moving frame.
 #[derive(Clone, Debug, Default)]
 pub struct Choice {
-    /// The momenta that are held.
+    /// Momenta that are held constant, as indices among those of the ground.
     pub momenta: Vec<usize>,
-    /// The symmetries along which the frame moves.
+    /// Symmetries along which the frame moves, as indices among those of the ground; empty without a frame.
     pub turns: Vec<usize>,
-    /// The states that it keeps at zero.
+    /// States that the frame keeps at zero, as indices in q, then u.
     pub pins: Vec<usize>,
 }
 
@@ -39,8 +39,8 @@ fn cost(integrated: usize, operations: usize) -> usize {
 }
 
 impl Ground {
-    /// Finds the frame that leaves a scene fewer variables than these momenta alone and costs least; `None` if no frame
-    /// is better.
+    /// Finds the frame with the least cost that leaves a scene fewer variables than the momenta alone. `None` if no
+    /// frame is better.
     pub(in crate::reduce) fn framing(
         &mut self,
         wanted: &Wanted,
@@ -56,7 +56,7 @@ impl Ground {
         let flow = trial.flow_of(&plain, wanted)?;
         let (_, without, operations) = flow.weight(&trial);
         let (mut least, mut best) = (cost(without, operations), None);
-        // The states of the model that the scene integrates, or differences of them.
+        // Start values of the scene's integrated variables, in the variables of the model.
         let mut back = trial.back();
         let variables = flow.core.iter().chain(&flow.quadratures);
         let starts: Vec<Expr> = variables.map(|v| back.apply(&mut trial.arena, v.symbol)).collect();
@@ -83,20 +83,21 @@ impl Ground {
         best
     }
 
-    /// Puts differences for variables that the momenta of a choice move together. In a frame only momenta count whose
-    /// symmetries move all speeds at constant ratios, since on its section the others move less.
+    /// Replaces variables that the symmetries of a choice's momenta move together by differences. With a frame, this
+    /// uses only momenta whose symmetries move all speeds at constant ratios. On the section of the frame, other
+    /// symmetries move fewer variables.
     pub(in crate::reduce) fn differences(&mut self, choice: &Choice, wanted: &Wanted) -> Wanted {
         let momenta = if choice.turns.is_empty() { choice.momenta.clone() } else { self.plain(&choice.momenta) };
         self.relative(&momenta, wanted.clone())
     }
 
-    /// Those of these momenta whose symmetries move all speeds at constant ratios.
+    /// Selects the momenta whose symmetries move all speeds at constant ratios.
     fn plain(&self, momenta: &[usize]) -> Vec<usize> {
         let is_plain = |at: &&usize| self.momenta[**at].direction.iter().all(|e| self.arena.as_number(*e).is_some());
         momenta.iter().filter(is_plain).copied().collect()
     }
 
-    /// Least system that a choice needs; `None` if its equations are not determined.
+    /// Smallest system that a choice integrates; `None` if its equations are not determined.
     fn flow_of(&mut self, choice: &Choice, wanted: &Wanted) -> Option<Flow> {
         let wanted = self.differences(choice, wanted);
         let wanted = self.framed_by(choice, wanted)?;
@@ -104,7 +105,8 @@ impl Ground {
         Flow::new(self, &level, &wanted)
     }
 
-    /// Writes the wanted quantities in the frame of a choice; unchanged if it has none.
+    /// Writes the equations and the wanted quantities in the frame of a choice, if it has one. `None` if the frame is
+    /// singular.
     pub(in crate::reduce) fn framed_by(&mut self, choice: &Choice, wanted: Wanted) -> Option<Wanted> {
         match choice.turns.as_slice() {
             [] => Some(wanted),
@@ -112,7 +114,8 @@ impl Ground {
         }
     }
 
-    /// Finds the symmetries that turn some of these states and leave the wanted quantities unchanged.
+    /// Finds symmetries that move some of the states `needed` and leave the wanted quantities unchanged; stores them in
+    /// `turns`.
     fn find_turns(&mut self, needed: &[usize], wanted: &Wanted) {
         let Some(mut whole) = self.whole_flow() else { return };
         let rates = whole.rates.clone();
@@ -154,7 +157,7 @@ impl Ground {
         self.arena = whole.arena;
     }
 
-    /// x' = f(x) of the whole model, with solved rates.
+    /// First-order system x' = f(x) of the whole model, with solved rates; `None` if it is singular.
     fn whole_flow(&self) -> Option<Whole> {
         let mut arena = self.arena.clone();
         let steps = Solved::steps(&mut arena, &self.kane).ok()?;
@@ -175,14 +178,14 @@ impl Ground {
         })
     }
 
-    /// Single symmetries, commuting pairs, and triples in which the bracket of any two is zero or a member.
+    /// Sets of symmetries that close under brackets: single ones, pairs and triples.
     fn closed_sets(&mut self) -> Vec<Vec<usize>> {
         let count = self.turns.len();
         let mut sets: Vec<Vec<usize>> = (0..count).map(|at| vec![at]).collect();
         if count > MOST_TURNS {
             return sets;
         }
-        // Of each with those before it.
+        // Brackets of each symmetry with the symmetries before it.
         let mut bracket: Vec<Vec<Bracket>> = Vec::new();
         for a in 0..count {
             bracket.push((0..a).map(|b| self.bracket(a, b)).collect());
@@ -263,8 +266,8 @@ impl Ground {
         list
     }
 
-    /// Candidate sets of pins: states that the frame's symmetries move and the scene would integrate. Coordinates come
-    /// first and each kind from the last, so that a distance is along the first axis.
+    /// Candidate sets of pins: states that the frame's symmetries move and that the scene would integrate. Coordinates
+    /// come first, then speeds, each from the last to the first, so that a distance lies along the first axis.
     fn sections(&self, turns: &[usize], momenta: &[usize], wanted: &Wanted) -> Vec<Vec<usize>> {
         let needed = self.needed(momenta, wanted);
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
@@ -294,7 +297,7 @@ impl Ground {
         sections
     }
 
-    /// True if the symmetries' components at these states are independent where the states are zero.
+    /// True if the components of the symmetries at the pinned states are independent where these states are zero.
     fn is_section(&self, turns: &[usize], pins: &[usize]) -> bool {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         let mut arena = self.arena.clone();
@@ -306,7 +309,7 @@ impl Ground {
         put.undefined.is_none() && rank(&arena, &rows).is_some_and(|found| found.rank == pins.len())
     }
 
-    /// Variables that a scene integrates without a frame if it holds those of these momenta whose symmetries move all
+    /// Variables that a scene integrates without a frame. Only those of the momenta are held whose symmetries move all
     /// speeds at constant ratios.
     fn needed(&self, momenta: &[usize], wanted: &Wanted) -> Vec<Expr> {
         let mut trial = self.clone();
@@ -316,13 +319,13 @@ impl Ground {
     }
 }
 
-/// Bracket of two symmetries.
+/// Bracket of two symmetries of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Bracket {
-    /// Zero: the two commute.
+    /// The bracket is zero: the symmetries commute.
     Zero,
-    /// One of the symmetries, or its negative.
+    /// The bracket is a symmetry with this index, or its negative.
     Turn(usize),
-    /// Another field.
+    /// The bracket is a field that is no symmetry of the ground.
     Other,
 }

@@ -1,4 +1,4 @@
-//! Equations on the section where a frame keeps states at zero.
+//! Equations on the section of a moving frame, on which the frame keeps states at zero.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::elimination::{LinearSystem, eliminate};
@@ -12,9 +12,9 @@ use crate::reduce::result::reduction::Turned;
 use crate::reduce::slices::outputs::Wanted;
 
 impl Ground {
-    /// Writes the equations in the frame that moves along these symmetries and keeps these states at zero; returns the
-    /// wanted quantities on the section. `None` if the section is singular, or one of these momenta changes as the
-    /// frame moves.
+    /// Writes the equations in the frame that moves along the symmetries `turns` and keeps the states `pins` at zero.
+    /// Returns the wanted quantities on the section. `None` if the section is singular, or if a held momentum changes
+    /// along the frame's motion.
     pub(in crate::reduce) fn in_frame(
         &mut self,
         (turns, pins): (&[usize], &[usize]),
@@ -77,7 +77,7 @@ impl Ground {
         Some(wanted)
     }
 
-    /// Data of the frame that lead to it from a start of the whole model.
+    /// Data that lead from a start of the whole model to a start in the frame; `None` without a frame.
     pub(in crate::reduce) fn turned(&mut self) -> Option<Turned> {
         let frame = self.frame.clone()?;
         let starts = [self.q_start.as_slice(), &self.u_start].concat();
@@ -96,26 +96,26 @@ impl Ground {
         Some(Turned { about, fields, pins, slopes })
     }
 
-    /// Zero for the states that a frame keeps there.
+    /// Substitution of zero for the states that the frame keeps at zero.
     pub(in crate::reduce) fn pinned(&self) -> Substitution {
         let states = [self.q.as_slice(), &self.kane.variables].concat();
         let pins = self.frame.iter().flat_map(|frame| &frame.pins);
         Substitution::new(&pins.map(|pin| (states[*pin], Expr::ZERO)).collect::<Vec<_>>())
     }
 
-    /// True if a frame keeps this speed at zero.
+    /// True if a frame keeps the speed of this index at zero.
     pub(in crate::reduce) fn is_pinned_speed(&self, at: usize) -> bool {
         self.frame.as_ref().is_some_and(|frame| frame.pins.contains(&(self.q.len() + at)))
     }
 
-    /// Slopes of these momenta along a symmetry.
+    /// Slopes of momenta along a symmetry.
     fn changes(&mut self, turn: usize, momenta: &[usize], states: &[Expr]) -> Vec<Expr> {
         let along = states.iter().copied().zip(self.turns[turn].along.iter().copied()).collect::<Vec<_>>();
         let mut change = Differential::along(&along);
         momenta.iter().map(|at| change.apply(&mut self.arena, self.momenta[*at].value)).collect()
     }
 
-    /// f at the pinned states, on the section.
+    /// Rates of the pinned states on the section; `None` if the accelerations are not determined.
     fn rates_on_section(&mut self, pins: &[usize]) -> Option<Vec<Expr>> {
         let count = self.q.len();
         let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
@@ -147,7 +147,7 @@ impl Ground {
     }
 }
 
-/// The unknowns of solved rows.
+/// Values of the unknowns of solved rows.
 fn unknowns_of(arena: &mut Arena, simplifier: &mut Simplifier, solved: &Solved) -> Vec<Expr> {
     let mut rates = vec![Expr::ZERO; solved.pivots.len()];
     for k in (0..solved.pivots.len()).rev() {

@@ -1,8 +1,8 @@
-//! The singular surface of a reduction, and equations in the distance from it.
+//! Singular surface of a reduction, and equations in the distance from it.
 //!
-//! Where a momentum does not determine its speed, as the spin about the vertical on a vertical axis, the reduced
-//! equations hold a quotient N(q; c)/D(q) whose parts vanish together. In d = q − q_s the divisor is computed without
-//! cancellation; `separate` treats the numerator.
+//! On some surfaces a momentum does not determine its speed, for example the spin about a vertical axis. There the
+//! reduced equations contain a quotient N(q; c)/D(q) of two terms that vanish together. In d = q − q_s the divisor is
+//! computed without cancellation; `separate` treats the numerator.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
@@ -17,12 +17,12 @@ use crate::reduce::slices::slice::Flow;
 use crate::scene::Scene;
 use std::f64::consts::FRAC_PI_2;
 
-/// Turns from the origin within which surfaces are looked for.
+/// Whole turns on either side of a coordinate's origin within which singular surfaces are searched.
 const MOST_TURNS: i32 = 100;
 
 impl Ground {
-    /// Finds the singular surface of this level, if it is a multiple of a quarter turn of a coordinate among the
-    /// states. The surface that the scene names is taken, or else the one nearest to the start.
+    /// Finds the singular surface of a level, if it is a multiple of a quarter turn of an integrated coordinate. A
+    /// surface named by the scene takes precedence over the surface nearest to the start.
     pub(in crate::reduce) fn surface(&mut self, level: &Level, wanted: &Wanted, scene: &Scene) -> Option<Distance> {
         let stated = scene.integration.distance;
         if !scene.integration.may_measure || (level.divisors.is_empty() && stated.is_none()) {
@@ -57,7 +57,8 @@ impl Ground {
         there.undefined.is_none() && self.simplifier.simplify(&mut self.arena, value) == Expr::ZERO
     }
 
-    /// Writes every equation in the distance from a surface; returns the wanted quantities in it.
+    /// Writes every equation in the distance from a surface. Returns the surface and the wanted quantities in the
+    /// distance.
     pub(in crate::reduce) fn measure_from(&mut self, place: Distance, wanted: &Wanted) -> (Surface, Wanted) {
         let surface = Surface { symbol: self.distance_symbol(place) };
         let Distance { coordinate, quarter_turns } = place;
@@ -79,7 +80,7 @@ impl Ground {
         (surface, wanted)
     }
 
-    /// The symbol of the distance from a surface.
+    /// Symbol of the distance from a surface.
     fn distance_symbol(&mut self, place: Distance) -> Expr {
         let name = &self.model.coordinates[place.coordinate].name;
         let degrees = 90 * place.quarter_turns;
@@ -91,7 +92,7 @@ impl Ground {
     }
 }
 
-/// Angle k π/2 of k quarter turns.
+/// Angle k π/2 of k = `turns` quarter turns, as a term.
 pub fn quarter(arena: &mut Arena, turns: i32) -> Expr {
     let pi = arena.pi();
     let half_turns = arena.ratio(i64::from(turns), 2);

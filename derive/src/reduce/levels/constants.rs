@@ -1,7 +1,7 @@
-//! Constants of a motion in the form that costs least to use.
+//! Constants of a motion in the form that costs least.
 //!
-//! A momentum may be held by any multiple of itself. A speed that it determines alone is constant, and stands for it;
-//! where it stands in a numerator, a numeric factor of it is taken into it.
+//! Any multiple of a momentum may be held constant. If a momentum alone determines a speed, the speed is constant and
+//! replaces it. A numeric factor of a momentum is included in its constant.
 
 use super::momenta::Held;
 use crate::algebra::Expr;
@@ -13,7 +13,7 @@ use crate::reduce::basis::pivots::Solved;
 use crate::reduce::basis::prose::Prose;
 
 impl Ground {
-    /// Puts the multiples for the momenta; those that carry a mass centre on stay as they are.
+    /// Replaces held momenta by constant multiples. Momenta that move a mass centre are unchanged.
     pub(in crate::reduce) fn choose_constants(&mut self, solved: &mut Solved, held: &mut [Held]) {
         for k in 0..solved.pivots.len() {
             let (row, column) = solved.pivots[k];

@@ -1,8 +1,8 @@
-//! The motion on a level set of momenta: speeds that the momenta determine, and equations for the others.
+//! Motion on a level set of momenta: the momenta determine speeds, and equations remain for the other speeds.
 //!
 //! With A u + b = c solved as u = P(q; c) + Z(q) u_R, Kane's equations multiplied by Zᵀ read  (Zᵀ M Z) u̇_R = Zᵀ(f − M
-//! (Ṗ + Ż u_R)). The rows of A are momenta of symmetries ξ, so that ξᵀ times the same equations says that c is
-//! constant; together they are all of the equations wherever A has full rank.
+//! (Ṗ + Ż u_R)). The rows of A are momenta of symmetries ξ, so Kane's equations multiplied by ξᵀ state that c is
+//! constant. Together these are all equations wherever A has full rank.
 
 use super::momenta::Held;
 use super::separate::Surface;
@@ -12,37 +12,37 @@ use crate::algebra::{Arena, Expr};
 use crate::reduce::basis::ground::Ground;
 use crate::reduce::basis::pivots::{Solved, solve_rows};
 
-/// Equations on a level set of momenta.
+/// Equations of motion on a level set of momenta.
 #[derive(Clone)]
 pub struct Level {
-    /// The held momenta.
+    /// Momenta that are held constant.
     pub held: Vec<Held>,
-    /// Indices of the speeds that stay.
+    /// Indices of the speeds u_R that the momenta do not determine.
     pub kept: Vec<usize>,
-    /// The other speeds, each in q, the held momenta, the kept speeds and those defined before it.
+    /// Values of the other speeds, in q, the held momenta, the kept speeds and the speeds defined before.
     pub definitions: Vec<Definition>,
-    /// Every u̇ in q, u and the rates of the kept speeds.
+    /// Every u̇, in q, u and the rates of the kept speeds.
     pub accelerations: Vec<Expr>,
-    /// Zᵀ M Z, in q.
+    /// Mass matrix Zᵀ M Z of the kept speeds, in q.
     pub matrix: Vec<Vec<Expr>>,
-    /// Zᵀ(f − M (Ṗ + Ż u_R)), in q and u.
+    /// Forcing Zᵀ(f − M (Ṗ + Ż u_R)) of the kept speeds, in q and u.
     pub forcing: Vec<Expr>,
-    /// Divisors of the solved speeds.
+    /// Divisors of the solved speeds and of the frame's rates, except numbers.
     pub divisors: Vec<Expr>,
 }
 
 impl Ground {
-    /// The equations on the level set of these momenta; `None` if their symmetries move more speeds than there are
-    /// momenta.
+    /// Equations on the level set of these momenta. `None` if their symmetries do not move exactly as many speeds as
+    /// there are momenta, or if the momenta do not determine these speeds.
     pub(in crate::reduce) fn level(&mut self, momenta: &[usize], surface: Option<&Surface>) -> Option<Level> {
         let n = self.kane.variables.len();
         if momenta.len() > n {
             return None;
         }
         let mut held: Vec<Held> = momenta.iter().map(|at| self.hold(*at)).collect();
-        // With as many speeds as symmetries, M on these speeds is positive definite, and the momenta determine them
-        // wherever the symmetries themselves are independent. Other speeds could be solved for, but would bring
-        // singularities of their own.
+        // If the symmetries move as many speeds as there are momenta, M on these speeds is positive definite. Then the
+        // momenta determine the speeds wherever the symmetries are independent. Other speeds would bring singularities
+        // of their own.
         let moved = |at: usize| momenta.iter().any(|m| self.momenta[*m].direction[at] != Expr::ZERO);
         let free = (0..n).filter(|at| !self.is_pinned_speed(*at));
         let (solved_for, kept): (Vec<usize>, Vec<usize>) = free.partition(|at| moved(*at));
@@ -81,7 +81,7 @@ impl Ground {
             let (_, column) = solved.pivots[k];
             let value = solved.unknown(arena, k, 0, variables);
             let value = short(arena, value);
-            // A constant speed stands for itself.
+            // A speed that is itself a held constant needs no definition.
             if value != variables[column] {
                 definitions.push(Definition { symbol: variables[column], value });
             }
@@ -90,7 +90,7 @@ impl Ground {
             let acceleration = solved.unknown(arena, k, 1, &accelerations);
             accelerations[column] = short(arena, acceleration);
         }
-        // The equations are those of the whole motion: what the frame adds to rates is not of it.
+        // Kane's equations hold for the whole motion, without the frame's additions to the rates.
         if let Some(frame) = &self.frame {
             let added = &frame.added[self.q.len()..];
             for ((drift, acceleration), added) in drifts.iter_mut().zip(&mut accelerations).zip(added) {
@@ -131,7 +131,7 @@ impl Ground {
     }
 }
 
-/// Z: for each speed its coefficients of the kept ones.
+/// Matrix Z: for each speed, its coefficients of the kept speeds.
 fn directions(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

@@ -1,4 +1,4 @@
-//! Momenta that are held fixed, each with a symbol for its value.
+//! Momenta that are held constant, each with a symbol for its value.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;
@@ -8,23 +8,23 @@ use crate::prove::IntegralKind;
 use crate::reduce::basis::ground::{Ground, Momentum};
 use crate::reduce::basis::prose::Prose;
 
-/// A momentum that is held fixed.
+/// Momentum that is held constant, with a symbol for its value.
 #[derive(Clone)]
 pub struct Held {
-    /// Its place among the momenta of the ground.
+    /// Index of the momentum among those of the ground.
     pub momentum: usize,
-    /// The symbol of its value.
+    /// Symbol of the momentum's value.
     pub symbol: Expr,
-    /// Value of the symbol, in q and u: the momentum, or the remaining part of it on a singular surface.
+    /// Value of the symbol, in q and u: the momentum, or its remaining part on a singular surface.
     pub of_state: Expr,
-    /// Description of the symbol, in words.
+    /// Description of the symbol, in words and terms.
     pub about: Prose,
-    /// Its unit.
+    /// Unit of the symbol.
     pub unit: Unit,
 }
 
 impl Ground {
-    /// A momentum with a symbol for its value.
+    /// Momentum of this index, with a new symbol for its value.
     pub(in crate::reduce) fn hold(&mut self, at: usize) -> Held {
         let momentum = &self.momenta[at];
         let wanted = symbol_of(&self.model, momentum, at);
@@ -33,8 +33,8 @@ impl Ground {
         Held { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
     }
 
-    /// Right-hand sides of a momentum's row: row · u = c − b, and row · u̇ = minus the change of the row times u and of
-    /// b along the motion.
+    /// Right-hand sides of a momentum's row: c − b for row · u, then for row · u̇ the negative change of the row times
+    /// u and of b along the motion.
     pub(in crate::reduce) fn right_of(&mut self, held: &Held) -> Vec<Expr> {
         let momentum = &self.momenta[held.momentum];
         let arena = &mut self.arena;
@@ -52,8 +52,8 @@ impl Ground {
     }
 }
 
-/// Symbol of a momentum: `p_q3` for the momentum of a coordinate, else its customary symbol, else `momentum2`. A
-/// momentum with a function of place beside it is another quantity: `p_q3_total`.
+/// Name for the symbol of a momentum: `p_q3` for the momentum of a coordinate, else its customary symbol, else
+/// `momentum2`. With a function of q added it is another quantity: `p_q3_total`.
 fn symbol_of(model: &Model, momentum: &Momentum, at: usize) -> String {
     let kinds = &momentum.kinds;
     let of_coordinate = kinds.iter().find(|kind| matches!(kind, IntegralKind::Coordinate(_)));

@@ -1,8 +1,8 @@
-//! Quotients near a singular surface, written so that nothing cancels.
+//! Quotients near a singular surface, rewritten so that no terms cancel.
 //!
-//! Where a reduced equation holds N(q; c)/D(q) whose parts vanish together, the numerator is split into what is left of
-//! it on the surface, a constant of the motion that is computed once, and a rest in which every 1 − cos d stands as 2
-//! sin²(d/2).
+//! In a reduced equation, both terms of a quotient N(q; c)/D(q) may vanish on the surface. The numerator is split into
+//! its value on the surface and a rest. The value is a constant of the motion, which is computed once. In the rest, 2
+//! sin²(d/2) replaces every 1 − cos d.
 
 use super::momenta::Held;
 use crate::algebra::form::simplify::Simplifier;
@@ -12,15 +12,15 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::reduce::basis::pivots::Solved;
 
-/// A singular surface q = k π/2.
+/// Singular surface q = k π/2 of a reduction.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface {
-    /// The distance from it; the coordinate itself if k = 0.
+    /// Symbol of the distance from the surface; the coordinate itself if k = 0.
     pub symbol: Expr,
 }
 
 impl Surface {
-    /// Splits the right-hand sides that are divided by what vanishes on the surface.
+    /// Splits the right-hand sides whose divisors vanish on the surface.
     pub(in crate::reduce) fn separate(
         self,
         arena: &mut Arena,
@@ -48,8 +48,9 @@ impl Surface {
         }
     }
 
-    /// One quotient N/D with D = 0 on the surface and N linear in what is held: a momentum gives way to N on the
-    /// surface. Returned are the symbol that gave way and what stands for it now.
+    /// Splits one quotient N/D with D = 0 on the surface and N linear in the held momenta. A new symbol for N on the
+    /// surface replaces one of the momenta. Returns the replaced symbol and its value in the new symbol; `None` if no
+    /// split is possible.
     fn separate_row(
         self,
         arena: &mut Arena,
@@ -72,7 +73,7 @@ impl Surface {
             .iter()
             .all(|e| arena.symbol_name(*e).is_none() || symbols.contains(e) || arena.is_positive(*e));
         let (coefficients, rest) = LinearForm::new(&symbols).coefficients(arena, left).ok()?;
-        // Its own momentum, if that stands alone in the numerator.
+        // The row's own momentum comes first, if its coefficient in the numerator is a number.
         let alone = |at: &usize| arena.as_number(coefficients[*at]).is_some_and(|k| !k.is_zero());
         let at = std::iter::once(row).chain(0..symbols.len()).find(alone)?;
         if !constant || rest != Expr::ZERO {
@@ -80,7 +81,7 @@ impl Surface {
         }
         let name = arena.symbol_name(symbols[at]).unwrap_or_default().to_owned();
         let fresh = fresh_symbol(arena, &format!("{name}_there"));
-        // fresh = Σ coefficient · momentum, solved for the one that gives way.
+        // The definition fresh = Σ coefficient · momentum is solved for the replaced momentum.
         let others: Vec<Expr> = (0..symbols.len())
             .filter(|other| *other != at)
             .map(|other| arena.mul(coefficients[other], symbols[other]))

@@ -13,7 +13,7 @@ use crate::reduce::levels::level::Level;
 use crate::reduce::slices::slice::{Flow, Variable};
 use crate::scene::Scene;
 
-/// Lists everything of the model that the reduced equations omit.
+/// Lists the parameters, variables and outputs of the model that the reduced equations omit.
 pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene, proof: &Proof) -> Vec<Omission> {
     let mut list = Vec::new();
     for (name, value) in &ground.folded {
@@ -56,7 +56,7 @@ pub fn omissions(ground: &mut Ground, level: &Level, flow: &Flow, scene: &Scene,
     list
 }
 
-/// States that a moving frame keeps at zero.
+/// Omission of the states that a moving frame keeps at zero; empty without a frame.
 fn turned(ground: &Ground, proof: &Proof) -> Vec<Omission> {
     let Some(frame) = &ground.frame else { return Vec::new() };
     let states = [ground.q.as_slice(), &ground.kane.variables].concat();
@@ -75,7 +75,7 @@ fn turned(ground: &Ground, proof: &Proof) -> Vec<Omission> {
     }]
 }
 
-/// Speeds that momenta determine.
+/// Omissions of the speeds that held momenta determine.
 fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omission> {
     let used = flow.dependence.mentioned(&ground.arena, &flow.terms());
     let one = |d: &Definition| {
@@ -100,7 +100,7 @@ fn held(ground: &Ground, level: &Level, flow: &Flow, proof: &Proof) -> Vec<Omiss
     level.definitions.iter().rev().map(one).collect()
 }
 
-/// A variable on which neither the outputs nor the variables that they need depend.
+/// Omission of a variable on which neither the outputs nor the variables that they need depend.
 fn independence(ground: &mut Ground, flow: &Flow, variable: Variable) -> Omission {
     let (mut weakest, mut shown) = (f64::INFINITY, Vec::new());
     for (rate, value) in &flow.raw {

@@ -21,10 +21,10 @@ use crate::reduce::slices::slice::{Flow, Variable};
 use crate::scene::Scene;
 use rustc_hash::FxHashSet;
 
-/// The reduced system of a scene.
+/// Packs the reduced system of a scene as a model, equations and lists.
 ///
 /// # Errors
-/// Statement that cannot be proved, in words: such a reduction must not be used.
+/// Statement that cannot be proved, in words; the reduction must not be used.
 pub fn pack(
     mut ground: Ground,
     whole: &Whole,
@@ -38,7 +38,7 @@ pub fn pack(
     let states = quantities(&ground, &flow.core);
     let quadratures = quantities(&ground, &flow.quadratures);
     let omitted = omissions(&mut ground, level, &flow, scene, &proof);
-    // What is watched is evaluated apart from the equations, without their definitions.
+    // Events and conditions are evaluated apart from the equations, without their definitions.
     let mut dependence = flow.dependence.clone();
     for e in flow.wanted.events.iter_mut().chain(&mut flow.wanted.conditions) {
         *e = dependence.whole(&mut ground.arena, *e);
@@ -86,7 +86,7 @@ pub fn pack(
     Ok(reduction)
 }
 
-/// Checks that every symbol used in a formula has a value: it is a parameter, a variable, the time, or defined before.
+/// Checks that every symbol in a formula has a value: it is a parameter, a variable, the time, or defined before.
 fn closed(reduction: &Reduction) -> Result<(), String> {
     let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
     let mut known: FxHashSet<Expr> = reduction.model.p().into_iter().collect();
@@ -104,7 +104,7 @@ fn closed(reduction: &Reduction) -> Result<(), String> {
         has_value(&known, &[slope.value], "the slope of the potential energy")?;
     }
     known.extend(e.coordinates.iter().chain(&e.variables));
-    // What is watched is evaluated without the definitions.
+    // Events and conditions are evaluated without the definitions.
     has_value(&known, &reduction.events, "an event")?;
     let conditions: Vec<Expr> = reduction.model.domain.iter().map(|c| c.positive).collect();
     has_value(&known, &conditions, "the domain")?;
@@ -115,12 +115,12 @@ fn closed(reduction: &Reduction) -> Result<(), String> {
     let rates =
         e.matrix.concat().into_iter().chain(e.forcing.iter().copied()).chain(e.coordinate_rates.iter().copied());
     has_value(&known, &rates.chain([e.kinetic_energy, e.potential_energy]).collect::<Vec<_>>(), "an equation")?;
-    // Outputs alone may be functions of the time.
+    // Only outputs may be functions of the time.
     known.insert(reduction.time);
     reduction.outputs.iter().try_for_each(|o| has_value(&known, &[o.value], &format!("the output {}", o.name)))
 }
 
-/// Variables with their values at the start.
+/// Variables of the reduced system with their values at the start.
 fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
     let quantity = |v: &Variable| {
         let name = ground.arena.symbol_name(v.symbol).unwrap_or_default().to_owned();
@@ -138,7 +138,7 @@ fn quantities(ground: &Ground, list: &[Variable]) -> Vec<Quantity> {
     list.iter().map(quantity).collect()
 }
 
-/// The held momenta, and the mass centre's place at the start, if the system mentions them.
+/// Constants that the reduced system uses: held momenta, positions of the mass centre at the start, and products.
 fn constants(
     ground: &mut Ground,
     level: &Level,
@@ -171,10 +171,10 @@ fn constants(
         .collect()
 }
 
-/// The symbols of all computed terms, definitions included.
+/// Symbols of all computed terms, definitions included.
 ///
-/// Only equations have constants in place of products of momenta and parameters: other terms may name a momentum that
-/// the equations do not.
+/// Only equations have constants in place of products of momenta and parameters. Other terms may contain a momentum
+/// that the equations do not contain.
 fn mentioned(arena: &Arena, flow: &Flow, e: &Equations, slope: Option<&Slope>) -> FxHashSet<Expr> {
     let wanted = flow.wanted.named().into_iter().map(|(_, value)| value);
     let lists = [&e.forcing, &e.coordinate_rates].into_iter().flatten().chain(e.matrix.iter().flatten());
@@ -190,7 +190,7 @@ fn mentioned(arena: &Arena, flow: &Flow, e: &Equations, slope: Option<&Slope>) -
     found
 }
 
-/// Takes constants out of the equations, which are evaluated in every step.
+/// Replaces products of parameters in the equations by constants, since the equations are evaluated in every step.
 fn hoist(ground: &mut Ground, level: &Level, e: &mut Equations) -> Hoist {
     let folded = &ground.folded;
     let free = ground.model.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name));
@@ -204,8 +204,8 @@ fn hoist(ground: &mut Ground, level: &Level, e: &mut Equations) -> Hoist {
 }
 
 impl Flow {
-    /// Removes a constant part of the energy that is not of the system: the energy of a mass centre that no output
-    /// shows.
+    /// Removes a constant part of the energy that does not belong to the reduced system, such as the energy of a mass
+    /// centre that no output shows.
     fn strip_energy(&mut self, ground: &mut Ground, level: &Level) {
         let Some(energy) = self.energy.take() else { return };
         let terms = self.terms();
@@ -221,7 +221,7 @@ impl Flow {
             zero_test(&ground.arena, slope) == ZeroTest::Zero
         });
         let short = without.apply(&mut ground.arena, energy);
-        // A constant that stands in a definition which only the energy uses is written out first.
+        // A constant in a definition that only the energy uses is written out first.
         let mentioned = self.dependence.mentioned(&ground.arena, &[short]);
         let clean = pairs.iter().all(|(symbol, _)| !mentioned.contains(symbol));
         self.energy = match (constant && without.undefined.is_none(), clean) {
@@ -231,8 +231,8 @@ impl Flow {
         };
     }
 
-    /// Keeps the linear system on the level, if all of its speeds are there and it mentions only variables on which
-    /// they depend.
+    /// Keeps the linear system of the level, if all of its speeds are integrated and it contains only variables on
+    /// which their rates depend.
     fn keep_system(&mut self, ground: &mut Ground, level: &Level) {
         let all: Vec<Variable> = self.core.iter().chain(&self.quadratures).copied().collect();
         let speeds = all.iter().filter(|v| v.is_speed).map(|v| v.place);
@@ -252,13 +252,13 @@ impl Flow {
         }
     }
 
-    /// Everything that the reduced system computes.
+    /// All terms that the reduced system computes.
     pub(in crate::reduce) fn terms(&self) -> Vec<Expr> {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate);
         rates.chain(self.shown()).collect()
     }
 
-    /// Values that are shown and watched: outputs, conditions, events and the energy.
+    /// Values that are shown or watched: outputs, conditions, events and the energy.
     fn shown(&self) -> impl Iterator<Item = Expr> {
         let Wanted { outputs, conditions, events } = &self.wanted;
         let outputs = outputs.iter().map(|(_, e)| *e);
@@ -266,7 +266,7 @@ impl Flow {
     }
 }
 
-/// v̇ = rates, solved as they are.
+/// Equations of the reduced system: v̇ = rates as solved, or the linear system of the level if it is kept.
 fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     let all = || flow.core.iter().chain(&flow.quadratures);
     let speeds: Vec<&Variable> = all().filter(|v| v.is_speed).collect();
@@ -275,14 +275,14 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     let unknowns: Vec<Expr> = speeds.iter().map(|v| ground.kane.unknowns[v.place]).collect();
     let n = speeds.len();
     let identity = |i: usize| (0..n).map(|j| if i == j { Expr::ONE } else { Expr::ZERO }).collect();
-    // The accelerations as they were solved for, unless all of the system is there: then as a linear system, which code
-    // generation eliminates in its own way.
+    // The matrix is the identity, with the solved accelerations on the right. If the linear system is kept, code
+    // generation eliminates it in its own way.
     let (mut matrix, mut forcing): (Vec<Vec<Expr>>, Vec<Expr>) =
         ((0..n).map(identity).collect(), speeds.iter().map(|v| v.rate).collect());
     if let Some((whole_matrix, whole_forcing)) = flow.system.as_ref().filter(|_| n > 1) {
         (matrix, forcing) = (whole_matrix.clone(), whole_forcing.clone());
     }
-    // An output may be an acceleration as it was solved for, even where the equations are kept as a linear system.
+    // An output may be a solved acceleration, even if the equations are kept as a linear system.
     let rates = coordinates.iter().map(|v| v.rate);
     let terms: Vec<Expr> = flow.shown().chain(rates).chain(matrix.concat()).chain(forcing.iter().copied()).collect();
     let arena = &mut ground.arena;
@@ -290,7 +290,7 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
         let at_rest: Vec<(Expr, Expr)> = variables.iter().map(|u| (*u, Expr::ZERO)).collect();
         let through = flow.dependence.mentioned(arena, &[energy]);
         let definitions = flow.dependence.definitions.iter().filter(|d| through.contains(&d.symbol));
-        // Where a momentum determines a speed beside other speeds, its definition is written out at rest, too.
+        // If a momentum determines a speed together with other speeds, its definition is also evaluated at rest.
         let moving = definitions.into_iter().any(|d| variables.iter().any(|u| arena.mentions(d.value, *u)));
         let form = if moving { flow.dependence.clone().whole(arena, energy) } else { energy };
         let potential = Substitution::new(&at_rest).apply(arena, form);
@@ -334,8 +334,8 @@ fn equations(ground: &mut Ground, level: &Level, flow: &Flow) -> Equations {
     }
 }
 
-/// Factors of a divisor that can be zero. Numbers and factors that are proved never to be zero, such as an inertia, are
-/// left out; `None` if no factor remains.
+/// Product of a divisor's factors that can be zero. Numbers and factors that are proved never to be zero, such as an
+/// inertia, are left out. `None` if no factor remains.
 fn part_with_zeros(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
     let (_, divisor) = arena.split_content(divisor);
     let factors = match arena.node(divisor) {

@@ -1,8 +1,8 @@
-//! The proof that a reduced system is the whole one on each level set.
+//! Proof that a reduced system agrees with the whole system on each level set.
 //!
 //! No intermediate step is trusted. The coordinates and speeds of the model are written in the variables of the reduced
-//! system; differentiated along its rates, they must satisfy the kinematic equations and every row of Kane's M u̇ = f
-//! of the whole model, for all values of the constants. The wanted outputs, the terms left out of formulas, the
+//! system and differentiated along its rates. They must satisfy the kinematic equations and every row of Kane's M u̇ =
+//! f of the whole model, for all values of the constants. The wanted outputs, the terms left out of formulas, the
 //! constants and the energy are each compared with their values in the whole model. Every identity is a zero test at
 //! random points of random prime fields, with a stated bound.
 
@@ -23,12 +23,12 @@ use crate::reduce::slices::slice::Flow;
 pub struct Proof {
     /// Number of identities that were tested, each of them zero.
     pub identities: usize,
-    /// Each is wrong with a probability below 2^−exponent; infinite where all are zero by form.
+    /// Each identity is wrong with a probability below 2^−exponent; infinite if all identities are zero by form.
     pub exponent: f64,
 }
 
 impl Proof {
-    /// ` (in doubt by less than 2^-95)`; empty if every identity is zero by form.
+    /// Text of the proof's bound, ` (in doubt by less than 2^-95)`; empty if every identity is zero by form.
     pub(in crate::reduce) fn doubt(&self) -> String {
         match self.exponent {
             e if e.is_finite() => format!(" (in doubt by less than 2^-{})", e.floor().min(9999.0)),
@@ -45,18 +45,18 @@ impl std::fmt::Display for Proof {
     }
 }
 
-/// The whole model as the reduction must reproduce it.
+/// Whole model that a reduction must reproduce.
 pub struct Whole {
     /// Kane's equations in the model's own q and u.
     pub kane: Equations,
-    /// The wanted outputs, in the same variables, u̇ among them.
+    /// Wanted outputs, conditions and events in the model's own q, u and u̇.
     pub wanted: Wanted,
 }
 
 /// Proves a reduction against the whole model.
 ///
 /// # Errors
-/// Identity that is not proved, in words.
+/// Description of the first identity that is not proved.
 pub fn prove(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow) -> Result<Proof, String> {
     let mut check =
         Check::new(ground, whole, level, flow).ok_or("the variables are no linear functions of the model's")?;
@@ -69,13 +69,13 @@ pub fn prove(ground: &mut Ground, whole: &Whole, level: &Level, flow: &mut Flow)
     Ok(check.proof)
 }
 
-/// A proof under way.
+/// State of a proof in progress.
 struct Check {
-    /// The model's q, u and u̇ in the variables of the level, the held momenta and parameters.
+    /// Substitution of the model's q, u and u̇ by terms in the variables of the level, the held momenta and parameters.
     written: Substitution,
-    /// d/dt along the motion on the level, with every term kept.
+    /// Time derivative d/dt along the motion on the level, with no term left out.
     change: Differential,
-    /// q̇ and u̇ of the whole motion in the same.
+    /// Rates q̇ and u̇ of the whole motion, in the variables of the level, the held momenta and parameters.
     rates: Vec<Expr>,
     proof: Proof,
 }
@@ -88,7 +88,7 @@ impl Check {
         let q = inverse(ground, &of_q, &ground.q_start.clone(), &there)?;
         let mut put = ground.pinned();
         let q: Vec<Expr> = q.into_iter().map(|e| put.apply(&mut ground.arena, e)).collect();
-        // A speed is kept, defined, or a constant itself.
+        // Every speed must be kept, defined, constant or pinned.
         let held = level.definitions.iter().map(|d| d.symbol).chain(level.held.iter().map(|h| h.symbol));
         let known: Vec<Expr> = held.chain(level.kept.iter().map(|k| ground.kane.variables[*k])).collect();
         let speeds: Vec<Expr> = ground.kane.variables.clone();
@@ -108,7 +108,7 @@ impl Check {
         let rates: Vec<Expr> = states.iter().map(|e| check.change.apply(&mut ground.arena, *e)).collect();
         let names = of_q.iter().chain(&of_u).copied();
         check.written = Substitution::new(&names.zip(states).collect::<Vec<_>>());
-        // The rates of the whole motion are those of the state less what the frame adds.
+        // The rates of the whole motion are those of the reduced state less the frame's additions.
         check.rates = rates;
         if let Some(frame) = &ground.frame {
             for (turn, rate) in frame.turns.iter().zip(&frame.rates) {
@@ -126,7 +126,7 @@ impl Check {
         Some(check)
     }
 
-    /// Checks that each symmetry of the frame commutes with the motion of the whole model and leaves the wanted
+    /// Checks that each symmetry of the frame commutes with the motion of the whole model, and leaves the wanted
     /// quantities unchanged.
     fn frame(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
         let Some(frame) = ground.frame.clone() else { return Ok(()) };
@@ -157,7 +157,7 @@ impl Check {
         Ok(())
     }
 
-    /// Records an identity, or names the one that does not hold.
+    /// Counts an identity e = 0 of the proof; the error names an identity that does not hold or is not decided.
     fn zero(&mut self, ground: &Ground, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
         self.proof.identities += 1;
         if e == Expr::ZERO {
@@ -177,7 +177,7 @@ impl Check {
         self.zero(ground, difference, what)
     }
 
-    /// Checks that the speeds give q̇.
+    /// Checks the kinematic equations: the speeds give q̇.
     fn kinematics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
         let rates = whole.kane.coordinates.iter().zip(&whole.kane.coordinate_rates);
         for (at, (q, rate)) in rates.enumerate() {
@@ -189,7 +189,7 @@ impl Check {
         Ok(())
     }
 
-    /// Checks M u̇ − f = 0, row by row.
+    /// Checks Kane's equations M u̇ − f = 0, row by row.
     fn dynamics(&mut self, ground: &mut Ground, whole: &Whole) -> Result<(), String> {
         for (at, (row, right)) in whole.kane.matrix.iter().zip(&whole.kane.forcing).enumerate() {
             let products = row.iter().zip(&whole.kane.unknowns);
@@ -202,7 +202,8 @@ impl Check {
         Ok(())
     }
 
-    /// Checks that each constant has its stated value at every state of its level, and does not change.
+    /// Checks that each constant equals its stated function of the state, and that mass centres move with their
+    /// momenta.
     fn constants(&mut self, ground: &mut Ground, level: &Level, flow: &mut Flow) -> Result<(), String> {
         let mut back = ground.back();
         for held in &level.held {
@@ -219,8 +220,8 @@ impl Check {
         Ok(())
     }
 
-    /// Checks the rates with terms left out, and the solved rates themselves, against the equations of the level; and
-    /// the energy against its rate.
+    /// Checks the rates with terms left out, and the solved rates, against the equations of the level. Checks also that
+    /// the energy is constant.
     fn rates(&mut self, ground: &mut Ground, flow: &mut Flow) -> Result<(), String> {
         for variable in flow.core.iter().chain(&flow.quadratures) {
             let (_, raw) =
@@ -245,12 +246,12 @@ impl Check {
         Ok(())
     }
 
-    /// Checks the wanted outputs against those of the whole model; a coordinate computed from the time is checked
-    /// against itself.
+    /// Checks the wanted quantities against those of the whole model. A coordinate that is computed from the time is
+    /// compared with itself.
     fn wanted(&mut self, ground: &mut Ground, whole: &Whole, flow: &mut Flow) -> Result<(), String> {
         let mut started = Vec::new();
         for carried in &flow.carried {
-            // What is called the position at the start is the position less its motion since.
+            // The symbol for the position at the start equals the position less its motion since the start.
             let momentum = self.change.apply(&mut ground.arena, carried.position);
             let moved = ground.arena.mul(momentum, flow.time);
             started.push((carried.symbol, ground.arena.sub(carried.position, moved)));
@@ -267,7 +268,8 @@ impl Check {
     }
 }
 
-/// The model's variables in those of the equations, which are linear functions of them with numbers as coefficients.
+/// The model's variables in the variables of the equations. `stated` gives the latter as linear functions of the former
+/// with numbers as coefficients. `None` if the functions cannot be inverted.
 fn inverse(ground: &mut Ground, model: &[Expr], stated: &[Expr], symbols: &[Expr]) -> Option<Vec<Expr>> {
     let mut form = LinearForm::new(model);
     let (mut rows, mut right) = (Vec::new(), Vec::new());

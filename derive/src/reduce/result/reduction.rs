@@ -9,27 +9,27 @@ use crate::model::{Model, Unit, text_hash};
 use crate::reduce::basis::prose::Prose;
 use crate::reduce::slices::one_degree::Slope;
 
-/// A variable or parameter of a reduced system, and its value at the start.
+/// Variable or constant of a reduced system, with its value at the start.
 #[derive(Clone, Debug)]
 pub struct Quantity {
-    /// Its name in the reduced system.
+    /// Name of the quantity in the reduced system.
     pub name: String,
-    /// Its symbol there.
+    /// Symbol of the quantity in the reduced system.
     pub symbol: Expr,
-    /// Description of the quantity, in words.
+    /// Description of the quantity, in words and terms.
     pub about: Prose,
-    /// Its unit.
+    /// Unit of the quantity.
     pub unit: Unit,
-    /// Its value in parameters, coordinates and speeds of the whole model.
+    /// Value of the quantity at the start, in parameters, coordinates and speeds of the whole model.
     pub of_start: Expr,
 }
 
 /// Output of a scene, as a value of the reduced system.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// Its name in the scene.
+    /// Name of the output in the scene.
     pub name: String,
-    /// Its value in parameters, constants, time and states of the reduced system.
+    /// Value of the output in parameters, constants, time and states of the reduced system.
     pub value: Expr,
 }
 
@@ -38,70 +38,71 @@ pub struct Output {
 pub struct Omission {
     /// Omitted quantity.
     pub what: Prose,
-    /// Reason why it is not needed.
+    /// Reason why the quantity is not needed.
     pub why: Prose,
-    /// Proof that it is not needed, in words.
+    /// Proof that the quantity is not needed, in words.
     pub proof: String,
 }
 
-/// Moving frame of a reduction. From a start of the whole model its symmetries lead to a state where the pins are zero;
-/// the variables of the reduction are those of the model in that state.
+/// Moving frame of a reduction. Its symmetries lead from a start of the whole model to a state in which the pins are
+/// zero. The variables of the reduction are those of the model in this state.
 #[derive(Clone, Debug)]
 pub struct Turned {
     /// Description of the motions of the frame, in words.
     pub about: Vec<String>,
-    /// For each symmetry its components, in parameters, coordinates and speeds of the whole model: one for each
-    /// coordinate, then one for each speed.
+    /// Components of each symmetry, in parameters, coordinates and speeds of the whole model: one for each coordinate,
+    /// then one for each speed.
     pub fields: Vec<Vec<Expr>>,
     /// Terms that are zero in the frame, in coordinates and speeds of the whole model.
     pub pins: Vec<Expr>,
-    /// For each pin its slope along each symmetry.
+    /// Slopes of each pin along each symmetry, one row for each pin.
     pub slopes: Vec<Vec<Expr>>,
 }
 
 /// Reduced equations of a scene.
 #[derive(Clone)]
 pub struct Reduction {
-    /// The variables and parameters of the reduced system, the momenta among the latter; its store holds all terms.
+    /// Variables and parameters of the reduced system, with the momenta among the parameters. Its store contains all
+    /// terms.
     pub model: Model,
-    /// Its equations, with the same store.
+    /// Equations of the reduced system, over the same store as `model`.
     pub derivation: Derivation,
-    /// Integrated variables that depend on one another alone.
+    /// Integrated variables whose rates depend only on these variables.
     pub states: Vec<Quantity>,
-    /// Variables that are integrated along with the states since the outputs need them; no state depends on them.
+    /// Variables that are integrated only because outputs need them; the rate of no state depends on them.
     pub quadratures: Vec<Quantity>,
-    /// Quantities that keep their value at the start.
+    /// Quantities that keep their start value, held momenta among them.
     pub constants: Vec<Quantity>,
-    /// Those of the constants that stand for products of parameters and other constants.
+    /// Definitions of those constants that are products of parameters and other constants.
     pub products: Vec<Definition>,
-    /// Outputs of the scene.
+    /// Outputs of the scene, as values of the reduced system.
     pub outputs: Vec<Output>,
-    /// The functions of the scene's events, in its order.
+    /// Functions of the scene's events, in the order of the scene.
     pub events: Vec<Expr>,
-    /// The moving frame in which it is written; `None` without one.
+    /// Moving frame in which the system is written; `None` without a frame.
     pub frame: Option<Turned>,
-    /// Symmetries that leave every shown quantity unchanged, in words, but give no frame since the domain depends on
-    /// states that they turn.
+    /// Descriptions of symmetries that leave every shown quantity unchanged, but give no frame because they change a
+    /// condition of the domain.
     pub kept_by_domain: Vec<String>,
-    /// Parameters that are replaced by numbers.
+    /// Parameters that are replaced by numbers, with name and value.
     pub folded: Vec<(String, Rational)>,
-    /// Omissions, each with its reason and its proof.
+    /// Omissions of the system, each with its reason and its proof.
     pub omitted: Vec<Omission>,
-    /// Divisors of the reduction: where one is zero, the reduction has no value.
+    /// Divisors of the reduction, which has no value where a divisor is zero.
     pub divisors: Vec<Expr>,
-    /// True if the energy is a function of the kept variables; otherwise the energies of the equations are 0.
+    /// True if the energy is a function of the kept variables. If false, the energies of the equations are 0.
     pub has_energy: bool,
-    /// For quadrature, if there is one degree of freedom.
+    /// Slope of the potential energy, for solution by quadrature; `None` unless the system has one degree of freedom.
     pub slope: Option<Slope>,
-    /// The time since the start, in outputs that are linear in it.
+    /// Symbol of the time since the start, for outputs that are linear in time.
     pub time: Expr,
     /// Proof that the reduction gives the outputs of the whole model; a reduction without proof is never returned.
     pub proof: Proof,
 }
 
 impl Reduction {
-    /// A hash of everything that the reduced equations depend on: the model's text, the scene's outputs, the numbers
-    /// that it fixes, the held momenta, and the origins of distances.
+    /// Hash of everything on which the reduced equations depend: model text, scene outputs, numbers of the scene, held
+    /// momenta, pins of the frame, and origins of distances.
     #[must_use]
     pub fn key(&self) -> String {
         let arena = self.terms();
@@ -119,7 +120,7 @@ impl Reduction {
         text_hash(&text)
     }
 
-    /// The store of all terms.
+    /// Store of all terms of the reduction.
     #[must_use]
     pub fn terms(&self) -> &Arena {
         &self.derivation.arena

@@ -1,7 +1,7 @@
 //! Dependence of terms on variables, decided by meaning.
 //!
-//! A term may mention a variable and not depend on it: then the derivative is zero by identity, and any value may stand
-//! for the variable. Invariant: a definition mentions only symbols and what is defined before it.
+//! A term may mention a variable without depending on it: then the derivative is identically zero, and any value may
+//! replace the variable. Invariant: a definition contains only variables and symbols that are defined before it.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -10,20 +10,21 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Values that are put for a variable on which a term does not depend, in turn: at some the term has no value.
+/// Numbers that are tried in turn in place of a variable on which a term does not depend. A term may have no value at a
+/// number.
 const STANDINS: [(i64, i64); 4] = [(0, 1), (1, 1), (1, 2), (2, 1)];
 
 /// Decides on which variables terms depend by meaning, definitions included.
 #[derive(Clone)]
 pub struct Dependence {
-    /// Each symbol that stands for a term, after those that its term mentions.
+    /// Definitions of symbols, each after those that it uses.
     pub definitions: Vec<Definition>,
     inline: Substitution,
     known: FxHashMap<(Expr, Expr), bool>,
 }
 
 impl Dependence {
-    /// With these definitions.
+    /// Dependence of terms in the symbols of these definitions.
     pub fn new(arena: &mut Arena, definitions: Vec<Definition>) -> Self {
         let mut inline = Substitution::default();
         for definition in &definitions {
@@ -33,12 +34,12 @@ impl Dependence {
         Self { definitions, inline, known: FxHashMap::default() }
     }
 
-    /// The term in variables alone.
+    /// Writes out all definitions in a term.
     pub fn whole(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.inline.apply(arena, e)
     }
 
-    /// True if a term in variables alone depends on a symbol by meaning, or if that cannot be decided.
+    /// True if a term without definitions depends on a symbol by meaning, or if that cannot be decided.
     fn on(&mut self, arena: &mut Arena, whole: Expr, symbol: Expr) -> bool {
         if !arena.mentions(whole, symbol) {
             return false;
@@ -52,7 +53,7 @@ impl Dependence {
         answer
     }
 
-    /// The symbols that a term mentions, directly or in the definitions that it uses.
+    /// Symbols that terms mention, directly or in the definitions that they use.
     pub fn mentioned(&self, arena: &Arena, list: &[Expr]) -> FxHashSet<Expr> {
         let mut found: FxHashSet<Expr> = FxHashSet::default();
         found.extend(arena.reachable(list));
@@ -64,8 +65,8 @@ impl Dependence {
         found
     }
 
-    /// The term without the variables that it mentions and does not depend on; definitions that mention such are
-    /// written out.
+    /// Rewrites a term without the variables that it mentions but does not depend on. Definitions that mention such
+    /// variables are written out.
     pub fn settle(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, variables: &[Expr]) -> Expr {
         let whole = self.whole(arena, e);
         let mut e = e;
@@ -92,7 +93,7 @@ impl Dependence {
                 None => idle.iter().fold(e, |e, v| put_any(arena, simplifier, e, *v)),
             };
             if next == e && found.is_none() {
-                // What is left hangs together with definitions: they are all written out, and if that was so, it stays.
+                // The rest cancels only across definitions, so all definitions are written out.
                 let all = simplifier.simplify(arena, whole);
                 let all = idle.iter().fold(all, |e, v| put_any(arena, simplifier, e, *v));
                 return all;
@@ -102,7 +103,7 @@ impl Dependence {
     }
 }
 
-/// The term with a number in the place of a symbol on which it does not depend.
+/// Term with a number in place of a symbol on which it does not depend; unchanged if no number can be used.
 fn put_any(arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, symbol: Expr) -> Expr {
     if !arena.mentions(e, symbol) {
         return e;

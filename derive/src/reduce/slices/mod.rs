@@ -1,4 +1,4 @@
-//! Slices: the least set of variables that determines the outputs of a scene.
+//! Slices: the smallest set of variables that determines the outputs of a scene.
 
 pub(super) mod dependence;
 pub(super) mod one_degree;

@@ -1,5 +1,4 @@
-//! Potential energy of a system with one degree of freedom in a form without cancellation, for its solution by
-//! quadrature.
+//! Potential energy of a system with one degree of freedom in a form without cancellation, for solution by quadrature.
 
 use super::slice::Flow;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -10,21 +9,22 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::reduce::basis::ground::Ground;
 
-/// (V(b) − V(a))/(b − a) of the potential energy in the one coordinate among the states.
+/// Divided difference (V(b) − V(a))/(b − a) of the potential energy V, in the only coordinate among the states.
 #[derive(Clone, Debug)]
 pub struct Slope {
-    /// The symbols a and b.
+    /// Symbols of the coordinate's values a and b.
     pub ends: [Expr; 2],
-    /// The value, in parameters, a, b and the symbols below.
+    /// Value of the divided difference, in parameters, a, b and the symbols of `sincs`.
     pub value: Expr,
-    /// (symbol, z): the symbol stands for sin z/z.
+    /// Symbols in `value` that stand for sin z/z, as (symbol, z).
     pub sincs: Vec<(Expr, Expr)>,
-    /// Turns of 2 π of the coordinate after which rates, T and V repeat; `None` if no such number is found.
+    /// Turns of 2 π of the coordinate after which rates, T and V repeat; `None` if they do not repeat or no number is
+    /// found.
     pub turns: Option<Rational>,
 }
 
 impl Slope {
-    /// Change of the coordinate after which rates, T and V repeat.
+    /// Change of the coordinate, rad, after which rates, T and V repeat; `None` if `turns` is `None`.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.turns.as_ref().map(|turns| std::f64::consts::TAU * turns.to_f64())
@@ -32,8 +32,8 @@ impl Slope {
 }
 
 impl Flow {
-    /// The slope of the potential, if the system is one degree of freedom with q′ = k(q) v and T = ½ m(q) v², and the
-    /// rates of its quadratures are functions of q and v.
+    /// Slope of the potential energy for quadrature. `None` unless the system has one degree of freedom with q′ = k(q)
+    /// v and T = ½ m(q) v², and the rates of its quadratures are functions of q and v.
     pub(in crate::reduce) fn slope(&self, ground: &mut Ground, kinetic: Expr, potential: Expr) -> Option<Slope> {
         let [q, v] = self.core.as_slice() else { return None };
         if q.is_speed || !v.is_speed || self.quadratures.iter().any(|v| v.is_speed) {
@@ -70,7 +70,7 @@ impl Flow {
     }
 }
 
-/// True if e = xⁿ e(x = 1), by meaning.
+/// True if e = xⁿ e(x = 1) by meaning: e is homogeneous in x of degree n.
 fn is_homogeneous(arena: &mut Arena, e: Expr, x: Expr, n: i64) -> bool {
     let slope = Differential::partial(x).apply(arena, e);
     let times = arena.mul(x, slope);

@@ -11,14 +11,14 @@ use crate::scene::Scene;
 pub struct Wanted {
     /// Names and values of the outputs.
     pub outputs: Vec<(String, Expr)>,
-    /// The conditions of the domain.
+    /// Functions of the domain's conditions, which must be positive.
     pub conditions: Vec<Expr>,
-    /// The functions of the events.
+    /// Functions of the scene's events.
     pub events: Vec<Expr>,
 }
 
 impl Wanted {
-    /// Each value rewritten.
+    /// Wanted values with each value rewritten.
     pub fn map(&self, mut rewrite: impl FnMut(Expr) -> Expr) -> Self {
         Self {
             outputs: self.outputs.iter().map(|(name, e)| (name.clone(), rewrite(*e))).collect(),
@@ -27,7 +27,7 @@ impl Wanted {
         }
     }
 
-    /// Each value with its description.
+    /// All wanted values, each with its description.
     pub fn named(&self) -> Vec<(String, Expr)> {
         let outputs = self.outputs.iter().map(|(name, e)| (format!("the output {name}"), *e));
         let conditions = self.conditions.iter().map(|e| ("a condition of the domain".to_owned(), *e));
@@ -42,7 +42,7 @@ impl Wanted {
 }
 
 impl Ground {
-    /// Values that the scene shows or watches, in q and u; reactions from the force balance.
+    /// Values that the scene shows or watches, in q and u. The force balance gives reactions among them.
     pub(in crate::reduce) fn wanted(&mut self, scene: &Scene) -> Result<Wanted, DeriveError> {
         let mut rewrite = self.names(scene)?;
         let mut output = |ground: &mut Self, e: Expr| {
@@ -58,7 +58,7 @@ impl Ground {
         Ok(Wanted { outputs, conditions, events })
     }
 
-    /// Names that scenes may use beside those of the state: parameters as numbers, energies, reactions.
+    /// Values of the names that scenes may use besides those of the state: parameters as numbers, energies, reactions.
     fn names(&mut self, scene: &Scene) -> Result<Substitution, DeriveError> {
         let mut pairs = Vec::new();
         for (name, value) in &self.folded {
@@ -79,7 +79,7 @@ impl Ground {
         Ok(Substitution::new(&pairs))
     }
 
-    /// Each reaction in q and u.
+    /// Symbol of each reaction with its value in q and u.
     fn reactions(&mut self) -> Result<Vec<(Expr, Expr)>, DeriveError> {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         Ok(self.balance.clone()?.solved(&mut self.arena, &mut self.simplifier, &states))

@@ -1,7 +1,7 @@
-//! Dependence of the outputs on the variables, by meaning, and the least set of variables that they need.
+//! Dependence of the outputs on the variables, by meaning, and the smallest set of variables that they need.
 //!
-//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. If it does not, any value may stand for q₁, and terms
-//! that mention q₁ only by form vanish.
+//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. If u̇₁ does not depend on q₁, any value may replace q₁,
+//! and terms that contain q₁ only in form vanish.
 
 use super::dependence::Dependence;
 use super::outputs::Wanted;
@@ -15,56 +15,56 @@ use crate::reduce::basis::ground::Ground;
 use crate::reduce::levels::level::Level;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// A variable of the equations, and its rate.
+/// Variable of the equations, with its rate.
 #[derive(Clone, Copy, Debug)]
 pub struct Variable {
-    /// Its symbol.
+    /// Symbol of the variable.
     pub symbol: Expr,
-    /// Its rate in variables, held momenta and parameters.
+    /// Rate of the variable, in variables, held momenta and parameters.
     pub rate: Expr,
     /// True for a speed, false for a coordinate.
     pub is_speed: bool,
-    /// Its place among the model's coordinates or speeds.
+    /// Index of the variable among the model's coordinates or speeds.
     pub place: usize,
 }
 
-/// A position that a held momentum carries on at a constant rate, solved for a coordinate.
+/// Position of a mass centre that a held momentum moves at a constant rate, solved for a coordinate.
 #[derive(Clone, Copy, Debug)]
 pub struct Carried {
-    /// The coordinate.
+    /// Symbol of the coordinate.
     pub coordinate: Expr,
-    /// Its value in other variables, time, held momenta and the position at the start.
+    /// Value of the coordinate in other variables, time, held momenta and the position at the start.
     pub value: Expr,
-    /// The symbol of the position at the start.
+    /// Symbol of the position at the start.
     pub symbol: Expr,
-    /// The position in q.
+    /// Position as a function of q: a mass times a coordinate of the mass centre.
     pub position: Expr,
-    /// Index of the held momentum that moves it.
+    /// Index, among the held momenta, of the momentum that moves the position.
     pub held: usize,
 }
 
-/// The least closed set of variables on which the wanted quantities depend.
+/// Smallest closed set of variables on which the wanted quantities depend.
 #[derive(Clone)]
 pub struct Flow {
-    /// The variables on which others depend: coordinates first.
+    /// States: variables on which rates of others depend. Coordinates come first.
     pub core: Vec<Variable>,
-    /// Variables on which only wanted quantities depend, each after those it depends on.
+    /// Variables on which only wanted quantities depend, each after those on which it depends.
     pub quadratures: Vec<Variable>,
-    /// Variables of the model that are left out.
+    /// Variables of the model that the reduced system leaves out.
     pub dropped: Vec<Variable>,
-    /// Definitions of longer terms, and the test of dependence.
+    /// Definitions of longer terms, and the test of dependence on variables.
     pub dependence: Dependence,
-    /// The wanted quantities, in the variables that are kept.
+    /// Wanted quantities, in the kept variables.
     pub wanted: Wanted,
-    /// The energy, if it is conserved and a function of the kept variables.
+    /// Energy T + V; `None` if it is not conserved or depends on variables that are left out.
     pub energy: Option<Expr>,
-    /// Coordinates computed from the motion of a mass centre.
+    /// Coordinates that are computed from the motion of a mass centre.
     pub carried: Vec<Carried>,
-    /// The time since the start.
+    /// Symbol of the time since the start.
     pub time: Expr,
-    /// The matrix and the right-hand side of the speeds' rates, if that form of the equations is kept.
+    /// Matrix and right-hand side for the rates of the kept speeds; `None` if the solved rates are used.
     pub system: Option<(Vec<Vec<Expr>>, Vec<Expr>)>,
-    /// Each variable and its rate before terms on which it does not depend were taken out.
+    /// Symbol and rate of each variable, before terms on which the rate does not depend were removed.
     pub raw: Vec<(Expr, Expr)>,
 }
 
@@ -92,7 +92,7 @@ impl Flow {
             let moved = solved.apply(arena, moved);
             let short = simplifier.simplify(arena, moved);
             let short = dependence.settle(arena, simplifier, short, &symbols);
-            // Where roots or functions without rules leave a doubt, the term stays as it was stated.
+            // If roots or functions without rules make the result uncertain, the term is not rewritten.
             let (before, after) = (dependence.whole(arena, moved), dependence.whole(arena, short));
             let difference = arena.sub(before, after);
             if bounded_zero_test(arena, difference).0 == ZeroTest::Zero { short } else { moved }
@@ -133,7 +133,7 @@ impl Flow {
         self.core.iter().any(|v| v.symbol == symbol)
     }
 
-    /// Numbers of states, of integrated variables and of operations.
+    /// Numbers of states, of integrated variables and of operations of their rates.
     pub(in crate::reduce) fn weight(&self, ground: &Ground) -> (usize, usize, usize) {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate).collect::<Vec<_>>();
         let used = self.used(&ground.arena, &rates);
@@ -142,7 +142,7 @@ impl Flow {
         (self.core.len(), integrated, cost_of_all(&ground.arena, &rates))
     }
 
-    /// Sorts all variables anew into needed and unneeded ones.
+    /// Sorts all variables again into states, quadratures and dropped variables.
     pub(in crate::reduce) fn close(&mut self, arena: &Arena) {
         let mut all: Vec<Variable> =
             self.core.drain(..).chain(self.quadratures.drain(..)).chain(self.dropped.drain(..)).collect();
@@ -175,13 +175,13 @@ impl Flow {
         self.core = kept.into_iter().map(|(v, _)| v).collect();
     }
 
-    /// The definitions that these terms use, in order.
+    /// Definitions that terms use, in the order of computation.
     pub(in crate::reduce) fn used(&self, arena: &Arena, terms: &[Expr]) -> Vec<Definition> {
         let mentioned = self.dependence.mentioned(arena, terms);
         self.dependence.definitions.iter().copied().filter(|d| mentioned.contains(&d.symbol)).collect()
     }
 
-    /// Takes out coordinates on which no rate depends and that the uniform motion of a mass centre gives.
+    /// Removes coordinates on which no rate depends and that the uniform motion of a mass centre determines.
     fn carry(&mut self, ground: &mut Ground, level: &Level) {
         // A frame may move the mass centre.
         if ground.frame.is_some() {
@@ -189,9 +189,9 @@ impl Flow {
         }
         for (held, h) in level.held.iter().enumerate() {
             let momentum = &ground.momenta[h.momentum];
-            // What is left of a momentum on a singular surface is no rate of a position.
+            // On a singular surface the remaining part of a momentum is no rate of a position.
             let Some(position) = momentum.position.filter(|_| h.of_state == momentum.value) else { continue };
-            // What is watched is a function of the state alone, without the time.
+            // Events and conditions are functions of the state alone, without the time.
             let watched: Vec<Expr> = self.wanted.conditions.iter().chain(&self.wanted.events).copied().collect();
             let watched = self.dependence.mentioned(&ground.arena, &watched);
             let found = self.quadratures.iter().find_map(|v| {
@@ -221,7 +221,8 @@ impl Flow {
 }
 
 impl Ground {
-    /// Coordinates and kept speeds with their rates, and the definitions of these; `None` if the matrix is singular.
+    /// Coordinates and kept speeds with their rates, and the definitions that the rates use. `None` if the matrix is
+    /// singular.
     fn variables(&mut self, level: &Level) -> Option<(Vec<Variable>, Vec<Definition>)> {
         let mut list: Vec<Variable> = Vec::new();
         for (place, (symbol, rate)) in self.q.iter().zip(&self.kane.coordinate_rates).enumerate() {
@@ -253,7 +254,7 @@ impl Ground {
         Some((list, definitions))
     }
 
-    /// The symbol of the time since the start.
+    /// Symbol of the time since the start: `t`, or a new symbol if a variable or parameter has this name.
     fn time(&mut self) -> Expr {
         match self.arena.find_symbol("t") {
             Some(taken)
@@ -268,7 +269,8 @@ impl Ground {
         }
     }
 
-    /// A coordinate from position = start + momentum · t, if it enters the position with a constant factor.
+    /// Value of a coordinate from position = start + momentum · t, and the new symbol of the start. `None` unless the
+    /// coordinate enters the position with a constant factor.
     fn carried_coordinate(
         &mut self,
         coordinate: Expr,

@@ -1,6 +1,6 @@
-//! Grids: values of some numbers of a scene, such as `q2=0.01:1.5:100`, every one with every other.
+//! Grids: values of several numbers of a scene, such as `q2=0.01:1.5:100`, in every combination.
 //!
-//! Invariant: the values of a point depend on its index alone. Evenly spaced values are exact where both ends are: they
+//! Invariant: the values at a point depend on its index alone. Evenly spaced values are exact if both ends are: they
 //! are rounded once.
 
 use crate::algebra::Rational;
@@ -10,18 +10,18 @@ use crate::read::{Located, Reader};
 use crate::scene::numbers::values::{Number, Values, Varied};
 use crate::scene::{Scene, Stated};
 
-/// The most points that a grid may have.
+/// Largest number of points of a grid.
 pub const MOST_POINTS: u64 = 1_000_000_000;
 
 const HOW: &str = "write NAME=FROM:TO:COUNT, such as q2=0.01:1.5:100, NAME=FROM:TO:COUNT:log, or a list NAME=a,b,c";
 
-/// Every combination of the values of its axes, the last of which varies fastest.
+/// A grid of points: every combination of the values of its axes. The last axis varies fastest.
 #[derive(Clone, Debug)]
 pub struct Grid {
     axes: Vec<Axis>,
 }
 
-/// Values of one number of a scene.
+/// An axis of a grid: values of one number of a scene.
 #[derive(Clone, Debug)]
 struct Axis {
     name: String,
@@ -32,19 +32,20 @@ struct Axis {
 
 #[derive(Clone, Debug)]
 enum Spacing {
-    /// The first, the last, and the difference of neighbours where it is known.
+    /// Evenly spaced values: the first, the last, and the difference of neighbours, if it is known exactly.
     Even(Number, Number, Option<Rational>),
     Logarithmic(Number, Number),
     List(Vec<Number>),
 }
 
 impl Grid {
-    /// Reads one axis from each text; `named` is what errors call the texts.
+    /// Reads one axis of a grid from each text. Errors give `named` as the place of the texts.
     ///
     /// # Errors
-    /// [`Diagnostics`] for each text with errors: not of this form, a name that the scene's start does not state and
-    /// that is no parameter, a name that is there already, a count that is 0, ends that are not finite, not positive if
-    /// they are spaced by logarithms, or that mention a swept parameter; more than [`MOST_POINTS`] points.
+    /// [`Diagnostics`] for each text with errors: the text is no axis; the name is no parameter and the scene's start
+    /// does not state it; the name has an axis already; the count is 0. Another error is an end that is not finite,
+    /// that mentions a swept parameter, or that is not positive although spaced by logarithms. One more if the grid has
+    /// more than [`MOST_POINTS`] points.
     pub fn read(texts: &[String], named: &str, scene: &Scene, model: &mut Model) -> Result<Self, Vec<Diagnostics>> {
         let sources: Vec<Source> = texts.iter().map(|text| Source::from_text(named, text)).collect();
         let (mut axes, mut errors) = (Vec::<Axis>::new(), Vec::new());
@@ -81,12 +82,12 @@ impl Grid {
         if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
     }
 
-    /// One point, at which numbers of a scene have these values, each the shortest decimal that rounds to the double;
-    /// `named` is the word of errors for the list.
+    /// A grid of one point, at which numbers of a scene have these values. Each value is the shortest decimal that
+    /// rounds to the double. Errors give `named` as the place of the list.
     ///
     /// # Errors
-    /// [`Diagnostics`] for each value that is not finite and each name that the scene's start does not state and that
-    /// is no parameter.
+    /// [`Diagnostics`] for each value that is not finite, and for each name that is no parameter and that the scene's
+    /// start does not state.
     pub fn of_values(
         list: &[(String, f64)],
         named: &str,
@@ -113,14 +114,14 @@ impl Grid {
         if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
     }
 
-    /// Names of the numbers that vary, in the order in which they were given.
+    /// Names of the numbers that vary, in the order of the axes.
     #[must_use]
     pub fn names(&self) -> Vec<&str> {
         self.axes.iter().map(|axis| axis.name.as_str()).collect()
     }
 
-    /// Warnings about angles that were probably meant in degrees: they exceed one turn and have few decimals. One line
-    /// each.
+    /// Warnings about angles that were probably meant in degrees, since they exceed one turn and have at most two
+    /// decimals. One line each.
     #[must_use]
     pub fn hints(&self, model: &Model) -> Vec<String> {
         let of = |axis: &Axis| {
@@ -132,19 +133,19 @@ impl Grid {
         self.axes.iter().filter_map(of).collect()
     }
 
-    /// Number of points, at most [`MOST_POINTS`].
+    /// Number of points of the grid, at most [`MOST_POINTS`].
     #[must_use]
     pub fn count(&self) -> u64 {
         self.axes.iter().map(|axis| axis.count).product()
     }
 
-    /// The values of what varies, each the nearest double, at a point below [`Grid::count`].
+    /// Values of the varied numbers at a point, each the nearest double. The point is below [`Grid::count`].
     #[must_use]
     pub fn values(&self, point: u64) -> Vec<f64> {
         self.numbers(point).into_iter().map(|(_, number)| number.double).collect()
     }
 
-    /// The values with their places.
+    /// Values of the varied numbers at a point, each after its index in the model.
     pub(in crate::scene) fn numbers(&self, point: u64) -> Vec<(Varied, Number)> {
         let mut rest = point;
         let mut list: Vec<_> = self
@@ -162,7 +163,8 @@ impl Grid {
     }
 }
 
-/// The parameters of a scene as its file states them: its doubles have lost the rest.
+/// Values of a scene's parameters as its file states them, exact where they are rational. The scene's doubles are
+/// rounded.
 fn stated_parameters(scene: &Scene, model: &mut Model) -> Result<Vec<Number>, Diagnostics> {
     let (reader, table) = Reader::parse(&scene.source)?;
     let mut values = Values::new(reader, model);
@@ -174,14 +176,14 @@ fn stated_parameters(scene: &Scene, model: &mut Model) -> Result<Vec<Number>, Di
 /// Scene and parameters for which an axis is read.
 struct Context<'c> {
     scene: &'c Scene,
-    /// Values of all parameters of the scene.
+    /// Values of all parameters of the scene, as its file states them.
     parameters: &'c [Number],
-    /// Parameters that are swept.
+    /// Indices of the parameters that are swept.
     swept: &'c [usize],
 }
 
 impl Axis {
-    /// The value at a place below the count.
+    /// Value of the axis at an index below its count.
     fn value(&self, at: u64) -> Number {
         let last = self.count - 1;
         match &self.values {
@@ -195,11 +197,11 @@ impl Axis {
                 });
                 exact.map_or_else(|| Number::rounded(between(from.double, to.double, at, last)), Number::exact)
             }
-            // By decimal logarithms, of which those of powers of ten are exact.
+            // Decimal logarithms are exact for powers of ten.
             Spacing::Logarithmic(from, to) => {
                 let exponent = between(from.double.log10(), to.double.log10(), at, last);
                 let value = 10_f64.powf(exponent);
-                // Rounding must not lead out of the range that was asked for.
+                // Rounding must not lead out of the requested range.
                 let (least, most) = (from.double.min(to.double), from.double.max(to.double));
                 Number::rounded(value.clamp(least, most))
             }
@@ -207,14 +209,14 @@ impl Axis {
     }
 }
 
-/// The part at/last of the way, written so that ends of any size leave no overflow.
+/// Value at the part `at`/`last` of the way between two ends, written so that ends of any size do not overflow.
 fn between(from: f64, to: f64, at: u64, last: u64) -> f64 {
     let part = at as f64 / last as f64;
     from * (1.0 - part) + to * part
 }
 
 impl Values<'_, '_> {
-    /// The axis that the text of the source describes.
+    /// Reads the axis that the text of the source describes.
     fn axis(&mut self, context: &Context<'_>) -> Option<Axis> {
         let text = self.reader.source.text.as_str();
         let Some(equals) = text.find('=') else {
@@ -255,7 +257,7 @@ impl Values<'_, '_> {
         }
     }
 
-    /// Finds the number of a scene that has this name; reports a name that cannot be swept.
+    /// Finds the number of a scene with this name; reports a name that cannot be swept.
     pub(in crate::scene) fn place(
         &mut self,
         name: &str,
@@ -293,7 +295,7 @@ impl Values<'_, '_> {
         None
     }
 
-    /// An end of an axis or a value in a list: what a scene may state there.
+    /// Reads an end of an axis, or a value of a list: a formula that a scene may state for this number.
     fn value_of(&mut self, text: &Located, place: Varied, context: &Context<'_>) -> Option<Number> {
         if matches!(place, Varied::Parameter(_)) {
             return self.constant(text);
@@ -309,7 +311,7 @@ impl Values<'_, '_> {
         Some(number)
     }
 
-    /// A number above zero.
+    /// Reads an end of an axis, which must be above zero.
     fn positive(&mut self, text: &Located, place: Varied, context: &Context<'_>) -> Option<Number> {
         let number = self.value_of(text, place, context)?;
         if number.double <= 0.0 {
@@ -320,7 +322,7 @@ impl Values<'_, '_> {
         Some(number)
     }
 
-    /// A number of values.
+    /// Reads the number of values of an axis.
     fn points(&mut self, text: &Located) -> Option<u64> {
         let count = text.text.trim().replace('_', "").parse::<u64>().ok();
         let count = count.filter(|count| (1..=MOST_POINTS).contains(count));
@@ -332,7 +334,7 @@ impl Values<'_, '_> {
     }
 }
 
-/// The parts of a text from a place on.
+/// Parts of a text from a byte offset on, between separators.
 fn parts(text: &str, mut start: usize, separator: char) -> Vec<Located> {
     let list = text[start..].split(separator);
     let located = |part: &str| {
@@ -343,7 +345,7 @@ fn parts(text: &str, mut start: usize, separator: char) -> Vec<Located> {
     list.map(located).collect()
 }
 
-/// Evenly spaced values, the difference of neighbours known if both ends are.
+/// Evenly spaced values of an axis. The difference of neighbours is exact if both ends are.
 fn even(from: Number, to: Number, count: u64) -> Spacing {
     let intervals = i64::try_from(count - 1).ok().and_then(|n| Rational::fraction(n, 1)?.recip());
     let step = from.exact.as_ref().zip(to.exact.as_ref()).zip(intervals);

@@ -1,7 +1,7 @@
-//! A family of scenes: one file, read for many values of some of its numbers.
+//! A family of scenes: one scene file, read for many values of its numbers.
 //!
-//! Invariant: a member is what reading the file would give if the file said these values, formulas in the swept
-//! parameters included. The same code reads both; only the parsing is done once.
+//! Invariant: a member equals the scene of a file that states these values, including formulas in swept parameters. The
+//! same code reads both; only the parsing is done once.
 
 use super::axis::Grid;
 use crate::diagnostic::Diagnostics;
@@ -13,7 +13,7 @@ use crate::scene::{Numbers, Scene};
 use toml::Spanned;
 use toml::de::DeTable;
 
-/// A scene for every point of a grid.
+/// A family of scenes: a scene for every point of a grid.
 pub struct Family<'a> {
     scene: &'a Scene,
     grid: &'a Grid,
@@ -23,7 +23,7 @@ pub struct Family<'a> {
 }
 
 impl<'a> Family<'a> {
-    /// The family of the scene that a file gave for this model, over a grid that was read for it.
+    /// The family of a scene of this model, over a grid that was read for this scene.
     ///
     /// # Errors
     /// [`Diagnostics`] if the scene's text is not TOML, which it was when it was loaded.
@@ -32,9 +32,9 @@ impl<'a> Family<'a> {
         Ok(Self { scene, grid, table, model: model.clone(), terms: Terms::default() })
     }
 
-    /// The values of what varies at a point below [`Grid::count`], as [`Grid::values`] has them, and the scene there,
-    /// without a ladder; instead of the scene what these values make of it: a mass that is negative, a start without a
-    /// value.
+    /// Values of the varied numbers at a point below [`Grid::count`], as [`Grid::values`] gives them, and the scene
+    /// with these values, without a ladder. An error in place of the scene if the values permit none: a negative mass,
+    /// or a start without a value.
     pub fn point(&mut self, point: u64) -> (Vec<f64>, Result<Scene, Diagnostics>) {
         let given = self.grid.numbers(point);
         (given.iter().map(|(_, number)| number.double).collect(), self.scene(&given))

@@ -1,4 +1,4 @@
-//! A ladder: the same scene from several starts that differ in one number, to see where runs give way.
+//! A ladder: one scene from several starts that differ in one number, to find where runs fail.
 
 use crate::diagnostic::nearest;
 use crate::scene::numbers::values::{Number, Values};
@@ -6,19 +6,19 @@ use crate::scene::starts::start::{Exact, Stated};
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
-/// Values of one coordinate or generalized speed at the start.
+/// Values of one coordinate or generalized speed at the start, for one run each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ladder {
-    /// The name of the coordinate or speed.
+    /// Name of the coordinate or speed that varies.
     pub name: String,
-    /// Its place among coordinates, then speeds.
+    /// Index of the varied number among the coordinates, then the speeds.
     pub at: usize,
-    /// The values, a rung each.
+    /// Values at the start, one for each run.
     pub values: Vec<DoubleDouble>,
 }
 
 impl<'a> Values<'a, '_> {
-    /// `[ladder]` with one coordinate or speed and a list of values.
+    /// Reads `[ladder]`: one coordinate or speed with a list of values.
     pub fn ladder(&mut self, table: &'a DeTable<'a>, p: &[Number], start: &Exact) -> Option<Ladder> {
         const HOW: &str = "write one coordinate or speed with its values, as u2 = [1.6, 0.8]";
         let section = self.section(table, "ladder")?;

@@ -1,6 +1,6 @@
-//! Neighbours of a scene, from which derivatives of its start by one of its numbers are computed.
+//! Neighbours of a scene, from which derivatives of its start along one of its numbers are computed.
 //!
-//! Invariant: every number that depends on the changed one follows it to 32 digits: formulas, speeds from rates, and
+//! Invariant: every number that depends on the changed number follows it to 32 digits: formulas, speeds from rates, and
 //! coordinates that close loops.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
@@ -13,7 +13,7 @@ use toml::Spanned;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// A scene with one of its numbers changed.
+/// A scene that is read again for other values of one of its numbers.
 pub struct Nearby<'a> {
     scene: &'a Scene,
     table: Spanned<DeTable<'a>>,
@@ -25,11 +25,11 @@ pub struct Nearby<'a> {
 }
 
 impl<'a> Nearby<'a> {
-    /// The scenes beside `scene`, in which the numbers `set` have other values than its file says, as the number `name`
-    /// changes.
+    /// Scenes near `scene` for other values of the number `name`. The numbers `set` have other values than in the
+    /// scene's file.
     ///
     /// # Errors
-    /// [`Diagnostics`] for a name that is no parameter and no number that the start states.
+    /// [`Diagnostics`] for a name that is no parameter and that the start does not state.
     pub fn new(scene: &'a Scene, model: &Model, set: &[(String, f64)], name: &str) -> Result<Self, Diagnostics> {
         let mut model = model.clone();
         let source = Source::from_text("what is differentiated by", name);
@@ -50,7 +50,7 @@ impl<'a> Nearby<'a> {
         Ok(Self { scene, table, model, terms: Terms::default(), set, place, value })
     }
 
-    /// The value that changes, to 32 digits.
+    /// Value of the number that changes in the scene itself, to 32 digits.
     #[must_use]
     pub fn value(&self) -> DoubleDouble {
         self.value
@@ -67,10 +67,11 @@ impl<'a> Nearby<'a> {
         }
     }
 
-    /// The scene in which it is `value`: its parameters, its start, its span and the coefficients of its contacts.
+    /// The scene with this value of the changed number: its parameters, start, span and coefficients of contacts
+    /// follow.
     ///
     /// # Errors
-    /// [`Diagnostics`] if there is none, as where a mass is negative.
+    /// [`Diagnostics`] if no such scene exists, for example because a mass is negative.
     pub fn at(&mut self, value: DoubleDouble) -> Result<Scene, Diagnostics> {
         let given: Vec<_> = self.set.iter().cloned().chain([(self.place, Number::wide(value))]).collect();
         let mut values = Values {
@@ -93,7 +94,7 @@ impl<'a> Nearby<'a> {
     }
 }
 
-/// A number of a start to 32 digits.
+/// A parameter, or a number of a start, to 32 digits.
 fn of(exact: &Exact, place: Varied) -> DoubleDouble {
     match (place, &exact.motion) {
         (Varied::Parameter(at), _) => exact.parameters[at],

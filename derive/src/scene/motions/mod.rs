@@ -1,4 +1,4 @@
-//! Given motions, and tables of their samples.
+//! Given motions, for which forces are sought, and tables of their samples.
 
 pub(super) mod motion;
 #[cfg(feature = "files")]

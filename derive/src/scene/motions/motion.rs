@@ -1,4 +1,4 @@
-//! Motions that are given, whose forces are asked for: at one instant, by formulas of t, or by samples.
+//! Given motions, for which forces are sought: at one instant, by formulas of t, or by samples.
 
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::parse::parse;
@@ -11,10 +11,10 @@ use crate::scene::numbers::values::{Number, Values, extended};
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// Instants that a motion may be asked at.
+/// Largest number of instants at which a motion is evaluated.
 const MOST: usize = 1_000_000;
 
-/// A motion.
+/// A given motion, with the values of the parameters.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// Values of the parameters, in the order of the model.
@@ -26,22 +26,22 @@ pub struct Motion {
 /// Form of a given motion.
 #[derive(Clone, Debug)]
 pub enum Given {
-    /// Coordinates, speeds and accelerations at instants.
+    /// Coordinates, speeds and accelerations at successive instants.
     Samples(Vec<Moving>),
-    /// Coordinates as formulas.
+    /// Coordinates as formulas of t.
     Formulas(Formulas),
 }
 
-/// One instant of a motion.
+/// State and accelerations at one instant of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moving {
-    /// The instant, s, if it is known.
+    /// Instant of the state, s; `None` if it is not known.
     pub t: Option<f64>,
-    /// Coordinates, time among them where the model names it.
+    /// Coordinates, in the order of the model, time included if the model names it.
     pub q: Vec<DoubleDouble>,
-    /// Generalized speeds.
+    /// Generalized speeds, in the order of the model.
     pub u: Vec<DoubleDouble>,
-    /// Their rates.
+    /// Time derivatives of the generalized speeds, in the order of the model.
     pub rates: Vec<DoubleDouble>,
 }
 
@@ -50,19 +50,20 @@ pub struct Moving {
 pub struct Formulas {
     /// Symbol of time t.
     pub time: Expr,
-    /// Each coordinate with its first and its second derivative, in parameters and t; `None` for those that loops
-    /// determine.
+    /// Each coordinate with its first and second time derivatives, in parameters and t; `None` for a coordinate that
+    /// loops determine.
     pub coordinates: Vec<Option<[Expr; 3]>>,
-    /// Guesses from which the search for the other coordinates starts; 0 for all others.
+    /// Guesses for the coordinates that loops determine, from which the search for them starts; 0 if none is given.
     pub guesses: Vec<f64>,
-    /// The instants, s.
+    /// Instants at which the motion is evaluated, s.
     pub instants: Vec<f64>,
 }
 
-/// Reads a motion: `[state]` with `[accelerations]`, or `[motion]` with `[times]`.
+/// Reads a motion file: `[state]` with `[accelerations]`, or `[motion]` with `[times]`. Puts its formulas of inputs
+/// into the model.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the file.
+/// [`Diagnostics`] with every error of the motion file.
 pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnostics> {
     let (mut reader, table) = Reader::parse(source)?;
     reader.schema(table.get_ref());
@@ -97,7 +98,7 @@ pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnos
 }
 
 impl<'a> Values<'a, '_> {
-    /// `[state]` and `[accelerations]`.
+    /// Reads `[state]` and `[accelerations]` of a motion file.
     fn at_instant(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Moving> {
         let state = self.section(table, "state")?;
         let start = self.state(table, state, parameters);
@@ -120,13 +121,13 @@ impl<'a> Values<'a, '_> {
         }
         let start = start?;
         let t = self.model.time().map(|at| start.q[at]);
-        // Speeds by rates are known in doubles.
+        // Speeds that follow from stated rates are known in doubles.
         let by_rates = || start.u.iter().map(|x| DoubleDouble::from(*x)).collect();
         let u = if let crate::scene::Stated::Speeds(u) = start.exact.motion { u } else { by_rates() };
         Some(Moving { t, q: start.exact.q, u, rates: rates.into_iter().collect::<Option<_>>()? })
     }
 
-    /// `[motion]`, `[times]` and `[guess]`.
+    /// Reads `[motion]`, `[times]` and `[guess]` of a motion file.
     fn formulas(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Formulas> {
         let time = self.model.arena.symbol(TIME);
         let mut formulas: Vec<Option<Expr>> = vec![None; self.model.coordinates.len()];
@@ -174,7 +175,7 @@ impl<'a> Values<'a, '_> {
         at
     }
 
-    /// A formula in parameters and t.
+    /// Reads a formula in parameters and t.
     fn of_time(&mut self, formula: &Located, time: Expr) -> Option<Expr> {
         let model = &mut *self.model;
         let own = model.parameters.iter().filter(|p| !p.is_input).map(|p| (p.name.clone(), p.symbol));
@@ -206,7 +207,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// `[times]`: evenly spaced, both ends included.
+    /// Reads `[times]`: evenly spaced instants, s, both ends included.
     fn instants(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Vec<f64>> {
         let example = "add [times] with from = 0, to = 2, count = 101";
         let Some(section) = self.section(table, "times") else {

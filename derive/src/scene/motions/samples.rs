@@ -1,15 +1,15 @@
-//! Tables of measured or planned motions: a row an instant, with a column for each coordinate, speed and acceleration.
+//! Tables of measured or planned motions: a row for each instant, a column for each coordinate, speed and acceleration.
 
 use super::motion::Moving;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest, shown};
 use crate::model::{Model, TIME};
 use tripos_traits::DoubleDouble;
 
-/// Reads the samples of a CSV file with the columns `q`, `u` and `u'` of the model's names, and `t` if it is there.
-/// Other columns are ignored.
+/// Reads samples of a motion from a CSV file. Its columns have the model's names of q, u and u', and `t` if it is
+/// there. Other columns are ignored.
 ///
 /// # Errors
-/// [`Diagnostics`] with the errors of the file.
+/// [`Diagnostics`] with the first error of the CSV file.
 pub fn load_samples(source: &Source, model: &Model) -> Result<Vec<Moving>, Diagnostics> {
     let wrong =
         |message: String, help: String| Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)]);

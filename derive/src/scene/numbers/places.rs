@@ -1,5 +1,5 @@
-//! Positions and velocities that formulas of scenes name: `p(P) @ N [3]`, `v(wheel, P) @ N [1]`, `omega(B) @ N [3]`,
-//! `distance(P, Q)`.
+//! Positions and velocities that formulas of scenes name, such as `p(P) @ N [3]`, `v(wheel, P) @ N [1]`,
+//! `omega(B) @ N [3]` and `distance(P, Q)`.
 
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::parse::{VelocityName, VelocityOf};
@@ -8,12 +8,12 @@ use crate::diagnostic::nearest;
 use crate::geometry::{Frames, Motion, Vector};
 use crate::model::Model;
 
-/// Positions and velocities of a model, found when the first formula names one.
+/// Positions and velocities of a model; they are derived when the first formula names one.
 #[derive(Default)]
 pub(in crate::scene) struct Places(Option<(Frames, Motion)>);
 
 impl Places {
-    /// Component that a formula names, in q and q̇, or a message about a part of it that the model does not have.
+    /// Component of a position or velocity that a formula names, in q and q̇. A message if the model lacks a named part.
     pub fn component(&mut self, model: &Model, arena: &mut Arena, name: &VelocityName<'_>) -> Result<Expr, Refused> {
         let (frames, motion) = self.0.get_or_insert_with(|| {
             let mut frames = Frames::new(&model.frames);
@@ -45,13 +45,13 @@ impl Places {
                 motion.angular[of_body.map_or_else(|| frame_of(name), |(frame, _)| Ok(*frame))?].clone()
             }
         };
-        // The axes of `distance` are those of the inertial frame, the first one.
+        // The axes of `distance` are those of the inertial frame, which is the first frame.
         let frame = if name.frame.0.is_empty() { 0 } else { frame_of(name.frame.0)? };
         Ok(frames.component(arena, &vector, frame, name.axis))
     }
 }
 
-/// Message about an unknown name, and the name that may be meant.
+/// Message about an unknown name, and a known name that may be meant.
 type Refused = (String, Option<String>);
 
 fn place<'n>(what: &str, mut known: impl Iterator<Item = &'n str> + Clone, name: &str) -> Result<usize, Refused> {

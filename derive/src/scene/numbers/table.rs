@@ -1,29 +1,30 @@
 //! Tables of measured or planned signals as formulas of time.
 //!
-//! Between its rows a table is a polynomial. The formula adds up the changes of the signal in all intervals. Each is a
-//! function of a clock that runs in that interval alone, so that nothing large is subtracted.
+//! Between two rows a table is a polynomial. The formula adds up the changes of the signal in all intervals. Each
+//! change is a function of a clock that runs in that interval alone, so that no large numbers are subtracted.
 
 use nalgebra::{DMatrix, DVector};
 use std::fmt::Write;
 use std::path::Path;
 
-/// Rows that a table may have.
+/// Largest number of rows of a table.
 const MOST_ROWS: usize = 250;
 
 /// Interpolation of a table between its rows.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
-    /// Straight lines.
+    /// Straight lines between the rows.
     Linear,
-    /// The cubic spline with two continuous derivatives, and three next to the ends (C. de Boor, *A Practical Guide to
-    /// Splines* (1978), chapter IV: not-a-knot).
+    /// The cubic spline with two continuous derivatives, and three next to the ends: not-a-knot (C. de Boor, *A
+    /// Practical Guide to Splines* (1978), chapter IV).
     Cubic,
 }
 
-/// Message about a table, and advice.
+/// Message about a table that cannot be used, and advice.
 type Wrong = (String, String);
 
-/// The formula in t of a column of a CSV file over the column of time, for a run over `span`.
+/// Formula in t of a column of a CSV file. `columns` are the names of the time column and of the signal column. The run
+/// covers `span`, s.
 pub fn interpolated(path: &Path, columns: [&str; 2], how: Interpolation, span: (f64, f64)) -> Result<String, Wrong> {
     let rows = read(path, columns)?;
     let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
@@ -88,7 +89,7 @@ fn read(path: &Path, columns: [&str; 2]) -> Result<Vec<(f64, f64)>, Wrong> {
     Ok(rows)
 }
 
-/// f(t₁) + Σ p_k(τ_k), τ_k being the time spent in interval k: (|t − t_k| − |t − t_k₊₁| + h_k)/2.
+/// Formula f(t₁) + Σ p_k(τ_k) of a table. The time spent in interval k is τ_k = (|t − t_k| − |t − t_k₊₁| + h_k)/2.
 fn formula(rows: &[(f64, f64)], how: Interpolation) -> String {
     let slopes = if how == Interpolation::Cubic { spline_slopes(rows) } else { Vec::new() };
     let mut text = number(rows[0].1);
@@ -96,7 +97,7 @@ fn formula(rows: &[(f64, f64)], how: Interpolation) -> String {
         let [(a, from), (b, to)] = [pair[0], pair[1]];
         let (h, rise) = (b - a, (to - from) / (b - a));
         let clock = format!("((abs(t - {}) - abs(t - {}) + {})/2)", number(a), number(b), number(h));
-        // Writing to a text does not fail.
+        // Writing to a string does not fail.
         let _ = match slopes.get(at..at + 2) {
             None => write!(text, " + {}*{clock}", number(rise)),
             Some(ends) => {
@@ -110,7 +111,8 @@ fn formula(rows: &[(f64, f64)], how: Interpolation) -> String {
     text
 }
 
-/// A double as it is, over a power of 2: sums of such have denominators that do not grow.
+/// Exact text of a double, as a whole number over a power of 2. Sums of such numbers have denominators that do not
+/// grow.
 fn number(x: f64) -> String {
     let (mut whole, mut twos) = (x, 0);
     while whole.fract() != 0.0 {
@@ -119,7 +121,7 @@ fn number(x: f64) -> String {
     if twos == 0 { format!("({whole})") } else { format!("({whole}/2^{twos})") }
 }
 
-/// The slopes of the spline at the rows, of which there are at least four.
+/// Slopes of the spline at the rows of a table, which has at least four rows.
 fn spline_slopes(rows: &[(f64, f64)]) -> Vec<f64> {
     let n = rows.len();
     let h: Vec<f64> = rows.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
@@ -131,7 +133,7 @@ fn spline_slopes(rows: &[(f64, f64)]) -> Vec<f64> {
         matrix[(k, k)] = 2.0 * (1.0 / h[k - 1] + 1.0 / h[k]);
         right[k] = 3.0 * (rise[k - 1] / h[k - 1] + rise[k] / h[k]);
     }
-    // One cubic on either side of the second row and of the last but one.
+    // The spline is one cubic on both sides of the second row, and on both sides of the last row but one.
     for (row, k) in [(0, 0), (n - 1, n - 3)] {
         let (one, two) = (1.0 / (h[k] * h[k]), 1.0 / (h[k + 1] * h[k + 1]));
         (matrix[(row, k)], matrix[(row, k + 1)], matrix[(row, k + 2)]) = (one, one - two, -two);

@@ -1,7 +1,7 @@
-//! Numbers in scene and state files: exact formulas in parameters, parsed once, evaluated for each reading.
+//! Numbers in scene and state files: exact formulas in parameters, parsed once, and evaluated for each reading.
 //!
-//! Invariant: what a reading gives depends on the file and on the numbers given in its stead, never on earlier
-//! readings.
+//! Invariant: the result of a reading depends only on the file and on the numbers that replace those of the file, never
+//! on earlier readings.
 
 use super::places::Places;
 use crate::algebra::term::calculus::Substitution;
@@ -17,49 +17,49 @@ use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// A number of a file.
+/// A number of a scene or state file.
 #[derive(Clone, Debug)]
 pub struct Number {
     /// The number rounded to a double.
     pub double: f64,
-    /// Exact value, where it is known: not for function values such as √2.
+    /// Exact value; `None` if it is not known, as for function values such as √2.
     pub exact: Option<Rational>,
-    /// To 32 digits, where they are known.
+    /// Value of the number to 32 digits, where they are known.
     extended: DoubleDouble,
 }
 
 impl Number {
-    /// Known exactly.
+    /// A number whose value is known exactly.
     pub fn exact(value: Rational) -> Self {
         Self { double: value.to_f64(), extended: DoubleDouble::of(&value), exact: Some(value) }
     }
 
-    /// A number of which no more than the double is known.
+    /// A number whose value is known only as a double.
     pub fn rounded(double: f64) -> Self {
         Self { double, exact: None, extended: double.into() }
     }
 
-    /// To 32 digits.
+    /// A number whose value is known to 32 digits.
     pub fn wide(extended: DoubleDouble) -> Self {
         Self { double: extended.hi(), exact: None, extended }
     }
 
-    /// To 32 digits, where they are known.
+    /// Value of the number to 32 digits, where they are known.
     pub fn extended(&self) -> DoubleDouble {
         self.extended
     }
 }
 
-/// A number of a scene that may be given instead of what its file says, by its place in the model.
+/// A number of a scene that may replace that of its file, by its index in the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Varied {
-    /// A parameter.
+    /// Value of a parameter, by the parameter's index.
     Parameter(usize),
-    /// A coordinate at the start.
+    /// Value of a coordinate at the start, by the coordinate's index.
     Coordinate(usize),
-    /// The rate of a coordinate at the start.
+    /// Value of a coordinate's rate at the start, by the coordinate's index.
     Rate(usize),
-    /// A generalized speed at the start.
+    /// Value of a generalized speed at the start, by the speed's index.
     Speed(usize),
 }
 
@@ -69,68 +69,68 @@ fn degree(arena: &mut Arena) -> Expr {
     arena.scale(pi, &Rational::fraction(1, 180).expect("not zero"))
 }
 
-/// Parsed formulas of a file, which do not change from one reading to the next.
+/// Parsed formulas of a file, which stay the same in every reading.
 #[derive(Default)]
 pub struct Terms {
-    /// Formulas by their places in the file.
+    /// Formulas by the byte offset at which they begin in the file.
     formulas: FxHashMap<usize, Term>,
-    /// The generalized speeds as functions of parameters, q and q̇.
+    /// Program of the generalized speeds as functions of parameters, q and q̇.
     pub(in crate::scene) speeds: Option<Tape>,
-    /// Terms that are linear in the rates: constraints and speeds.
+    /// Program of terms that are linear in the rates: motion constraints and speeds.
     pub(in crate::scene) conditions: Option<Tape>,
 }
 
-/// A formula of a file.
+/// A parsed formula of a file.
 struct Term {
     expression: Expr,
     tape: Tape,
-    /// True if the formula contains a parameter.
+    /// True if the formula contains a parameter or a name of the file.
     varies: bool,
-    /// Its value, once it was evaluated, if it mentions no parameter.
+    /// Value of the formula once it was evaluated, if it contains no parameter.
     constant: Option<Number>,
 }
 
-/// Rounded to doubles.
+/// Numbers rounded to doubles.
 pub fn doubles(numbers: &[Number]) -> Vec<f64> {
     numbers.iter().map(|n| n.double).collect()
 }
 
-/// To 32 digits, where they are known.
+/// Numbers to 32 digits, where they are known.
 pub fn extended(numbers: &[Number]) -> Vec<DoubleDouble> {
     numbers.iter().map(Number::extended).collect()
 }
 
-/// Reads values that belong to a model.
+/// Reader of a file whose values belong to a model.
 pub struct Values<'a, 'm> {
     pub reader: Reader<'a>,
     pub model: &'m mut Model,
-    /// Formulas that were met before, in this file.
+    /// Parsed formulas of this file.
     pub terms: Terms,
-    /// Numbers that stand in the stead of the file's.
+    /// Numbers that replace those of the file.
     pub given: &'m [(Varied, Number)],
-    /// The instant of the state, s, where the file states it elsewhere.
+    /// Instant of the state, s, if the file states it outside of the state, as by a scene's span.
     pub instant: Option<Number>,
-    /// Numbers that the file names for itself.
+    /// Numbers that the file names for itself: name, symbol, value.
     pub names: Vec<(String, Expr, Number)>,
     /// True if formulas that are not rational are evaluated to 32 digits, as derivatives of a start require.
     pub is_wide: bool,
 }
 
 impl<'a, 'm> Values<'a, 'm> {
-    /// A reader of a file that is read once, as it is.
+    /// A reader of a file that is read once, without replaced numbers.
     pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
         Self { reader, model, terms: Terms::default(), given: &[], instant: None, names: Vec::new(), is_wide: false }
     }
 }
 
 impl<'a> Values<'a, '_> {
-    /// A table under a key, if there is one.
+    /// The table under a key; `None` if it is absent or no table.
     pub fn section(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<&'a DeTable<'a>> {
         let value = self.reader.get(table, key)?;
         self.reader.table(value, &format!("`{key}`"), &format!("[{key}]"))
     }
 
-    /// Values of all parameters: those stated, the model's defaults for the rest.
+    /// Values of all parameters: those that the file states, and the model's defaults for the others.
     pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Option<Vec<Number>> {
         let mut values: Vec<Option<Number>> = vec![None; self.model.parameters.len()];
         let mut places = vec![None; values.len()];
@@ -178,7 +178,8 @@ impl<'a> Values<'a, '_> {
         Some(values)
     }
 
-    /// Refuses values at which a body cannot exist, where the first of them that matters is stated.
+    /// Reports values at which a body cannot exist, at the first stated value on which the body's mass or inertia
+    /// depends.
     fn check_bodies(&mut self, values: &[Number], places: &[Option<std::ops::Range<usize>>]) {
         for (message, help, parameters) in self.model.impossible(&doubles(values)) {
             match parameters.into_iter().find_map(|at| places[at].clone()) {
@@ -195,7 +196,7 @@ impl<'a> Values<'a, '_> {
             .then(|| format!("`{}` is stated to be positive but is {}", parameter.name, number.double))
     }
 
-    /// Reports a number that is stated in a unit of another kind.
+    /// Reports a number whose unit is not of the quantity's kind.
     pub(in crate::scene) fn check_unit(&mut self, formula: &Located, unit: &Unit, name: &str) {
         if let Some(stated) = StatedUnit::of(&formula.text).filter(|stated| stated.unit != *unit) {
             let message = format!("`{name}` is in {}, but this number in {}", unit.words(), stated.unit.words());
@@ -203,12 +204,12 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// A formula of numbers, `deg` and `pi`.
+    /// Number from a formula of numbers, `deg` and `pi`.
     pub fn constant(&mut self, formula: &Located) -> Option<Number> {
         self.evaluate(formula, &[], "a parameter's value")
     }
 
-    /// A formula of numbers, `deg`, `pi` and parameters.
+    /// Number from a formula of numbers, `deg`, `pi`, parameters and names of the file.
     pub fn number(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
         self.evaluate(formula, parameters, what)
     }
@@ -252,18 +253,18 @@ impl<'a> Values<'a, '_> {
         Some(number)
     }
 
-    /// True if a formula that was evaluated contains a parameter.
+    /// True if a formula that was evaluated before contains this parameter.
     pub fn mentions(&self, formula: &Located, parameter: usize) -> bool {
         let term = self.terms.formulas.get(&formula.span.start);
         term.is_some_and(|t| self.model.arena.mentions(t.expression, self.model.parameters[parameter].symbol))
     }
 
-    /// The term of a formula that was evaluated.
+    /// Term of a formula that was evaluated before; `None` for another formula.
     pub fn expression(&self, formula: &Located) -> Option<Expr> {
         self.terms.formulas.get(&formula.span.start).map(|term| term.expression)
     }
 
-    /// A formula in the first `known` parameters and the names of the file, parsed.
+    /// Parses a formula in the first `known` parameters and the names of the file.
     fn term(&mut self, formula: &Located, known: usize, what: &str) -> Option<Term> {
         let model = &mut *self.model;
         let known: Vec<(String, Expr)> =
@@ -289,7 +290,7 @@ impl<'a> Values<'a, '_> {
                 return None;
             }
         };
-        // Without functions a value is exact.
+        // A value without functions is exact.
         let lost = lost_constant(&model.arena, expression);
         if let Some(lost) = lost.filter(|lost| exact_value(&model.arena, *lost, &[]).is_none()) {
             self.reader.lost(&model.arena, formula, lost);
@@ -301,12 +302,13 @@ impl<'a> Values<'a, '_> {
         Some(Term { expression, tape, varies, constant: None })
     }
 
-    /// A formula in everything that has a value during a run.
+    /// Reads a formula of any quantities that have a value during a run.
     pub fn motion_formula(&mut self, formula: &Located) -> Option<Expr> {
         self.motion_formula_with(formula, &[])
     }
 
-    /// A formula of a motion that may also mention `others`, such as accelerations; names of the model hide them.
+    /// Reads a formula of a motion that may also contain `others`, such as energies, and accelerations; names of the
+    /// model take precedence.
     pub fn motion_formula_with(&mut self, formula: &Located, others: &[&str]) -> Option<Expr> {
         let model = &mut *self.model;
         let mut known: Vec<(String, Expr)> = Vec::new();
@@ -370,7 +372,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// A formula, in which forces and torques between bodies are replaced by terms in reactions.
+    /// A formula in which terms in reactions replace forces and torques between bodies.
     fn with_interactions(&mut self, e: Expr, stated: &[StatedInteraction]) -> Option<Expr> {
         let mut pairs = Vec::new();
         for interaction in stated {

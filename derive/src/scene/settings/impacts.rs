@@ -1,4 +1,4 @@
-//! Contacts of a scene: where bodies meet, how they part, and what slows or holds them along the contact.
+//! Contacts of a scene: where bodies meet, how they part, and the friction along the contact.
 //!
 //! Contacts, and the energy that a collision costs, are assumptions of a scene about its mechanism. The equations of
 //! the model do not change with them, nor does their hash.
@@ -15,64 +15,65 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
-/// Law of restitution: it determines how much of the closing velocity, or of the impulse of compression, comes back.
+/// Law of restitution: it gives the part of the closing velocity, or of the impulse of compression, that returns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ImpactLaw {
-    /// Newton's: the normal velocity after is −e times the one before, or more where other contacts push.
+    /// Newton's law: the normal velocity after the impact is −e times that before it, or more if other contacts push.
     #[default]
     Newton,
-    /// Poisson's: the impulse of expansion is e times that of compression.
+    /// Poisson's law: the impulse of expansion is e times the impulse of compression.
     Poisson,
 }
 
 impl ImpactLaw {
-    /// The names in scene files.
+    /// Names of the laws of restitution in scene files.
     pub const NAMES: [&str; 2] = ["newton", "poisson"];
 }
 
-/// A contact of a scene.
+/// A contact of a scene, at which bodies meet and part.
 #[derive(Clone, Debug)]
 pub struct Impact {
-    /// Its name.
+    /// Name of the contact.
     pub name: String,
-    /// The gap, in parameters and coordinates: positive apart, 0 where the bodies meet.
+    /// Gap of the contact, in parameters and coordinates: positive if the bodies are apart, 0 if they touch.
     pub gap: Expr,
-    /// Its rate in parameters, q and q̇.
+    /// Time derivative of the gap, in parameters, q and q̇.
     pub rate: Expr,
-    /// Velocities that no longer slip when the contact closes, in parameters, q, q̇ and u; empty for a smooth contact.
+    /// Velocities along the contact that become zero when it closes, in parameters, q, q̇ and u; empty for a smooth
+    /// contact.
     pub slips: Vec<Expr>,
-    /// Coulomb friction, for a contact that has it; it then has no velocities that do not slip.
+    /// Coulomb friction of the contact; `None` for a contact without it. A contact with friction has no `slips`.
     pub friction: Option<ContactFriction>,
-    /// The coefficient of restitution, from 0 to 1.
+    /// Coefficient of restitution of the contact, from 0 to 1.
     pub restitution: f64,
-    /// Its value to 32 digits, where they are known.
+    /// Coefficient of restitution to 32 digits, where they are known.
     pub restitution_extended: DoubleDouble,
-    /// The law; one for all contacts of a scene.
+    /// Law of restitution, the same for all contacts of a scene.
     pub law: ImpactLaw,
 }
 
-/// Coulomb friction at a contact: at most the coefficient times the force along the gap.
+/// Coulomb friction at a contact: at most the coefficient times the normal force.
 #[derive(Clone, Debug)]
 pub struct ContactFriction {
-    /// The velocity at which the contact slips, in parameters, q, q̇ and u, linear in q̇ and u.
+    /// Velocity at which the contact slips, in parameters, q, q̇ and u, linear in q̇ and u.
     pub along: Expr,
-    /// The coefficient, 0 or more.
+    /// Coefficient of friction, 0 or more.
     pub coefficient: f64,
-    /// Its value to 32 digits, where they are known.
+    /// Coefficient of friction to 32 digits, where they are known.
     pub coefficient_extended: DoubleDouble,
 }
 
-/// The coefficients of a contact.
+/// Coefficients of restitution and friction of a contact.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Coefficients {
-    /// The coefficient of restitution.
+    /// Coefficient of restitution, from 0 to 1.
     restitution: Number,
-    /// The coefficient of friction, if the contact has one.
+    /// Coefficient of friction; `None` if the contact has no friction.
     friction: Option<Number>,
 }
 
 impl Impact {
-    /// This contact with other coefficients.
+    /// This contact with other coefficients of restitution and friction.
     pub(in crate::scene) fn with(&self, of: &Coefficients) -> Self {
         let friction = self.friction.as_ref().zip(of.friction.as_ref()).map(|(own, mu)| ContactFriction {
             coefficient: mu.double,
@@ -84,16 +85,16 @@ impl Impact {
     }
 }
 
-/// The most contacts of a scene: which of them push is looked for among all of their subsets.
+/// Largest number of contacts of a scene. The contacts that push are sought among all subsets of the contacts.
 const MOST: usize = 10;
-/// The most contacts with friction: their behaviour is sought among all combinations of sticking, slipping either way
-/// and opening.
+/// Largest number of contacts with friction. Their behaviour is sought among all combinations of sticking, slipping
+/// either way and opening.
 const MOST_ROUGH: usize = 4;
-/// The key of the section.
+/// Key of the section that states contacts.
 const IMPACTS: &str = "impacts";
 
 impl<'a> Values<'a, '_> {
-    /// The coefficients of contacts, in the order of the file, for these values of parameters.
+    /// Reads the coefficients of contacts, in the order of the scene file, at these values of the parameters.
     pub(in crate::scene) fn coefficients(
         &mut self,
         table: &'a DeTable<'a>,
@@ -119,7 +120,8 @@ impl<'a> Values<'a, '_> {
         list
     }
 
-    /// A coefficient of a contact: key and contact, what it may be, and what is said if it is not.
+    /// Reads a coefficient of a contact, given its key, the contact's name, its permitted values, and words for an
+    /// error.
     fn coefficient(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
@@ -137,7 +139,7 @@ impl<'a> Values<'a, '_> {
         Some(number)
     }
 
-    /// Reads `[impacts.NAME]`, with coefficients that were read before, for a start at these values.
+    /// Reads the contacts `[impacts.NAME]`, with coefficients that were read before.
     pub(in crate::scene) fn impacts(&mut self, table: &'a DeTable<'a>, coefficients: &[Coefficients]) -> Vec<Impact> {
         let Some(section) = self.section(table, IMPACTS) else { return Vec::new() };
         let (mut places, mut list) = (Places::default(), Vec::<Impact>::new());
@@ -197,7 +199,7 @@ impl<'a> Values<'a, '_> {
         list
     }
 
-    /// `friction = "mu"` with `along = "v(A) @ N [1]"`.
+    /// Reads the friction of a contact: `friction = "mu"` with `along = "v(A) @ N [1]"`.
     fn friction(
         &mut self,
         places: &mut Places,
@@ -230,7 +232,7 @@ impl<'a> Values<'a, '_> {
         Some(ContactFriction { along: slip, coefficient: mu.double, coefficient_extended: mu.extended() })
     }
 
-    /// A velocity along a contact.
+    /// Reads a velocity along a contact; reports one that is not linear in rates and speeds.
     fn slip(&mut self, places: &mut Places, formula: &Located) -> Option<Expr> {
         let slip = self.contact_formula(places, formula, true)?;
         let model = &mut *self.model;
@@ -250,7 +252,7 @@ impl<'a> Values<'a, '_> {
         Some(slip)
     }
 
-    /// A gap and its rate.
+    /// Reads the gap of a contact. Returns the gap and its time derivative.
     fn gap(&mut self, places: &mut Places, formula: &Located) -> Option<(Expr, Expr)> {
         let gap = self.contact_formula(places, formula, false)?;
         let model = &mut *self.model;
@@ -264,7 +266,7 @@ impl<'a> Values<'a, '_> {
         Some((gap, rate))
     }
 
-    /// `no_slip = ["v(A) @ N [1]"]`.
+    /// Reads the velocities of a contact that become zero when it closes: `no_slip = ["v(A) @ N [1]"]`.
     fn slips(&mut self, places: &mut Places, entry: &'a DeTable<'a>) -> Vec<Expr> {
         let Some(value) = self.reader.get(entry, "no_slip") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
@@ -280,7 +282,7 @@ impl<'a> Values<'a, '_> {
         list
     }
 
-    /// A formula in parameters, coordinates and positions, and, `with_rates`, in rates, speeds and velocities.
+    /// Reads a formula in parameters, coordinates and positions. If `with_rates`, also in rates, speeds and velocities.
     fn contact_formula(&mut self, places: &mut Places, formula: &Located, with_rates: bool) -> Option<Expr> {
         let model = &mut *self.model;
         let mut arena = std::mem::take(&mut model.arena);

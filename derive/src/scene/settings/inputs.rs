@@ -1,4 +1,4 @@
-//! Values that a scene gives to a model's inputs: numbers, formulas, tables.
+//! Values that a scene gives to a model's inputs: numbers, formulas, or tables of a signal.
 
 use crate::algebra::Arena;
 use crate::algebra::text::parse::parse;
@@ -12,20 +12,20 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The key of the section.
+/// Key of the section that gives values to inputs.
 const INPUTS: &str = "inputs";
 
-/// The formulas that a scene gives to inputs.
+/// Formulas that a scene gives to inputs, and their place in the file.
 #[derive(Default)]
 pub struct Given {
-    /// In the order of the scene.
+    /// Formulas for inputs, in the order of the scene.
     pub bindings: Vec<Binding>,
-    /// Byte range of the section in the file.
+    /// Byte range of the section `[inputs]` in the scene file.
     pub place: Range<usize>,
 }
 
-/// Reads a scene for its model, and puts the formulas that the scene gives to inputs into the model. Equations are
-/// derived with these formulas, so no other scene of this model may have been read.
+/// Reads a scene for its model, and puts the scene's formulas of inputs into the model. Equations are derived with
+/// these formulas. So the model must not have been used to read another scene before.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
@@ -34,7 +34,7 @@ pub fn load_bound(source: &Source, model: &mut Model) -> Result<Scene, Diagnosti
     load(source, model)
 }
 
-/// Puts the formulas that a file gives to the inputs of a model into it.
+/// Puts the formulas that a file gives to the inputs of a model into the model.
 pub(in crate::scene) fn bind(source: &Source, model: &mut Model) -> Result<(), Diagnostics> {
     let (reader, table) = Reader::parse(source)?;
     let mut values = Values::new(reader, model);
@@ -47,7 +47,7 @@ pub(in crate::scene) fn bind(source: &Source, model: &mut Model) -> Result<(), D
 }
 
 impl<'a> Values<'a, '_> {
-    /// Reads `[inputs]`.
+    /// Reads the formulas of the section `[inputs]`; numbers for inputs that are parameters are left out.
     pub(in crate::scene) fn inputs(&mut self, table: &'a DeTable<'a>) -> Given {
         let mut given = Given::default();
         let Some(section) = self.section(table, INPUTS) else { return given };
@@ -71,12 +71,12 @@ impl<'a> Values<'a, '_> {
         given
     }
 
-    /// True if a number given to an input is the value of a parameter.
+    /// True if a number that a scene gives to this input is the value of a parameter.
     fn takes_numbers(&self, input: &Input) -> bool {
         input.is_parameter && self.model.bindings.iter().all(|binding| binding.input != input.name)
     }
 
-    /// The inputs to which the scene gives numbers, which are parameters, by place.
+    /// Numbers that the scene gives to inputs: index of the parameter, number, and byte range in the file.
     pub(in crate::scene) fn numbers_of_inputs(&mut self, table: &'a DeTable<'a>) -> Vec<(usize, Number, Range<usize>)> {
         let mut numbers = Vec::new();
         // Errors of the section are reported where its formulas are read.
@@ -98,7 +98,7 @@ impl<'a> Values<'a, '_> {
         numbers
     }
 
-    /// True if a formula is a number: it contains no name.
+    /// True if a formula is a number with an optional unit: it contains no name.
     fn is_number(formula: &Located) -> bool {
         let number = StatedUnit::of(&formula.text).map_or_else(|| formula.clone(), |stated| stated.number(formula));
         let mut known = |arena: &mut Arena, name: &str| match name {
@@ -108,7 +108,7 @@ impl<'a> Values<'a, '_> {
         parse(&mut Arena::new(), &number.text, &mut known).is_ok()
     }
 
-    /// True if every name in a formula may occur in an input; reports those that may not.
+    /// True if every name in a formula may occur in an input; reports a name that may not.
     fn is_signal(&mut self, formula: &Located) -> bool {
         if Self::is_number(formula) {
             return true;
@@ -137,7 +137,7 @@ impl<'a> Values<'a, '_> {
         result.is_ok()
     }
 
-    /// The formula of a table: `{ table = "drive.csv", column = "F" }`.
+    /// Formula of t for an input that a table gives: `{ table = "drive.csv", column = "F" }`.
     fn table_of(&mut self, file: &'a DeTable<'a>, name: &Located, value: &'a Spanned<DeValue<'a>>) -> Option<Located> {
         let what = format!("input `{}`", name.text);
         let entry = self.reader.table(value, &what, "{ table = \"drive.csv\", column = \"F\" }")?;
@@ -162,7 +162,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// First and last instant of the span, if they are plain numbers.
+    /// First and last instant of the scene's span, s, the smaller one first.
     fn span_of(&mut self, file: &'a DeTable<'a>) -> Option<(f64, f64)> {
         let parameters = self.parameters(file)?;
         let (from, to) = self.span(file, &parameters)?;

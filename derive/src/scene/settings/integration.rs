@@ -1,4 +1,4 @@
-//! Integration of a scene: method, solve, tolerances, steps, and the variables to integrate in.
+//! Settings of a scene's integration: method, solve, tolerances, steps, and the variables that are integrated.
 
 use crate::algebra::Rational;
 use crate::algebra::value::exact::pi;
@@ -10,20 +10,20 @@ use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::{ATOL, AbsoluteTolerance, Method, RTOL};
 
-/// The solves by name.
+/// Names of the two ways to find accelerations, in the order of [`Solve::ALL`].
 pub(crate) const SOLVES: [&str; Solve::ALL.len()] = [Solve::ALL[0].name(), Solve::ALL[1].name()];
 
 /// Integrator of a run: a method that takes steps, or quadrature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Integrator {
-    /// Steps of this method.
+    /// A method that takes steps, such as a Runge–Kutta method.
     Steps(Method),
     /// Integrals of a scene's own equations with one degree of freedom, exact to rounding, without steps.
     Quadrature,
 }
 
 impl Integrator {
-    /// Names of all: the methods as they are always listed, then quadrature.
+    /// Names of all integrators: the stepping methods in the order of [`Method::ALL`], then quadrature.
     pub const NAMES: [&str; Method::ALL.len() + 1] = {
         let mut names = [Self::Quadrature.name(); Method::ALL.len() + 1];
         let mut at = 0;
@@ -34,7 +34,7 @@ impl Integrator {
         names
     };
 
-    /// The name on the command line and in files.
+    /// Name of the integrator on the command line and in scene files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -43,7 +43,7 @@ impl Integrator {
         }
     }
 
-    /// The method that takes the steps; `None` for quadrature.
+    /// The method that takes the steps of a run; `None` for quadrature.
     #[must_use]
     pub const fn method(self) -> Option<Method> {
         match self {
@@ -81,21 +81,21 @@ impl FromStr for Integrator {
     }
 }
 
-/// Method by which the accelerations are found.
+/// Method by which accelerations are found from the equations of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Solve {
-    /// Elimination, when the code is generated.
+    /// Accelerations in closed form, eliminated when the code is generated.
     #[default]
     Eliminated,
-    /// Solution of the linear system at each state.
+    /// Numeric solution of the linear system for the accelerations at each state.
     Numeric,
 }
 
 impl Solve {
-    /// Both, in the order in which they are always listed.
+    /// Both ways to find accelerations, in the order in which lists show them.
     pub const ALL: [Self; 2] = [Self::Eliminated, Self::Numeric];
 
-    /// The name on the command line and in files.
+    /// Name on the command line and in scene files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -118,15 +118,15 @@ impl FromStr for Solve {
 /// Invariant onto which each step of a run is projected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Project {
-    /// The energy that the run has at its start.
+    /// Energy of the run at its start.
     Energy,
 }
 
 impl Project {
-    /// All, in the order in which they are always listed.
+    /// All invariants onto which runs are projected, in the order in which lists show them.
     pub const ALL: [Self; 1] = [Self::Energy];
 
-    /// The name on the command line and in files.
+    /// Name of the invariant on the command line and in scene files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -145,32 +145,32 @@ impl FromStr for Project {
     }
 }
 
-/// Settings of the integration.
+/// Settings of a scene's integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Integration {
-    /// The integrator.
+    /// Integrator of the run.
     pub method: Integrator,
-    /// Method by which accelerations are found; `None` leaves it to the model.
+    /// Method by which accelerations are found; `None` if the model decides.
     pub solve: Option<Solve>,
-    /// Relative tolerance.
+    /// Relative tolerance of the error of a step.
     pub rtol: f64,
-    /// Absolute tolerance.
+    /// Absolute tolerance of the error of a step, in the units of coordinates and speeds.
     pub atol: AbsoluteTolerance,
-    /// The length of every step, s; chosen by the error if nothing is said.
+    /// Length of every step, s; `None` if the error of a step decides it.
     pub step: Option<f64>,
-    /// The longest step that the error may choose, s; the method decides if nothing is said.
+    /// Longest step that the error of a step may decide, s; `None` if the method has its own limit.
     pub max_step: Option<f64>,
-    /// Steps after which a run is given up.
+    /// Number of steps after which a run is given up.
     pub step_limit: u64,
-    /// Number of equally spaced samples of the output; by default four points for each step.
+    /// Number of equally spaced samples of the output; `None` for four points in each step.
     pub samples: Option<usize>,
-    /// True if leaving the model's domain ends the run.
+    /// True if the run ends where it leaves the model's domain; false if it only reports this.
     pub domain_stops: bool,
-    /// Invariant onto which each step is projected, if any.
+    /// Invariant onto which each step is projected; `None` for no projection.
     pub project: Option<Project>,
-    /// The distance that is integrated instead of a coordinate.
+    /// Distance that is integrated in place of a coordinate; `None` if the scene file states none.
     pub distance: Option<Distance>,
-    /// True if the scene's own equations may choose a distance; false if the file says `distance = "none"`.
+    /// True if the scene's own equations may integrate a distance; false if the scene file says `distance = "none"`.
     pub may_measure: bool,
 }
 
@@ -178,7 +178,7 @@ const KEYS: [&str; 11] =
     ["method", "solve", "rtol", "atol", "step", "max_step", "step_limit", "samples", "domain", "project", "distance"];
 
 impl<'a> Values<'a, '_> {
-    /// The section `integration`; settings that are not stated have their defaults.
+    /// Reads the section `[integration]`; settings that are not stated have their defaults.
     pub fn integration(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Integration {
         let section = self.section(table, "integration");
         if let Some(section) = section {
@@ -225,7 +225,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// A number that is not negative.
+    /// Reads a number under a key that must not be negative.
     fn size(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
@@ -236,7 +236,7 @@ impl<'a> Values<'a, '_> {
         Some(number)
     }
 
-    /// The length of a step, above zero.
+    /// Reads the length of a step under a key, s; reports a length that is not above zero.
     fn step(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let step = self.size(section, key, p)?;
@@ -247,7 +247,7 @@ impl<'a> Values<'a, '_> {
         Some(step)
     }
 
-    /// One number, or a table with one for each coordinate and speed; what it leaves out has the default.
+    /// Reads `atol`: one number, or a table with numbers for coordinates and speeds. Those left out have the default.
     fn absolute(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> AbsoluteTolerance {
         let Some(value) = section.and_then(|s| self.reader.get(s, "atol")) else {
             return AbsoluteTolerance::default();
@@ -273,13 +273,13 @@ impl<'a> Values<'a, '_> {
         AbsoluteTolerance::Each(each)
     }
 
-    /// `distance = "none"`: coordinates stay what they are.
+    /// True if the scene file says `distance = "none"`: no coordinate is replaced by a distance.
     fn says_none(&self, section: Option<&'a DeTable<'a>>) -> bool {
         let value = section.and_then(|s| self.reader.get(s, "distance"));
         value.is_some_and(|v| v.get_ref().as_str() == Some("none"))
     }
 
-    /// `distance = { q2 = "90*deg" }`: q2 − 90° is integrated instead of q2.
+    /// Reads `distance = { q2 = "90*deg" }`: q2 − 90° is integrated in place of q2. The angle is a multiple of 90°.
     fn distance(&mut self, section: Option<&'a DeTable<'a>>) -> Option<Distance> {
         const HOW: &str = "distance = { q2 = \"90*deg\" }";
         let value = section.and_then(|s| self.reader.get(s, "distance"))?;
@@ -300,7 +300,7 @@ impl<'a> Values<'a, '_> {
         };
         let formula = self.reader.formula(origin, "the origin of a distance")?;
         let exact = self.constant(&formula)?.exact;
-        // Of π only the decimals that stand for it are known here: a quarter turn is recognized by its nearness.
+        // The exact value has only decimals of π: a multiple of a quarter turn is recognized by its nearness.
         let quarter = pi().recip().map(|inverse| Rational::integer(2).mul(&inverse));
         let turns = exact.zip(quarter).map(|(origin, quarter)| origin.mul(&quarter).to_f64());
         let found = (-4..=4).find(|k| *k != 0 && turns.is_some_and(|t| (t - f64::from(*k)).abs() < 1e-15));
@@ -311,7 +311,7 @@ impl<'a> Values<'a, '_> {
         found.map(|quarter_turns| Distance { coordinate, quarter_turns })
     }
 
-    /// Reads a key whose value is one of these words.
+    /// Reads a key whose value must be one of the `allowed` words.
     pub fn choice(
         &mut self,
         section: Option<&'a DeTable<'a>>,
@@ -328,7 +328,7 @@ impl<'a> Values<'a, '_> {
         found
     }
 
-    /// A whole number in a range.
+    /// Reads a whole number from `least` to `most` under a key.
     pub fn count(&mut self, section: Option<&'a DeTable<'a>>, key: &str, least: u64, most: u64) -> Option<u64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let number = match value.get_ref() {

@@ -8,10 +8,10 @@ use crate::scene::SceneOutput;
 use crate::scene::numbers::values::Values;
 use toml::de::{DeTable, DeValue};
 
-/// Names of energies in outputs; a model's own names go first.
+/// Names of energies in outputs. If the model has such a name, the model's quantity is meant.
 pub const ENERGIES: [&str; 3] = ["kinetic_energy", "potential_energy", "total_energy"];
 
-/// Words for quantities that are not in the equations, and the message to a user who asks for one.
+/// Words for quantities that the equations do not contain, each with a message for a user who asks for one.
 const NOT_THERE: [(&[&str], &str); 4] = [
     (
         &["impact", "bounce", "rebound", "collision", "restitution"],
@@ -34,8 +34,8 @@ const NOT_THERE: [(&[&str], &str); 4] = [
 ];
 
 impl<'a> Values<'a, '_> {
-    /// `outputs = ["q2", "u1"]`, each a name or a formula, or `{ name = "lean", value = "q2" }`; every coordinate and
-    /// speed without it. The second value says whether the file has it.
+    /// Reads `outputs = ["q2", "u1"]`: each is a name, a formula, or `{ name = "lean", value = "q2" }`. Without it,
+    /// every coordinate and speed is an output. The second value is true if the scene file states outputs.
     pub fn outputs(&mut self, table: &'a DeTable<'a>) -> (Vec<SceneOutput>, bool) {
         let Some(value) = self.reader.get(table, "outputs") else { return (states(self.model), false) };
         let DeValue::Array(array) = value.get_ref() else {
@@ -72,7 +72,7 @@ impl<'a> Values<'a, '_> {
                 self.reader.error(name.span, message, "give it a name of its own; `t` is the time");
                 continue;
             }
-            // A number is what its name says.
+            // An output has the value that its name promises.
             let is_taken = self.model.arena.find_symbol(&name.text).is_some() || ENERGIES.contains(&name.text.as_str());
             if is_taken && name.text != formula.text.trim() {
                 let message = format!("an output cannot be called `{}`, which is something else", name.text);
@@ -91,7 +91,7 @@ impl<'a> Values<'a, '_> {
         (list, true)
     }
 
-    /// The value of an output.
+    /// Reads the formula of an output; reports quantities that the equations do not contain.
     pub(in crate::scene) fn output_formula(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
         let word = formula.text.trim().to_lowercase().replace([' ', '-'], "_");
         let known = self.model.arena.find_symbol(formula.text.trim()).is_some();
@@ -102,7 +102,7 @@ impl<'a> Values<'a, '_> {
         self.motion_formula_with(formula, &ENERGIES)
     }
 
-    /// `free = ["M"]`: parameters that stay letters in the scene's own equations.
+    /// Indices of the parameters that stay symbols in the scene's own equations: `free = ["M"]`.
     pub fn free(&mut self, table: &'a DeTable<'a>) -> Vec<usize> {
         let Some(value) = self.reader.get(table, "free") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
@@ -125,7 +125,7 @@ impl<'a> Values<'a, '_> {
     }
 }
 
-/// Every coordinate, then every speed.
+/// Outputs for every coordinate, then for every speed.
 fn states(model: &Model) -> Vec<SceneOutput> {
     let coordinates = model.coordinates.iter().map(|c| SceneOutput { name: c.name.clone(), value: c.symbol });
     coordinates.chain(model.speeds.iter().map(|s| SceneOutput { name: s.name.clone(), value: s.symbol })).collect()

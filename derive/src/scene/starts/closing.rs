@@ -1,4 +1,4 @@
-//! Starts of mechanisms with loops: coordinates that close them, from guesses.
+//! Starts of mechanisms with loops: coordinates that close the loops are solved for, from guesses.
 
 use super::loops::{Found, Loops};
 use super::start::Closed;
@@ -8,10 +8,11 @@ use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Residual up to which a loop counts as closed if every coordinate is stated, in as many digits as people write.
+/// Residual up to which a loop counts as closed if every coordinate is stated, relative to the size of its terms.
+/// People state few digits.
 const STATED: f64 = 1e-9;
 impl<'a> Values<'a, '_> {
-    /// The guesses of a scene for the coordinates that its start leaves open.
+    /// Guesses of a scene for the coordinates that its start leaves open, one for each coordinate.
     pub(in crate::scene) fn guesses(
         &mut self,
         table: &'a DeTable<'a>,
@@ -26,7 +27,7 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         for (name, value) in self.reader.entries(section) {
-            // What a constraint fixes needs no guess; whether it does is no matter of the scene.
+            // A variable that a constraint fixes needs no guess, and a scene need not know of the constraint.
             if self.model.constraints.iter().any(|c| c.fixes == name.text) {
                 let formula = self.reader.formula(value, &format!("`{}`", name.text))?;
                 self.number(&formula, parameters, "a guess")?;
@@ -44,9 +45,9 @@ impl<'a> Values<'a, '_> {
         Some(guesses)
     }
 
-    /// Closes the loops by the coordinates that are not stated, or reports by how much they are open. Variables that
-    /// constraints fix are held, by their constraints, at the values that the start states. Returns the coordinates
-    /// that were solved for.
+    /// Solves for the coordinates that are not stated so that all loops close, or reports by how much loops are open.
+    /// Constraints hold the variables that they fix at the values that the start states. Returns the coordinates that
+    /// were solved for.
     pub(in crate::scene) fn close(
         &mut self,
         q: &mut [Option<Number>],
@@ -88,7 +89,7 @@ impl<'a> Values<'a, '_> {
             self.reader.error(place, message, help);
             return None;
         }
-        // To 32 digits, with the slopes in doubles: each step gives sixteen more.
+        // Refines to 32 digits with the slopes in doubles: each step gives sixteen more digits.
         let mut precise: Vec<DoubleDouble> = (0..q.len())
             .map(|at| q[at].as_ref().map_or_else(|| DoubleDouble::from_f64(found.q[at]), Number::extended))
             .collect();

@@ -1,4 +1,4 @@
-//! The loops of a mechanism as functions of parameters and coordinates, and the search for poses that close them.
+//! Loops of a mechanism as functions of parameters and coordinates, and the search for poses that close them.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
@@ -8,50 +8,50 @@ use crate::scene::numbers::values::Number;
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Steps of Newton's method, and halvings of one.
+/// Largest number of steps of Newton's method. `HALVINGS` is the largest number of halvings of one step.
 const STEPS: usize = 100;
 const HALVINGS: usize = 40;
-/// Residual up to which a loop counts as closed, over the sum of the sizes of its terms.
+/// Residual up to which a loop counts as closed, over the sum of the sizes of the loop's terms.
 const OPEN: f64 = 1e-13;
-/// Such a bound for a pose in which all coordinates are held: they may be stated with fewer digits.
+/// Residual up to which a loop counts as closed if all coordinates are held: they may be stated with fewer digits.
 const HELD: f64 = 1e-9;
-/// Singular values below the largest times this do not count.
+/// Ratio to the largest singular value below which a singular value counts as zero.
 const RANK: f64 = 1e-10;
 /// Ratio of the least to the largest singular value up to which loops are dependent. A pose that is a double root is
-/// found to half of the digits.
+/// found to half of the digits only.
 const SINGULAR: f64 = 1e-6;
 
-/// Loops of a model: first those that tie it, then those that follow from them where all are closed. Behind them are
-/// variables that constraints fix, if they are held at values.
+/// Loops of a model as functions of parameters and coordinates: first independent loops, then loops that follow from
+/// them where all are closed. Last come variables that constraints fix, if they are held at values.
 pub struct Loops {
     values: Tape,
     slopes: Tape,
     names: Vec<String>,
-    /// Number of loops that tie the mechanism; `count` is the number of all loops.
+    /// Number of independent loops; `count` is the number of all loops.
     independent: usize,
     count: usize,
-    /// Values at which the variables are held, to 32 digits.
+    /// Values at which variables that constraints fix are held, to 32 digits.
     held: Vec<DoubleDouble>,
 }
 
 /// Result of a search for a closed pose.
 pub(in crate::scene) struct Found {
     pub q: Vec<f64>,
-    /// Residual of each loop, in its unit.
+    /// Residual of each loop, in the loop's unit.
     pub open: Vec<f64>,
     pub is_closed: bool,
-    /// The pseudo-inverse of the slopes along the coordinates that were free.
+    /// Pseudo-inverse of the slopes along the coordinates that the search may change: a row for each of these.
     pub inverse: DMatrix<f64>,
 }
 
 impl Loops {
-    /// Those of a model.
+    /// Loops of a model, without held variables.
     #[must_use]
     pub fn new(model: &Model) -> Self {
         Self::holding(model, &[])
     }
 
-    /// Those of a model with variables, each the one that this constraint fixes, held at a value.
+    /// Loops of a model with held variables: index of the constraint that fixes the variable, and value.
     pub(in crate::scene) fn holding(model: &Model, held: &[(usize, Number)]) -> Self {
         let arena = &mut model.arena.clone();
         let coordinates = model.q();
@@ -61,7 +61,7 @@ impl Loops {
         let equations: Vec<Expr> = all().map(|c| c.equation).chain(fixed().map(|c| c.value)).collect();
         let mut gradient = Gradient::new(&coordinates);
         let mut slopes = vec![Expr::ZERO; equations.len() * coordinates.len()];
-        // Nothing moves time.
+        // The search never changes time.
         let time = model.time();
         for (row, equation) in equations.iter().enumerate() {
             for &(at, slope) in gradient.apply(arena, *equation).iter().filter(|(at, _)| Some(*at) != time) {
@@ -83,13 +83,13 @@ impl Loops {
         }
     }
 
-    /// Names of the loops, then of the variables that are held.
+    /// Names of the loops, then of the held variables.
     pub(in crate::scene) fn names(&self) -> impl Iterator<Item = &str> {
         self.names.iter().map(String::as_str)
     }
 
-    /// Loops that are to follow from the others: the name and residual of each, in its unit, and the residual over the
-    /// sum of the sizes of its terms.
+    /// Loops that should follow from independent ones: name, residual in the loop's unit, and residual over the sum of
+    /// the sizes of its terms.
     #[must_use]
     pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64, f64)> {
         let (open, slopes) = (self.open(p, q), self.slopes(p, q));
@@ -98,8 +98,8 @@ impl Loops {
         following.collect()
     }
 
-    /// Finds a closed pose near another, to 32 digits, in which some coordinates are held. `None` if none is found, or
-    /// if the loops do not determine the free coordinates.
+    /// Finds a closed pose near another, to 32 digits, by changing the `free` coordinates. `None` if no pose is found,
+    /// or if the loops do not determine the free coordinates.
     #[must_use]
     pub fn close(&self, p: &[DoubleDouble], q: &[DoubleDouble], free: &[usize]) -> Option<Vec<DoubleDouble>> {
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
@@ -115,7 +115,7 @@ impl Loops {
         if !found.is_closed || !determines {
             return None;
         }
-        // With the slopes in doubles each step gives sixteen digits more.
+        // With the slopes in doubles, each step gives sixteen more digits.
         let mut precise = q.to_vec();
         for at in free {
             precise[*at] = found.q[*at].into();
@@ -131,13 +131,14 @@ impl Loops {
         Some(precise)
     }
 
-    /// Name and residual of each loop, in its unit.
+    /// Name and residual of each loop, in the loop's unit.
     #[must_use]
     pub fn openings(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64)> {
         self.names.iter().map(String::as_str).zip(self.open(p, q)).collect()
     }
 
-    /// Name of a loop that is to follow from the others, and whose slopes do not; `None` if all do.
+    /// Name of a loop whose slopes do not follow from those of the independent loops, although they should; `None` if
+    /// all follow.
     pub(in crate::scene) fn not_following(&self, p: &[f64], q: &[f64]) -> Option<&str> {
         let slopes = self.slopes(p, q);
         let axes = slopes.rows(0, self.independent).transpose().qr().q();
@@ -148,7 +149,7 @@ impl Loops {
         })
     }
 
-    /// Residual of each loop, then the deviation of each held variable from its value, in its unit.
+    /// Residual of each loop, then deviation of each held variable from its value, in their units.
     pub(in crate::scene) fn open(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         let mut open = self.values.evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
@@ -171,20 +172,20 @@ impl Loops {
         DMatrix::from_row_slice(values.len() / q.len().max(1), q.len(), &values)
     }
 
-    /// True if the residual of every loop is at most this part of the size of its terms.
+    /// True if the residual of every loop is at most `part` times the size of its terms.
     pub(in crate::scene) fn is_closed(&self, p: &[f64], q: &[f64], open: &[f64], part: f64) -> bool {
         let slopes = self.slopes(p, q);
         open.iter().enumerate().all(|(row, open)| open.abs() <= part * size(&slopes, row, q))
     }
 
-    /// True if the slopes of the loops are dependent.
+    /// True if the slopes of the independent loops are dependent in this pose.
     pub(in crate::scene) fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
         let values = self.slopes(p, q).rows(0, self.independent).singular_values();
         self.independent > 0 && values.min() <= SINGULAR * values.max()
     }
 
-    /// Runs Newton's method with halved steps, along these coordinates alone. If the loops leave some of them open, it
-    /// takes the smallest change.
+    /// Runs Newton's method with halved steps, along the `free` coordinates alone. If the loops leave some of these
+    /// open, it takes the smallest change.
     pub(in crate::scene) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> Found {
         let mut q = start.to_vec();
         let mut open = DVector::from_vec(self.open(p, &q));
@@ -224,7 +225,7 @@ impl Loops {
     }
 }
 
-/// Sum of the sizes of the terms of a loop: |slope| max(1, |q|) of every coordinate.
+/// Sum of the sizes of the terms of a loop: |slope| max(1, |q|), summed over the coordinates.
 fn size(slopes: &DMatrix<f64>, row: usize, q: &[f64]) -> f64 {
     slopes.row(row).iter().zip(q).map(|(slope, q)| (slope * q).abs().max(slope.abs())).sum()
 }

@@ -1,4 +1,4 @@
-//! Start of a scene: coordinates and rates that its file states, and those that constraints determine.
+//! Start of a scene: coordinates and rates that the scene file states, and those that constraints determine.
 
 pub(super) mod closing;
 pub(super) mod loops;

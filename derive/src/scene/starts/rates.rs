@@ -1,4 +1,4 @@
-//! The motion at a start: the rates of all coordinates, from those that a file states and from the constraints.
+//! Motion at a start: the rates of all coordinates, from stated rates or speeds and from the constraints.
 //!
 //! All conditions are linear in the rates: motion constraints, stated rates, speeds, and rates of variables that
 //! constraints fix. They are solved in doubles by singular values, and then to 32 digits with the same factors. If a
@@ -15,28 +15,28 @@ use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Singular values below the largest times this leave a rate open.
+/// Ratio to the largest singular value below which a singular value leaves a rate open.
 const RANK: f64 = 1e-9;
-/// Components of a direction above this take part in it.
+/// Component of a unit direction above which a rate takes part in the direction.
 const PART: f64 = 1e-6;
-/// Residual up to which a condition holds, over the largest rate and the length of its row.
+/// Residual up to which a condition on the rates holds, over the largest rate and the length of its row.
 const RESIDUAL: f64 = 1e-9;
-/// Refinements: each gives sixteen more digits.
+/// Number of refinements of the rates: each gives sixteen more digits.
 const REFINEMENTS: usize = 3;
 
-/// Motion that a file states, by indices into the lists of the model.
+/// Motion that a start states: values by indices into the lists of the model.
 #[derive(Default)]
 pub(in crate::scene) struct StatedMotion {
-    /// Rates of coordinates.
+    /// Stated rates of coordinates, by index of the coordinate.
     pub rates: Vec<(usize, DoubleDouble)>,
-    /// Rates of variables that constraints fix.
+    /// Stated rates of variables that constraints fix, by index of the constraint.
     pub fixed: Vec<(usize, DoubleDouble)>,
-    /// Generalized speeds.
+    /// Stated generalized speeds, by index of the speed.
     pub speeds: Vec<(usize, DoubleDouble)>,
 }
 
-/// Terms that are linear in the rates, as one tape of parameters, coordinates and rates: motion constraints,
-/// generalized speeds, and the rates of variables that constraints fix.
+/// Program of terms that are linear in the rates: motion constraints, generalized speeds, and the rates of variables
+/// that constraints fix. Its inputs are parameters, coordinates and rates.
 fn linear_in_rates(model: &Model) -> Tape {
     let arena = &mut model.arena.clone();
     let (coordinates, rates) = (model.q(), model.q_dot());
@@ -58,7 +58,7 @@ fn linear_in_rates(model: &Model) -> Tape {
     }
 }
 
-/// A condition: its place on the tape, or the coordinate whose rate it states; what it is to be; its name.
+/// A condition on the rates: the quantity `of` must have this `value`. `name` is the quantity's name in messages.
 struct Condition {
     of: Of,
     value: DoubleDouble,
@@ -130,7 +130,7 @@ impl Values<'_, '_> {
         Some(rates)
     }
 
-    /// Reports coordinates whose rates nothing determines.
+    /// Reports coordinates whose rates the constraints and the stated motion leave open.
     fn report_open_rates(&mut self, stated: &StatedMotion, open: &[usize], place: &Range<usize>) {
         let model = &self.model;
         let names: Vec<String> = open.iter().map(|at| format!("`{}'`", model.coordinates[*at].name)).collect();
@@ -156,7 +156,7 @@ impl Values<'_, '_> {
         self.reader.error(place.clone(), message, help);
     }
 
-    /// The rates that a start states not, as what was solved for.
+    /// Rates that the start does not state, as quantities that were solved for.
     pub(in crate::scene) fn solved_rates(&self, stated: &StatedMotion, rates: &[DoubleDouble]) -> Vec<Closed> {
         let is_stated = |at: usize| stated.rates.iter().any(|(other, _)| *other == at);
         let list = self.model.coordinates.iter().zip(rates).enumerate().filter(|(at, _)| !is_stated(*at));
@@ -173,7 +173,7 @@ impl Condition {
     }
 }
 
-/// The conditions on the rates.
+/// Conditions on the rates: motion constraints, then stated speeds and rates.
 fn conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
     let (ties, speeds) = (model.motion_constraints.len(), model.speeds.len());
     let mut list: Vec<Condition> = Vec::new();
@@ -193,7 +193,8 @@ fn conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
     list
 }
 
-/// The slopes of the conditions along the rates, row by row, by differences: they are linear.
+/// Slopes of the conditions along the rates, a row for each condition. Differences are exact, since the conditions are
+/// linear.
 fn slopes(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
     let mut along = vec![0.0; n];
     let still = evaluate(&along);
@@ -212,7 +213,7 @@ fn slopes(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -
     matrix
 }
 
-/// The columns that take part in a direction along which nothing is determined.
+/// Indices of the rates that take part in a direction along which no condition determines the rates.
 fn open(sizes: &DVector<f64>, directions: &DMatrix<f64>, least: f64) -> Vec<usize> {
     let free: Vec<usize> = (0..sizes.len()).filter(|at| sizes[*at] <= least).collect();
     (0..directions.ncols()).filter(|column| free.iter().any(|row| directions[(*row, *column)].abs() > PART)).collect()

@@ -1,27 +1,27 @@
-//! Start of a scene, as its file states it.
+//! Start of a scene, as the scene file states it.
 
 use crate::algebra::Rational;
 use tripos_traits::DoubleDouble;
 
-/// The start of a scene as its file states it, beyond the precision of a double.
+/// Parameters and start of a scene as its file states them, beyond the precision of a double.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Exact {
-    /// The parameters, in the order of the model.
+    /// Values of the parameters, in the order of the model, to 32 digits where they are known.
     pub parameters: Vec<DoubleDouble>,
-    /// The parameters as rational numbers, where they are such.
+    /// Values of the parameters as rational numbers; `None` for a value that is not rational.
     pub rational: Vec<Option<Rational>>,
-    /// The coordinates.
+    /// Values of the coordinates at the start, to 32 digits where they are known.
     pub q: Vec<DoubleDouble>,
-    /// Speeds or rates at the start.
+    /// Speeds or rates at the start, as the file states them.
     pub motion: Stated,
 }
 
-/// Motion at an instant, as a file states it.
+/// Motion at an instant, as a scene or state file states it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stated {
-    /// Every generalized speed u.
+    /// Values of every generalized speed u, in the order of the model.
     Speeds(Vec<DoubleDouble>),
-    /// The rate q′ of every coordinate.
+    /// Values of the rate q′ of every coordinate, in the order of the model.
     Rates(Vec<DoubleDouble>),
 }
 
@@ -31,13 +31,13 @@ impl Default for Stated {
     }
 }
 
-/// A coordinate, or the rate of one, that was solved for.
+/// A coordinate, or the rate of one, whose value at the start was solved for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Closed {
-    /// Its name.
+    /// Name of the coordinate, or of its rate.
     pub name: String,
-    /// Its value.
+    /// Value of the coordinate or rate at the start.
     pub value: f64,
-    /// True if it is a rate, which follows from the motion constraints and from the motion that the start states.
+    /// True for a rate, which follows from the motion constraints and the stated motion; false for a coordinate.
     pub is_rate: bool,
 }

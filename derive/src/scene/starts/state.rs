@@ -1,4 +1,5 @@
-//! States in scene and state files: every coordinate and speed of a model at one instant, and what holds between them.
+//! States in scene and state files: every coordinate and speed of a model at one instant, with checks of the
+//! constraints.
 
 use super::rates::StatedMotion;
 use super::start::{Closed, Exact, Stated};
@@ -12,39 +13,39 @@ use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// A state at one instant, with what the file says of it beyond the precision of a double.
+/// A state at one instant, in doubles and as the file states it.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
-    /// Coordinates.
+    /// Values of the coordinates, in the order of the model.
     pub q: Vec<f64>,
-    /// Generalized speeds.
+    /// Values of the generalized speeds, in the order of the model.
     pub u: Vec<f64>,
-    /// The values to 32 digits.
+    /// Parameters and state to 32 digits, as the file states them.
     pub exact: Exact,
-    /// Coordinates and rates that were solved for.
+    /// Coordinates and rates whose values were solved for.
     pub closed: Vec<Closed>,
 }
 
 /// Deviation up to which a stated variable satisfies the constraint that fixes it, over one plus the size of its value.
 const RESIDUAL: f64 = 1e-9;
 
-/// Numbers that are stated in a list, with their indices.
+/// Numbers that a list states, to 32 digits, each after its index.
 fn by_place(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
     let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.extended())));
     stated.collect()
 }
 
-/// Name of the rate of a coordinate in files.
+/// Name of the rate of a coordinate in scene and state files, such as `q1'`.
 fn model_rate(model: &Model, at: usize) -> String {
     format!("{}'", model.coordinates[at].name)
 }
 
 impl<'a> Values<'a, '_> {
-    /// Every coordinate, and every speed or every q′: as (q, u).
+    /// Reads a state: every coordinate, and every speed or every q′.
     ///
-    /// Coordinates may be left out that close the loops, or that follow from stated values of variables that
-    /// constraints fix. Guesses of them are under the key `guess` of `file`. Rates that follow from the others may be
-    /// left out.
+    /// The file may leave out coordinates that loops determine, or that follow from stated values of variables that
+    /// constraints fix. Guesses of these coordinates are under the key `guess` of `file`. The file may also leave out
+    /// rates that follow from the others.
     pub fn state(&mut self, file: &'a DeTable<'a>, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
         let before = self.reader.errors.len();
         let (n, p) = (self.model.coordinates.len(), self.model.speeds.len());
@@ -137,7 +138,7 @@ impl<'a> Values<'a, '_> {
         Some(Start { q, u, exact, closed })
     }
 
-    /// Puts time in: the instant at which the span starts, or what a state file says, with 0 for nothing.
+    /// Sets time to the first instant of the span. In a state file it is the stated instant, or 0 if none is stated.
     fn now(
         &mut self,
         q: &mut [Option<Number>],
@@ -183,7 +184,7 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         if by_rate && (model.ties_rates() || fixed > 0) {
-            // Others follow, or are asked for where they do not.
+            // Further rates follow from those stated, or are reported later.
         } else if by_rate {
             let names = model.coordinates.iter().zip(rates).filter(|(_, x)| x.is_none());
             missing.extend(names.map(|(c, _)| format!("{}'", c.name)));
@@ -218,7 +219,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// Rates that a motion constraint does not permit are reported: the speeds that are left say nothing of them.
+    /// Reports rates that a motion constraint does not permit: speeds could not represent them.
     fn check_motion(&mut self, table: &'a DeTable<'a>, parameters: &[f64], q: &[f64], rates: &[f64]) {
         let model = &self.model;
         let symbols = [model.p(), model.q(), model.q_dot()].concat();
@@ -251,7 +252,7 @@ impl<'a> Values<'a, '_> {
         tape.evaluate(&[parameters, q, rates].concat())
     }
 
-    /// The unit of a coordinate, rate or speed.
+    /// Unit of a coordinate, rate or speed by its name; `None` for another name.
     fn unit_at_start(&self, name: &str) -> Option<Unit> {
         let model = &self.model;
         let coordinates = model.coordinates.iter();

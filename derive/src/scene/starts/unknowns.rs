@@ -11,26 +11,26 @@ use crate::scene::settings::outputs::ENERGIES;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// A state, and the numbers of it that are sought so that conditions hold there.
+/// A state with numbers that are sought near a guess, so that conditions hold in the state.
 #[derive(Clone, Debug, Default)]
 pub struct Asked {
     /// Values of the parameters, in the order of the model.
     pub parameters: Vec<DoubleDouble>,
-    /// These values as rational numbers, where they are such.
+    /// Values of the parameters as rational numbers; `None` for a value that is not rational.
     pub rational: Vec<Option<Rational>>,
-    /// Coordinates, then generalized speeds: as stated, or as guessed.
+    /// Values of the coordinates, then of the generalized speeds: as stated, or as guessed.
     pub x: Vec<DoubleDouble>,
-    /// The formula of each state, in parameters and names of the file.
+    /// Formula of each coordinate and speed, in parameters and names of the state file.
     pub formulas: Vec<Expr>,
-    /// The states under `[guess]`, by their places: those that are sought.
+    /// Indices in `x` of the numbers that are sought: those under `[guess]`.
     pub sought: Vec<usize>,
-    /// Numbers that the file names for itself: name, symbol, value.
+    /// Numbers that the state file names for itself: name, symbol, value.
     pub names: Vec<(String, Expr, DoubleDouble)>,
-    /// Outputs to show; empty if the file states none.
+    /// Outputs to show; empty if the state file states none.
     pub outputs: Vec<SceneOutput>,
 }
 
-/// Sections that a state file may have; those of scenes beside them are of no matter here.
+/// Sections that a state file may have. Sections of scene files are permitted and ignored.
 const KEYS: [&str; 19] = [
     "schema",
     "model",
@@ -53,11 +53,11 @@ const KEYS: [&str; 19] = [
     "source",
 ];
 
-/// Reads a state, or the start of a scene, with the quantities sought of it. Given numbers replace those of the file:
-/// of its names, of parameters, and of states.
+/// Reads a state file, or the start of a scene file, with its sought quantities. `given` replaces numbers of the file:
+/// its own names, parameters, and states.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the file.
+/// [`Diagnostics`] with every error of the state file.
 pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -> Result<Asked, Diagnostics> {
     bind(source, model)?;
     let (reader, table) = Reader::parse(source)?;
@@ -98,10 +98,10 @@ pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -
     Ok(asked)
 }
 
-/// An output in the words of an output of a scene, from elsewhere than a file.
+/// Reads an output from a text outside a file, in the words of an output of a scene.
 ///
 /// # Errors
-/// [`Diagnostics`] if it is no formula in the names of the model.
+/// [`Diagnostics`] if the text is no formula in the names of the model.
 pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnostics> {
     let source = Source::from_text("--output", text);
     let mut values = Values::new(Reader::new(&source), model);
@@ -111,23 +111,23 @@ pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnos
     Ok(SceneOutput { name: text.trim().to_owned(), value: value.expect("reported if missing") })
 }
 
-/// Coordinates, then speeds.
+/// Names of the coordinates, then of the generalized speeds.
 fn state_names(model: &Model) -> impl Iterator<Item = String> {
     model.coordinates.iter().map(|c| c.name.clone()).chain(model.speeds.iter().map(|s| s.name.clone()))
 }
 
-/// A value, its formula, and whether it is a guess.
+/// Value of a state, its formula, and true if it is a guess.
 type StatedValue = (Number, Expr, bool);
 
 impl<'a> Values<'a, '_> {
-    /// Reads the entries that every state file may have, among them its own names.
+    /// Reads the entries that every state file may have, including its own names.
     pub(in crate::scene) fn state_file(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         self.reader.schema(table);
         self.reader.allow(table, "a state file", &KEYS);
         self.named(table, given);
     }
 
-    /// `[names]`: numbers by names of the file's own.
+    /// Reads `[names]`: numbers under names of the state file's own.
     fn named(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         let Some(section) = self.section(table, "names") else { return };
         for (name, value) in self.reader.entries(section) {
@@ -153,7 +153,7 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// True if a name means something in formulas of the model's scenes.
+    /// True if a name has a meaning in formulas of the model's scenes.
     fn is_of_model(&self, name: &str) -> bool {
         let model = &self.model;
         let own = |known: &str| known == name;
@@ -166,13 +166,13 @@ impl<'a> Values<'a, '_> {
             || [TIME, "pi", "deg"].contains(&name)
     }
 
-    /// Every coordinate and every speed, from `[state]` or `[start]`, and from `[guess]`.
+    /// Reads every coordinate and every speed, from `[state]` or `[start]`, and from `[guess]`.
     fn states(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Vec<StatedValue>> {
         let names: Vec<String> = state_names(self.model).collect();
         let n = self.model.coordinates.len();
         let mut values: Vec<Option<StatedValue>> = vec![None; names.len()];
         let mut rates: Vec<Option<Number>> = vec![None; n];
-        // Whether time is among the coordinates is asked elsewhere: here it is none that a file could state.
+        // Time as a coordinate is judged elsewhere: a state file does not state it here.
         if let Some(at) = self.model.time() {
             values[at] = Some((Number::rounded(0.0), Expr::ZERO, false));
         }
@@ -221,7 +221,7 @@ impl<'a> Values<'a, '_> {
         values.into_iter().collect()
     }
 
-    /// Puts in the speeds of a state that is stated by the rates of all coordinates.
+    /// Computes the speeds of a state that is stated by the rates of all coordinates.
     fn speeds_of(&mut self, rates: &[Option<Number>], parameters: &[Number], values: &mut [Option<StatedValue>]) {
         let (places, speeds) = values.split_at_mut(rates.len());
         let rates: Option<Vec<f64>> = rates.iter().map(|rate| rate.as_ref().map(|rate| rate.double)).collect();
@@ -235,12 +235,12 @@ impl<'a> Values<'a, '_> {
         }
     }
 
-    /// The place of a state of this name.
+    /// Index of a coordinate or speed in `names`; reports a name that is neither.
     fn place_of(&mut self, names: &[String], name: &Located) -> Option<usize> {
         if let Some(at) = names.iter().position(|known| *known == name.text && *known != TIME) {
             return Some(at);
         }
-        // What a constraint fixes follows from the others.
+        // A variable that a constraint fixes follows from the coordinates.
         if self.model.constraints.iter().any(|c| c.fixes == name.text) {
             return None;
         }

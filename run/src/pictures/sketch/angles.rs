@@ -1,4 +1,4 @@
-//! Arcs of coordinates that turn frames: from the axis at zero to the axis in the drawn pose.
+//! Arcs that show coordinates that turn frames: from the axis at zero to the axis in the drawn pose.
 
 use super::axes::{along_axis, is_drawn};
 use super::drawing::{Mark, Path, Role, Spot, Word, unit};
@@ -8,38 +8,39 @@ use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, length, minus, plus, rotated, rotated_back, transposed};
 use std::f64::consts::{PI, TAU};
 
-/// The radius of the first arc about a place, and how much more each further one has, px.
+/// Radius of the first arc about a place, and increase of the radius for each further arc, px.
 const RADIUS: (f64, f64) = (36.0, 14.0);
-/// Angles below this, rad, are drawn as the sense in which they grow, through so much.
+/// Angle below which an arc shows only the sense in which the angle grows, rad.
 const TINY: f64 = 0.12;
+/// Angle of an arc that shows only a sense, rad.
 const SENSE: f64 = 0.9;
-/// The tip of an arc, px.
+/// Length of the arrow tip of an arc, px.
 const TIP: f64 = 8.0;
-/// Least share of an arm's length across the turn axis, and the share along one basis vector above which it counts as
-/// along that vector.
+/// Least share of an arm's length that must be across the turn axis.
 const ACROSS: f64 = 0.7;
+/// Share of an arm's length along one basis vector above which the arm counts as along that vector.
 const ALONG: f64 = 0.95;
 
 /// A coordinate that turns a frame about an axis.
 pub struct Angle {
-    /// The coordinate, and its place in the formula of the turn's angle.
+    /// Coordinate, and its place in the formula for the angle of the turn.
     pub told: Told,
-    /// The frame that is turned.
+    /// Index of the frame that is turned.
     pub frame: usize,
-    /// The frame it is turned from.
+    /// Index of the frame that the turned frame is turned from.
     pub parent: usize,
-    /// The axis of both.
+    /// Index of the turn axis, 0 to 2, which both frames share.
     pub axis: usize,
 }
 
-/// Arm whose turn the arc shows: its apex in the inertial frame, and its direction in the turned frame.
+/// Arm whose turn an arc shows: its apex in the inertial frame, and its direction in the turned frame.
 struct Arm {
     apex: Triple,
     direction: Triple,
 }
 
 impl Angle {
-    /// The angle that a coordinate is, if it is one.
+    /// Finds the turn of a frame whose angle is a coordinate; `None` if the coordinate is no such angle.
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
         let frames = 0..subject.pose.rotations.len();
         frames.into_iter().find_map(|frame| {
@@ -61,8 +62,8 @@ impl Angle {
     }
 
     /// Chooses the arm that shows the turn: the vector to a point that is placed in the turned frame, preferably along
-    /// a basis vector. Else it takes the first vector in a frame that turns with it, if that is across the axis. Else
-    /// it takes the next basis vector, at the mass centre.
+    /// a basis vector. Otherwise it takes the first vector in a frame that turns with the turned frame, if that is
+    /// across the axis. Otherwise it takes the next basis vector, at the mass centre.
     fn arm(&self, subject: &Subject<'_>) -> Arm {
         let ways = |is_own: bool| {
             let list = subject.terms.links.points.iter().enumerate().filter_map(move |(point, link)| {
@@ -96,9 +97,9 @@ impl Angle {
         Arm { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
     }
 
-    /// Finds the basis vector of the frame across the axis that is nearest to a vector, with its sign. Also returns the
-    /// length of the vector across the axis, and the share of its length along the basis vector. `None` for a vector
-    /// that is too close to the axis.
+    /// Finds the basis vector of the turned frame across the axis that is nearest to a vector, with its sign. Also
+    /// returns the length of the vector across the axis, and the share of its length along the basis vector. `None` for
+    /// a vector that is too close to the axis.
     fn across(&self, subject: &Subject<'_>, way: Triple) -> Option<(Triple, f64, f64)> {
         let inside = rotated_back(&subject.pose.rotations[self.frame], way);
         let (j, k) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
@@ -119,7 +120,7 @@ impl Angle {
 pub struct Arcs(Vec<Spot>);
 
 impl Arcs {
-    /// The radius of the next arc about a spot, px.
+    /// Radius of the next arc about a spot, px. The spot is added to the list.
     fn radius(&mut self, at: Spot) -> f64 {
         let there = self.0.iter().filter(|spot| (spot[0] - at[0]).hypot(spot[1] - at[1]) < 8.0).count();
         self.0.push(at);
@@ -127,7 +128,8 @@ impl Arcs {
     }
 }
 
-/// Puts the arc of an angle on the sheet. Returns true if the arc shows the angle, false if it shows only the sense.
+/// Puts the arc of an angle on the sheet. Returns true if the arc shows the angle, false if it shows only the sense in
+/// which the angle grows.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &Angle) -> bool {
     let (arm, axis, extent) = (angle.arm(subject), angle.about(subject), angle.extent());
     let apex = subject.camera.spot(arm.apex);
@@ -136,7 +138,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
     let now = rotated(&subject.pose.rotations[angle.frame], arm.direction);
     let is_open = extent.abs() >= TINY;
     let (from, sweep) = if is_open { (zero, extent) } else { (now, angle.told.sign * SENSE) };
-    // From a direction across the axis towards that a quarter further.
+    // The arc begins at the direction `from`, and turns towards the direction that is a quarter turn further.
     let [a, b] = [from, cross(axis, from)].map(|e| subject.camera.seen(e).map(|x| radius * x));
     let path = Path::arc(apex, a, b, (0.0, sweep));
     for (direction, frame) in [(zero, angle.parent), (now, angle.frame)] {
@@ -153,7 +155,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
     is_open
 }
 
-/// Names the axis that a line of reference is along, where the axes of its frame are not drawn.
+/// Puts the name of the axis that a line of reference is along on the sheet, if the axes of its frame are not drawn.
 fn name_axis(
     subject: &Subject<'_>,
     sheet: &mut Sheet,
@@ -172,8 +174,8 @@ fn name_axis(
     sheet.may_name(Role::Axis, words, to, Some(unit([to[0] - from[0], to[1] - from[1]])), 3.0);
 }
 
-/// Puts one arc with the names of all coordinates that turn a frame together on the sheet. It leads from an axis of the
-/// parent frame to the same axis of this frame.
+/// Puts one arc on the sheet, with the names of all coordinates that turn a frame together. The arc leads from an axis
+/// of the parent frame to the same axis of the frame.
 pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, (frame, names): (usize, Vec<Word>)) {
     let Some((parent, _)) = subject.terms.links.frames[frame] else { return };
     let [before, after] = [parent, frame].map(|f| transposed(&subject.pose.rotations[f]));
@@ -183,7 +185,7 @@ pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, 
     let place = subject.pose.points[body.map_or(0, |body| body.centre)];
     let apex = subject.camera.spot(place);
     let radius = arcs.radius(apex) + 14.0;
-    // Takes the axis that is turned the most, without a turn close to 180°.
+    // The axis that is turned the most is taken, without a turn close to 180°.
     let turn = |axis: usize| dot(before[axis], after[axis]).clamp(-1.0, 1.0).acos();
     let axis =
         (0..3).fold(0, |best, axis| if turn(axis) > turn(best) + 1e-6 && turn(axis) < 2.6 { axis } else { best });

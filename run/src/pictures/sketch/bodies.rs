@@ -1,4 +1,4 @@
-//! Outlines of solids, drawn from back to front.
+//! Outlines of solids on the sheet, drawn from back to front.
 
 use super::drawing::{Mark, Path, Role, Spot};
 use super::sheet::{Sheet, Subject};
@@ -9,14 +9,14 @@ use crate::pictures::view::{Form, Place, Quaternion, Rotation, Solid, Triple};
 const THIN: f64 = 2.2;
 /// Least radius of a drawn particle, px.
 const SMALL: f64 = 6.0;
-/// The radius of a pin, px.
+/// Radius of a drawn pin, px.
 const PIN: f64 = 3.6;
-/// The length of a turn of a spring, and half its width, px.
+/// Length of a turn of a drawn spring, and half its width, px.
 const SPRING: (f64, f64) = (11.0, 7.0);
 /// Width of the margin of a ground plane around the solids over it, px.
 const MARGIN: f64 = 26.0;
 
-/// A solid on the sheet.
+/// Solid on the sheet: its marks and their drawing order.
 struct Drawn {
     /// Distance towards the viewer, m. In a planar mechanism all solids count as equally near.
     depth: f64,
@@ -38,11 +38,12 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// True if a solid is a pin that joins others.
+/// True if a solid is a pin that joins other solids.
 pub fn is_pin(solid: &Solid) -> bool {
     solid.body.is_none() && matches!(solid.form, Form::Sphere { .. })
 }
 
+/// Makes the marks of a solid; `None` for a ground plane that is not drawn.
 fn drawn(subject: &Subject<'_>, solid: &Solid) -> Option<Drawn> {
     let camera = &subject.camera;
     let is_particle = solid.body.is_some_and(|body| subject.mechanism.bodies[body].rigid.is_none());
@@ -90,7 +91,7 @@ pub fn middle(subject: &Subject<'_>, at: &Place) -> Triple {
     plus(subject.pose.points[at.point], 1.0, rotated(&subject.pose.rotations[at.frame], at.position))
 }
 
-/// The axes of a solid as columns.
+/// Axes of a solid in the inertial frame, as columns.
 fn axes(subject: &Subject<'_>, at: &Place) -> Rotation {
     product(&subject.pose.rotations[at.frame], &rotation(at.turned))
 }
@@ -105,7 +106,7 @@ fn rotation([w, x, y, z]: Quaternion) -> Rotation {
     transposed(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
 }
 
-/// Far end, side and near end of a cylinder about an axis of length 1.
+/// Marks of a cylinder about an axis of length 1: far end, side and near end.
 fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, (radius, long): (f64, f64)) -> Vec<Mark> {
     let camera = &subject.camera;
     let towards = dot(axis, camera.towards);
@@ -115,19 +116,19 @@ fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, (radius, long):
     let [a, b] = [across[0], across[1]].map(|e| camera.spot(e.map(|x| radius * x)));
     let end = |at: Triple| Mark::solid(Role::Body, Path::ellipse(camera.spot(at), a, b));
     let is_flat = camera.scale * long * (1.0 - towards * towards).max(0.0).sqrt() < 1.5;
-    // The visible side is bounded by the lines that touch the line of sight.
+    // The visible side is bounded by lines along which the surface touches the direction of sight.
     let edge = unit(cross(axis, camera.towards)).filter(|_| !is_flat);
     let Some(edge) = edge.map(|edge| edge.map(|x| radius * x)) else { return vec![end(near)] };
     let corners =
         [(far, 1.0), (near, 1.0), (near, -1.0), (far, -1.0)].map(|(at, side)| camera.spot(plus(at, side, edge)));
     vec![end(far), Mark::solid(Role::Body, Path::polygon(&corners)), end(near)]
         .into_iter()
-        // Seen from the side, the ends are lines and are left out.
+        // In a view from the side, the ends are lines and are left out.
         .filter(|mark| towards.abs() > 0.02 || mark.path.parts.len() == 3)
         .collect()
 }
 
-/// Visible faces of a box.
+/// Marks of the visible faces of a box.
 fn faces(subject: &Subject<'_>, at: &Place, size: Triple) -> Vec<Mark> {
     let camera = &subject.camera;
     let (middle, columns) = (middle(subject, at), transposed(&axes(subject, at)));
@@ -148,7 +149,7 @@ fn faces(subject: &Subject<'_>, at: &Place, size: Triple) -> Vec<Mark> {
     list
 }
 
-/// A coil from one spot to another.
+/// Path of a coil spring from one spot to another.
 fn coil(a: Spot, b: Spot) -> Path {
     let way = [b[0] - a[0], b[1] - a[1]];
     let across = super::drawing::unit([-way[1], way[0]]);
@@ -165,7 +166,8 @@ fn coil(a: Spot, b: Spot) -> Path {
     Path::line(&spots)
 }
 
-/// Marks of a ground plane under the solids. Seen edge-on it is a line with hatching, else a piece of the plane.
+/// Marks of a ground plane under the solids. Edge-on it is a line with hatching, otherwise a piece of the plane. `None`
+/// if nothing touches it, or it is seen from directly above.
 fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
     let camera = &subject.camera;
     let is_touched = subject.view.is_stated || subject.view.solids.iter().any(|solid| solid.touches.is_some());
@@ -201,7 +203,7 @@ fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
     Some(vec![Mark::solid(Role::Ground, Path::polygon(&corners))])
 }
 
-/// Least and greatest corner of the solids and points on a sheet on which a metre is one px.
+/// Least and greatest corner of the solids and points on a sheet whose scale is one px per metre.
 pub fn extent(subject: &Subject<'_>) -> (Spot, Spot) {
     let camera = &subject.camera;
     let mut all: Vec<(Spot, f64)> = Vec::new();

@@ -5,10 +5,10 @@ use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, minus, plus, unit};
 
 /// Directions of an oblique view, degrees: the turn from the first horizontal axis towards the second, and the height
-/// above both. All show the first axis to the lower left and the second to the right.
+/// above the horizontal plane. All show the first axis to the lower left and the second to the right.
 const OBLIQUE: [(f64, f64); 6] = [(32.0, 20.0), (50.0, 20.0), (22.0, 20.0), (60.0, 25.0), (40.0, 32.0), (68.0, 18.0)];
 
-/// An orthographic projection.
+/// Orthographic projection of the inertial frame onto the sheet.
 #[derive(Clone, Debug)]
 pub struct Camera {
     /// Direction that points to the right on the sheet, of length 1 in the inertial frame.
@@ -23,7 +23,7 @@ pub struct Camera {
 
 impl Camera {
     /// Camera that looks along the normal of a plane. The component of `up` in the plane points upwards. Without such a
-    /// component, it is the second axis after that of the normal.
+    /// component, the second axis after that of the normal points upwards.
     pub fn along(normal: Triple, up: Triple) -> Self {
         let inside = plus(up, -dot(up, normal), normal);
         let largest = (0..3).max_by(|a, b| normal[*a].abs().total_cmp(&normal[*b].abs())).unwrap_or(2);
@@ -34,8 +34,8 @@ impl Camera {
         Self { right: cross(up, normal), up, towards: normal, scale: 1.0 }
     }
 
-    /// Oblique camera from the side and above. It shows turns about these axes as open, and these vectors as long, as
-    /// possible.
+    /// Oblique camera from the side and above. It shows turns about the axes `turns` as open, and the vectors `ways` as
+    /// long, as possible.
     pub fn oblique(up: Triple, turns: &[Triple], ways: &[Triple]) -> Self {
         let all = OBLIQUE.map(|(turn, height)| Self::from_aside(up, turn.to_radians(), height.to_radians()));
         let worth = |camera: &Self| {
@@ -54,10 +54,11 @@ impl Camera {
         best
     }
 
+    /// Oblique camera with a turn and a height above the horizontal plane, rad.
     fn from_aside(up: Triple, turn: f64, height: f64) -> Self {
         let axis = (0..3).max_by(|a, b| up[*a].abs().total_cmp(&up[*b].abs())).unwrap_or(2);
         let mut first = [0.0; 3];
-        // The other two axes, in the order in which they and `up` are right-handed.
+        // The horizontal axes are the other two, in the order in which they and `up` are right-handed.
         first[(axis + if up[axis] < 0.0 { 2 } else { 1 }) % 3] = 1.0;
         let first = unit(plus(first, -dot(first, up), up)).unwrap_or([1.0, 0.0, 0.0]);
         let second = cross(up, first);
@@ -67,17 +68,17 @@ impl Camera {
         Self { right, up: cross(towards, right), towards, scale: 1.0 }
     }
 
-    /// Spot of a place of the inertial frame on the sheet.
+    /// Spot on the sheet of a place in the inertial frame.
     pub fn spot(&self, place: Triple) -> Spot {
         [self.scale * dot(self.right, place), -self.scale * dot(self.up, place)]
     }
 
-    /// Coordinate of a place towards the viewer, m.
+    /// Coordinate of a place in the inertial frame along the direction to the viewer, m.
     pub fn depth(&self, place: Triple) -> f64 {
         dot(self.towards, place)
     }
 
-    /// Projection of a direction of length 1, at most of length 1.
+    /// Projection of a direction of length 1 onto the sheet, at most of length 1.
     pub fn seen(&self, direction: Triple) -> Spot {
         [dot(self.right, direction), -dot(self.up, direction)]
     }

@@ -1,25 +1,25 @@
-//! Contents of a sheet: labels, and paths that each have a role.
+//! Contents of a sketch's sheet: labels, and paths that each have a role.
 
-/// A place on the sheet, to the right and down, px.
+/// Place on the sheet: distances to the right and down, px.
 pub type Spot = [f64; 2];
 
 /// Next part of a path, from the end of the part before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Part {
-    /// Straight line to this spot.
+    /// Straight line to the given spot.
     Line(Spot),
     /// Cubic Bézier curve, by its two handles and its end.
     Curve([Spot; 3]),
 }
 
-/// A line on the sheet, of straight and of curved parts.
+/// Line on the sheet that is made of straight and curved parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// First spot of the path.
     pub from: Spot,
-    /// Parts of the path, each from the end of the one before.
+    /// Parts of the path, each from the end of the part before.
     pub parts: Vec<Part>,
-    /// True if the end is joined to the beginning.
+    /// True if the end of the path is joined to its beginning.
     pub is_closed: bool,
 }
 
@@ -36,7 +36,7 @@ pub enum Role {
     Mass,
     /// A spring or damper.
     Spring,
-    /// A pin, where bodies meet or one meets the ground.
+    /// A pin that joins bodies, or joins a body to the ground.
     Joint,
     /// Line from which an angle or a length is measured.
     Reference,
@@ -70,10 +70,10 @@ impl Role {
     ];
 }
 
-/// Way in which a path is drawn.
+/// Way in which a path of the sheet is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paint {
-    /// The line alone.
+    /// The line of the path alone.
     Line,
     /// The enclosed area, in the colour of the line.
     Filled,
@@ -81,7 +81,7 @@ pub enum Paint {
     Solid,
 }
 
-/// Path with its role and paint.
+/// Path on the sheet with its role and paint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// Meaning of the mark.
@@ -112,29 +112,29 @@ pub struct Label {
     pub role: Role,
     /// Text of the label, part by part.
     pub words: Vec<Word>,
-    /// Middle of the label's box.
+    /// Middle of the label's box on the sheet.
     pub at: Spot,
     /// Width and height of the label's box, px, estimated because no font is available.
     pub size: Spot,
 }
 
-/// The handles of a quarter of a circle of radius 1 are this far from its ends.
+/// Distance of the handles of a quarter circle of radius 1 from its ends.
 const QUARTER: f64 = 0.552_284_749_830_793_4;
 
 impl Path {
-    /// Straight lines from spot to spot.
+    /// Path of straight lines from spot to spot.
     pub(super) fn line(spots: &[Spot]) -> Self {
         let from = spots.first().copied().unwrap_or_default();
         Self { from, parts: spots.iter().skip(1).map(|spot| Part::Line(*spot)).collect(), is_closed: false }
     }
 
-    /// A polygon with these corners.
+    /// Closed path of a polygon with the given corners.
     pub(super) fn polygon(corners: &[Spot]) -> Self {
         Self { is_closed: true, ..Self::line(corners) }
     }
 
-    /// Arc c + cos t a + sin t b from one t to another, rad. It is part of an ellipse with the conjugate semi-diameters
-    /// a and b, which is the projection of a circle in space.
+    /// Path of an arc c + cos t a + sin t b from one t to another, rad. It is part of an ellipse with the conjugate
+    /// semi-diameters a and b, which is the projection of a circle in space.
     pub(super) fn arc(c: Spot, a: Spot, b: Spot, (from, to): (f64, f64)) -> Self {
         let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
         let step = (to - from) / pieces;
@@ -152,17 +152,17 @@ impl Path {
         Self { from: at(from), parts: parts.collect(), is_closed: false }
     }
 
-    /// An ellipse with these conjugate semi-diameters.
+    /// Closed path of an ellipse about c with the conjugate semi-diameters a and b.
     pub(super) fn ellipse(c: Spot, a: Spot, b: Spot) -> Self {
         Self { is_closed: true, ..Self::arc(c, a, b, (0.0, std::f64::consts::TAU)) }
     }
 
-    /// Circle about c.
+    /// Closed path of a circle about c.
     pub(super) fn circle(c: Spot, radius: f64) -> Self {
         Self::ellipse(c, [radius, 0.0], [0.0, radius])
     }
 
-    /// Outline of all spots within a radius of the line from a to b.
+    /// Closed path around all spots within a radius of the line from a to b.
     pub(super) fn capsule(a: Spot, b: Spot, radius: f64) -> Self {
         let way = [b[0] - a[0], b[1] - a[1]];
         let long = way[0].hypot(way[1]);
@@ -193,7 +193,7 @@ impl Path {
         }
     }
 
-    /// Direction in which the path arrives at its end, of length 1; to the right if it has none.
+    /// Direction in which the path arrives at its end, of length 1; to the right if the path has no length.
     pub(super) fn heading(&self) -> Spot {
         let end = self.end();
         let before = match self.parts.as_slice() {
@@ -237,37 +237,37 @@ impl Mark {
         Self { role, paint: Paint::Line, path }
     }
 
-    /// Outline that hides the marks behind it.
+    /// Mark of an outline that hides the marks behind it.
     pub(super) fn solid(role: Role, path: Path) -> Self {
         Self { role, paint: Paint::Solid, path }
     }
 
-    /// Filled circle about a spot.
+    /// Mark of a filled circle about a spot.
     pub(super) fn dot(role: Role, at: Spot, radius: f64) -> Self {
         Self { role, paint: Paint::Filled, path: Path::circle(at, radius) }
     }
 
-    /// Path with an arrow tip of this length at its end, px.
+    /// Marks of a path and of an arrow tip at its end, of the length `long`, px.
     pub(super) fn arrow(role: Role, path: Path, long: f64) -> [Self; 2] {
         let tip = tip(role, path.end(), path.heading(), long);
         [Self::line(role, path), tip]
     }
 }
 
-/// Tip of an arrow that ends at a spot and points in this direction.
+/// Mark of an arrow tip that ends at a spot and points in the direction `heading`.
 pub(super) fn tip(role: Role, end: Spot, heading: Spot, long: f64) -> Mark {
     let at = |x: f64, y: f64| [end[0] - x * heading[0] - y * heading[1], end[1] - x * heading[1] + y * heading[0]];
     let corners = [end, at(long, 0.32 * long), at(0.8 * long, 0.0), at(long, -0.32 * long)];
     Mark { role, paint: Paint::Filled, path: Path::polygon(&corners) }
 }
 
-/// Direction of a vector on the sheet, of length 1; to the right if it has none.
+/// Direction of a vector on the sheet, of length 1; to the right if the vector is zero.
 pub(super) fn unit(way: Spot) -> Spot {
     let long = way[0].hypot(way[1]);
     if long > 1e-9 { way.map(|x| x / long) } else { [1.0, 0.0] }
 }
 
-/// Box of marks and labels: its least and its greatest corner. `None` if there are none.
+/// Box around marks and labels: its least and its greatest corner. `None` if there are none.
 pub(super) fn extent<'a>(marks: impl IntoIterator<Item = &'a Mark>, labels: &[Label]) -> Option<(Spot, Spot)> {
     let corners = labels.iter().flat_map(|label| {
         let half = label.size.map(|x| 0.5 * x);

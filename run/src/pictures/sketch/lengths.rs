@@ -1,5 +1,5 @@
-//! Marks of coordinates that move points. A length is a dimension line along its axis. An arrow shows a coordinate that
-//! is neither such a length nor an angle.
+//! Marks of coordinates that move points. A dimension line shows a length along its axis. An arrow shows a coordinate
+//! that is neither such a length nor an angle.
 
 use super::drawing::{Mark, Path, Role, Spot, Word, tip, unit};
 use super::sheet::{Sheet, Subject};
@@ -9,24 +9,25 @@ use crate::pictures::view::space::{length, minus, plus, transposed};
 
 /// Distance of a dimension line from the measured length, and length of its extension lines beyond it, px.
 const AWAY: (f64, f64) = (30.0, 4.0);
-/// The tip of a dimension line, px.
+/// Length of the arrow tips of a dimension line, px.
 const TIP: f64 = 8.0;
-/// Length below which a dimension line is replaced by an arrow, px; the arrow's length follows.
+/// Length below which an arrow replaces a dimension line, px.
 const TINY: f64 = 9.0;
+/// Length of an arrow that shows only a sense, px.
 const SENSE: f64 = 34.0;
 
-/// Coordinate that is a component of the vector to a point.
+/// Coordinate that is a component of the position vector of a point.
 pub struct Length {
-    /// The coordinate, and its place in the formula of the component.
+    /// Coordinate, and its place in the formula of the component.
     pub told: Told,
-    /// Index of the point.
+    /// Index of the point that the coordinate moves.
     pub point: usize,
-    /// Index of the component, 0 to 2.
+    /// Index of the component of the position vector, 0 to 2.
     pub component: usize,
 }
 
 impl Length {
-    /// The length that a coordinate is; `None` if it is not a component of a point.
+    /// Finds the component of a point's position that a coordinate is; `None` if it is not such a component.
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
         (0..subject.pose.points.len()).find_map(|point| {
             let (.., first) = subject.terms.components(point)?;
@@ -38,7 +39,8 @@ impl Length {
         })
     }
 
-    /// Ends of the length in the inertial frame, m, with the components before it already added.
+    /// Ends of the length in the inertial frame, m, with the earlier components of the position added. `None` if the
+    /// point has no components.
     fn ends(&self, subject: &Subject<'_>) -> Option<[Triple; 2]> {
         let (from, frame, first) = subject.terms.components(self.point)?;
         let values = subject.terms.values(subject.p, subject.q);
@@ -48,7 +50,8 @@ impl Length {
         Some([self.told.zero, self.told.now].map(|value| plus(corner, value, axes[self.component])))
     }
 
-    /// Direction across the length, away from the other components, of length 1. `None` if the line is drawn in place.
+    /// Direction across the length, away from the other components, of length 1. `None` if the line is drawn between
+    /// its ends.
     fn aside(&self, subject: &Subject<'_>) -> Option<Triple> {
         if !subject.is_planar {
             return None;
@@ -116,7 +119,7 @@ pub fn draw_motion(subject: &Subject<'_>, sheet: &mut Sheet, coordinate: usize) 
     let ways = moved.points.iter().zip(&subject.pose.points).map(|(to, from)| minus(*to, *from).map(|x| x / step));
     let ways: Vec<Triple> = ways.collect();
     let most = ways.iter().map(|way| length(*way)).fold(0.0, f64::max);
-    // Takes the first of the points that move about equally far.
+    // The first of the points that move about equally far is taken.
     let point = ways.iter().position(|way| length(*way) > 0.999 * most);
     let Some(point) = point.filter(|_| most.is_finite() && most > 1e-6 * subject.view.size) else { return false };
     let name = vec![Word::Name(subject.mechanism.coordinates[coordinate].name.clone())];

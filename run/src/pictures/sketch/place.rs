@@ -1,21 +1,21 @@
 //! Placement of labels: near the items that they name, clear of other labels, and on as few lines as possible.
 //!
 //! Each label has candidate places in rings about its anchor. The labels choose one after another, the needed ones
-//! first, and take the cheapest place. Each then chooses again, twice. Costs are rounded, so that machines whose last
-//! digits differ give the same places.
+//! first, and take the cheapest place. Then each label chooses again, twice. Costs are rounded, so that machines whose
+//! last digits differ give the same places.
 
 use super::drawing::{Label, Mark, Path, Role, Spot, Word, unit};
 use tripos_derive::algebra::text::print::name_parts;
 
 /// Distances of a label's box from its anchor in each ring, px, beyond the wished gap.
 const RINGS: [f64; 10] = [0.0, 5.0, 11.0, 18.0, 27.0, 38.0, 52.0, 70.0, 92.0, 118.0];
-/// Number of directions in which candidates lie in a ring.
+/// Number of directions in which candidate places lie in a ring.
 const DIRECTIONS: usize = 24;
-/// Cost of a label on another one: more than all other costs together.
+/// Cost of a label that covers another: more than all other costs together.
 const OVERLAP: f64 = 1e5;
 /// Cost above which an optional label is left out.
 const WORTH: f64 = 24.0;
-/// Distance of a label from its item, px, from which on a leader line joins them.
+/// Length from which on a leader line joins a label and its item, px.
 const LEADER: f64 = 24.0;
 /// Least distances of a label from another label and from a line, px.
 const CLEAR: (f64, f64) = (2.0, 1.0);
@@ -24,7 +24,7 @@ const STEP: f64 = 2.5;
 /// Height of a line of text, px.
 const HIGH: f64 = 17.0;
 
-/// Label that is to be placed.
+/// Request for a label that is to be placed on the sheet.
 #[derive(Clone, Debug)]
 pub struct Wish {
     /// Role of the named item.
@@ -33,7 +33,7 @@ pub struct Wish {
     pub words: Vec<Word>,
     /// Spot beside which the label stands.
     pub anchor: Spot,
-    /// Preferred direction from the anchor, of length 1; `None` if any will do.
+    /// Preferred direction from the anchor, of length 1; `None` for any direction.
     pub towards: Option<Spot>,
     /// Least distance from the anchor, px.
     pub gap: f64,
@@ -55,7 +55,8 @@ fn width(words: &[Word]) -> f64 {
     words.iter().map(of).sum::<f64>() + 1.0
 }
 
-/// Labels of all needed wishes and of the optional ones that find room, and leader lines of distant labels.
+/// Places labels: all that are needed, and the optional ones that find room. Also returns leader lines of distant
+/// labels.
 pub fn placed(wishes: &[Wish], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
     let ink: Vec<(Spot, f64)> = marks.iter().flat_map(ink).collect();
     let sizes: Vec<Spot> = wishes.iter().map(|wish| [width(&wish.words), HIGH]).collect();
@@ -86,7 +87,7 @@ pub fn placed(wishes: &[Wish], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
     (labels, leaders)
 }
 
-/// Spots of a line, each with the cost of a label on it.
+/// Spots of a mark's line, each with the cost of a label on it.
 fn ink(mark: &Mark) -> Vec<(Spot, f64)> {
     let weight = match mark.role {
         Role::Ground => 0.2,
@@ -99,7 +100,7 @@ fn ink(mark: &Mark) -> Vec<(Spot, f64)> {
     mark.path.spots(STEP).into_iter().map(|spot| (spot, weight)).collect()
 }
 
-/// Candidate places of a label, each with its cost apart from other labels.
+/// Candidate places of a label, each with its cost without other labels.
 fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> {
     let half = size.map(|x| 0.5 * x);
     let mut list = Vec::with_capacity(RINGS.len() * DIRECTIONS);
@@ -115,7 +116,7 @@ fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> 
             // There is more room along the sides of a box than at its corners.
             let slanted = 0.4 * (way[0] * way[1]).abs();
             let on: f64 = ink.iter().filter(|(at, _)| holds(spot, half, *at)).map(|(_, weight)| weight).sum();
-            // A body's name far from its body would be taken for that of another.
+            // A body's name that is far from its body could be taken for that of another.
             let further_cost = if wish.role == Role::Body { 4.0 } else { 2.2 };
             let cost = on + further_cost * ring as f64 + 0.12 * further + 5.0 * turned + slanted;
             list.push((spot, (cost * 1e3).round() / 1e3));
@@ -124,6 +125,7 @@ fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> 
     list
 }
 
+/// True if a spot is inside a box with the given middle and half size, or too close to it.
 fn holds(middle: Spot, half: Spot, at: Spot) -> bool {
     (0..2).all(|i| (at[i] - middle[i]).abs() <= half[i] + CLEAR.1)
 }
@@ -133,7 +135,7 @@ fn overlaps(a: (Spot, Spot), b: (Spot, Spot)) -> bool {
     (0..2).all(|i| (a.0[i] - b.0[i]).abs() < 0.5 * (a.1[i] + b.1[i]) + CLEAR.0)
 }
 
-/// Leader line from a label to its anchor; `None` if the label is near it.
+/// Leader line from a label to its anchor; `None` if the label is near its anchor.
 fn leader(wish: &Wish, spot: Spot, size: Spot) -> Option<Mark> {
     let way = [wish.anchor[0] - spot[0], wish.anchor[1] - spot[1]];
     let towards = unit(way);

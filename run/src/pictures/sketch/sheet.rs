@@ -1,4 +1,4 @@
-//! Mechanism and pose that are sketched, the camera, and the sheet as drawn so far.
+//! Mechanism and pose that are sketched, the camera, and the sheet with its marks.
 
 use super::camera::Camera;
 use super::drawing::{Mark, Role, Spot, Word};
@@ -8,17 +8,17 @@ use crate::mechanism::Mechanism;
 use crate::pictures::view::space::{about, length, minus, product, rotated};
 use crate::pictures::view::{Pose, Poses, Rotation, Triple, View};
 
-/// Mechanism in one pose, with the camera that looks at it.
+/// Mechanism in one pose, with the camera of its sketch.
 pub struct Subject<'a> {
-    /// The mechanism.
+    /// Mechanism that is sketched.
     pub mechanism: &'a Mechanism,
-    /// Turns of its frames and positions of its points, as numbers.
+    /// Turns of the mechanism's frames and positions of its points, as numbers.
     pub terms: &'a Terms,
-    /// Poses of its model, as a function of parameters and coordinates.
+    /// Poses of the mechanism's model, as a function of parameters and coordinates.
     pub poses: &'a Poses,
-    /// Parameters.
+    /// Values of the parameters.
     pub p: &'a [f64],
-    /// Coordinates.
+    /// Values of the coordinates in the drawn pose.
     pub q: &'a [f64],
     /// Frames and points in the drawn pose.
     pub pose: &'a Pose,
@@ -26,7 +26,7 @@ pub struct Subject<'a> {
     pub far: &'a [Pose],
     /// Solids of the mechanism, its size and its up direction.
     pub view: &'a View,
-    /// Projection onto the sheet.
+    /// Projection of the mechanism onto the sheet.
     pub camera: Camera,
     /// True if the mechanism moves in a plane and is seen along the plane's normal.
     pub is_planar: bool,
@@ -35,9 +35,9 @@ pub struct Subject<'a> {
 /// Marks and wishes for labels on the sheet.
 #[derive(Default)]
 pub struct Sheet {
-    /// Marks, from back to front.
+    /// Marks on the sheet, from back to front.
     pub marks: Vec<Mark>,
-    /// Labels to be placed. Needed ones choose first, then in this order.
+    /// Labels to be placed. Needed labels choose their places first, then the others in the order of the list.
     pub wishes: Vec<Wish>,
 }
 
@@ -71,7 +71,7 @@ impl Subject<'_> {
         self.named_after(frame).is_some()
     }
 
-    /// Basis vector of a frame, under the name of the body if the frame is named after one.
+    /// Basis vector of a frame as a part of a label. If the frame is named after a body, it has the name of the body.
     pub fn basis(&self, frame: usize, axis: usize) -> Word {
         let name = self.named_after(frame).unwrap_or(&self.mechanism.frames[frame].name);
         Word::Basis(name.to_owned(), axis)
@@ -87,13 +87,13 @@ impl Subject<'_> {
         is_centre || self.mechanism.points.iter().any(|joint| *name == format!("{}_closed", joint.name))
     }
 
-    /// The frame and the frames from which it is turned, itself first.
+    /// Iterates over a frame and the frames that it is turned from, itself first.
     pub fn chain(&self, frame: usize) -> impl Iterator<Item = usize> + '_ {
         std::iter::successors(Some(frame), |at| Some(self.terms.links.frames[*at]?.0))
     }
 
-    /// A direction of a frame, as it would be in the inertial frame if the turn about an axis from the parent had this
-    /// angle.
+    /// Direction in the inertial frame that a direction of a frame has if the frame is turned about an axis of its
+    /// parent by an angle.
     pub fn turned(&self, (parent, axis): (usize, usize), angle: f64, direction: Triple) -> Triple {
         let rotation: Rotation = product(&self.pose.rotations[parent], &about(axis, angle));
         rotated(&rotation, direction)
@@ -101,7 +101,7 @@ impl Subject<'_> {
 }
 
 impl Sheet {
-    /// Adds marks in front of the present ones.
+    /// Adds marks in front of those on the sheet.
     pub fn add(&mut self, marks: impl IntoIterator<Item = Mark>) {
         self.marks.extend(marks);
     }

@@ -1,4 +1,4 @@
-//! Drawn pose: that of a start, with other values for angles and lengths that could not be seen there.
+//! Drawn pose of a sketch: a start, with other values for angles and lengths that could not be seen at the start.
 
 use super::terms::Terms;
 use crate::code::tape;
@@ -12,10 +12,10 @@ use tripos_derive::scene::load;
 
 /// Angles that replace values of about 0 at the start, degrees, one after another.
 const ANGLES: [f64; 6] = [30.0, 40.0, 25.0, 50.0, 35.0, 45.0];
-/// Lengths that replace values of about 0, or values too large for the sheet. They are shares of the size of the
-/// mechanism.
+/// Lengths that replace values of about 0, or values too large for the sheet, as shares of the size of the mechanism.
 const LENGTHS: [f64; 3] = [0.8, 0.65, 0.5];
-/// Angle, rad, and share of a length below which it is not seen, and share above which it hides everything else.
+/// Limits of visibility: the angle, rad, and the share of the mechanism's size, below which a mark is not seen. The
+/// last number is the share above which a length makes all else too small.
 const UNSEEN: (f64, f64, f64) = (0.14, 0.06, 1.8);
 
 /// Coordinate that is drawn at another value than at the start.
@@ -25,11 +25,11 @@ pub struct Changed {
     pub coordinate: usize,
     /// Value of the coordinate at the start.
     pub was: f64,
-    /// The value that is drawn.
+    /// Value of the coordinate in the drawing.
     pub is: f64,
 }
 
-/// Coordinates that turn a frame about an axis, and coordinates that are a component of a vector to a point.
+/// Coordinates by kind: those that turn a frame about an axis, and those that are a component of a vector to a point.
 pub struct Kinds {
     /// Indices of the coordinates that are angles.
     pub angles: Vec<usize>,
@@ -38,7 +38,7 @@ pub struct Kinds {
 }
 
 impl Kinds {
-    /// Sorts the coordinates of a mechanism.
+    /// Sorts the coordinates of a mechanism into angles and lengths; others are in neither list.
     pub fn new(mechanism: &Mechanism, terms: &Terms, at: Configuration<'_>) -> Self {
         let told = |term: usize, c: usize| terms.told(mechanism, (at.parameters, at.q), term, c).is_some();
         let frames = 0..mechanism.frames.len();
@@ -53,11 +53,11 @@ impl Kinds {
     }
 }
 
-/// Coordinates that are drawn for a start, and the changes from it. Coordinates of a mechanism with loops stay
-/// unchanged.
+/// Values of the coordinates that are drawn for a start, and their changes from it. Coordinates of a mechanism with
+/// loops stay unchanged.
 ///
 /// # Errors
-/// [`Error::Request`] if a shape has a length that is not positive at these parameters.
+/// [`Error::Request`] if a shape has a length that is not positive at the given parameters.
 pub fn shown(
     mechanism: &Mechanism,
     terms: &Terms,
@@ -74,7 +74,7 @@ pub fn shown(
     for (c, angle) in tiny.zip(ANGLES.iter().cycle()) {
         q[*c] = angle.to_radians().copysign(if start[*c] < 0.0 { -1.0 } else { 1.0 });
     }
-    // The size of the mechanism, without the lengths that only place it.
+    // The size of the mechanism is measured without the lengths that only place it.
     let mut without = q.clone();
     kinds.lengths.iter().for_each(|c| without[*c] = 0.0);
     let pose = poses.of(at.parameters, &without);
@@ -103,7 +103,7 @@ pub fn shown(
     Ok((q, changed))
 }
 
-/// An angle without whole turns, between minus and plus half of one.
+/// Angle without whole turns, at least -π and below π, rad.
 fn near_turn(angle: f64) -> f64 {
     use std::f64::consts::{PI, TAU};
     angle - TAU * ((angle + PI) / TAU).floor()
@@ -114,7 +114,8 @@ fn rounded(x: f64) -> f64 {
     format!("{x:.1e}").parse().unwrap_or(x)
 }
 
-/// True if every frame and point has finite values inside the domain of the model. Only conditions on the pose count.
+/// True if every frame and point has finite values, and the pose is inside the domain of the model. Only conditions on
+/// the pose count.
 fn is_good(mechanism: &Mechanism, poses: &Poses, p: &[f64], q: &[f64]) -> bool {
     let pose = poses.of(p, q);
     let inputs = [mechanism.p(), mechanism.q()].concat();
@@ -126,16 +127,16 @@ fn is_good(mechanism: &Mechanism, poses: &Poses, p: &[f64], q: &[f64]) -> bool {
     is_somewhere(&pose) && mechanism.domain.iter().all(|condition| is_inside(condition.positive))
 }
 
-/// True if every frame and point has finite values.
+/// True if every frame and point of a pose has finite values.
 pub fn is_somewhere(pose: &Pose) -> bool {
     pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
 }
 
-/// Start of a mechanism without a scene: the parameter values of the model file, and all coordinates 0. A model with
-/// loops is closed from angles and lengths other than 0.
+/// Start of a mechanism without a scene: the parameter values of the model file, and all coordinates 0. The loops of a
+/// model are closed from a guess in which no coordinate is 0.
 ///
 /// # Errors
-/// [`Error::Request`] if a parameter has no value, or the loops do not close from there.
+/// [`Error::Request`] if a parameter has no value, or the loops cannot be closed from the guess.
 pub fn without_scene(mechanism: &Mechanism) -> Result<(Vec<f64>, Vec<f64>), Error> {
     let help = "give a scene, or --at with a state file, which gives it one";
     let value = |p: &tripos_derive::model::Parameter| {

@@ -1,4 +1,4 @@
-//! Ground at joints: pins on their supports, rails, and walls that hold springs.
+//! Marks of the ground at joints: pins on their supports, rails, and walls that hold springs.
 
 use super::drawing::{Mark, Path, Role, Spot, unit};
 use super::sheet::{Sheet, Subject};
@@ -6,14 +6,14 @@ use crate::pictures::view::space::{cross, length, minus};
 use crate::pictures::view::{Form, Triple};
 use tripos_derive::model::ReactionKind;
 
-/// Height of a pin over the ground, and half the width of its support, px.
+/// Height of a pin over the ground, and half the width of its support mark, px.
 const STAND: (f64, f64) = (13.0, 15.0);
-/// Distance of the lines of the hatching, and length of each, px.
+/// Distance of the lines of a hatching, and length of each, px.
 const HATCH: (f64, f64) = (5.5, 6.5);
 /// Length of a rail to each side of the point that runs on it, px.
 const RAIL: f64 = 62.0;
 
-/// Puts supports on the sheet.
+/// Puts the marks of supports and rails on the sheet.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     let mut done: Vec<usize> = Vec::new();
     for point in held(subject) {
@@ -30,7 +30,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Points at which the ground holds something: joints, reactions, and ends of rods and springs.
+/// Indices of the points at which the ground holds something: joints, reactions, and ends of rods and springs.
 fn held(subject: &Subject<'_>) -> Vec<usize> {
     let mechanism = subject.mechanism;
     let hung = mechanism.hung.iter().filter(|hung| hung.on.is_none()).map(|hung| hung.point);
@@ -44,7 +44,7 @@ fn held(subject: &Subject<'_>) -> Vec<usize> {
     hung.chain(pushed).chain(ends).chain(resting).collect()
 }
 
-/// Ends of each rod and spring, as indices of points.
+/// Ends of each rod and each spring, as indices of points.
 fn ways(subject: &Subject<'_>) -> Vec<[usize; 2]> {
     let solids = subject.view.solids.iter();
     solids
@@ -69,7 +69,8 @@ fn leads(subject: &Subject<'_>, point: usize) -> Spot {
     sum
 }
 
-/// Marks of the support of a fixed pin, away from its rods. A wall if only a spring is held there.
+/// Marks of the support of a fixed point, on the side away from its rods. If only a spring is held there, they are a
+/// wall.
 fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
     let (spot, leads) = (subject.spot(point), leads(subject, point));
     let is_of_spring = |solid: &crate::pictures::view::Solid| match solid.form {
@@ -88,7 +89,7 @@ fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
         let ends = [-1.0, 1.0].map(|side| [spot[0] + side * 16.0 * behind[1], spot[1] - side * 16.0 * behind[0]]);
         return wall(ends, behind);
     }
-    // The support is above a hanging mechanism, else below.
+    // The support is above a hanging mechanism, otherwise below.
     let down = if leads[1] > 0.35 { -1.0 } else { 1.0 };
     let foot = |side: f64| [spot[0] + side * 0.62 * STAND.1, spot[1] + down * STAND.0];
     let mut marks = vec![Mark::solid(Role::Support, Path::polygon(&[spot, foot(1.0), foot(-1.0)]))];
@@ -98,7 +99,7 @@ fn stand(subject: &Subject<'_>, point: usize) -> Vec<Mark> {
     marks
 }
 
-/// Direction of length 1 in which a point moves; `None` unless it moves along one line.
+/// Direction of length 1 along which a point moves; `None` unless it moves along one line.
 fn rail(subject: &Subject<'_>, point: usize) -> Option<Triple> {
     let here = subject.pose.points[point];
     let ways: Vec<Triple> = subject.far.iter().map(|pose| minus(pose.points[point], here)).collect();
@@ -108,7 +109,7 @@ fn rail(subject: &Subject<'_>, point: usize) -> Option<Triple> {
     ways.iter().all(is_along).then_some(way)
 }
 
-/// Marks of a rail beside the point that runs on it.
+/// Marks of a rail beside the point that runs on it; none if the rail is nearly perpendicular to the sheet.
 fn guide(subject: &Subject<'_>, point: usize, way: Triple) -> Vec<Mark> {
     let camera = &subject.camera;
     let (spot, seen) = (subject.spot(point), camera.seen(way));
@@ -125,7 +126,7 @@ fn guide(subject: &Subject<'_>, point: usize, way: Triple) -> Vec<Mark> {
     wall([at(-RAIL), at(RAIL)], below)
 }
 
-/// A line with hatching behind it.
+/// Marks of a wall: a line with hatching behind it.
 pub fn wall(ends: [Spot; 2], behind: Spot) -> Vec<Mark> {
     let [a, b] = ends;
     let way = [b[0] - a[0], b[1] - a[1]];

@@ -1,4 +1,5 @@
-//! Turns of frames and positions of points as numbers: the terms from which a coordinate's angle or length is read.
+//! Turns of frames and positions of points as numbers. The angle or length that a coordinate is can be read from their
+//! terms.
 
 use crate::code::tape;
 use crate::error::Error;
@@ -10,17 +11,18 @@ use tripos_derive::algebra::value::evaluate::Tape;
 /// Relative difference below which two numbers count as equal.
 const SAME: f64 = 1e-9;
 
-/// Terms that give a mechanism's frames and points.
+/// Terms that give the frames and points of a mechanism, as a tape.
 pub struct Terms {
     tape: Tape,
-    /// Dependence of frames and points on the terms.
+    /// Parents of the frames and points, with the terms that place them.
     pub links: Links,
-    /// Index of the first term of each frame; below, of each point.
+    /// Index of the first term of each frame.
     frames: Vec<usize>,
+    /// Index of the first term of each point.
     points: Vec<usize>,
 }
 
-/// Term that is a coordinate times 1 or -1, plus a rest that does not depend on it.
+/// A term that is a coordinate times 1 or -1, plus a rest that does not depend on the coordinate.
 #[derive(Clone, Copy, Debug)]
 pub struct Told {
     /// Index of the coordinate.
@@ -34,7 +36,7 @@ pub struct Told {
 }
 
 impl Terms {
-    /// Terms of this mechanism.
+    /// Compiles the terms of a mechanism.
     ///
     /// # Errors
     /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No loaded model has
@@ -58,14 +60,15 @@ impl Terms {
         Ok(Self { tape, links, frames, points })
     }
 
-    /// Turn of a frame about a single axis: the parent frame, the axis, and the index of the angle's term.
+    /// Turn of a frame about a single axis: the parent frame, the axis, and the index of the angle's term. `None` if
+    /// the frame does not turn about a single axis.
     pub fn turn(&self, frame: usize) -> Option<(usize, usize, usize)> {
         let (parent, axis) = self.links.frames[frame]?;
         Some((parent, axis?, self.frames[frame]))
     }
 
-    /// Vector to a point: the point and the frame that it is measured from, and the index of its first component's
-    /// term.
+    /// Vector to a point: the point from which it is measured, the frame of its components, and the index of the first
+    /// component's term. `None` for the origin.
     pub fn components(&self, point: usize) -> Option<(usize, usize, usize)> {
         let (parent, frame) = self.links.points[point]?;
         Some((parent, frame, self.points[point]))
@@ -76,7 +79,7 @@ impl Terms {
         mechanism.arena.mentions(self.links.values[term], mechanism.coordinates[coordinate].symbol)
     }
 
-    /// True if the turn of a frame mentions a coordinate.
+    /// True if the turn of a frame from its parent mentions a coordinate.
     pub fn turns_by(&self, mechanism: &Mechanism, frame: usize, coordinate: usize) -> bool {
         let count = match self.links.frames[frame] {
             None => 0,
@@ -86,12 +89,13 @@ impl Terms {
         (self.frames[frame]..self.frames[frame] + count).any(|term| self.mentions(mechanism, term, coordinate))
     }
 
-    /// Values of all terms.
+    /// Values of all terms at parameters and coordinates.
     pub fn values(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         self.tape.evaluate(&[p, q].concat())
     }
 
-    /// Reads a coordinate from a term. `None` unless the term is the coordinate or its opposite plus a rest without it.
+    /// Reads a coordinate from a term. `None` unless the term is the coordinate or its opposite, plus a rest that does
+    /// not depend on it.
     pub fn told(
         &self,
         mechanism: &Mechanism,

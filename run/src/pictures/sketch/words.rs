@@ -1,4 +1,4 @@
-//! Description of a sketch in words, as its caption and for readers who cannot see it.
+//! Description of a sketch in sentences, as its caption and for readers who cannot see it.
 
 use super::angles::Angle;
 use super::axes::along_axis;
@@ -12,19 +12,19 @@ use tripos_derive::model::{TIME, Unit};
 
 /// Mark that shows a coordinate.
 pub enum Shown {
-    /// An arc; false if it shows only the sense.
+    /// An arc of an angle. The flag is false if the arc shows only the sense in which the angle grows.
     Arc(Angle, bool),
-    /// A dimension line; false if it shows only the sense.
+    /// A dimension line of a length. The flag is false if only an arrow shows the sense in which the length grows.
     Line(Length, bool),
-    /// One arc for several coordinates, as the turn of this frame.
+    /// A common arc of several coordinates, which shows their turn of the frame with this index.
     Together(usize),
-    /// An arrow at the point that it moves.
+    /// An arrow at the point that the coordinate moves the most.
     Arrow,
     /// The name alone: the coordinate moves nothing that is drawn.
     Name,
 }
 
-/// Sentences on the view, the drawn bodies and the coordinates.
+/// Sentences that describe the view, the drawn bodies and the coordinates of a sketch.
 pub fn about(subject: &Subject<'_>, shown: &[(usize, Shown)], has_gravity: bool) -> String {
     let mut sentences = vec![seen(subject, has_gravity)];
     sentences.extend(bodies(subject));
@@ -36,6 +36,7 @@ pub fn about(subject: &Subject<'_>, shown: &[(usize, Shown)], has_gravity: bool)
     sentences.join(" ")
 }
 
+/// Sentence that states the direction of view and that of gravity.
 fn seen(subject: &Subject<'_>, has_gravity: bool) -> String {
     let towards = subject.camera.towards;
     let gravity = if !has_gravity {
@@ -58,6 +59,7 @@ fn axis_of(subject: &Subject<'_>, direction: Triple) -> Option<String> {
     Some(format!("{}{name}{}", if is_along { "" } else { "-" }, axis + 1))
 }
 
+/// Sentence that lists the drawn bodies and springs; `None` if there are none.
 fn bodies(subject: &Subject<'_>) -> Option<String> {
     let list: Vec<String> = subject
         .mechanism
@@ -79,10 +81,12 @@ fn bodies(subject: &Subject<'_>) -> Option<String> {
     (!all.is_empty()).then(|| format!("Drawn are {}.", all.join(", ")))
 }
 
+/// Noun for the form of a solid, which may represent a particle.
 fn noun(form: &Form, is_particle: bool) -> &'static str {
     if is_particle && matches!(form, Form::Sphere { .. }) { "particle" } else { form.noun() }
 }
 
+/// Sentence that says how each coordinate is shown; `None` without coordinates.
 fn coordinates(subject: &Subject<'_>, shown: &[(usize, Shown)]) -> Option<String> {
     let one = |(coordinate, how): &(usize, Shown)| {
         let coordinate = &subject.mechanism.coordinates[*coordinate];
@@ -106,7 +110,7 @@ fn coordinates(subject: &Subject<'_>, shown: &[(usize, Shown)]) -> Option<String
     (!list.is_empty()).then(|| format!("{}.", list.join("; ")))
 }
 
-/// Sentence with the drawn values of the coordinates, and those of the start where they differ.
+/// Sentence with the drawn values of the coordinates, and the values of the start if they differ. `of` names the start.
 pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
     let all = subject.mechanism.coordinates.iter().zip(subject.q).enumerate().filter(|(_, (c, _))| c.name != TIME);
     let value = |at: usize, x: f64| {
@@ -131,12 +135,12 @@ pub fn drawn(subject: &Subject<'_>, changed: &[Changed], of: &str) -> String {
     format!("Drawn{at}, to be seen; {of} has {}.", list.join(", "))
 }
 
-/// Unit after a number; empty for plain numbers.
+/// Unit with a space before it, to follow a number; empty for plain numbers.
 fn unit(unit: &Unit) -> String {
     if unit.is_plain() { String::new() } else { format!(" {unit}") }
 }
 
-/// Three significant digits. Rounding errors of 0 are shown as 0.
+/// Writes a number with three significant digits. Rounding errors of 0 are written as 0.
 fn digits(x: f64) -> String {
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
     let short: f64 = format!("{x:.2e}").parse().unwrap_or(x);
@@ -144,7 +148,7 @@ fn digits(x: f64) -> String {
     (short + 0.0).to_string()
 }
 
-/// Directions of rods and springs, which should be seen long.
+/// Vectors along rods and springs, m, which a view should show as long as possible.
 pub fn ways(subject: &Subject<'_>) -> Vec<Triple> {
     let ends = subject.view.solids.iter().filter_map(|solid| match solid.form {
         Form::Rod { ends, .. } | Form::Spring { ends } => Some(ends),
@@ -153,7 +157,7 @@ pub fn ways(subject: &Subject<'_>) -> Vec<Triple> {
     ends.map(|[a, b]| crate::pictures::view::space::minus(subject.pose.points[b], subject.pose.points[a])).collect()
 }
 
-/// Axes of the angles in the inertial frame.
+/// Axes of the given angles in the inertial frame, of length 1.
 pub fn turns(subject: &Subject<'_>, angles: &[Angle]) -> Vec<Triple> {
     angles.iter().map(|angle| angle.about(subject)).collect()
 }

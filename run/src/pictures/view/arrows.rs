@@ -1,5 +1,5 @@
-//! Forces as arrows along a motion: weights, the forces of the model file, among them springs and dampers, and
-//! constraint reactions.
+//! Forces as arrows along a motion: weights, forces of the model file such as springs and dampers, and constraint
+//! reactions.
 //!
 //! Left out on purpose: torques, potentials that are not forces at points, and the forces in closed contacts of a scene
 //! with impacts.
@@ -21,11 +21,12 @@ use tripos_sim::Dynamics;
 /// Source of a force: gravity, the model file or constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArrowKind {
-    /// Gravity, at the mass centre of a body.
+    /// Weight of a body, at its mass centre.
     Weight,
     /// A force of the model file, or its opposite.
     Applied,
-    /// A constraint force on the first of the bodies that the constraint holds; on the other it is the opposite.
+    /// A constraint force on the first of the two bodies that the constraint joins; on the other body it is the
+    /// opposite.
     Reaction,
 }
 
@@ -34,33 +35,33 @@ pub enum ArrowKind {
 pub struct Arrow {
     /// Source of the force.
     pub kind: ArrowKind,
-    /// Name of the force. A force of the file has its own name, a weight that of its body. A reaction has the names of
-    /// its components if the file gives them, else its body and point.
+    /// Name of the force. A force of the model file has its own name, a weight that of its body. A reaction has the
+    /// names of its components if the model file gives them, otherwise it is named by its body and point.
     pub name: String,
-    /// Index of the body that it acts on.
+    /// Index of the body that the force acts on.
     pub body: usize,
-    /// Index of the point that it acts at.
+    /// Index of the point that the force acts at.
     pub point: usize,
-    /// True if the force is the opposite of the named one.
+    /// True if the force is the opposite of the force with this name.
     pub is_opposite: bool,
-    /// Index of the frame of its components.
+    /// Index of the frame in which the force has its components.
     frame: usize,
 }
 
-/// The forces along a motion.
+/// Forces of a mechanism along a motion, with their values.
 #[derive(Clone, Debug, Default)]
 pub struct Forces {
-    /// Forces that are not always zero: weights in the order of the bodies, each force of the file and its opposite,
-    /// then reactions.
+    /// Forces that are not always zero: weights in the order of the bodies, each force of the model file and its
+    /// opposite, then reactions.
     pub list: Vec<Arrow>,
-    /// Their values at each instant, N, in the inertial frame, in the order of the list.
+    /// Values of the forces at each instant, N, in the inertial frame, in the order of `list`.
     pub values: Vec<Vec<Triple>>,
-    /// Names of the forces that are left out because they have no value at some instant.
+    /// Names of the forces that are left out because they have no value at one of the instants.
     pub unknown: Vec<String>,
-    /// Scale of the forces, N, so that a spike does not make the others invisible. The largest force exceeds it at a
-    /// tenth of the instants. It is the overall largest force where that would be 0.
+    /// Scale of the forces, N, chosen so that a spike does not make other forces invisible. The largest force exceeds
+    /// it at a tenth of the instants. If that number is 0, the scale is the overall largest force.
     pub usual: f64,
-    /// Reason why the reactions of the motion are missing; `None` if they are given or there are none.
+    /// Reason why the reactions of the motion are missing; `None` if they are known or there are none.
     pub without: Option<String>,
 }
 
@@ -68,7 +69,7 @@ impl Forces {
     /// Ratio of the longest drawn arrow to the usual force; longer arrows are cut.
     pub const CUT: f64 = 2.5;
 
-    /// Force as it is drawn, N: at its own length, or cut.
+    /// Force as it is drawn, N: at its own length, or cut to [`Self::CUT`] times the usual force.
     #[must_use]
     pub fn drawn(&self, force: Triple) -> Triple {
         let cut = Self::CUT * self.usual / length(force);
@@ -81,29 +82,30 @@ impl Forces {
         self.values.iter().flatten().map(|force| length(*force)).fold(0.0, f64::max)
     }
 
-    /// Forces at a selection of the instants.
+    /// Forces at a selection of the instants, by their indices.
     #[must_use]
     pub fn at(&self, kept: &[usize]) -> Self {
         Self { values: kept.iter().map(|at| self.values[*at].clone()).collect(), ..self.clone() }
     }
 }
 
-/// Evaluates the forces of a mechanism at the states of a scene.
+/// Forces of a mechanism as functions of the states of a scene.
 pub(super) struct Arrows {
     list: Vec<Arrow>,
     /// Computes the force components from parameters, q, u and reactions.
     tape: Tape,
-    /// The force balance, if there are reactions.
+    /// Equations of the force balance; `None` if there are no reactions or they cannot be found.
     balance: Option<Code>,
+    /// Reason why reactions cannot be found; `None` if they are known or there are none.
     without: Option<String>,
 }
 
 impl Arrows {
-    /// The weights, declared forces and reactions of a mechanism.
+    /// Compiles the weights, the forces of the model file and the reactions of a mechanism.
     ///
     /// # Errors
-    /// [`Error::Input`] if a force divides by a velocity that is zero; [`Error::Request`] if one depends on a symbol
-    /// that has no value during a run.
+    /// [`Error::Input`] if a force divides by a velocity that is zero; [`Error::Request`] if a force depends on a
+    /// symbol that has no value during a run.
     pub(super) fn new(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let model = &mechanism.model;
         let mut kinematics = Kinematics::new(model).map_err(|error| model.diagnose(&error))?;
@@ -160,10 +162,10 @@ impl Arrows {
         Ok(Self { tape: stepwise(&kinematics.arena, &inputs, &steps, &values, "a force")?, list, balance, without })
     }
 
-    /// The forces at states with these poses. Each state consists of coordinates and generalized speeds.
+    /// Computes the forces at states with their poses. Each state consists of coordinates and generalized speeds.
     ///
     /// # Errors
-    /// [`Error::Request`] if the parameters are not those of the equations.
+    /// [`Error::Request`] if the number of parameters does not fit the equations.
     pub(super) fn along(self, mechanism: &Mechanism, scene: &Scene, seen: &[(&[f64], &Pose)]) -> Result<Forces, Error> {
         let (p, n) = (scene.parameters.as_slice(), mechanism.coordinates.len());
         let mut balance = match &self.balance {
@@ -197,7 +199,7 @@ impl Arrows {
     }
 }
 
-/// Magnitude that the largest force exceeds at a tenth of the instants, N; the overall largest where that is 0.
+/// Magnitude that the largest force exceeds at a tenth of the instants, N; the overall largest magnitude if that is 0.
 fn usual(values: &[Vec<Triple>]) -> f64 {
     let largest = |now: &Vec<Triple>| now.iter().map(|force| length(*force)).fold(0.0, f64::max);
     let mut each: Vec<f64> = values.iter().map(largest).collect();
@@ -206,7 +208,8 @@ fn usual(values: &[Vec<Triple>]) -> f64 {
     if tenth > 0.0 { tenth } else { each.last().copied().unwrap_or_default() }
 }
 
-/// Force balance of a motion with reactions; `None` without reactions. The error says why they cannot be found.
+/// Equations of the force balance of a mechanism with reactions; `None` without reactions. The error says why reactions
+/// cannot be found.
 fn balance(mechanism: &Mechanism, scene: &Scene, has_reactions: bool) -> Result<Option<Code>, String> {
     if !has_reactions {
         return Ok(None);
@@ -218,7 +221,7 @@ fn balance(mechanism: &Mechanism, scene: &Scene, has_reactions: bool) -> Result<
     balance.map(Some).map_err(|error| format!("Newton and Euler's equations do not determine them: {error}"))
 }
 
-/// Groups the components of reaction forces that act at the same two places in the same frame.
+/// Groups the components of reaction forces that act between the same two places in the same frame.
 fn joined(reactions: &[Reaction]) -> Vec<(Place, usize, Vec<&Reaction>)> {
     let mut list: Vec<(ReactionKind, usize, Vec<&Reaction>)> = Vec::new();
     for reaction in reactions {

@@ -1,8 +1,9 @@
 //! Solids guessed from bodies, points and joints, for models whose file gives no shapes.
 //!
-//! Numbers tell which points are fixed in a body, in configurations far from each other. The file's way of placing them
-//! does not matter: a point belongs to every body in which it does not move. Rods join the points that are fixed in a
-//! body. Inertia tells disks and boxes. A body rolls at a point that moves round it at a constant distance.
+//! Points that are fixed in a body are found by numbers, in configurations far from each other. The model file's way of
+//! placing them does not matter: a point belongs to every body in which it does not move. Rods join the points that are
+//! fixed in a body. The inertia decides between disks and boxes. A body rolls at a point that moves round it at a
+//! constant distance.
 
 use super::View;
 use super::inertia::{Homogeneous, homogeneous, principal};
@@ -16,14 +17,14 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use tripos_derive::model::{Body, Place as Of, ReactionKind};
 
-/// Radius of a rod, relative to the size of the mechanism.
+/// Radius of a guessed rod, relative to the size of the mechanism.
 const ROD: f64 = 0.016;
-/// Tolerance for equal places, for lengths of order one.
+/// Tolerance up to which places count as equal, for lengths of order one.
 const SAME: f64 = 1e-9;
 /// Greatest number of points that are traced by default.
 const MOST_TRACED: usize = 3;
 
-/// Geometry of a mechanism's bodies, as found from numbers.
+/// Geometry of a mechanism's bodies, found by numbers.
 pub struct Guess<'a> {
     mechanism: &'a Mechanism,
     /// Poses far from each other; the first is the start.
@@ -34,16 +35,17 @@ pub struct Guess<'a> {
 /// Mass, shape and fixed points of a body.
 struct Known {
     mass: f64,
-    /// Homogeneous solid of its mass and inertia, and the rotation of its principal axes from the body's frame.
+    /// Homogeneous solid with the body's mass and inertia, and the rotation of its principal axes from the body's
+    /// frame. `None` for a particle, and if no such solid exists.
     like: Option<(Homogeneous, Rotation)>,
-    /// Indices of points that are fixed in it, other than its mass centre.
+    /// Indices of the points that are fixed in the body, other than its mass centre.
     attached: Vec<usize>,
-    /// Point of contact, if a point runs round the body.
+    /// Contact of the body; `None` if no point runs round the body.
     rim: Option<Rim>,
 }
 
-/// Contact of a body: the point, its distance from an axis, and the position of the contact's plane along the axis, m
-/// from the mass centre.
+/// Contact of a rolling or sliding body: index of the point, its distance from an axis, m, and the position of the
+/// contact's plane along the axis from the mass centre, m.
 #[derive(Clone, Copy)]
 struct Rim {
     point: usize,
@@ -52,7 +54,8 @@ struct Rim {
 }
 
 impl<'a> Guess<'a> {
-    /// Guesses the solids of a mechanism at the parameters of a configuration, from which it moves through these poses.
+    /// Guesses the solids of a mechanism at the parameters of a configuration; `moves` are poses of its motion from
+    /// there.
     pub fn new(mechanism: &'a Mechanism, at: Configuration<'_>, poses: &Poses, moves: &[Pose]) -> Result<Self, Error> {
         let mut far: Vec<Pose> = moves.first().cloned().into_iter().collect();
         far.extend((0..4).map(|away| poses.of(at.parameters, &configuration(at.q, away))));
@@ -70,6 +73,7 @@ impl<'a> Guess<'a> {
         Ok(guess)
     }
 
+    /// Finds the mass, the shape and the fixed points of a body.
     fn known(&self, parameters: &[f64], body: &Body) -> Result<Known, Error> {
         let mass = values(self.mechanism, parameters, &[body.mass], "a mass")?[0];
         let Some((frame, inertia)) = &body.rigid else {
@@ -79,7 +83,7 @@ impl<'a> Guess<'a> {
         let flat = values(self.mechanism, parameters, &terms, "an inertia")?;
         let tensor: Rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j| flat[3 * i + j]));
         let like = self.poses.first().and_then(|pose| {
-            // Components in the inertia's frame to components in the body's.
+            // Takes components in the frame of the inertia to those in the frame of the body.
             let turn = product(&transposed(&pose.rotations[*frame]), &pose.rotations[inertia.frame]);
             let (moments, axes) = principal(&product(&product(&turn, &tensor), &transposed(&turn)));
             Some((homogeneous(mass, moments)?, axes))
@@ -89,7 +93,7 @@ impl<'a> Guess<'a> {
         Ok(Known { mass, like, attached, rim: None })
     }
 
-    /// Position of a point from the mass centre of a body, in the body's frame, m, in each pose.
+    /// Positions of a point from the mass centre of a body, in the body's frame, m, one for each pose.
     fn seen_from(&self, frame: usize, centre: usize, point: usize) -> impl Iterator<Item = Triple> + '_ {
         self.poses
             .iter()
@@ -104,8 +108,8 @@ impl<'a> Guess<'a> {
         point != centre && apart > SAME && places.iter().all(|r| length(minus(*r, *first)) <= SAME * (1.0 + apart))
     }
 
-    /// Removes points that a body shares with a body that it is turned from, except the nearest one. They all lie on
-    /// the common axle.
+    /// Removes the points that a body shares with a body that it is turned from, except the nearest one. All of these
+    /// points lie on the common axle.
     fn leave_out_axle(&mut self, at: usize) {
         let frame_of = |body: &Body| body.rigid.as_ref().map(|(frame, _)| *frame);
         let Some(own) = frame_of(&self.mechanism.bodies[at]) else { return };
@@ -128,8 +132,8 @@ impl<'a> Guess<'a> {
         }
     }
 
-    /// Finds the contact of a rolling or sliding body. A force acts there, and the point runs round the body at a
-    /// constant distance and height.
+    /// Finds the contact of a rolling or sliding body: a point at which a force acts and that runs round the body at a
+    /// constant distance and height. `None` if there is no such point.
     fn rim(&self, at: usize, body: &Body) -> Option<Rim> {
         let (frame, _) = body.rigid.as_ref()?;
         let (like, axes) = self.bodies[at].like.as_ref()?;
@@ -165,7 +169,8 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Indices of the points that are seen: those of the stated solids, else those of the bodies and springs.
+    /// Indices of the points that are visible: those of the stated solids, or those of the bodies and springs if none
+    /// is stated.
     pub fn seen(&self, stated: &[Solid]) -> Vec<usize> {
         let mut list: Vec<usize> = if stated.is_empty() {
             let of_bodies = self.mechanism.bodies.iter().zip(&self.bodies).flat_map(|(body, known)| {
@@ -182,12 +187,12 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Greatest distance from a mass centre to the surface of a solid of that inertia, m.
+    /// Greatest distance from the place of a guessed solid to its surface, m.
     pub fn reach(&self) -> f64 {
         self.solids(0.0).iter().map(|solid| solid.form.reach()).fold(0.0, f64::max)
     }
 
-    /// Guessed solids of a mechanism of this size, m.
+    /// Makes the guessed solids for a mechanism of the given size, m.
     pub fn solids(&self, size: f64) -> Vec<Solid> {
         let mut list = Vec::new();
         for (at, (body, known)) in self.mechanism.bodies.iter().zip(&self.bodies).enumerate() {
@@ -213,7 +218,8 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Forms of a particle: a ball, and a rod if it keeps a constant distance from the point that it is placed from.
+    /// Forms of a particle: a ball, and a rod if the particle keeps a constant distance from the point that it is
+    /// placed from.
     fn particle(&self, body: &Body, known: &Known, size: f64) -> Vec<Form> {
         let heaviest = self.bodies.iter().map(|known| known.mass).fold(0.0, f64::max);
         let share = if heaviest > 0.0 { (known.mass / heaviest).cbrt().clamp(0.5, 1.0) } else { 1.0 };
@@ -235,6 +241,7 @@ impl<'a> Guess<'a> {
         apart > SAME && turns && ways.iter().all(|way| (length(*way) - apart).abs() <= SAME * (1.0 + apart))
     }
 
+    /// Forms of a rigid body: a wheel, a bar, rods between its fixed points, or the homogeneous solid of its inertia.
     fn body(&self, body: &Body, frame: usize, known: &Known, size: f64) -> Vec<Form> {
         let at = Place::at(frame, body.centre);
         let rod = ROD * size;
@@ -284,7 +291,7 @@ impl<'a> Guess<'a> {
         forms
     }
 
-    /// Balls at the places where bodies meet each other or the ground.
+    /// Balls at the places at which bodies meet each other or the ground.
     fn pins(&self, size: f64) -> Vec<Solid> {
         let mut list: Vec<usize> = Vec::new();
         for point in 0..self.mechanism.points.len() {
@@ -310,7 +317,7 @@ impl<'a> Guess<'a> {
         first.is_some_and(|first| self.poses.iter().all(|pose| length(minus(pose.points[point], first)) <= SAME))
     }
 
-    /// Ground plane, on which bodies roll or above which they swing. `None` without contacts and gravity.
+    /// Guesses the ground plane, on which bodies roll or above which they swing. `None` without contacts and gravity.
     pub fn ground(&self, view: &View, motions: &[&[Pose]]) -> Option<Solid> {
         let pose = motions.first()?.first()?;
         let rims: Vec<Triple> = self.bodies.iter().filter_map(|known| Some(pose.points[known.rim?.point])).collect();
@@ -340,7 +347,8 @@ impl<'a> Guess<'a> {
         Some(Solid { label: "ground".to_owned(), body: None, touches: None, form: Form::Ground { at: place } })
     }
 
-    /// Points whose paths are worth tracing.
+    /// Indices of the points whose paths are worth tracing: points of contact, otherwise particles, otherwise one mass
+    /// centre.
     pub fn traced(&self) -> Vec<usize> {
         let rims = self.bodies.iter().filter_map(|known| known.rim.map(|rim| rim.point));
         let of = |is_rigid: bool| {
@@ -358,13 +366,13 @@ impl<'a> Guess<'a> {
         list
     }
 
-    /// Axes of each rigid body: its frame and its mass centre.
+    /// Index of the frame and of the mass centre of each rigid body.
     pub fn triads(&self) -> Vec<(usize, usize)> {
         self.mechanism.bodies.iter().filter_map(|body| Some((body.rigid.as_ref()?.0, body.centre))).collect()
     }
 }
 
-/// Wheel or ball with the radius of its contact.
+/// Form of a wheel or a ball with the radius of its contact.
 fn wheel(at: Place, known: &Known, rim: Rim) -> Form {
     match &known.like {
         Some((Homogeneous::Cylinder { axis, .. }, axes)) => {
@@ -377,8 +385,8 @@ fn wheel(at: Place, known: &Known, rim: Rim) -> Form {
     }
 }
 
-/// Configuration far from the start and from the others. It uses multiples of irrational numbers, so it is the same on
-/// every machine.
+/// Configuration with the number `at`, far from the start and from the other configurations. It uses multiples of
+/// irrational numbers, so it is the same on every machine.
 fn configuration(start: &[f64], at: usize) -> Vec<f64> {
     let step = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (at + 1) as f64 * 0.569_840_291).fract();
     start.iter().enumerate().map(|(k, q)| q + 0.2 + 1.1 * step(k)).collect()

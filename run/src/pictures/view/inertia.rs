@@ -2,9 +2,9 @@
 
 use super::space::{IDENTITY, Rotation, Triple, product, transposed};
 
-/// Principal moments of a symmetric tensor, ascending, kg m², and the axes that they are about, as columns.
+/// Principal moments of a symmetric inertia tensor, ascending, kg m², and the principal axes, as columns of a rotation.
 ///
-/// Jacobi's rotations (G. H. Golub & C. F. Van Loan, *Matrix Computations*, 4th edition (2013), § 8.5).
+/// The method is Jacobi's rotations (G. H. Golub & C. F. Van Loan, *Matrix Computations*, 4th edition (2013), § 8.5).
 pub fn principal(tensor: &Rotation) -> (Triple, Rotation) {
     let (mut a, mut axes) = (*tensor, IDENTITY);
     for _ in 0..30 {
@@ -26,14 +26,14 @@ pub fn principal(tensor: &Rotation) -> (Triple, Rotation) {
     order.sort_by(|x, y| a[*x][*x].total_cmp(&a[*y][*y]));
     let columns = transposed(&axes);
     let mut sorted = order.map(|at| columns[at]);
-    // Right-handed.
+    // The axes are made right-handed.
     if super::space::dot(super::space::cross(sorted[0], sorted[1]), sorted[2]) < 0.0 {
         sorted[2] = sorted[2].map(|x| -x);
     }
     (order.map(|at| a[at][at].max(0.0)), transposed(&sorted))
 }
 
-/// Homogeneous solid of a mass and principal moments. Lengths are in m.
+/// Homogeneous solid that has a given mass and given principal moments. Lengths are in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Homogeneous {
     /// Sphere, for three equal moments.
@@ -57,8 +57,9 @@ pub enum Homogeneous {
     },
 }
 
-/// Finds the homogeneous solid with this mass and these moments. A sphere has 2/5 m r². A cylinder has ½ m r² about its
-/// axis and m (3 r² + l²)/12 across it. A box has m (b² + c²)/12. `None` for a body without mass or moments.
+/// Finds the homogeneous solid with a given mass, kg, and given principal moments, kg m², ascending. A sphere has 2/5 m
+/// r². A cylinder has ½ m r² about its axis and m (3 r² + l²)/12 across it. A box has m (b² + c²)/12. `None` for a body
+/// without mass or moments.
 pub fn homogeneous(mass: f64, [a, b, c]: Triple) -> Option<Homogeneous> {
     if !(mass > 0.0 && c > 0.0 && c.is_finite() && mass.is_finite()) {
         return None;

@@ -1,13 +1,14 @@
-//! Forms that represent a body.
+//! Forms of solids that represent a body.
 
 use super::inertia::Homogeneous;
 use super::solid::{Form, Place};
 use super::space::{Rotation, Triple, along, dot, length, minus, plus, quaternion, transposed, unit};
 
-/// Greatest distance of points from the line of a rod, relative to its length.
+/// Greatest distance from a line of points that lie on one rod, relative to the rod's length.
 pub const STRAIGHT: f64 = 0.15;
 
-/// One rod if the points of a body lie on a line, else one from the mass centre to each point.
+/// Rods that join the points of a body: a single rod if all lie on a line, otherwise a rod from the mass centre to each
+/// point.
 pub fn rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> Vec<Form> {
     let all: Vec<(usize, Triple)> =
         points.iter().copied().zip(places.iter().copied()).chain([(centre, [0.0; 3])]).collect();
@@ -26,7 +27,7 @@ pub fn rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> 
     points.iter().map(|point| Form::Rod { ends: [centre, *point], radius }).collect()
 }
 
-/// Form of a homogeneous solid with its axes turned like this, thick enough to be seen.
+/// Form of a homogeneous solid whose principal axes are turned by `axes`, made thick enough to be visible.
 pub fn homogeneous_form(at: Place, like: &Homogeneous, axes: &Rotation, thin: f64) -> Form {
     match *like {
         Homogeneous::Sphere { radius } => Form::Sphere { at, radius },

@@ -1,4 +1,4 @@
-//! Motion for a view: poses at as many instants as are needed to see no difference from the run.
+//! Motion of a mechanism for a view: poses at enough instants that no difference from the run is visible.
 
 use super::arrows::{Arrows, Forces};
 use super::pose::{Pose, Poses};
@@ -11,16 +11,16 @@ use std::f64::consts::FRAC_PI_2;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::Method;
 
-/// Number of evenly spaced instants of a run for a view, before unneeded ones are left out.
+/// Number of evenly spaced instants of a run for a view, before the unneeded ones are left out.
 const SAMPLES: usize = 6000;
 /// Greatest number of samples from one kept instant to the next.
 const LONGEST: usize = 60;
-/// Greatest invisible errors between two instants: of places, relative to the mechanism's size; of angles, rad; and of
-/// forces, relative to the usual one.
+/// Greatest errors between two instants that are not visible: of places, relative to the mechanism's size; of angles,
+/// rad; and of forces, relative to the usual force.
 const NOT_SEEN: (f64, f64, f64) = (5e-4, 4e-3, 2e-2);
-/// Angle between drawn and true attitude above which the turning looks wrong, rad.
+/// Angle between drawn and true attitude above which a turn looks wrong, rad.
 const UNTRUE: f64 = 0.2;
-/// Greatest angle for which the shortest turn between two attitudes is unique, also with rounding errors, rad.
+/// Greatest angle between two attitudes for which the shortest turn is unique despite rounding errors, rad.
 const ONE_WAY: f64 = 3.0;
 
 /// Motion of a mechanism for a view: poses and forces at instants.
@@ -28,27 +28,28 @@ const ONE_WAY: f64 = 3.0;
 pub struct Motion {
     /// Title of the equations that ran, as in a heading.
     pub title: String,
-    /// Instants in the order of the run, s.
+    /// Instants of the poses in the order of the run, s.
     pub t: Vec<f64>,
-    /// Poses at each instant.
+    /// Pose of the mechanism at each instant.
     pub poses: Vec<Pose>,
-    /// Forces at each instant.
+    /// Forces on the bodies at each instant.
     pub forces: Forces,
-    /// Least and largest value of each coordinate and each generalized speed.
+    /// Least and largest value of each coordinate, then of each generalized speed.
     pub ranges: Vec<(f64, f64)>,
     /// Sentence that says when, after how many steps and why the run ended.
     pub ending: String,
-    /// Reasons not to trust the run to its end, one a line; empty if it can be trusted.
+    /// Reasons not to trust the run to its end, one in each string; empty if it can be trusted.
     pub objections: Vec<String>,
     /// True if the run stopped before its end because it could not go on.
     pub failed: bool,
 }
 
 impl Motion {
-    /// Runs a scene by whole equations. `None` takes the first formulation of the model.
+    /// Runs a scene by whole equations, and makes the motion for a view. Without `by` the first formulation of the
+    /// model is used.
     ///
     /// # Errors
-    /// As [`crate::simulate()`].
+    /// Errors of [`crate::simulate()`].
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Self, Error> {
         let mut scene = scene.clone();
         let how = &mut scene.integration;
@@ -62,7 +63,7 @@ impl Motion {
         Self::of_run(mechanism, &scene, &run)
     }
 
-    /// Motion of a run that shows every state.
+    /// Makes the motion for a view from a run that shows every state.
     ///
     /// # Errors
     /// [`Error::Request`] if the run does not show every state.
@@ -93,8 +94,9 @@ impl Motion {
         Ok(Self { title: run.by.title(), t, poses, forces, ranges, ending: run.ending.clone(), objections, failed })
     }
 
-    /// Keeps only the instants between which straight paths and even turns look right, for a mechanism of this size.
-    /// Keeps at most `most` instants. Also returns the factor by which the tolerances were widened for that.
+    /// Keeps only the instants between which straight paths and even turns look right, for a mechanism of the given
+    /// size, m, and at most `most` instants. Also returns the factor by which the tolerances were widened to reach that
+    /// number.
     #[must_use]
     pub fn thinned(&self, size: f64, most: usize) -> (Self, f64) {
         let turns = self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
@@ -105,7 +107,7 @@ impl Motion {
             looser *= 2.0;
             kept = self.kept(&scale, looser);
         }
-        // A motion that has too many instants even then is thinned evenly.
+        // If there are too many instants even then, the motion is thinned evenly.
         let step = kept.len().div_ceil(most.max(2)).max(1);
         let last = kept.last().copied();
         let kept: Vec<usize> = kept.into_iter().step_by(step).filter(|at| Some(*at) != last).chain(last).collect();
@@ -115,7 +117,8 @@ impl Motion {
         (Self { t, poses, forces, ..self.clone() }, looser)
     }
 
-    /// Indices of the kept instants. From each, the next is the last one up to which all instants between stay near.
+    /// Indices of the kept instants. Each is followed by the last instant up to which all instants between the two stay
+    /// close to straight paths and even turns.
     fn kept(&self, scale: &Scale, looser: f64) -> Vec<usize> {
         let last = self.t.len().saturating_sub(1);
         let mut kept: Vec<usize> = (!self.t.is_empty()).then_some(0).into_iter().collect();
@@ -131,8 +134,8 @@ impl Motion {
         kept
     }
 
-    /// True if straight paths, even turns and evenly growing forces between two instants come near all instants
-    /// between.
+    /// True if straight paths, even turns and evenly growing forces between two instants come close to all instants
+    /// between them.
     fn is_near(&self, Scale { turns, size }: &Scale, (from, to): (usize, usize), looser: f64) -> bool {
         let (a, b) = (&self.poses[from], &self.poses[to]);
         let span = self.t[to] - self.t[from];
@@ -155,9 +158,9 @@ impl Motion {
             })
     }
 
-    /// True if the turning of every frame looks right in a motion with only some of these instants. This motion itself
-    /// must turn no frame by more than a quarter turn between instants. The left-out attitudes must be near the even
-    /// turns between the kept ones.
+    /// True if every frame turns correctly in `thin`, which has only some of the instants of this motion. This motion
+    /// itself must turn no frame by more than a quarter turn between instants. The left-out attitudes must be near the
+    /// even turns between the kept ones.
     #[must_use]
     pub fn turns_truly(&self, thin: &Self) -> bool {
         let turns: Vec<Vec<Quaternion>> =
@@ -179,13 +182,13 @@ impl Motion {
     }
 }
 
-/// Attitudes at each instant and size of the mechanism, against which differences are measured.
+/// Attitudes of the frames at each instant, and size of the mechanism, to measure differences by.
 struct Scale {
     turns: Vec<Vec<Quaternion>>,
     size: f64,
 }
 
-/// Least and largest value of each component.
+/// Least and largest value of each component of a list of states.
 fn ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
     let count = states.first().map_or(0, Vec::len);
     let of = |at: usize| {
@@ -195,11 +198,12 @@ fn ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
     (0..count).map(of).collect()
 }
 
-/// True if every frame and point has finite values. A run may end where some formulas have no value.
+/// True if every frame and point of a pose has finite values. A run may end at a state at which a formula has no value.
 fn is_somewhere(pose: &Pose) -> bool {
     pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
 }
 
+/// Place at a share of the straight way from a to b.
 fn between(a: Triple, b: Triple, share: f64) -> Triple {
     plus(a, share, minus(b, a))
 }
@@ -210,9 +214,9 @@ fn angle(a: Quaternion, b: Quaternion) -> f64 {
     2.0 * cos.abs().min(1.0).acos()
 }
 
-/// Angle between an attitude and the one at a share of the even turn between two others, rad.
+/// Angle between an attitude x and the attitude at a share of the even turn from a to b, rad.
 ///
-/// K. Shoemake, Animating rotation with quaternion curves, *Computer Graphics* 19 (1985) 245-254, § 3.3.
+/// Source: K. Shoemake, Animating rotation with quaternion curves, *Computer Graphics* 19 (1985) 245-254, § 3.3.
 fn apart(a: Quaternion, b: Quaternion, share: f64, x: Quaternion) -> f64 {
     let cos: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
     let b = if cos < 0.0 { b.map(|x| -x) } else { b };

@@ -13,7 +13,7 @@ use tripos_derive::model::Turn;
 pub struct Configuration<'a> {
     /// Values of the parameters, in the order of the model.
     pub parameters: &'a [f64],
-    /// Coordinates, in the order of the model.
+    /// Values of the coordinates, in the order of the model.
     pub q: &'a [f64],
 }
 
@@ -27,21 +27,21 @@ pub struct Pose {
     pub points: Vec<Triple>,
 }
 
-/// Tree of frames and points, with its terms as they stand in the model. Each frame is turned from its parent, and each
-/// point is placed from its parent. Nothing is multiplied out, so a long chain costs no more than its links.
+/// Tree of frames and points of a model, with its terms unchanged. Each frame is turned from its parent, and each point
+/// is placed from its parent. Nothing is multiplied out, so the cost of a long chain is the sum of its links' costs.
 #[derive(Clone, Debug)]
 pub struct Links {
-    /// Terms in parameters and coordinates, first of the frames, then of the points, in order.
+    /// Terms in parameters and coordinates: first those of the frames, then those of the points, in order.
     pub values: Vec<Expr>,
     /// Parent of each frame, and the axis of its turn, whose angle is one term. Without an axis, the terms are nine
-    /// cosines by rows.
+    /// cosines by rows. `None` for the inertial frame.
     pub frames: Vec<Option<(usize, Option<usize>)>>,
-    /// Parent of each point, and the frame of its three components.
+    /// Parent of each point, and the frame of its three components. `None` for the origin.
     pub points: Vec<Option<(usize, usize)>>,
 }
 
 impl Links {
-    /// Links of a model.
+    /// Collects the links of a model.
     #[must_use]
     pub fn of(model: &Model) -> Self {
         let mut values: Vec<Expr> = Vec::new();
@@ -69,7 +69,7 @@ impl Links {
     }
 }
 
-/// Computes the poses of a model.
+/// Poses of a model as a function of parameters and coordinates.
 #[derive(Clone)]
 pub struct Poses {
     tape: Tape,
@@ -77,7 +77,7 @@ pub struct Poses {
 }
 
 impl Poses {
-    /// Poses of this model.
+    /// Compiles the poses of a model.
     ///
     /// # Errors
     /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No loaded model has
@@ -88,7 +88,7 @@ impl Poses {
         Ok(Self { tape: tape(&model.arena, &inputs, &links.values, "the place of a frame or point")?, links })
     }
 
-    /// The pose at these parameters and coordinates.
+    /// Computes the pose at parameters `p` and coordinates `q`, in the order of the model.
     #[must_use]
     pub fn of(&self, p: &[f64], q: &[f64]) -> Pose {
         let mut values = self.tape.evaluate(&[p, q].concat()).into_iter();

@@ -1,16 +1,17 @@
-//! Solids that represent a mechanism.
+//! Solids that represent a mechanism in a picture.
 
 use super::space::{Quaternion, Triple};
 
 /// Drawn solid of a single colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// Name of the shape in the file, or of the body.
+    /// Name of the shape in the model file, or of the body.
     pub label: String,
-    /// Index of the body, counted from 0. The solids of a body have one colour. `None` for a solid of no body.
+    /// Index of the body that the solid belongs to, from 0. The solids of a body have one colour. `None` for a solid of
+    /// no body.
     pub body: Option<usize>,
-    /// Index of the point at which it rolls or slides, if that point's distance gives its radius. `None` if the file
-    /// does.
+    /// Index of the point at which the solid rolls or slides, if the distance of that point determines the solid's
+    /// radius. `None` if the model file states the radius.
     pub touches: Option<usize>,
     /// Shape and place of the solid.
     pub form: Form,
@@ -64,18 +65,18 @@ pub enum Form {
 /// Position and attitude of a solid, fixed in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Index of the frame in which it is fixed.
+    /// Index of the frame in which the solid is fixed.
     pub frame: usize,
-    /// Index of the point from which its centre is measured.
+    /// Index of the point from which the centre of the solid is measured.
     pub point: usize,
-    /// Position of its centre from the point, in the frame, m.
+    /// Position of the solid's centre from the point, in the frame, m.
     pub position: Triple,
-    /// Rotation of its axes from those of the frame.
+    /// Rotation of the solid's axes from those of the frame.
     pub turned: Quaternion,
 }
 
 impl Place {
-    /// Place with its centre in a point and along the axes of a frame.
+    /// Makes a place with its centre in a point and along the axes of a frame.
     #[must_use]
     pub fn at(frame: usize, point: usize) -> Self {
         Self { frame, point, position: [0.0; 3], turned: [1.0, 0.0, 0.0, 0.0] }
@@ -94,7 +95,7 @@ impl Form {
         }
     }
 
-    /// Noun for the form in a sentence.
+    /// English noun for the form, for a sentence.
     #[must_use]
     pub fn noun(&self) -> &'static str {
         match self {
@@ -109,7 +110,8 @@ impl Form {
         }
     }
 
-    /// Greatest distance from its place to its surface, m.
+    /// Greatest distance from the centre of the form to its surface, m. A rod counts by its radius, a spring or the
+    /// ground by 0.
     #[must_use]
     pub fn reach(&self) -> f64 {
         match self {

@@ -1,14 +1,15 @@
-//! Vectors and rotations.
+//! Vectors and rotations in space.
 
-/// Components of a vector, in m or without a unit.
+/// Three components of a vector, in m or without a unit.
 pub type Triple = [f64; 3];
 
-/// Rows of a rotation matrix: (components in one frame) = rotation · (components in another).
+/// Rows of a rotation matrix: (components in one frame) = rotation · (components in another frame).
 pub type Rotation = [Triple; 3];
 
 /// Euler parameters of a rotation: cos θ/2 first, then the axis times sin θ/2.
 pub type Quaternion = [f64; 4];
 
+/// Rotation matrix without a turn.
 pub(crate) const IDENTITY: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 pub(crate) fn dot(a: Triple, b: Triple) -> f64 {
@@ -19,6 +20,7 @@ pub(crate) fn cross(a: Triple, b: Triple) -> Triple {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
+/// Vector difference a − b.
 pub(crate) fn minus(a: Triple, b: Triple) -> Triple {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
@@ -48,6 +50,7 @@ pub(crate) fn rotated_back(r: &Rotation, v: Triple) -> Triple {
     rotated(&transposed(r), v)
 }
 
+/// Transposed matrix, which is the inverse of a rotation.
 pub(crate) fn transposed(r: &Rotation) -> Rotation {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| r[j][i]))
 }
@@ -58,7 +61,8 @@ pub(crate) fn product(a: &Rotation, b: &Rotation) -> Rotation {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| dot(a[i], columns[j])))
 }
 
-/// The turn about an axis, 0, 1 or 2, by an angle: it takes components after the turn to those before.
+/// Rotation matrix of a turn about an axis, 0, 1 or 2, by an angle, rad. It takes components after the turn to those
+/// before.
 pub(crate) fn about(axis: usize, angle: f64) -> Rotation {
     let (sin, cos) = angle.sin_cos();
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -69,8 +73,8 @@ pub(crate) fn about(axis: usize, angle: f64) -> Rotation {
 
 /// Euler parameters of a rotation, the first of them not negative.
 ///
-/// Divides by the largest of the four (S. W. Shepperd, Quaternion from rotation matrix, *Journal of Guidance and
-/// Control* 1 (1978) 223-224).
+/// The method divides by the largest of the four parameters (S. W. Shepperd, Quaternion from rotation matrix, *Journal
+/// of Guidance and Control* 1 (1978) 223-224).
 #[must_use]
 pub fn quaternion(r: &Rotation) -> Quaternion {
     let trace = r[0][0] + r[1][1] + r[2][2];
@@ -92,7 +96,7 @@ pub fn quaternion(r: &Rotation) -> Quaternion {
     q.map(|x| x / sign)
 }
 
-/// A rotation whose third column is this direction.
+/// Rotation whose third column is the given direction, of length 1.
 pub(crate) fn along(axis: Triple) -> Rotation {
     let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
     let first = unit(cross(IDENTITY[least], axis)).unwrap_or(IDENTITY[0]);

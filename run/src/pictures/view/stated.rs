@@ -1,4 +1,4 @@
-//! Solids as the model file states them.
+//! Solids of a mechanism as the model file states them.
 
 use super::solid::{Form, Place, Solid};
 use super::space::{Rotation, quaternion};
@@ -11,10 +11,10 @@ use tripos_derive::model::{Shape, ShapeForm};
 /// Thickness of a disk without a stated one, relative to its radius.
 const THIN: f64 = 0.04;
 
-/// The solids of `[shapes]` at these parameters.
+/// Makes the solids of the table `[shapes]` of the model file, at given parameters.
 ///
 /// # Errors
-/// [`Error::Request`] if a length is not positive there.
+/// [`Error::Request`] if a length of a shape is not positive at these parameters.
 pub fn solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, Error> {
     let mut list = Vec::new();
     for shape in &mechanism.shapes {
@@ -29,7 +29,7 @@ pub fn solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, E
 }
 
 /// Terms that place and size each solid of `[shapes]`, each with its key. The keys `position` and `size` occur three
-/// times each, `radius` and `length` once. Values that the file does not give are left out.
+/// times each, `radius` and `length` once. Values that the model file does not give are left out.
 #[must_use]
 pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
     let of = |shape: &Shape| {
@@ -47,7 +47,7 @@ pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
     mechanism.shapes.iter().flat_map(of).collect()
 }
 
-/// Refuses lengths that are not positive and finite.
+/// Refuses a shape with a length that is not positive and finite.
 fn check(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(), Error> {
     for (key, length) in shape.form.lengths() {
         let value = values(mechanism, parameters, &[length], "a shape")?[0];
@@ -59,6 +59,7 @@ fn check(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(),
     Ok(())
 }
 
+/// Forms of a shape at given parameters: one, or a rod for each piece of a line.
 fn forms(mechanism: &Mechanism, parameters: &[f64], shape: &Shape, at: Place) -> Result<Vec<Form>, Error> {
     let number = |e: Expr| Ok::<f64, Error>(values(mechanism, parameters, &[e], "a shape")?[0]);
     Ok(match &shape.form {
@@ -82,7 +83,7 @@ fn forms(mechanism: &Mechanism, parameters: &[f64], shape: &Shape, at: Place) ->
     })
 }
 
-/// Place with axis 3 along this axis of the frame. The axes keep their cyclic order.
+/// Turns a place so that its axis 3 is along an axis of the frame, 0 to 2. The axes keep their cyclic order.
 fn turned(at: Place, axis: usize) -> Place {
     let mut columns: Rotation = [[0.0; 3]; 3];
     for (column, row) in [(0, (axis + 1) % 3), (1, (axis + 2) % 3), (2, axis)] {

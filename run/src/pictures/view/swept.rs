@@ -1,9 +1,9 @@
-//! Measures of many poses: the greatest distance of points, and the plane in which they stay.
+//! Measures of many poses: the greatest distance of points, and the plane in which points stay.
 
 use super::pose::Pose;
 use super::space::{IDENTITY, Triple, length, minus};
 
-/// Greatest distance of two of these points at one instant, m, over a selection of the poses.
+/// Greatest distance of two of the given points at one instant, m, over a selection of the poses.
 pub(super) fn diameter(poses: &[Pose], points: &[usize]) -> f64 {
     let mut most: f64 = 0.0;
     for pose in spread(poses, 16) {
@@ -22,7 +22,7 @@ pub(super) fn spread(poses: &[Pose], count: usize) -> impl Iterator<Item = &Pose
     poses.iter().step_by(poses.len().div_ceil(count).max(1))
 }
 
-/// Normal of a plane across an inertial axis in which each of these points stays; `None` if there is none.
+/// Normal of a plane across an inertial axis in which each of the given points stays; `None` if there is no such plane.
 pub(super) fn plane(poses: &[Pose], points: &[usize], size: f64) -> Option<Triple> {
     let stays = |axis: usize| {
         let moves = |point: &usize| {
@@ -44,6 +44,7 @@ pub(super) fn plane(poses: &[Pose], points: &[usize], size: f64) -> Option<Tripl
     }
 }
 
+/// True if a frame keeps its attitude in all poses.
 fn is_still(poses: &[Pose], frame: usize) -> bool {
     let Some(first) = poses.first() else { return true };
     let apart = |pose: &Pose| {

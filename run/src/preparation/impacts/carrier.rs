@@ -18,18 +18,18 @@ pub struct Crossing<'c> {
     pub t: f64,
     /// Change of a contact that caused the crossing; `None` at the start of the run.
     pub happening: Option<Happening>,
-    /// State before the crossing.
+    /// Values of the state just before the crossing.
     pub before: &'c [f64],
-    /// Contacts that were held before.
+    /// Contacts that were held before the crossing, each with its mode.
     pub kept: &'c Kept,
-    /// State after the crossing, with the impact and the contacts that are held from there on.
+    /// State after the crossing, with the impact and the contacts that are held after it.
     pub after: &'c After,
 }
 
 /// A minimum of a gap that stays open but comes close to zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approach {
-    /// Index of the contact.
+    /// Index of the contact whose gap has the minimum.
     pub contact: usize,
     /// Instant of the minimum, s.
     pub t: f64,
@@ -39,25 +39,25 @@ pub struct Approach {
 
 /// Operations that a run with contacts needs of the numbers in which it is computed.
 pub trait Carrier<S> {
-    /// Makes the equations with the forces of these held contacts.
+    /// Makes the equations of motion with the forces of the held contacts `kept`.
     ///
     /// # Errors
-    /// [`SimError`] if the question makes no sense.
+    /// [`SimError`] if the equations of motion cannot be made.
     fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
 
-    /// Receives the end of each step inside a part of the run, s, except that of the last step.
+    /// Receives the instant, s, at which each step inside a part of the run ends, except the last step.
     fn stepped(&self, _t: f64) {}
 
-    /// Relative gap below which a minimum of the gap is reported, over the size of the gap's terms. `None` if no
-    /// publication is wanted.
+    /// Gap below which a minimum of the gap is reported, relative to the size of the gap's terms. `None` if no minima
+    /// are reported.
     fn near(&self) -> Option<f64> {
         None
     }
 
-    /// Receives a minimum of an open gap that is below [`Self::near`]. Derivatives may end there.
+    /// Receives a minimum of an open gap that is below [`Self::near`]. Derivatives of the run may end at that instant.
     fn nears(&self, _approach: &Approach) {}
 
-    /// State after a crossing: its values, and the slopes that accompany them, if any.
+    /// State after a crossing: its values, and the slopes that accompany the values, if any.
     fn across(&self, crossing: &Crossing<'_>, before: &[S]) -> Vec<S>;
 }
 

@@ -1,4 +1,4 @@
-//! Records of what contacts with friction begin to do.
+//! Event records of contacts with friction that begin to stick, slip, reverse or open.
 
 use super::happening::Happening;
 use super::kept::Kept;
@@ -7,15 +7,15 @@ use tripos_sim::{EventRecord, Kind, Mode, Solution};
 use tripos_traits::Real;
 
 impl Bouncing<'_> {
-    /// Events at the start: the contacts that are held, and those of them that slip or stick.
+    /// Events at the start of a run: one for each held contact, and one for each held contact that slips or sticks.
     pub(super) fn at_start(&self, base: usize, kept: &Kept, from: (f64, &[f64])) -> Vec<EventRecord> {
         let closed = kept.which.iter().map(|at| Happening::Closes(*at));
         let rough = kept.iter().filter_map(|(at, mode)| begun(at, None, Some(mode)));
         closed.chain(rough).map(|happening| self.record(base, happening, from, Kind::AtStart)).collect()
     }
 
-    /// Replaces the events by which contacts with friction ended a part of the run by events for the modes that begin
-    /// there.
+    /// Replaces the events of contacts with friction that ended a part of a run by events for the modes that begin at
+    /// that instant.
     pub(super) fn tell<S: Real>(&self, whole: &mut Solution<S>, base: usize, (before, after): (&Kept, &Kept)) {
         let count = self.contacts.impacts.len();
         let is_rough = |event: &EventRecord| {
@@ -32,7 +32,7 @@ impl Bouncing<'_> {
         }
     }
 
-    /// Makes the event record of a contact.
+    /// Makes the event record of a change of a contact.
     fn record(&self, base: usize, happening: Happening, (t, y): (f64, &[f64]), kind: Kind) -> EventRecord {
         let event = base + happening.event(self.contacts.impacts.len());
         let name = happening.name(self.contacts.impacts);
@@ -40,7 +40,8 @@ impl Bouncing<'_> {
     }
 }
 
-/// Change of a contact with friction between two modes; `None` if nothing new begins.
+/// Change of a contact with friction between its modes before and after; `None` if nothing new begins. A mode is `None`
+/// while the contact is not held.
 fn begun(contact: usize, before: Option<Mode>, after: Option<Mode>) -> Option<Happening> {
     match (before, after) {
         (Some(_), None) => Some(Happening::Opens(contact)),

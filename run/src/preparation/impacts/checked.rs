@@ -1,4 +1,4 @@
-//! Checks of a finished part of a run for changes of contacts that it missed.
+//! Checks of a finished part of a run for changes of contacts that the events missed.
 
 use super::held::Held;
 use super::kept::Kept;
@@ -6,11 +6,12 @@ use super::{Bouncing, OVERLAP, values};
 use tripos_sim::{Failure, Mode, Solution, Stop};
 use tripos_traits::Real;
 
-/// Determinant, relative to its value without slip, below which forces grow without bound.
+/// Determinant of the system for contact forces, relative to its value without slip, below which the forces grow
+/// without bound.
 pub const NEARLY: f64 = 1e-3;
 
 impl Bouncing<'_> {
-    /// Failure if a gap is negative at the end of a part that did not see it close; otherwise `None`.
+    /// Failure if a gap is negative at the end of a part of a run whose events missed the closing; otherwise `None`.
     pub(super) fn overlapping<S: Real>(&self, part: &Solution<S>, kept: &Kept) -> Option<Failure> {
         let y_end = values(&part.y_end);
         let rates = self.contacts.rates(&y_end);
@@ -30,7 +31,8 @@ impl Bouncing<'_> {
         Some(Failure { code: "contact", message })
     }
 
-    /// Failure if a contact with friction left its mode within a part that did not see the change; otherwise `None`.
+    /// Failure if a contact with friction left its mode within a part of a run whose events missed the change;
+    /// otherwise `None`.
     pub(super) fn unseen<S: Real>(&self, part: &Solution<S>, forces: &mut Held<'_>) -> Option<Failure> {
         let kept = forces.kept;
         if kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
@@ -44,7 +46,7 @@ impl Bouncing<'_> {
         };
         let accelerations = &free.accelerations + &free.response.compliance * &along;
         let rows = |contact: usize| (self.contacts.rows[contact][0], self.contacts.rows[contact][1]);
-        // A slip no faster than this counts as rest. The limit is a small fraction of its largest speed in this part,
+        // A slip no faster than `least` counts as rest: a small fraction of its largest speed in this part of the run,
         // or of the speed that all the energy would give it.
         let energy = self.contacts.kinetic_energy(&y);
         let largest = |row: usize| {
@@ -76,7 +78,8 @@ impl Bouncing<'_> {
         Some(Failure { code: "contact", message })
     }
 
-    /// Failure if steps became too short because the forces of slipping contacts grow without bound; otherwise `None`.
+    /// Failure if a part of a run ended early because the forces of slipping contacts grow without bound; otherwise
+    /// `None`.
     pub(super) fn jammed<S: Real>(&self, part: &Solution<S>, forces: &Held<'_>) -> Option<Failure> {
         let ends = matches!(part.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::NotConverged { .. });
         let (first, _) = forces.kept.slipping().next().filter(|_| ends)?;

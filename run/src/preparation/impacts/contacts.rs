@@ -1,4 +1,4 @@
-//! The contacts of a scene as numbers: gaps, the velocities along them, and what impulses and forces along them do.
+//! The contacts of a scene as numbers: gaps, velocities along the contacts, and the responses to impulses and forces.
 //!
 //! All quantities refer to the permitted motions, q̇ = W u + w. Impulses and forces act along the slopes of velocities
 //! in u, and change u by the inverse of the kinetic energy's matrix in u. So the constraints of the mechanism, such as
@@ -19,52 +19,57 @@ const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 /// Least height of a flight that can be told from rounding, relative to the size of the gap's terms.
 const TOLD: f64 = 4096.0 * f64::EPSILON;
 
-/// The contacts of a scene in the variables that are integrated.
+/// The contacts of a scene in the variables that are integrated. A contact has one row for the velocity of its gap, and
+/// one for each slip along it.
 pub struct Contacts<'a> {
     pub system: &'a dyn System<f64>,
     pub parameters: &'a [f64],
     pub impacts: &'a [Impact],
-    /// Tapes of each gap, in numbers and in ranges.
+    /// Tapes of the gap of each contact, in numbers and in ranges. Inputs: parameters, then coordinates.
     pub gaps: Vec<(Tape, Tape<Enclosure>)>,
-    /// ∂gap/∂q, one row for each contact.
+    /// Tape of ∂gap/∂q, one row for each contact. Inputs: parameters, then coordinates.
     slopes: Tape,
-    /// The velocities of all rows, then their slopes along q and v, row by row, in parameters and state.
+    /// Tape of the velocities along all rows, then of their slopes along q and v, row by row. Inputs: parameters, then
+    /// state.
     pub rates: Tape,
-    /// Rows of each contact: that of its gap, then those of its slips. A contact with friction has one slip.
+    /// Indices of the rows of each contact: first the row of its gap, then the rows of its slips. A contact with
+    /// friction has one slip.
     pub rows: Vec<Vec<usize>>,
     /// Number of rows of all contacts.
     pub count: usize,
-    /// The slip of each contact with friction, in parameters and state, in numbers and in ranges.
+    /// Tapes of the slip velocity of each contact, in numbers and in ranges; `None` without friction. Inputs:
+    /// parameters, then state.
     pub slips: Vec<Option<(Tape, Tape<Enclosure>)>>,
 }
 
 /// Velocities along the rows of all contacts at a state, with their slopes.
 pub struct Rates {
-    /// Velocities along all rows.
+    /// Velocities along all rows of contacts.
     pub values: DVector<f64>,
-    /// Slopes of the velocities along the state, one row each.
+    /// Partial derivatives of the velocities by the state, one matrix row for each velocity.
     pub slopes: DMatrix<f64>,
 }
 
 /// Matrices that relate speeds, impulses and the kinetic energy at a state.
 pub struct Operators {
-    /// Motion variables that each speed alone gives, one column each.
+    /// Motion variables per unit of each generalized speed alone, one column for each speed.
     pub basis: DMatrix<f64>,
-    /// Velocities of all rows per unit of each speed, W.
+    /// Velocities along all rows of contacts per unit of each generalized speed, W.
     pub of_u: DMatrix<f64>,
-    /// M, the matrix of the kinetic energy in speeds, factored.
+    /// M, the matrix of the kinetic energy in generalized speeds, factored.
     pub inertia: Cholesky<f64, Dyn>,
 }
 
 /// Response of the velocities to impulses at a state.
 pub struct Response {
-    /// Velocities of all rows before the impulses.
+    /// Velocities along all rows of contacts before the impulses.
     pub velocities: DVector<f64>,
-    /// Parts of these velocities that remain if all speeds are zero.
+    /// Parts of the velocities along all rows that remain if all generalized speeds are zero: those of moving
+    /// obstacles.
     pub driven: DVector<f64>,
-    /// Change of the motion variables per unit of impulse along each row, one column each.
+    /// Change of the motion variables per unit of impulse along each row, one column for each row.
     pub changes: DMatrix<f64>,
-    /// Change of the velocities of all rows per unit of impulse, G.
+    /// Change of the velocities along all rows per unit of impulse along each row, G; one column for each impulse.
     pub compliance: DMatrix<f64>,
 }
 
@@ -119,8 +124,8 @@ impl<'a> Contacts<'a> {
         self.impacts[contact].friction.as_ref().map(|friction| friction.coefficient)
     }
 
-    /// True if the friction of a contact has any force: its coefficient is above zero. Otherwise the contact slips
-    /// either way.
+    /// True if the coefficient of friction of a contact is above zero. A contact without friction force slips either
+    /// way.
     pub fn is_rough(&self, contact: usize) -> bool {
         self.friction(contact).is_some_and(|mu| mu > 0.0)
     }
@@ -145,18 +150,18 @@ impl<'a> Contacts<'a> {
         self.system.lengths().coordinates
     }
 
-    /// The gap of a contact.
+    /// Gap of a contact at a state, in the unit of the scene's formula; negative if the bodies overlap.
     pub fn gap(&self, contact: usize, y: &[f64]) -> f64 {
         self.gaps[contact].0.evaluate(&self.inputs(&y[..self.coordinates()]))[0]
     }
 
-    /// ∂gap/∂q of each contact.
+    /// ∂gap/∂q at a state, one matrix row for each contact.
     pub fn gap_slopes(&self, y: &[f64]) -> DMatrix<f64> {
         let n = self.coordinates();
         DMatrix::from_row_slice(self.impacts.len(), n, &self.slopes.evaluate(&self.inputs(&y[..n])))
     }
 
-    /// Computes the velocities along the rows of all contacts, and their slopes.
+    /// Computes the velocities along the rows of all contacts, and the slopes of these velocities.
     pub fn rates(&self, y: &[f64]) -> Rates {
         let out = self.rates.evaluate(&self.inputs(y));
         let (values, slopes) = out.split_at(self.count);
@@ -166,8 +171,8 @@ impl<'a> Contacts<'a> {
         }
     }
 
-    /// Size of the terms that a gap is computed from, relative to which its rounding is measured. It adds the terms of
-    /// the coordinates and those of the computation, such as lengths that cancel.
+    /// Size of the terms that a gap is computed from, relative to which the rounding of the gap is measured. It adds
+    /// the terms of the coordinates and those of the computation, such as lengths that cancel.
     pub fn made_of(&self, contact: usize, y: &[f64]) -> f64 {
         let of_coordinates: f64 =
             self.gap_slopes(y).row(contact).iter().zip(y).map(|(slope, q)| (slope * q).abs()).sum();
@@ -184,8 +189,8 @@ impl<'a> Contacts<'a> {
         ROUNDINGS * self.made_of(contact, y) + rates.values[self.rows[contact][0]].abs() * instant
     }
 
-    /// Velocity below which a flight under this acceleration is too short. Such a flight takes at most `least` s, or
-    /// rises no higher than rounding.
+    /// Velocity of a gap below which a flight under the given acceleration is too short. Such a flight takes at most
+    /// `least` s, or rises no higher than rounding.
     pub fn slow(&self, contact: usize, y: &[f64], acceleration: f64, least: f64) -> f64 {
         let (height, a) = (TOLD * self.made_of(contact, y), acceleration.abs());
         (0.5 * least * a).max((2.0 * a * height).sqrt())
@@ -197,7 +202,7 @@ impl<'a> Contacts<'a> {
         self.system.kinetic_energy(self.parameters, q, v)
     }
 
-    /// Computes the matrices that relate speeds, impulses and the kinetic energy.
+    /// Computes the matrices that relate speeds, impulses and the kinetic energy at a state.
     ///
     /// # Errors
     /// [`Failure`] where a permitted motion has no inertia.
@@ -225,10 +230,10 @@ impl<'a> Contacts<'a> {
         Ok(Operators { basis, of_u, inertia })
     }
 
-    /// Computes the response of the velocities to impulses along the rows.
+    /// Computes the response of the velocities to impulses along the rows of contacts.
     ///
     /// # Errors
-    /// The same as [`Contacts::operators`].
+    /// [`Failure`] where a permitted motion has no inertia.
     pub fn response(&self, y: &[f64], rates: &Rates) -> Result<Response, Failure> {
         let Operators { basis, of_u, inertia } = self.operators(y, rates)?;
         let (q, v) = y.split_at(self.coordinates());
@@ -239,15 +244,15 @@ impl<'a> Contacts<'a> {
         Ok(Response { velocities: rates.values.clone(), driven, changes: &basis * &moved, compliance: &of_u * moved })
     }
 
-    /// Motion variables that belong to these speeds.
+    /// Motion variables that belong to the generalized speeds `u` at the coordinates `q`.
     fn variables(&self, q: &[f64], u: &[f64]) -> DVector<f64> {
         let mut v = vec![0.0; self.system.lengths().variables];
         self.system.motion_variables(self.parameters, q, u, &mut v);
         DVector::from_vec(v)
     }
 
-    /// Matrix of the kinetic energy in u, by second differences. These are exact except for rounding, since T is a
-    /// quadratic form.
+    /// Matrix of the kinetic energy T in the generalized speeds, by second differences of T. These are exact except for
+    /// rounding, since T is a quadratic form.
     fn inertia(&self, q: &[f64], basis: &DMatrix<f64>, rest: &DVector<f64>) -> DMatrix<f64> {
         let energy = |shift: DVector<f64>| self.system.kinetic_energy(self.parameters, q, (rest + shift).as_slice());
         let still = energy(DVector::zeros(rest.len()));
@@ -267,7 +272,7 @@ impl<'a> Contacts<'a> {
         })
     }
 
-    /// System of these contacts, closed at one instant, and the indices of their rows among all rows.
+    /// System of the given contacts, which are closed at one instant, and the indices of their rows among all rows.
     pub fn closed(&self, response: &Response, contacts: &[usize]) -> (Closed, Vec<usize>) {
         let all: Vec<usize> = contacts.iter().flat_map(|at| self.rows[*at].clone()).collect();
         let mut next = 0..;
@@ -282,8 +287,8 @@ impl<'a> Contacts<'a> {
         self.impacts.first().is_some_and(|impact| impact.law == ImpactLaw::Poisson)
     }
 
-    /// Impulses along all rows of contacts that are closed together. The scene's law of impact gives them from the
-    /// velocities of all rows before.
+    /// Impulses along all rows, for contacts that are closed together. The scene's law of impact computes them from the
+    /// velocities along all rows before the impact.
     ///
     /// # Errors
     /// [`Undecided`] if no impulses part the contacts, or several do.
@@ -304,7 +309,7 @@ impl<'a> Contacts<'a> {
         Ok(self.spread(&some?, &rows))
     }
 
-    /// Spreads the values of some rows over all rows; the others are 0.
+    /// Spreads the values of the given rows over all rows; every other row is 0.
     pub fn spread(&self, some: &DVector<f64>, rows: &[usize]) -> DVector<f64> {
         let mut all = DVector::zeros(self.count);
         for (row, value) in rows.iter().zip(some.iter()) {

@@ -5,24 +5,24 @@ use tripos_derive::scene::Impact;
 /// Change of a contact that ends a part of a run, or that begins there. It holds the index of the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Happening {
-    /// A gap closed.
+    /// The gap of the contact closed.
     Closes(usize),
-    /// A force no longer pushes.
+    /// The normal force of the contact no longer pushes.
     Opens(usize),
-    /// A force along a contact is more than friction can bear.
+    /// The force along the sticking contact exceeds its friction limit.
     Slips(usize),
-    /// A contact no longer slips. It may slip the other way in the next part.
+    /// The contact no longer slips. It may slip the other way in the next part of the run.
     Sticks(usize),
-    /// A contact slips the other way.
+    /// The contact slips in the opposite direction.
     Reverses(usize),
-    /// The forces of what slips are no longer determined.
+    /// The forces of the slipping contact are no longer determined.
     Jams(usize),
-    /// A gap is at its minimum and grows again: no contact changes.
+    /// The gap of the contact is at its minimum and grows again: no contact changes.
     Nears(usize),
 }
 
 impl Happening {
-    /// Index of the contact, and of the kind of change.
+    /// Index of the contact, and index of the kind of change.
     fn parts(self) -> (usize, usize) {
         match self {
             Self::Closes(at) => (at, 0),
@@ -40,20 +40,21 @@ impl Happening {
         self.parts().0
     }
 
-    /// Number of this change among the events of this many contacts.
+    /// Event number of this change, in a scene with `contacts` contacts.
     pub fn event(self, contacts: usize) -> usize {
         let (at, what) = self.parts();
         what * contacts + at
     }
 
-    /// Change that has this event number; `None` if there is none.
+    /// Change that has the given event number, in a scene with `contacts` contacts; `None` if no change has this
+    /// number.
     pub fn of_event(event: usize, contacts: usize) -> Option<Self> {
         let at = event % contacts;
         let what = [Self::Closes, Self::Opens, Self::Slips, Self::Sticks, Self::Reverses, Self::Jams, Self::Nears];
         what.get(event / contacts).map(|what| what(at))
     }
 
-    /// Name of the event of this change.
+    /// Name of the event that reports this change: the name of the contact, then the kind of change.
     pub fn name(self, impacts: &[Impact]) -> String {
         let name = &impacts[self.contact()].name;
         let what = match self {

@@ -1,30 +1,31 @@
 //! Motions in which contacts are held closed.
 //!
-//! The forces of held contacts keep the velocities along their rows at zero: G λ + a = 0, where a is the accelerations
-//! of the rows without these forces. Where a contact slips, its row along the slip is released. Friction, −μ s times
-//! the force along the gap with s the sign of the slip, enters the same system. The forces join any equations, as v̇ +
-//! M⁻¹ Wᵀ λ. Each step ends on the contacts, as on any constraint.
+//! The forces λ of held contacts keep the velocities along their rows at zero: G λ + a = 0, where a are the
+//! accelerations along the rows without these forces. Where a contact slips, its row along the slip is released.
+//! Friction enters the same system: −μ s times the force along the gap, with s the sign of the slip. The forces join
+//! any equations, as v̇ + M⁻¹ Wᵀ λ. Each step ends on the contacts, as on any constraint.
 
 use super::contacts::{Contacts, Rates, Response};
 use super::kept::Kept;
 use nalgebra::DVector;
 use tripos_sim::{Failure, RightHandSide};
 
-/// Equations with the forces of contacts that are held.
+/// Equations of motion with the forces of contacts that are held.
 pub struct Held<'a> {
+    /// Equations of motion without the forces of contacts.
     pub rhs: Box<dyn RightHandSide<f64> + 'a>,
     pub contacts: &'a Contacts<'a>,
     /// Contacts that are held, with the mode of each.
     pub kept: &'a Kept,
 }
 
-/// Motion of the contacts at a state without their forces, and the response to forces.
+/// Motion of the contacts at a state without the forces of held contacts, and the response to forces.
 pub struct Free {
-    /// ẏ without forces.
+    /// Rates of the state, ẏ, without the forces of contacts.
     pub rates: Vec<f64>,
-    /// Accelerations of all rows without the forces.
+    /// Accelerations along all rows of contacts, without the forces of contacts.
     pub accelerations: DVector<f64>,
-    /// Sizes of the terms whose sums these accelerations are.
+    /// Sizes of the terms of each acceleration, added: a small fraction of this sum counts as zero.
     pub sizes: DVector<f64>,
     pub response: Response,
 }
@@ -33,7 +34,7 @@ pub struct Free {
 const ROUNDED: f64 = 1e-12;
 
 impl Free {
-    /// Force that would cancel all terms of a row's acceleration if they had one sign.
+    /// Force that would cancel all terms of the acceleration along a row if the terms had one sign.
     pub fn force_of_size(&self, row: usize) -> f64 {
         let g = self.response.compliance[(row, row)];
         if g > 0.0 { self.sizes[row] / g } else { 0.0 }
@@ -68,14 +69,16 @@ impl Held<'_> {
         Ok(self.contacts.spread(&some, &rows))
     }
 
-    /// Force along the gap of a contact plus a margin for rounding, in N where the gap is in m. NaN where it has none.
+    /// Force along the gap of a contact plus a margin for rounding, in N where the gap is in m. NaN where no force can
+    /// be computed.
     pub fn normal(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let row = self.contacts.rows[contact][0];
         let force = self.free(t, y).and_then(|free| Ok(self.forces(&free)?[row] + ROUNDED * free.force_of_size(row)));
         force.unwrap_or(f64::NAN)
     }
 
-    /// Friction limit of a sticking contact minus the size of its force along the slip. NaN where it has no force.
+    /// Friction limit of a sticking contact minus the size of its force along the slip. NaN where no force can be
+    /// computed.
     pub fn margin(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let mu = self.contacts.friction(contact).unwrap_or(0.0);
         let forces = self.free(t, y).and_then(|free| self.forces(&free));
@@ -83,14 +86,15 @@ impl Held<'_> {
         forces.map_or(f64::NAN, |forces| mu * forces[rows[0]] - forces[rows[1]].abs())
     }
 
-    /// Determinant of the system that gives the forces, in units in which all rows are alike. NaN where there is none.
+    /// Determinant of the linear system for the forces of held contacts, relative to its value without slip. NaN where
+    /// the system cannot be computed.
     pub fn determinant(&self, y: &[f64]) -> f64 {
         let response = self.contacts.response(y, &self.contacts.rates(y));
         let of = |response: Response| self.contacts.closed(&response, &self.kept.which).0.determinant(&self.kept.modes);
         response.map_or(f64::NAN, of)
     }
 
-    /// The power of the forces of moving obstacles and of friction, W.
+    /// Power of the forces of moving obstacles and of friction at a state, W. NaN where no force can be computed.
     pub fn power(&mut self, t: f64, y: &[f64]) -> f64 {
         let power = self.free(t, y).and_then(|free| {
             let forces = self.forces(&free)?;
@@ -101,7 +105,7 @@ impl Held<'_> {
         power.unwrap_or(f64::NAN)
     }
 
-    /// Indices of the rows that are held.
+    /// Indices of the rows of contacts whose velocity is held at zero.
     pub fn rows(&self) -> Vec<usize> {
         self.kept.rows(self.contacts)
     }

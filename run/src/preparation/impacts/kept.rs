@@ -1,4 +1,4 @@
-//! Contacts that are held, and the mode of each of them.
+//! Contacts that are held closed, and the mode of each held contact.
 
 use super::contacts::Contacts;
 use tripos_sim::Mode;
@@ -6,8 +6,9 @@ use tripos_sim::Mode;
 /// Contacts that are held, each with its mode: it pushes, sticks or slips.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Kept {
+    /// Indices of the held contacts among the contacts of the scene.
     pub which: Vec<usize>,
-    /// Modes of the contacts, in the same order.
+    /// Modes of the held contacts, in the order of `which`.
     pub modes: Vec<Mode>,
 }
 
@@ -20,7 +21,7 @@ impl Kept {
         self.which.is_empty()
     }
 
-    /// Iterates over the held contacts with their modes.
+    /// Iterates over the indices of the held contacts, each with its mode.
     pub fn iter(&self) -> impl Iterator<Item = (usize, Mode)> + '_ {
         self.which.iter().copied().zip(self.modes.iter().copied())
     }
@@ -30,13 +31,13 @@ impl Kept {
         self.iter().find(|(at, _)| *at == contact).map(|(_, mode)| mode)
     }
 
-    /// Adds a contact with its mode.
+    /// Adds a held contact with its mode.
     pub fn push(&mut self, contact: usize, mode: Mode) {
         self.which.push(contact);
         self.modes.push(mode);
     }
 
-    /// The contacts that slip, each with the sign of its velocity.
+    /// Iterates over the held contacts that slip, each with the sign of its slip velocity.
     pub fn slipping(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.iter().filter_map(|(at, mode)| match mode {
             Mode::Slips(way) => Some((at, way)),
@@ -44,7 +45,7 @@ impl Kept {
         })
     }
 
-    /// Indices of the rows that are held; for a slipping contact only the row of its gap.
+    /// Indices of the rows whose velocity is held at zero; for a slipping contact only the row of its gap.
     pub fn rows(&self, contacts: &Contacts<'_>) -> Vec<usize> {
         let held = |(at, mode): (usize, Mode)| {
             let rows = &contacts.rows[at];

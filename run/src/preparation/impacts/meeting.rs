@@ -9,7 +9,8 @@ use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
 use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
 
-/// Contacts that are closed at one instant, those of them that were held before, and the change there.
+/// Contacts that are closed at one instant, the contacts that were held before it, and the change of a contact that
+/// caused it.
 pub struct Meeting<'m> {
     pub closed: &'m [usize],
     pub kept: &'m Kept,
@@ -17,7 +18,7 @@ pub struct Meeting<'m> {
 }
 
 impl Meeting<'_> {
-    /// Contact that opens there; `None` if none does.
+    /// Contact that opens at the instant of the meeting; `None` if no contact opens.
     fn opens(&self) -> Option<usize> {
         match self.happening {
             Some(Happening::Opens(contact)) => Some(contact),
@@ -29,43 +30,48 @@ impl Meeting<'_> {
 /// A meeting of contacts after its impact, if there was one.
 pub struct Met<'m> {
     pub meeting: &'m Meeting<'m>,
+    /// True if at least one impact occurred.
     pub is_hit: bool,
-    /// Reference speed of each row: a velocity far below it counts as zero.
+    /// Reference speed of each row of contacts: a velocity far below it counts as zero.
     pub scale: &'m DVector<f64>,
-    /// Accelerations of the rows before the meeting.
+    /// Accelerations along the rows of contacts before the meeting.
     pub before: &'m DVector<f64>,
-    /// True if the forces before were about to grow without bound.
+    /// True if the forces of slipping contacts were about to grow without bound before the meeting.
     pub is_jamming: bool,
 }
 
-/// Contacts that are held after a meeting, and contacts whose next bounce would be too short.
+/// Contacts that are held after a meeting, and contacts whose next flight would be too short.
 struct Settled {
     kept: Kept,
+    /// Indices of the contacts whose next flight would be too short.
     short: Vec<usize>,
-    /// Contacts that would bounce too short and are not held, with the modes that they would have.
+    /// Contacts whose next flight would be too short and that are not held, each with the mode that it would have.
     more: Kept,
 }
 
 /// Largest number of impacts that may follow one another at one instant.
 const MOST: usize = 1_000;
 
-/// State after a meeting, at which velocities may have jumped, and the contacts that are held from there on.
+/// State after a meeting, where velocities may have jumped, and the contacts that are held from that instant on.
 #[derive(Clone, Debug)]
 pub struct After {
+    /// State after all impacts of the instant.
     pub y: Vec<f64>,
+    /// Record of the impact; `None` if there was no impact.
     pub record: Option<ImpactRecord>,
+    /// Contacts that are held from this instant on, each with its mode.
     pub kept: Kept,
-    /// Contacts that were closed at the instant.
+    /// Contacts that were closed at the instant of the meeting.
     pub closed: Vec<usize>,
     /// Contacts that had impulses together by the law of impact, one list for each impact of the instant. A further
-    /// impact follows where one closes a contact that had opened. Empty if nothing was hit.
+    /// impact follows where an impact closes a contact that had opened. Empty if there was no impact.
     pub hits: Vec<Vec<usize>>,
-    /// Contacts of these that were then brought to rest, each with its mode meanwhile.
+    /// Contacts that impulses brought to rest after the impacts, each with its mode during these impulses.
     pub rested: Kept,
 }
 
 impl After {
-    /// State at which no contact is closed.
+    /// Result at a state at which no contact is closed: the state stays as it is.
     pub fn unchanged(y: &[f64]) -> Self {
         let none = Kept::default;
         Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), hits: Vec::new(), rested: none() }
@@ -75,17 +81,21 @@ impl After {
 /// An impact, and the contacts that it hit.
 struct Hit {
     blow: Blow,
-    /// The contacts that hit, one list for each impact of the instant: [`After::hits`].
+    /// Contacts that took part, one list for each impact of the instant, as in [`After::hits`].
     hits: Vec<Vec<usize>>,
-    /// Reference speed of each row: its parts before, and the changes by each impulse.
+    /// Reference speed of each row of contacts: the sizes of its parts before the impact, plus the sizes of its changes
+    /// by each impulse.
     scale: DVector<f64>,
 }
 
 /// Impulses along all rows together, and their effects.
 struct Blow {
     y: Vec<f64>,
+    /// Impulse along each row of contacts.
     impulses: DVector<f64>,
+    /// Energy lost in the impact, J.
     loss: f64,
+    /// Work of moving obstacles in the impact, J.
     work: f64,
 }
 
@@ -101,6 +111,8 @@ impl Bouncing<'_> {
         Ok(self.met((&mut free, &mut held), (t, y), meeting))
     }
 
+    /// Handles contacts that are closed at an instant. `free` are the equations without forces of contacts, `held`
+    /// those with the forces of the contacts held until then.
     fn met(
         &self,
         (free, held): (&mut Held<'_>, &mut Held<'_>),
@@ -148,11 +160,11 @@ impl Bouncing<'_> {
         Failure { code: "impact", message: format!("the impact at t = {t} s would create energy, {gained} J: {why}") }
     }
 
-    /// Computes the impact of contacts that are closed together, with a list of the contacts hit in each impact. There
-    /// are no impulses if no contact closes.
+    /// Computes the impact of contacts that are closed together, with a list of the contacts hit in each impact. All
+    /// impulses are zero if no contact closes.
     ///
-    /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact closes it, another
-    /// impact follows at the same instant.
+    /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact closes such a
+    /// contact, another impact follows at the same instant.
     fn hit(&self, (t, y): (f64, &[f64]), meeting: &Meeting<'_>) -> Result<Hit, Failure> {
         let rates = self.contacts.rates(y);
         let response = self.contacts.response(y, &rates)?;
@@ -205,8 +217,8 @@ impl Bouncing<'_> {
         Failure { code: "impact", message }
     }
 
-    /// Finds the closed contacts at rest that are pushed together and stay so, and those others whose next flight would
-    /// be too short.
+    /// Finds the closed contacts that are at rest and stay pushed together, and the further contacts whose next flight
+    /// would be too short.
     fn settle(&self, free: &mut Held<'_>, (t, y): (f64, &[f64]), met: &Met<'_>) -> Result<Settled, Failure> {
         let (meeting, scale) = (met.meeting, met.scale);
         let now = free.free(t, y)?;
@@ -216,7 +228,7 @@ impl Bouncing<'_> {
             let rests = !met.is_hit && meeting.kept.mode(*at).is_some();
             rests || velocity(at).abs() <= NOTHING * scale[normal(at)]
         };
-        // Largest velocity whose flight is too short.
+        // Largest velocity of a gap whose flight is too short.
         let slow = |at: &usize, accelerations: &DVector<f64>| {
             self.contacts.slow(*at, y, accelerations[normal(at)], self.least)
         };
@@ -259,7 +271,7 @@ impl Bouncing<'_> {
     }
 
     /// Computes the impulses that remove the last velocities of contacts that are to be held. The flag is true if a
-    /// contact slips that must not. `None` if there are no velocities.
+    /// contact slips that must not slip. `None` if these velocities are zero already.
     fn bring_to_rest(&self, y: &[f64], kept: &Kept, met: &Met<'_>) -> Result<Option<(Blow, bool)>, Failure> {
         let response = self.contacts.response(y, &self.contacts.rates(y))?;
         if kept.rows(self.contacts).iter().all(|row| response.velocities[*row] == 0.0) {
@@ -280,7 +292,8 @@ impl Bouncing<'_> {
         Ok(Some((struck(y, &response, self.contacts.spread(&some, &rows)), slipping)))
     }
 
-    /// Reference speeds of the rows: the sum of their parts by each motion variable, and the part of moving obstacles.
+    /// Reference speeds of the rows of contacts: the sizes of the parts by each motion variable, added, and the size of
+    /// the part of moving obstacles.
     fn speeds(&self, y: &[f64]) -> Result<DVector<f64>, Failure> {
         let rates = self.contacts.rates(y);
         let driven = self.contacts.response(y, &rates)?.driven;
@@ -308,9 +321,9 @@ fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
     Blow { y: after, impulses, loss, work }
 }
 
-/// Least energy that impulses must add to be told from rounding, J. It is the sum over impulses times a small fraction
-/// of the velocities before and after. Each impulse times a velocity that is rounding is added. Both may cancel: an
-/// elastic impact reverses each velocity and adds nothing.
+/// Least energy that impulses must add to be told from rounding, J. The terms of the sum are impulses times a small
+/// fraction of the velocities before and after. Each impulse times a velocity that is rounding is added. Velocities
+/// before and after may cancel: an elastic impact reverses each velocity and adds no energy.
 fn told(response: &Response, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
     let (before, after) = (&response.velocities, &response.velocities + &response.compliance * impulses);
     let of = |row: usize| NOTHING.sqrt() * (before[row].abs() + after[row].abs()) + NOTHING * scale[row];

@@ -6,8 +6,8 @@
 //! Closed contacts that would be pushed together are held ([`held`]). A contact with friction is held along its gap,
 //! and along its slip while it sticks ([`slipping`]). Another part begins where it begins or ceases to slip.
 //!
-//! Bounces that become ever shorter have no end in numbers. The contact is held instead where its next flight would be
-//! shorter than [`LEAST`] of the time scale, or no higher than the rounding of its gap.
+//! Bounces that become ever shorter have no end in numbers. So the contact is held if its next flight would be shorter
+//! than [`LEAST`] of the time scale, or no higher than the rounding of its gap.
 //!
 //! The work of impacts is part of the work of the run, so that T + V less the work is constant across them.
 
@@ -40,14 +40,13 @@ use tripos_sim::{
 use tripos_traits::{Method, Real};
 use watching::passed_on;
 
-/// Power at a state, W.
+/// Function that gives the power at an instant and a state, W.
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
 /// Duration of the shortest flight, 2⁻³⁸, relative to the time scale, which is the later of the ends of the span.
-/// Instants are known to some 2⁻⁵⁰ of it.
+/// Instants are known to some 2⁻⁵⁰ of the time scale.
 pub const LEAST: f64 = 1.0 / 274_877_906_944.0;
-/// Relative size up to which a velocity counts as zero, over the largest of the contacts before an impact.
-/// Accelerations likewise.
+/// Ratio to its reference value up to which a velocity or an acceleration along a contact counts as zero.
 const NOTHING: f64 = 1e-10;
 /// Time after the opening of a gap within which a minimum counts as rounding, over the larger of the instant and 1 s.
 const OPENED: f64 = 1e-3;
@@ -63,10 +62,11 @@ pub struct Bouncing<'a> {
 }
 
 impl Bouncing<'_> {
-    /// Integrates from y0 over a span that goes forward in time, in the numbers of a carrier.
+    /// Integrates from y0 over a span that goes forward in time, in the numbers of a carrier. Passes from one part of
+    /// the run to the next at each change of a contact.
     ///
     /// # Errors
-    /// [`SimError`] if the question makes no sense.
+    /// [`SimError`] if the run cannot begin: an empty span, or an option out of range.
     pub fn solve<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
@@ -132,7 +132,7 @@ impl Bouncing<'_> {
         Ok(whole)
     }
 
-    /// Handles the start: refuses bodies that overlap; bodies that touch may hit, be held or part.
+    /// Handles the start of a run: refuses bodies that overlap. Bodies that touch may hit, be held or part.
     fn begin(&self, t: f64, y: &[f64]) -> Result<Result<After, Failure>, SimError> {
         let rates = self.contacts.rates(y);
         let mut closed = Vec::new();
@@ -176,7 +176,7 @@ impl Bouncing<'_> {
         self.meet((t, y), &Meeting { closed: &closed, kept, happening: Some(happening) })
     }
 
-    /// Integrates a part of the run with these contacts held.
+    /// Integrates a part of the run in which the contacts `kept` are held.
     fn part<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
@@ -236,8 +236,8 @@ impl Bouncing<'_> {
         Ok(part)
     }
 
-    /// Reports minima of gaps that are close to zero to the carrier, and removes the events of all minima from a part.
-    /// The part began at `begun`, s, in the state `y`.
+    /// Reports minima of gaps that are close to zero to the carrier, and removes the events of all minima from a part
+    /// of a run. The part began at `begun`, s, in the state `y`.
     fn tell_approaches<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
@@ -264,11 +264,11 @@ impl Bouncing<'_> {
         part.events.retain(|event| nears(event).is_none());
     }
 
-    /// Duration of the shortest flight, there and back, of the contacts that part at the start of a part, s. `None` if
-    /// none does.
+    /// Duration of the shortest flight, from opening to closing, of the contacts that open at the start of a part of
+    /// the run, s. `None` if no contact opens.
     fn first_flight(&self, motion: &mut Held<'_>, t: f64, y: &[f64]) -> Option<f64> {
         let mut slopes = vec![0.0; y.len()];
-        // Where there is no motion its run says so.
+        // The run itself reports equations that fail at its start.
         motion.rhs(t, y, &mut slopes).ok()?;
         let (contacts, rates) = (self.contacts, self.contacts.rates(y));
         let flight = |contact: usize| {
@@ -282,8 +282,8 @@ impl Bouncing<'_> {
         free.filter_map(flight).reduce(f64::min)
     }
 
-    /// Removes the events and projections of the contacts from a part. The part fails if its state could not be kept on
-    /// them.
+    /// Removes the events and projections of the contacts from a part of a run. The part fails if its state could not
+    /// be kept on the held contacts.
     fn tidy<S: Real>(&self, part: &mut Solution<S>, (base, own): (usize, usize), forces: &mut Held<'_>) {
         let kept = forces.kept;
         // A function that starts on a contact begins at 0, and a force that grows without bound does not cross 0.
@@ -307,8 +307,8 @@ impl Bouncing<'_> {
         }
     }
 
-    /// Change of a contact that ended the run so far; `None` if something else did. `base` is the number of other
-    /// events.
+    /// Change of a contact that ended the latest part of a run; `None` if the part ended for another reason. `base` is
+    /// the number of events that belong to no contact.
     fn happening<S>(&self, whole: &Solution<S>, base: usize) -> Option<Happening> {
         let Stop::Event { .. } = whole.stop else { return None };
         // The first event of an instant counts: other events come before contacts.
@@ -322,7 +322,8 @@ fn values<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }
 
-/// Adds an impact at the end of a run to its work. The sample at that instant shows the state after the impact.
+/// Adds an impact at the end of a run to its impacts and its work. The sample at that instant shows the state after the
+/// impact.
 fn count<S>(whole: &mut Solution<S>, record: ImpactRecord) {
     let gained = record.work - record.loss;
     whole.impacts.push(record);
@@ -337,7 +338,7 @@ fn count<S>(whole: &mut Solution<S>, record: ImpactRecord) {
     }
 }
 
-/// Sets the end of a run, and its sample if there is one, to the state after velocities jumped.
+/// Sets the end of a run, and the sample at its end if there is one, to the state after velocities jumped.
 fn jumped<S: Real>(whole: &mut Solution<S>, y: &[S]) {
     if whole.t.last().is_some_and(|t| t.total_cmp(&whole.t_end).is_eq())
         && let Some(last) = whole.y.last_mut()

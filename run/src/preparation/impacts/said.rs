@@ -1,9 +1,10 @@
-//! Notes on a run with contacts.
+//! Notes to the user about contacts that a run holds because their bounces became too short.
 
 use tripos_derive::scene::Impact;
 use tripos_sim::Solution;
 
-/// Notes which contacts are held because their bounces became too short, and from which instant on.
+/// Notes to the user: contacts that are held because their bounces became too short, and the instant from which each is
+/// held.
 pub fn said(impacts: &[Impact], solution: &Solution) -> Vec<String> {
     let mut notes = Vec::new();
     let mut known: Vec<&[usize]> = Vec::new();

@@ -8,11 +8,12 @@ use super::meeting::Met;
 use nalgebra::DVector;
 use tripos_sim::{Failure, Found, Mode, Undecided};
 
-/// Time ahead, in shortest flights, at which modes are compared that agree at an instant and part after it.
+/// Time ahead, in durations of the shortest flight, at which modes that are all possible at an instant are compared.
 const AHEAD: f64 = 16384.0;
 
 impl Bouncing<'_> {
-    /// Accelerations of the rows with the forces of held contacts, from which slips came about; zeros without friction.
+    /// Accelerations along all rows just before a meeting, with the forces of the contacts held until then; zeros if
+    /// none of these has friction.
     pub(super) fn approach(&self, held: &mut Held<'_>, (t, y): (f64, &[f64])) -> Result<DVector<f64>, Failure> {
         if held.kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
             return Ok(DVector::zeros(self.contacts.count));
@@ -53,7 +54,7 @@ impl Bouncing<'_> {
         let found = system.ways(&now.accelerations.select_rows(&rows), &slips);
         let what = "no forces keep apart what is closed";
         let mut found = found.map_err(|why| self.undecided(t, rest, what, &why))?;
-        // A contact whose force has reached what friction can bear sticks no more.
+        // A contact whose force has reached its friction limit no longer sticks.
         let begins = |found: &Found| {
             let mut modes = rest.iter().zip(&found.modes);
             !modes.any(|(at, mode)| met.meeting.happening == Some(Happening::Slips(*at)) && *mode == Mode::Sticks)
@@ -66,8 +67,8 @@ impl Bouncing<'_> {
         Ok((one.modes, self.contacts.spread(&one.forces, &rows)))
     }
 
-    /// Index of the modes that agree with the laws shortly after the instant, where all agree. Zero, the firmest, if
-    /// none does.
+    /// Index of the first combination of modes that still satisfies the laws of contact shortly after the instant.
+    /// Zero, the firmest combination, if none does.
     fn lasting(
         &self,
         free: &mut Held<'_>,
@@ -89,7 +90,7 @@ impl Bouncing<'_> {
         found.iter().position(|found| system.allows(&accelerations, slips, &found.modes)).unwrap_or(0)
     }
 
-    /// Failure that reports closed contacts whose modes are undecided. `what` is its message where no contact has
+    /// Failure that reports closed contacts whose modes are undecided. `what` is the message where no contact has
     /// friction.
     pub(super) fn undecided(&self, t: f64, contacts: &[usize], what: &str, why: &Undecided) -> Failure {
         let name = |at: &usize| format!("`{}`", self.contacts.impacts[*at].name);

@@ -1,5 +1,5 @@
-//! Events at which parts of a run end: gaps that close, forces that no longer push or exceed friction, and slips that
-//! end.
+//! Events at which parts of a run end: gaps that close, forces that no longer push, forces that exceed friction, and
+//! slips that end.
 
 use super::Bouncing;
 use super::happening::Happening;
@@ -8,15 +8,16 @@ use super::kept::Kept;
 use tripos_sim::{Direction, Effect, Event, InRanges, Mode, SimError};
 use tripos_traits::{Enclosure, Scalar};
 
-/// Least determinant that can be told from rounding, relative to its value without slip.
+/// Least determinant of the system for contact forces that can be told from rounding, relative to its value without
+/// slip.
 const TOLD: f64 = 1e-9;
 
 impl Bouncing<'_> {
-    /// Lists the events to watch while contacts are held, with their meaning. `anew` gives the equations for each event
-    /// of forces.
+    /// Lists the events to watch while contacts are held, each with the change that it reports. `anew` makes the
+    /// equations for each event of forces.
     ///
     /// # Errors
-    /// Those of `anew`.
+    /// Errors of `anew`.
     pub(super) fn watched<'e>(
         &'e self,
         kept: &'e Kept,
@@ -50,7 +51,7 @@ impl Bouncing<'_> {
         Ok(list)
     }
 
-    /// Events for the minima of open gaps.
+    /// Events for the minima of open gaps, one for each contact that is not held.
     pub(super) fn approaches(&self, kept: &Kept) -> Vec<(Happening, Event<'_>)> {
         let contacts = self.contacts;
         let free = (0..contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
@@ -63,7 +64,7 @@ impl Bouncing<'_> {
         free.map(event).collect()
     }
 
-    /// Event for a gap that closes.
+    /// Event for the closing of a contact's gap.
     fn closing(&self, contact: usize) -> Event<'_> {
         let contacts = self.contacts;
         let p = contacts.parameters;
@@ -92,7 +93,7 @@ impl Bouncing<'_> {
         }
     }
 
-    /// Event for the end of a slip in the direction `way`; `None` if the contact has no friction.
+    /// Event for the end of a contact's slip in the direction `way`; `None` if the contact has no friction.
     fn stopping(&self, contact: usize, way: f64) -> Option<(Happening, Event<'_>)> {
         let p = self.contacts.parameters;
         let (numbers, ranges) = self.contacts.slips[contact].as_ref()?;
@@ -115,7 +116,7 @@ impl Bouncing<'_> {
         Some((happening, Event { ranges, ..event }))
     }
 
-    /// Event for a function that falls below 0.
+    /// Event for a function that falls below 0, with the change of a contact that it reports.
     fn falling<'e>(
         &self,
         happening: Happening,

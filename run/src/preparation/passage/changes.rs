@@ -1,21 +1,22 @@
-//! Parts of a run that are made in all rates, and the notes on them.
+//! Parts of a run that are computed in the rates of all coordinates, and the notes on them.
 
 use tripos_derive::mechanics::By;
 
-/// Part of a run that is made in all rates.
+/// Part of a run that is computed in the rates of all coordinates instead of the chosen speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
-    /// Instant of its beginning, s.
+    /// Instant at which the part begins, s.
     pub from: f64,
-    /// Instant of its end, s; `None` if it lasts to the end of the run.
+    /// Instant at which the part ends, s; `None` if it lasts to the end of the run.
     pub to: Option<f64>,
-    /// True if the constraints were nearly dependent.
+    /// True if the constraints were nearly dependent in this part.
     pub is_singular: bool,
-    /// Factor by which the tolerances were widened.
+    /// Factor by which the tolerances were widened in this part; 1 if they were not.
     pub coarser: f64,
 }
 
-/// Notes on the changes of a run whose speeds have these names, the most important first.
+/// Notes to the user on the parts of a run in all rates, the most important first. `speeds` are the names of the chosen
+/// speeds, `by` the equations in them.
 pub fn said(changes: &[Change], speeds: &[String], by: &By) -> Vec<String> {
     /// Greatest number of changes that are listed one by one.
     const MOST: usize = 3;

@@ -4,11 +4,12 @@ use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{Kind, Options, Output, Solution};
 use tripos_traits::{AbsoluteTolerance, Method, System};
 
-/// Coarsest relative tolerance to which others are widened.
+/// Coarsest relative tolerance to which smaller tolerances are widened.
 const COARSEST: f64 = 1e-3;
 
-/// Options of a part in all rates, for n coordinates. Without chosen speeds neither series nor Jacobians are known, so
-/// DOP853 replaces methods that need them. All rates have the least of the speeds' absolute tolerances.
+/// Options of a part of a run in the rates of all coordinates, for n coordinates. Without chosen speeds neither series
+/// nor Jacobians are known, so DOP853 replaces methods that need them. The absolute tolerance of each rate is the least
+/// of those of the speeds.
 pub(super) fn options_in_rates(options: &Options, n: usize) -> Options {
     let mut options = options.clone();
     if let AbsoluteTolerance::Each(list) = &options.atol {
@@ -22,7 +23,7 @@ pub(super) fn options_in_rates(options: &Options, n: usize) -> Options {
     options
 }
 
-/// Options with tolerances this many times as coarse.
+/// Options with tolerances that are `times` times as coarse, up to the limit `COARSEST`.
 pub(super) fn coarsened(options: &Options, times: f64) -> Options {
     let atol = match &options.atol {
         AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(times * atol),
@@ -31,7 +32,7 @@ pub(super) fn coarsened(options: &Options, times: f64) -> Options {
     Options { rtol: options.rtol.max((times * options.rtol).min(COARSEST)), atol, ..options.clone() }
 }
 
-/// Options of the rest of a run over a span.
+/// Options for the rest of a run over `span` after the solution `done`.
 #[must_use]
 pub fn rest<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Options {
     let output = match &options.output {
@@ -46,7 +47,7 @@ pub fn rest<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Optio
     Options { output, step_limit, initial_step: None, ..options.clone() }
 }
 
-/// Joins a run with its next part.
+/// Joins the solution of a run so far with the solution of its next part.
 #[must_use]
 pub fn joined<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) -> Solution<S> {
     let skipped = usize::from(!matches!(options.output, Output::At(_)));
@@ -87,8 +88,8 @@ pub fn joined<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) 
     }
 }
 
-/// Extends a projection report of a run by chosen speeds to all rates. The constraints of both begin with the same
-/// ones, and their states begin with the same coordinates.
+/// Extends the projection report of a run by chosen speeds to all rates. Both sets of constraints begin with the same
+/// ones, and both states begin with the same coordinates.
 pub(super) fn widened(report: &ProjectionReport, rates: &dyn System<f64>) -> ProjectionReport {
     let wide = |list: &[f64], kept: usize, count: usize| {
         let mut list = list[..kept].to_vec();

@@ -10,7 +10,7 @@ use tripos_sim::{Event, Failure, Options, RightHandSide, SimError, Solution};
 use tripos_traits::Real;
 
 impl Problem<'_> {
-    /// The contacts of the scene.
+    /// Prepares the contacts of the scene in the variables of the equations.
     #[must_use]
     pub(crate) fn contacts(&self) -> Contacts<'_> {
         let in_rates = self.by.formulation().is_some_and(Formulation::is_in_rates);
@@ -18,7 +18,7 @@ impl Problem<'_> {
         Contacts::new(self.model, &self.scene.impacts, of, in_rates)
     }
 
-    /// Runs in parts, from impact to impact.
+    /// Runs a scene with contacts in parts, from impact to impact, in doubles.
     pub(super) fn bouncing(
         &self,
         from: ((f64, f64), &[f64]),
@@ -32,7 +32,7 @@ impl Problem<'_> {
         self.bounce(&contacts, &doubles, from, options, events, power)
     }
 
-    /// Runs in parts, from impact to impact, in the numbers of a carrier.
+    /// Runs a scene with contacts in parts, from impact to impact, in the numbers of a carrier.
     ///
     /// # Errors
     /// [`SimError`] if the request is invalid.
@@ -51,10 +51,10 @@ impl Problem<'_> {
         bouncing.solve(carrier, (span, y0), options, events, power)
     }
 
-    /// Derivative y′ while these contacts are held.
+    /// Derivative of the state by time, y′, while the contacts `kept` are held.
     ///
     /// # Errors
-    /// [`Failure`] where the derivative has no value.
+    /// [`Failure`] where the equations or the forces of contacts have no value.
     pub(crate) fn flow(&self, contacts: &Contacts<'_>, kept: &Kept, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
         let unknown = |error: SimError| Failure { code: "not-finite", message: error.to_string() };
         let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept };
@@ -64,10 +64,10 @@ impl Problem<'_> {
     }
 }
 
-/// Refuses a scene with contacts that cannot be run as it asks.
+/// Refuses a scene with contacts if its equations or its way of integration do not allow contacts.
 ///
 /// # Errors
-/// [`Error::Request`] if the way of running the scene does not allow contacts. It has advice.
+/// [`Error::Request`] with advice on what to change.
 pub(super) fn check(scene: &Scene, by: &By) -> Result<(), Error> {
     let how = &scene.integration;
     let (what, help) = if scene.impacts.is_empty() {

@@ -1,4 +1,4 @@
-//! Runs by equations in all rates where those in chosen speeds fail.
+//! Runs by equations in chosen speeds, and by equations in all rates where these speeds fail.
 
 use super::{Power, Problem};
 use crate::code::Code;
@@ -7,18 +7,18 @@ use crate::preparation::passage::{self, Chosen};
 use tripos_sim::{Event, Options, Solution};
 
 impl<'a> Problem<'a> {
-    /// Adds equations in chosen speeds, which run as far as they hold. These equations, in all rates with multipliers,
-    /// run elsewhere.
+    /// Adds equations in chosen speeds, which run as far as these speeds determine the motion. The problem's own
+    /// equations, in all rates with multipliers, run elsewhere.
     #[must_use]
     pub fn beside(self, chosen: Chosen<'a>) -> Self {
         Self { chosen: Some(chosen), ..self }
     }
 
-    /// The run of the scene by these equations alone. `None` if their speeds fail on the way, or hardly determine the
-    /// motion there; `rates`, the same equations in all rates, tell so.
+    /// Runs the scene by the problem's own equations alone. `None` if their speeds fail on the way, or hardly determine
+    /// the motion there. The test of the speeds uses `rates`, the equations in all rates.
     ///
     /// # Errors
-    /// As [`Problem::solve`].
+    /// Errors of [`Problem::solve`].
     pub(crate) fn in_speeds_alone(
         &self,
         rates: &Code,
@@ -35,7 +35,7 @@ impl<'a> Problem<'a> {
         run.map_err(|error| refused(self.scene, &error))
     }
 
-    /// Runs by chosen speeds, and by all rates where these fail.
+    /// Runs the scene by the equations in chosen speeds, and by those in all rates where the speeds fail.
     pub(super) fn changing(
         &self,
         chosen: Chosen<'_>,
@@ -48,7 +48,7 @@ impl<'a> Problem<'a> {
         let run = speeds.right_hand_side().and_then(|mut rhs| {
             let systems = (self.system(), speeds.system(), self.scene.parameters.as_slice());
             let start = (self.scene.span, y0);
-            // Unless a power is given, forces must all have a potential.
+            // Without a given power, energy is kept only if all forces have a potential.
             let keeps_energy = !self.mechanism.is_driven() && (power.is_some() || !self.system().has_power());
             passage::solve(systems, rhs.as_mut(), start, &self.options(options), events, (power, keeps_energy))
         });

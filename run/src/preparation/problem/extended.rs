@@ -1,4 +1,4 @@
-//! Starts and states in twice the precision of a double.
+//! Starts and states of a problem in twice the precision of a double.
 
 use super::{ExtendedStart, Origin, Problem};
 use crate::error::Error;
@@ -26,7 +26,7 @@ impl Problem<'_> {
         Ok((p, [q, v].concat()))
     }
 
-    /// Shown quantities of an integrated state, in twice the precision of a double.
+    /// Shown quantities of an integrated state, both in twice the precision of a double; `p` are the parameters.
     #[must_use]
     pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let system = self.code.extended();
@@ -46,7 +46,8 @@ impl Problem<'_> {
         [q, u].concat()
     }
 
-    /// Shown quantities of an integrated state in doubles. A coordinate given by its distance keeps all digits.
+    /// Shown quantities of an integrated state that is given in doubles. A coordinate that is integrated as a distance
+    /// keeps all digits of the distance.
     #[must_use]
     pub fn precise_state(&self, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();

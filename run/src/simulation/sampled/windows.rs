@@ -10,14 +10,15 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{EventRecord, Method, Options, Output, Solution, Stop};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Scalar};
 
-/// Ratio of the second run's tolerances to those of the first.
+/// Ratio of the tolerances of the second run, which gives the errors, to those of the first.
 const FINER: f64 = 0.1;
-/// Tolerances of the second run if the first has equal steps.
+/// Relative and absolute tolerance of the second run, which gives the errors, if the first has equal steps.
 const EQUAL: f64 = 1e-12;
-/// Longest step of the second run, relative to a window. The first run may take each window in one step.
+/// Longest step of the second run, which gives the errors, relative to the length of a window. The first run may take
+/// each window in one step.
 const PART_OF_WINDOW: f64 = 0.4;
 
-/// Options of the second run, made from those of the first.
+/// Options of the second run, which gives the errors and is finer than the first, made from those of the first.
 pub fn finer(first: &Options) -> Options {
     let step_limit = first.step_limit.saturating_mul(10);
     if first.step.is_some() {
@@ -31,17 +32,22 @@ pub fn finer(first: &Options) -> Options {
     Options { rtol: FINER * first.rtol, atol, step_limit, output: Output::Ends, ..first.clone() }
 }
 
-/// Closed loop: a problem, its inputs and the instants at which they are set.
+/// Closed loop of a mechanism and its controller: a problem, its inputs and the instants at which they are set.
 pub struct Loop<'a> {
     pub problem: &'a Problem<'a>,
+    /// Watched functions of the scene.
     pub balance: &'a Balance,
+    /// Indices of the inputs among the parameters.
     pub places: &'a [usize],
+    /// Names of the inputs that are set.
     pub inputs: &'a [&'a str],
+    /// Instants at which the inputs are set, s.
     pub instants: &'a [f64],
+    /// Names of coordinates, then of generalized speeds.
     pub names: &'a [String],
 }
 
-/// Run through all windows.
+/// Results of a run through all its windows.
 pub struct Way {
     t: Vec<f64>,
     states: Vec<Vec<f64>>,
@@ -49,13 +55,15 @@ pub struct Way {
     events: Vec<EventRecord>,
     t_end: f64,
     end: Vec<f64>,
+    /// Numbers of accepted and of rejected steps.
     steps: (u64, u64),
     pub stop: Stop,
     warnings: Vec<String>,
 }
 
 impl Loop<'_> {
-    /// Runs through all windows from an integrated state. Parameters that are not decided are those of the scene.
+    /// Runs through all windows from an integrated state. Parameters that the controller does not set are those of the
+    /// scene.
     pub fn run(
         &self,
         scene: &Scene,
@@ -102,7 +110,8 @@ impl Loop<'_> {
         }
     }
 
-    /// Runs one window, with the options of the whole.
+    /// Runs one window, with the options `how` of the whole run. `steps` and `rejected` are the numbers of steps so
+    /// far.
     fn window(
         &self,
         problem: &Problem<'_>,
@@ -134,6 +143,8 @@ impl Loop<'_> {
         Ok(solution)
     }
 
+    /// Calls the controller at a sample. An error is returned if it gives a wrong number of values, or one that is not
+    /// finite.
     fn decide(
         &self,
         controller: &mut dyn FnMut(&Sample<'_>) -> Vec<f64>,
@@ -151,7 +162,7 @@ impl Loop<'_> {
         Ok(values)
     }
 
-    /// Result of a run, with the errors that a second one gives.
+    /// Makes the result of a run, with the errors that the difference from a second run gives.
     pub fn told(&self, first: Way, second: Option<&Way>, form: Form) -> SampledRun {
         let mut decisions = first.decisions;
         let mut errors_at_end = None;
@@ -159,7 +170,8 @@ impl Loop<'_> {
             for (own, other) in decisions.iter_mut().zip(&second.decisions) {
                 own.errors = Some(apart(&own.state, &other.state));
             }
-            // An event that ends both runs has a different instant in each; the error of its state is wanted.
+            // An event that ends both runs has a different instant in each; the error of the state at the event is
+            // wanted.
             let as_far = decisions.len() == second.decisions.len();
             let both_ended = as_far && first.stop == second.stop && !first.stop.is_failure();
             errors_at_end = both_ended.then(|| apart(&first.end, &second.end));
@@ -190,18 +202,18 @@ impl Loop<'_> {
     }
 }
 
-/// Least relative error of a value: some roundings.
+/// Least relative error of a value, which allows for eight roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Errors of values by their difference from a second run.
+/// Estimates the errors of values by their differences from the values of a second run.
 fn apart(own: &[f64], other: &[f64]) -> Vec<f64> {
     own.iter().zip(other).map(|(a, b)| (a - b).abs() + ROUNDING * a.abs()).collect()
 }
 
 impl Way {
-    /// Adds a window to the run.
+    /// Adds the solution of a window to the results of the run.
     fn take(&mut self, problem: &Problem<'_>, solution: &Solution) {
-        // A window begins where the one before it ended.
+        // A window begins at the end of the window before it, whose sample is known.
         let known = self.t.last().copied();
         let new = solution.t.iter().zip(&solution.y).filter(|(t, _)| Some(**t) != known);
         for (t, y) in new {

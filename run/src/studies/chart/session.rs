@@ -19,17 +19,17 @@ use tripos_traits::Real;
 
 /// Measurements of a scene, with the reference and the quantities that they are measured against.
 pub struct Session {
-    /// All measured points.
+    /// All measured points of the chart.
     pub list: Vec<Measurement>,
     /// Reference solution from which errors are measured.
     pub reference: Reference,
-    /// First integrals of the motion.
+    /// First integrals of the motion, whose drift is measured.
     pub watch: Watch,
     /// Sentence that names the compared quantities; `None` if runs are compared in all states.
     pub compared: Option<String>,
-    /// The instant at which errors were taken, s.
+    /// Instant at which errors were measured, s.
     pub until: f64,
-    /// Reason why that instant is before the end of the scene; `None` if it is the end.
+    /// Reason why `until` is before the end of the scene; `None` if it is the end.
     pub cut: Option<String>,
     /// Cases that could not be charted, each with the reason.
     pub left_out: Vec<String>,
@@ -84,7 +84,8 @@ pub fn chart(
     Ok(Session { list, compared: said, reference, watch, until: scene.span.1, cut, left_out })
 }
 
-/// When the motion leaves the domain of its equations, or meets a terminal event, before the end of its span.
+/// Finds the instant, s, at which the motion leaves the domain of its equations or meets a terminal event. `None` if
+/// neither happens before the end of the span.
 fn leaves(model: &Mechanism, scene: &Scene, by: &By) -> Result<Option<f64>, Error> {
     let code = code(model, by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(model, scene, by, &code, None)?;

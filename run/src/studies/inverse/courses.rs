@@ -1,7 +1,7 @@
-//! Motions given by formulas of t: poses that close the loops, and the speeds and accelerations that follow.
+//! Motions given by formulas of t: poses that close the loops, and the speeds and accelerations that follow from them.
 //!
-//! The rates of the coordinates that have formulas, q̇ = W u + w, give u. Their second derivatives, q̈ = W u̇ + (Ẇ u +
-//! ẇ), give u̇. If more coordinates have formulas than there are speeds, the motion must obey the constraints;
+//! The rates of the coordinates that have formulas, q̇ = W u + w, give the speeds u. Their second derivatives, q̈ = W u̇ +
+//! (Ẇ u + ẇ), give u̇. If more coordinates have formulas than there are speeds, the motion must satisfy the constraints;
 //! otherwise it is refused.
 
 use super::least::{Least, doubles};
@@ -13,14 +13,14 @@ use tripos_derive::mechanics::motion_rates;
 use tripos_derive::scene::{Formulas, Given, Loops, Motion, Moving};
 use tripos_traits::DoubleDouble;
 
-/// Tolerance of constraints in a given motion, relative to the largest given rate or 1.
+/// Residual of the constraints up to which a given motion is accepted, relative to the largest given rate or 1.
 const BROKEN: f64 = 1e-9;
 
-/// Coordinates, speeds and accelerations of a motion at each of its instants.
+/// Computes coordinates, speeds and accelerations of a motion at each of its instants.
 ///
 /// # Errors
-/// [`Error::Stopped`] if formulas have no value at an instant, leave the motion open, break a constraint, or loops
-/// cannot be closed.
+/// [`Error::Stopped`] if formulas have no value at an instant, do not determine the motion, break a constraint, or
+/// loops cannot be closed.
 pub fn moments(model: &Mechanism, motion: &Motion) -> Result<Vec<Moving>, Error> {
     let formulas = match &motion.given {
         Given::Samples(list) => return Ok(list.clone()),
@@ -37,16 +37,19 @@ pub fn moments(model: &Mechanism, motion: &Motion) -> Result<Vec<Moving>, Error>
     Ok(list)
 }
 
-/// Evaluates a motion that is given by formulas.
+/// Motion that is given by formulas, ready to be evaluated.
 struct Course {
+    /// Names of all coordinates.
     names: Vec<String>,
+    /// Number of generalized speeds.
     speeds: usize,
-    /// Indices of the coordinates with formulas; `free` holds those that the loops determine.
+    /// Indices of the coordinates with formulas.
     given: Vec<usize>,
+    /// Indices of the coordinates without formulas, which the loops determine.
     free: Vec<usize>,
-    /// q, q̇ and q̈ of each coordinate with a formula, in parameters and t.
+    /// Computes q, q̇ and q̈ of each coordinate with a formula, from parameters and t.
     formulas: Tape<DoubleDouble>,
-    /// q̇ and d(q̇)/dt of each coordinate, and W row by row, in parameters, q, u and u̇.
+    /// Computes q̇ and d(q̇)/dt of each coordinate, and W row by row, from parameters, q, u and u̇.
     rates: Tape<DoubleDouble>,
     loops: Loops,
 }
@@ -83,7 +86,7 @@ impl Course {
         })
     }
 
-    /// Computes the motion at an instant. `near` is a pose near by to begin from.
+    /// Computes the motion at an instant. The search for the pose begins at `near`, a pose close to it.
     fn at(&self, p: &[DoubleDouble], t: f64, near: &[DoubleDouble]) -> Result<Moving, Error> {
         let stopped = |why: String| Error::Stopped(format!("no motion at t = {t} s: {why}"));
         let values = self.formulas.evaluate(&[p, &[DoubleDouble::from(t)]].concat());
@@ -122,7 +125,7 @@ impl Course {
         )
     }
 
-    /// Finds the speeds, or with `order` 1 their rates, that give the coordinates with formulas the `wanted`
+    /// Finds the speeds, or with `order` 1 their rates, for which the coordinates with formulas have the `wanted`
     /// derivatives. The tape is evaluated with these unknowns at 0.
     fn match_rates(
         &self,

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::DoubleDouble;
 
-/// Singular values below this fraction of the largest count as zero.
+/// Ratio to the largest singular value below which a singular value counts as zero.
 const RANK: f64 = 1e-10;
 
 /// Solves a linear system by the pseudo-inverse of its matrix, which is computed in doubles.
@@ -12,15 +12,16 @@ pub struct Least {
     rank: usize,
 }
 
-/// Least-squares solution of the least norm.
+/// Least-squares solution of a linear system; of several the one with the least norm.
 pub struct Found {
     pub x: Vec<DoubleDouble>,
     /// Residual: the right side minus the matrix times `x`.
     pub left: Vec<DoubleDouble>,
+    /// Rank of the matrix.
     pub rank: usize,
 }
 
-/// Rounds 32-digit numbers to doubles.
+/// Rounds numbers of 32 digits to doubles.
 pub fn doubles(list: &[DoubleDouble]) -> Vec<f64> {
     list.iter().map(|x| x.hi()).collect()
 }
@@ -40,7 +41,8 @@ impl Least {
         Self { inverse, rank }
     }
 
-    /// Solves for a right side. Each step of refinement gives sixteen digits more.
+    /// Solves the linear system for a right side. Each step of refinement gives sixteen digits more. `rows` is the
+    /// matrix again.
     pub fn solve(&self, rows: &[&[DoubleDouble]], right: &[DoubleDouble]) -> Found {
         let mut x = vec![DoubleDouble::from(0.0); self.inverse.nrows()];
         let left_of = |x: &[DoubleDouble]| -> Vec<DoubleDouble> {

@@ -1,9 +1,10 @@
-//! Inverse dynamics: the forces that a given motion needs, and the inputs that give them.
+//! Inverse dynamics: the forces that a given motion needs, and the inputs that produce them.
 //!
-//! Generalized forces M u̇ − f must act along the speeds, in addition to all loads that the model states; f leaves out
-//! the wanted inputs. Where loads are linear in the inputs r, f contains B r. r is the least-squares solution of the
-//! least norm, and its residual is reported. Large mechanisms compute M u̇ − f by recursion, as they do all their
-//! equations (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76).
+//! A motion needs generalized forces M u̇ − f along the speeds, in addition to all loads that the model states. f
+//! contains these loads without the wanted inputs. If loads are linear in the inputs r, they add B r to f. r is the
+//! least-squares solution of the least norm, and its residual is reported. Large mechanisms compute M u̇ − f by
+//! recursion, as all their equations (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, ASME J. Dyn. Sys. Meas. Control 102
+//! (1980) 69–76).
 
 mod courses;
 mod least;
@@ -21,17 +22,20 @@ use tripos_derive::mechanics::Unsolved;
 use tripos_derive::scene::{Loops, Moving};
 use tripos_traits::DoubleDouble;
 
-/// Residual of the forces up to which inputs count as giving them, relative to the largest term of the forces.
+/// Residual of the forces up to which inputs count as producing them, relative to the largest term of the forces.
 const LEFT: f64 = 1e-10;
 
-/// Inverse dynamics of a mechanism: computes the forces of a motion, and the inputs that give them.
+/// Inverse dynamics of a mechanism: computes the forces of a motion, and the inputs that produce them.
 pub struct Inverse {
-    /// Names of the speeds along which forces act.
+    /// Names of the generalized speeds along which forces act.
     pub speeds: Vec<String>,
-    /// Names of the inputs that are found.
+    /// Names of the inputs whose values are found.
     pub inputs: Vec<String>,
+    /// Indices of the inputs among the parameters.
     places: Vec<usize>,
+    /// Tape of the forces, then of the matrix B row by row, in doubles. Inputs: parameters, q, u and u̇.
     tape: Tape,
+    /// Tape of the forces, then of the matrix B row by row, to 32 digits.
     wide: Tape<DoubleDouble>,
     loops: Loops,
 }
@@ -39,21 +43,23 @@ pub struct Inverse {
 /// Forces and inputs that a motion needs at an instant.
 #[derive(Clone, Debug)]
 pub struct Forces {
-    /// M u̇ − f with the inputs at 0, one per speed. Its unit is power over the unit of the speed.
+    /// Generalized force M u̇ − f with the inputs at 0, one for each speed. Its unit is that of power divided by that of
+    /// the speed.
     pub along: Vec<DoubleDouble>,
-    /// Inputs that give these forces, with the least norm where several do. `None` where no inputs give them.
+    /// Inputs that produce the forces; of several solutions the one with the least norm. `None` if no inputs produce
+    /// them.
     pub inputs: Option<Vec<f64>>,
-    /// Residual of the forces that the best inputs leave, one per speed.
+    /// Residual that the best inputs leave of the forces, one for each speed.
     pub left: Vec<f64>,
     /// Dimension of the space of forces that the inputs reach in this pose.
     pub reached: usize,
-    /// Largest opening of a loop, in the unit of the loop.
+    /// Largest gap of a loop in the pose, in the unit of the loop.
     pub open: f64,
 }
 
 impl Inverse {
-    /// Prepares a model for inputs, or for parameters in which its loads are linear, given by name. If `names` is
-    /// empty, all inputs of the model are taken.
+    /// Prepares the inverse dynamics of a model for inputs, or for parameters in which its loads are linear, given by
+    /// name. If `names` is empty, all inputs of the model are taken.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived, lacks one of the inputs, or has forces that are not linear in them.
@@ -90,7 +96,7 @@ impl Inverse {
         })
     }
 
-    /// Computes the forces that a motion needs at an instant, and the inputs that give them.
+    /// Computes the forces that a motion needs at an instant, and the inputs that produce them.
     ///
     /// # Errors
     /// [`Error::Stopped`] where a force has no value.
@@ -125,6 +131,7 @@ impl Inverse {
     }
 }
 
+/// Error for forces that are not linear in one parameter, or in the product of two.
 fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
     let [name, other] = [at, other].map(|at| &model.parameters[at].name);
     let what = if name == other {
@@ -136,6 +143,7 @@ fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
 }
 
 /// Indices of the named parameters, or of all inputs of the model if `names` is empty.
+/// # Errors [`Error::Request`] if a name is unknown or given twice.
 fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
     if names.is_empty() {
         return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());

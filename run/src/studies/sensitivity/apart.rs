@@ -1,9 +1,9 @@
 //! Derivatives of runs that change their speeds on the way, as differences of whole runs.
 //!
-//! Slopes are carried along by equations in chosen speeds. Near a state where these fail, slopes would be divided by a
-//! number that vanishes there. The run itself passes such states in the rates of all coordinates. So it is repeated
-//! with eight other values of a number, at finer tolerances, and the derivative is a difference of order 4. Its error
-//! comes from the same rule with twice the step, and from the errors of the runs over the step.
+//! Equations in chosen speeds carry slopes along a run. Near a state where these speeds fail, slopes would be divided
+//! by a number that vanishes there. The run itself passes such states in the rates of all coordinates. So it is
+//! repeated with eight other values of a number, at finer tolerances, and the derivative is a difference of order 4.
+//! Its error comes from the same rule with twice the step, and from the errors of the runs divided by the step.
 
 use super::difference::CENTRAL;
 use crate::error::Error;
@@ -15,42 +15,45 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Nearby, Scene};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Real, Scalar, larger};
 
-/// Step of the differences, relative to the size of the number that changes.
+/// Step of the differences of runs, relative to the size of the number that changes.
 const STEP: f64 = 1.0 / 1024.0;
-/// Least size of a number of the start, in its unit: a smaller number counts as this large. A parameter that is not
-/// zero has its own size.
+/// Least size of a number of the start, in its unit: a smaller number counts as this size. The step of a parameter that
+/// is not zero is always relative to its own size.
 const LEAST: f64 = 0.01;
-/// Factor by which the tolerances of the other runs are finer; `FINEST` is the least of them.
+/// Factor from the tolerances of a run to those of the runs with other values, whose differences give its derivatives.
 const FINER: f64 = 0.01;
+/// Least tolerance of the runs whose differences give a derivative.
 const FINEST: f64 = 1e-13;
 
-/// Text that tells how these derivatives were found.
+/// Text that tells how derivatives by differences of runs were found.
 pub const WORDS: &str = "differences of eight runs beside this one, since it changes its speeds";
 
-/// Derivatives by differences that are asked for: quantities, scene and equations.
+/// Request for derivatives by differences of runs: quantities, scene and equations.
 pub struct Apart<'a> {
     pub mechanism: &'a Mechanism,
     pub scene: &'a Scene,
-    /// Numbers whose values differ from the file of the scene.
+    /// Names and values of numbers that were set and differ from the scene file.
     pub set: &'a [(String, f64)],
     pub by: &'a By,
     /// Names of the differentiated quantities: states, outputs and energies at the end.
     pub names: &'a [String],
 }
 
-/// Derivatives of all quantities by one number.
+/// Derivatives of all requested quantities by one number.
 pub struct Difference {
+    /// Unit of the number.
     pub unit: Unit,
-    /// Derivative of each shown number, with its error where that is known.
+    /// Derivative of each requested quantity at the end of the run.
     pub values: Vec<f64>,
+    /// Error of each derivative; `None` if an error is not known.
     pub errors: Option<Vec<f64>>,
-    /// Derivative of the instant of the end.
+    /// Derivative of the instant at which the run ends.
     pub t_end: f64,
-    /// Derivatives of the instants of events; `None` if another run has another number of them.
+    /// Derivatives of the instants of events; `None` if another run has a different number of events.
     pub events: Option<Vec<f64>>,
 }
 
-/// Results of one run: values at its end with their errors, the instant of the end, and those of events.
+/// Results of one run: values at its end with their errors, the instant of the end, and the instants of events.
 struct Told {
     values: Vec<f64>,
     errors: Option<Vec<f64>>,
@@ -59,11 +62,11 @@ struct Told {
 }
 
 impl Apart<'_> {
-    /// Computes the derivatives by the number of this name.
+    /// Computes the derivatives by the number with the given name, for a run that was made.
     ///
     /// # Errors
-    /// [`Error::Input`] for a name that is no number of the scene; [`Error::Stopped`] if another run ends otherwise
-    /// than this one.
+    /// [`Error::Input`] for a name that is no number of the scene; [`Error::Stopped`] if another run ends for a
+    /// different reason.
     pub fn by(&self, name: &str, run: &Run) -> Result<Difference, Error> {
         let mut nearby = Nearby::new(self.scene, self.mechanism, self.set, name)?;
         let (value, unit) = (nearby.value(), nearby.unit());
@@ -100,6 +103,7 @@ impl Apart<'_> {
         Ok(Difference { unit, values, errors, t_end: of(&narrow, step, &|told| told.t_end), events })
     }
 
+    /// Runs a scene with a changed number. The error says if this run ends for another reason than `first`.
     fn told(&self, scene: &Scene, first: &Run) -> Result<Told, Error> {
         let run = run_whole(self.mechanism, scene, self.by, None)?;
         if run.solution.stop.code() != first.solution.stop.code() {
@@ -114,7 +118,7 @@ impl Apart<'_> {
             None => energies.1,
         };
         let known = run.digits.as_ref().and_then(|digits| digits.errors_at_end());
-        // The largest known error of the states stands for the error of an energy.
+        // The largest known error of the states is used as the error of an energy.
         let worst = known.map(|errors| errors.iter().copied().fold(0.0, larger));
         let error = |name: &String| place(name).map_or(worst, |at| known.and_then(|errors| errors.get(at).copied()));
         Ok(Told {
@@ -126,7 +130,7 @@ impl Apart<'_> {
     }
 }
 
-/// Scene with finer tolerances.
+/// Gives a scene the finer tolerances of runs whose differences give a derivative.
 fn finer(mut scene: Scene) -> Scene {
     let how = &mut scene.integration;
     let finer = |x: f64| if x > 0.0 { (FINER * x).max(FINEST.min(x)) } else { x };

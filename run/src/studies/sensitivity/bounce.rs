@@ -1,4 +1,4 @@
-//! Runs with contacts in numbers with slopes.
+//! Runs with contacts in numbers that carry slopes, their derivatives by parameters and numbers of the start.
 
 use super::contacts::{Direction, Wide};
 use super::crossing::Crossed;
@@ -11,30 +11,32 @@ use std::cell::RefCell;
 use tripos_sim::{Corner, RightHandSide, SimError, Tangents};
 use tripos_traits::{Flow, Real, Scalar, Series, Tangent};
 
-/// Functions that compute rates with slopes, and, if they exist, their Taylor coefficients.
+/// Functions that compute the rates of a state with slopes, and, if they exist, its Taylor coefficients.
 pub type Parts<'a, const K: usize> = (&'a dyn Flow<Tangent<K>>, Option<&'a dyn Series<Tangent<K>>>);
 
-/// Carrier of numbers with slopes by some seeds, from impact to impact.
+/// Carrier of numbers with slopes by `K` seeds, for a run from impact to impact.
 pub struct Bounced<'a, const K: usize> {
     pub problem: &'a Problem<'a>,
     pub parts: Parts<'a, K>,
-    /// The parameters with their slopes.
+    /// Values of the parameters with their slopes by the seeds.
     pub parameters: &'a [Tangent<K>],
     pub seeds: &'a [Seed],
+    /// Instants at which the drive has a kink or a jump.
     pub corners: &'a [Corner],
     pub contacts: &'a Contacts<'a>,
     wide: Wide<'a>,
     told: Told<K>,
-    /// Relative gap below which a contact counts as touched; `None` if that is not watched.
+    /// Gap below which a contact counts as touched, relative to the size of its terms; `None` if this is not watched.
     pub near: Option<f64>,
     /// Minima of gaps that are below `near`.
     pub approaches: RefCell<Vec<Approach>>,
+    /// Slopes of the instants of the run so far, and the ends of derivatives.
     pub way: RefCell<Way>,
 }
 
 impl<'a, const K: usize> Bounced<'a, K> {
-    /// Prepares a run of a problem with these contacts. Gaps below `near`, relative to the size of their terms, count
-    /// as touched.
+    /// Prepares a run of a problem with contacts. Gaps below `near`, relative to the size of their terms, count as
+    /// touched if `is_watched` is true.
     pub fn new(
         problem: &'a Problem<'a>,
         parts: Parts<'a, K>,
@@ -50,7 +52,7 @@ impl<'a, const K: usize> Bounced<'a, K> {
     }
 }
 
-/// Derivative along a direction of the rates that the equations of a problem have without contacts.
+/// Derivative, along a direction of parameters and state, of the rates of a problem without forces of contacts.
 pub fn rates_along<const K: usize>(
     problem: &Problem<'_>,
     flow: &dyn Flow<Tangent<K>>,
@@ -69,10 +71,10 @@ pub fn rates_along<const K: usize>(
     slopes(&rates, 0)
 }
 
-/// Refuses a crossing at the instant of a jump of the drive: their order is not known.
+/// Refuses a change of contacts at the instant of a jump of the drive, since their order is not known.
 ///
 /// # Errors
-/// Reason why there is no derivative.
+/// Text that says why there is no derivative.
 pub fn meets_no_corner(corners: &[Corner], crossing: &Crossing<'_>) -> Result<(), String> {
     let t = crossing.t;
     let meets = |corner: &Corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs();

@@ -1,9 +1,9 @@
 //! Derivatives of the impulses and forces of contacts by parameters and state.
 //!
-//! Impulses and forces follow from a linear system while the set of pushing contacts stays: M a − Wᵀ Λ = 0, and W a + c
-//! = 0 along the rows that push. c is the motion of these rows without them: accelerations, or the parts of velocities
-//! that are to be removed. With a and Λ known, their derivatives follow from those of the residuals, by the same
-//! matrices. Friction of slipping contacts stands in the same system ([`super::grip`]). The derivatives of the
+//! Impulses and forces Λ follow from a linear system while the set of pushing contacts stays: M a − Wᵀ Λ = 0, and W a +
+//! c = 0 along the rows that push. c is the motion of these rows without Λ: accelerations, or the parts of velocities
+//! that are to be removed. Once a and Λ are known, their derivatives follow from those of the residuals, by the same
+//! matrices. Friction of slipping contacts is part of the same system ([`super::grip`]). The derivatives of the
 //! residuals are differences in 32 digits ([`super::difference`]), so contacts need no second definition.
 
 use super::difference::along;
@@ -14,70 +14,71 @@ use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_sim::Failure;
 use tripos_traits::{DoubleDouble, Lengths, Scalar, System};
 
-/// Fraction of the size of its terms below which a derivative counts as zero.
+/// Fraction of the size of its terms below which a derivative of a contact counts as zero.
 pub const SMALL: f64 = 1e-7;
 
-/// The contacts of a scene in 32 digits.
+/// The contacts of a scene with their equations in 32 digits.
 pub struct Wide<'a> {
     pub contacts: &'a Contacts<'a>,
     system: &'a dyn System<DoubleDouble>,
     gaps: Vec<Tape<DoubleDouble>>,
     rates: Tape<DoubleDouble>,
-    /// Relative gap below which a contact counts as touched, over the size of the gap's terms.
+    /// Gap below which a contact counts as touched, relative to the size of the gap's terms.
     pub near: f64,
 }
 
-/// Direction of parameters and of the integrated state, along which derivatives are taken.
+/// Direction in parameters and in the integrated state, along which derivatives are taken.
 #[derive(Clone, Copy)]
 pub struct Direction<'d> {
     pub parameters: &'d [f64],
     pub state: &'d [f64],
 }
 
-/// Motion c of the rows without impulses or forces, with its derivative.
+/// Motion c of the rows of contacts without impulses or forces, with its derivative along a direction.
 pub enum Without<'c> {
-    /// Accelerations: from the rates of the state, whose derivatives are `by`.
+    /// Accelerations along the rows, from the rates of the state, whose derivatives are `by`.
     Accelerate { rates: &'c [f64], by: &'c [f64] },
-    /// Velocities: from the parts of them that impulses remove, in the order of all rows. `by` holds the derivatives of
-    /// the parts.
+    /// Parts of the velocities along the rows that impulses remove, in the order of all rows. `by` holds the
+    /// derivatives of the factors `parts`.
     Move { parts: &'c [f64], by: &'c [f64] },
 }
 
-/// Contacts at a state, with the impulses or forces along their rows.
+/// Contacts at a state, with the impulses or forces Λ along their rows.
 pub struct Acting<'c> {
     pub y: &'c [f64],
     pub operators: &'c Operators,
-    /// Λ along all rows.
+    /// Impulses or forces Λ along all rows.
     pub impulses: &'c DVector<f64>,
-    /// Rows along which Λ follows from c, and the friction that follows from Λ.
+    /// Rows along which Λ follows from the motion c, and the friction that follows from Λ.
     pub grip: &'c Grip,
 }
 
-/// Derivative of impulses or forces along a direction, and of their effect.
+/// Derivative of impulses or forces Λ along a direction, and derivative of their effect.
 pub struct Change {
-    /// The slopes of Λ along all rows.
+    /// Derivative of Λ along each row.
     pub impulses: DVector<f64>,
-    /// Slopes of the changes of the motion variables that Λ causes, or of their rates.
+    /// Derivatives of the changes that Λ causes: of the motion variables, or of their rates.
     pub variables: DVector<f64>,
-    /// Slopes of the changes of the speeds that Λ causes, or of their rates.
+    /// Derivatives of the changes that Λ causes: of the generalized speeds, or of their rates.
     pub speeds: DVector<f64>,
-    /// Size of the terms of the change along the rows, each over the root of its compliance.
+    /// Size of the terms of the change along the rows, each divided by the root of the row's compliance. The largest of
+    /// all rows.
     pub size: f64,
-    /// True if dependent rows do not move alike: then no impulses or forces hold all of them.
+    /// True if dependent rows do not move alike: then no impulses or forces can hold all of them.
     pub is_apart: bool,
 }
 
 impl Change {
-    /// Returns the change if dependent contacts move alike.
+    /// Returns the change if dependent contacts move alike, otherwise an error.
     ///
     /// # Errors
-    /// Reason why there is no derivative.
+    /// Text that says why there is no derivative.
     pub fn together(self) -> Result<Self, String> {
         if self.is_apart { Err(APART.to_owned()) } else { Ok(self) }
     }
 }
 
-/// Reason why dependent contacts have no derivative.
+/// Text that says why dependent contacts have no derivative.
 pub const APART: &str = "contacts of which one follows from the others do not move alike";
 
 impl<'a> Wide<'a> {
@@ -87,7 +88,7 @@ impl<'a> Wide<'a> {
         Self { contacts, system, gaps, rates: contacts.rates.to(), near }
     }
 
-    /// Derivative of a gap, and the size of its terms.
+    /// Derivative of the gap of a contact along a direction at a state, and the size of its terms.
     pub fn gap(&self, contact: usize, y: &[f64], direction: Direction<'_>) -> (f64, f64) {
         let p = self.contacts.parameters;
         let n = self.system.lengths().coordinates;
@@ -97,7 +98,7 @@ impl<'a> Wide<'a> {
         (change, size(change, slopes.row(contact).iter().zip(direction.state).map(|(slope, d)| slope * d)))
     }
 
-    /// Derivative of the velocity along a row, and the size of its terms.
+    /// Derivative, along a direction at a state, of the velocity along a row, and the size of its terms.
     pub fn velocity(&self, row: usize, y: &[f64], direction: Direction<'_>) -> (f64, f64) {
         let x = [self.contacts.parameters, y].concat();
         let change = along(&x, &[direction.parameters, direction.state].concat(), |x| self.rates.evaluate(x))[row];
@@ -105,7 +106,8 @@ impl<'a> Wide<'a> {
         (change, size(change, slopes.row(row).iter().zip(direction.state).map(|(slope, d)| slope * d)))
     }
 
-    /// Derivative of impulses or forces: Λ follows from c along its rows, and changes by `given` besides.
+    /// Derivative of impulses or forces along a direction. Λ follows from c along the rows of the grip, and changes by
+    /// `given` in addition.
     pub fn change(
         &self,
         acting: &Acting<'_>,
@@ -150,7 +152,8 @@ impl<'a> Wide<'a> {
             let terms: f64 = of_u.row(*row).iter().zip(moved.iter()).map(|(of, moved)| (of * moved).abs()).sum();
             let whole: f64 = slopes.row(*row).iter().zip(own).map(|(slope, own)| (slope * own).abs()).sum();
             let g = compliance[(*row, *row)];
-            // Slopes have errors of integration. They count as the motion of the row times the largest relative change.
+            // Slopes have errors of integration, which count as the motion of the row times the largest relative
+            // change.
             let rounded = part * whole + ROUNDED * g.max(0.0).sqrt() * energy;
             let of_row = second[at].abs() + aside[*row].abs() + of_state + terms + rounded;
             size = size.max(if g > 0.0 { of_row / g.sqrt() } else { 0.0 });
@@ -161,7 +164,8 @@ impl<'a> Wide<'a> {
         Ok(Change { impulses, variables, speeds: moved, size, is_apart })
     }
 
-    /// Residuals M a − Wᵀ Λ, then W a + c along the rows that follow, then the change of the motion variables by a.
+    /// Computes in 32 digits the residuals M a − Wᵀ Λ, then W a + c along the rows of the grip, then the change of the
+    /// motion variables by a.
     fn residuals(
         &self,
         x: &[DoubleDouble],
@@ -205,7 +209,7 @@ impl<'a> Wide<'a> {
     }
 }
 
-/// The permitted motions at a configuration.
+/// Motions that the constraints permit at a configuration, in 32 digits.
 struct Motions<'m> {
     system: &'m dyn System<DoubleDouble>,
     p: &'m [DoubleDouble],
@@ -213,18 +217,19 @@ struct Motions<'m> {
 }
 
 impl Motions<'_> {
-    /// Motion variables that belong to these speeds.
+    /// Motion variables that belong to the generalized speeds `u`.
     fn variables(&self, u: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut v = vec![DoubleDouble::from_f64(0.0); self.system.lengths().variables];
         self.system.motion_variables(self.p, self.q, u, &mut v);
         v
     }
 
+    /// Kinetic energy with the motion variables `v`, J.
     fn energy(&self, v: &[DoubleDouble]) -> DoubleDouble {
         self.system.kinetic_energy(self.p, self.q, v)
     }
 
-    /// Change of the motion variables by speeds a.
+    /// Change of the motion variables if the generalized speeds change by `a`; `basis` has one column for each speed.
     fn added(&self, basis: &[Vec<DoubleDouble>], a: &DVector<f64>) -> Vec<DoubleDouble> {
         let mut out = vec![DoubleDouble::from_f64(0.0); self.system.lengths().variables];
         for (column, a) in basis.iter().zip(a.iter()) {
@@ -235,6 +240,7 @@ impl Motions<'_> {
     }
 }
 
+/// Unit vector of `speeds` components, with 1 at the index `at`.
 fn axis(speeds: usize, at: usize) -> Vec<DoubleDouble> {
     (0..speeds).map(|other| DoubleDouble::int(i64::from(other == at))).collect()
 }
@@ -243,6 +249,7 @@ fn sum(a: &[DoubleDouble], b: &[DoubleDouble]) -> Vec<DoubleDouble> {
     a.iter().zip(b).map(|(a, b)| *a + *b).collect()
 }
 
+/// Difference of two vectors, component by component.
 fn less(a: &[DoubleDouble], b: &[DoubleDouble]) -> Vec<DoubleDouble> {
     a.iter().zip(b).map(|(a, b)| *a - *b).collect()
 }
@@ -251,20 +258,22 @@ fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
     a.iter().zip(b).fold(DoubleDouble::from_f64(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// Fraction of the change of the whole motion that counts at least among a row's terms: a change below it is rounding.
+/// Fraction of the change of the whole motion that counts at least among the terms of a row: a smaller change is
+/// rounding.
 const ROUNDED: f64 = 1e-5;
 
-/// Largest change of any number along a direction, relative to its size or 1.
+/// Largest change of any component along a direction, relative to the size of the component or 1.
 fn part_of(x: &[f64], direction: &[f64]) -> f64 {
     x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(1.0)).fold(0.0, f64::max)
 }
 
-/// Size of the terms of a derivative: its parts by the state, and the rest, which parameters cause.
+/// Size of the terms of a derivative: its `parts` by the state, and the rest, which parameters cause.
 fn size(change: f64, parts: impl Iterator<Item = f64>) -> f64 {
     let (sum, size) = parts.fold((0.0, 0.0), |(sum, size), part: f64| (sum + part, size + part.abs()));
     size + (change - sum).abs()
 }
 
+/// Failure that reports impulses or forces without a finite derivative.
 fn unknown() -> Failure {
     Failure { code: "not-finite", message: "what acts along contacts has no finite derivative".to_owned() }
 }

@@ -1,16 +1,16 @@
-//! Jumps of slopes where velocities jump, and where contacts are released, held, stick or slip from there on.
+//! Jumps of slopes at instants at which velocities jump, or contacts are released, held, stick or slip.
 //!
-//! At an instant t(p) a motion y⁻(t, p) is taken to y⁺ = R(y⁻, p), from rates f⁻ to f⁺. Slopes at a fixed instant go
-//! from s⁻ to s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp. The instant has the derivative dt/dp = −(g_y s⁻ + g_p)/(g_y
-//! f⁻), where g is zero there: a gap, a force, the margin of friction, or a slip ([`super::zero`]). M. A. Aizerman & F.
-//! R. Gantmakher, "On the stability of periodic motions", *Journal of Applied Mathematics and Mechanics* 22 (1958),
-//! 1065–1078; P. C. Müller, "Calculation of Lyapunov exponents for dynamic systems with discontinuities", *Chaos,
-//! Solitons & Fractals* 5 (1995), 1671–1681. The map is linear in s⁻ and p: forwards it is applied to slopes, and a
-//! backward sweep takes its transpose.
+//! At an instant t(p) a motion goes from y⁻(t, p) to y⁺ = R(y⁻, p), and its rates go from f⁻ to f⁺. Slopes at a fixed
+//! instant go from s⁻ to s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp. The instant has the derivative dt/dp = −(g_y s⁻ +
+//! g_p)/(g_y f⁻), where g is zero at the instant: a gap, a force, the margin of friction, or a slip ([`super::zero`]).
+//! Sources: M. A. Aizerman & F. R. Gantmakher, "On the stability of periodic motions", *Journal of Applied Mathematics
+//! and Mechanics* 22 (1958), 1065–1078; P. C. Müller, "Calculation of Lyapunov exponents for dynamic systems with
+//! discontinuities", *Chaos, Solitons & Fractals* 5 (1995), 1671–1681. The map is linear in s⁻ and p: forwards it is
+//! applied to slopes, and a backward sweep uses its transpose.
 //!
-//! R is differentiated with the sets of contacts that push, stick and slip held fixed. There is no derivative, and the
-//! reason is given, where these sets change with the varied number, where contacts that change together do not stay
-//! together, or where contacts close without a velocity.
+//! R is differentiated with the sets of contacts that push, stick and slip held fixed. In three cases there is no
+//! derivative, and the reason is given: these sets change with the varied number; contacts that change together do not
+//! stay together; or contacts close without a velocity.
 
 use super::contacts::{Acting, Change, Direction, SMALL, Wide, Without};
 use super::forces::{Forces, NOTHING, RatesAlong, Varied};
@@ -21,40 +21,41 @@ use crate::preparation::impacts::{Crossing, Kept, NONE};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
 
-/// The rates at an instant and a state while contacts are held.
+/// Function that gives the rates at an instant and a state while contacts are held.
 pub type Flow<'c> = dyn Fn(&Kept, f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c;
 
-/// A crossing, with the data that all directions need.
+/// Change of contacts at an instant, with the data that its derivatives along all directions need.
 pub struct Crossed<'c> {
     wide: &'c Wide<'c>,
     crossing: &'c Crossing<'c>,
     rates_along: &'c RatesAlong<'c>,
-    /// Functions that are zero at the instant.
+    /// Functions of contacts that are zero at the instant of the crossing.
     zeros: Zeros<'c>,
+    /// Impulses of the crossing, in their order.
     strikes: Vec<Strike>,
     /// Rates after the crossing, with the forces of held contacts.
     rates: Vec<f64>,
-    /// Forces of the contacts that are held after the crossing; `None` where no contact is held.
+    /// Forces of the contacts that are held after the crossing; `None` if no contact is held.
     forces: Option<Forces>,
 }
 
-/// Result of taking a direction across a crossing.
+/// Slopes along one direction after they were taken across a crossing.
 pub struct Across {
-    /// Derivative of the instant.
+    /// Derivative of the instant of the crossing.
     pub later: f64,
     /// Slopes of the state after the crossing.
     pub slopes: Vec<f64>,
-    /// Derivatives of the impulses of each strike.
+    /// Derivatives of the impulses of each strike, in their order.
     changes: Vec<Change>,
     /// Slopes of the state before each strike.
     before: Vec<Vec<f64>>,
 }
 
 impl<'c> Crossed<'c> {
-    /// Prepares a crossing in a motion whose rates `flow` gives while contacts are held.
+    /// Prepares a crossing for differentiation. `flow` gives the rates of the motion while contacts are held.
     ///
     /// # Errors
-    /// Reason why there is no derivative by anything.
+    /// Text that says why there is no derivative by any number.
     pub fn new(
         wide: &'c Wide<'c>,
         crossing: &'c Crossing<'c>,
@@ -87,10 +88,11 @@ impl<'c> Crossed<'c> {
         })
     }
 
-    /// Derivative of the instant, and the slopes of the state after it, from those before.
+    /// Computes the derivative of the instant, and the slopes of the state after the crossing from those before,
+    /// `state`. Checks that the sets of contacts stay fixed along this direction.
     ///
     /// # Errors
-    /// Reason why there are none.
+    /// Text that says why there is no derivative.
     pub fn across(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(f64, Vec<f64>), String> {
         self.begins_together(varied, state)?;
         self.zeros.stay_together(varied, state)?;
@@ -100,13 +102,13 @@ impl<'c> Crossed<'c> {
         Ok((across.later, across.slopes))
     }
 
-    /// True if contacts hold the same motion: then only numbers that move them alike have derivatives.
+    /// True if several contacts hold the same motion: then only numbers that move them alike have derivatives.
     pub fn shares(&self) -> bool {
         let before = &self.zeros.coming.forces;
         before.iter().chain(&self.forces).any(Forces::are_shared)
     }
 
-    /// True if only some of the numbers that change the state before may have derivatives.
+    /// True if possibly only some of the numbers have derivatives, so that each must be checked.
     pub fn asks(&self) -> bool {
         let is_open = |strike: &Strike| {
             let compliance =
@@ -126,7 +128,7 @@ impl<'c> Crossed<'c> {
     /// Takes slopes across the crossing, without checking that the sets of contacts stay fixed along this direction.
     ///
     /// # Errors
-    /// Reason, where a value does not exist.
+    /// Text that names a value that does not exist.
     pub fn linear(&self, varied: &Varied<'_>, state: &[f64]) -> Result<Across, String> {
         let later = self.zeros.later(varied, state)?;
         let mut slopes: Vec<f64> = state.iter().zip(&self.zeros.coming.rates).map(|(s, f)| s + f * later).collect();
@@ -146,11 +148,13 @@ impl<'c> Crossed<'c> {
         &self.wide.contacts.impacts[contact].name
     }
 
+    /// Index of the row of a contact's gap.
     fn normal(&self, contact: usize) -> usize {
         self.wide.contacts.rows[contact][0]
     }
 
-    /// Derivative of the impulses of a strike if they follow from `grip`. `last` is that of the strike before.
+    /// Derivative of the impulses of a strike if they follow from the rows and friction of `grip`. `last` is the
+    /// derivative of the strike before.
     fn strike(
         &self,
         (strike, grip): (&Strike, &Grip),
@@ -179,7 +183,7 @@ impl<'c> Crossed<'c> {
                 let friction = grip.of_coefficients(varied.frictions, &(impulses + given)) + grip.of_given(&before);
                 (nothing.add_scalar(1.0), nothing, friction)
             }
-            // e Λ of the strike before.
+            // Impulses e Λ, with Λ of the strike before.
             Law::Return(of) => (nothing.clone(), nothing, e.component_mul(&before) + by_e.component_mul(of)),
         };
         let direction = Direction { parameters: varied.parameters, state: slopes };
@@ -187,11 +191,12 @@ impl<'c> Crossed<'c> {
         self.wide.change(&acting, &without, direction, &given).map_err(|failure| failure.message)
     }
 
+    /// Text that says that a contact may push or open as the number varies.
     fn undecided(&self, contact: usize, varied: &Varied<'_>) -> String {
         format!("whether the contact `{}` pushes or opens there changes with `{}`", self.name(contact), varied.name)
     }
 
-    /// Refuses at the start a number that opens a closed contact, or lets it overlap.
+    /// Refuses, at the start of a run, a number that opens a closed contact or lets it overlap.
     fn begins_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
         if self.crossing.happening.is_some() {
             return Ok(());
@@ -213,7 +218,7 @@ impl<'c> Crossed<'c> {
         Ok(())
     }
 
-    /// Refuses a number that changes which contacts take part in an impact, or how.
+    /// Refuses a number that changes the set of contacts that take part in an impact, or their modes.
     fn stays_decided(&self, varied: &Varied<'_>, across: &Across) -> Result<(), String> {
         let largest = across.changes.iter().map(|change| change.size).fold(0.0, f64::max);
         for (at, (strike, change)) in self.strikes.iter().zip(&across.changes).enumerate() {
@@ -251,20 +256,20 @@ impl<'c> Crossed<'c> {
         Ok(())
     }
 
-    /// Contacts that are held afterwards without a force.
+    /// Contacts that are held after the crossing with a force of zero.
     fn lying(&self) -> Vec<usize> {
         let Some(forces) = &self.forces else { return Vec::new() };
         forces.kept().map(|(at, _)| at).filter(|at| forces.is_nothing(self.normal(*at))).collect()
     }
 
-    /// Contacts that stick afterwards at the limit of their friction.
+    /// Contacts that stick after the crossing, with a force at the limit of their friction.
     fn at_limit(&self) -> Vec<usize> {
         let Some(forces) = &self.forces else { return Vec::new() };
         let sticks = forces.kept().filter(|(_, mode)| *mode == Mode::Sticks).map(|(at, _)| at);
         sticks.filter(|at| forces.is_at_limit(self.wide.contacts, *at)).collect()
     }
 
-    /// Contacts that begin to slip at the start.
+    /// Contacts that begin to slip from rest at the start of the run.
     fn at_rest(&self) -> Vec<usize> {
         let Some(forces) = self.forces.as_ref().filter(|_| self.crossing.happening.is_none()) else {
             return Vec::new();
@@ -280,8 +285,8 @@ impl<'c> Crossed<'c> {
         slips.filter(is_still).collect()
     }
 
-    /// Refuses a number that gives a force to a contact that lies without one. Refuses one that makes a contact slip
-    /// that sticks at its limit, or that moves a contact that begins to slip at rest.
+    /// Refuses a number that gives a force to a contact that is held without one. Refuses also a number that makes a
+    /// contact slip that sticks at its limit, or that moves a contact that begins to slip from rest.
     fn stays_held(&self, varied: &Varied<'_>, slopes: &[f64]) -> Result<(), String> {
         let Some(forces) = &self.forces else { return Ok(()) };
         let contacts = self.wide.contacts;

@@ -14,16 +14,16 @@ use tripos_traits::{Scalar, Tangent, larger};
 
 /// Derivatives at the end of a run, by each seed.
 pub struct End {
-    /// Derivatives of the shown quantities; total ones if an event ends the run.
+    /// Derivatives of the shown quantities by each seed; total ones if an event ends the run.
     pub shown: Vec<Vec<f64>>,
-    /// Derivatives of the instant of the end.
+    /// Derivatives of the instant of the end by each seed; 0 unless an event ends the run.
     pub t: Vec<f64>,
 }
 
-/// Computes the derivatives at the end of a run.
+/// Computes the derivatives at the end of a run by each seed.
 ///
 /// # Errors
-/// [`Error::Request`] if the parameters are not those of the equations.
+/// [`Error::Request`] if the number of parameters does not fit the equations.
 pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     let solution = &carried.solution;
     let event = match solution.stop {
@@ -50,7 +50,7 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     Ok(End { shown, t })
 }
 
-/// Rates y′ at a state while these contacts are held.
+/// Rates y′ of a state while the contacts `kept` are held.
 fn rates(parts: &Parts<'_>, kept: &Kept, (t, y): (f64, &[f64])) -> Result<Vec<f64>, Error> {
     if !kept.is_empty() {
         let rates = parts.problem.flow(&parts.problem.contacts(), kept, t, y);
@@ -63,14 +63,16 @@ fn rates(parts: &Parts<'_>, kept: &Kept, (t, y): (f64, &[f64])) -> Result<Vec<f6
     Ok([q_dot, v_dot].concat())
 }
 
-/// Computes the derivatives of the instants of a run's events; `t_end` holds those of its end.
+/// Computes the derivatives of the instants of a run's events by each seed; `t_end` holds those of its end. `None` for
+/// an event whose function does not cross zero.
 ///
 /// # Errors
-/// As [`end`].
+/// Errors of [`end`].
 pub fn instants(parts: &Parts<'_>, carried: &Carried, t_end: &[f64]) -> Result<Vec<Option<Vec<f64>>>, Error> {
     carried.solution.events.iter().map(|event| instant(parts, carried, t_end, event)).collect()
 }
 
+/// Computes the derivatives of the instant of one event by each seed; `None` if its function does not cross zero.
 fn instant(
     parts: &Parts<'_>,
     carried: &Carried,
@@ -99,9 +101,11 @@ fn instant(
     Ok((flow.abs() > 0.0).then(|| later.collect()))
 }
 
-/// A state between samples and its slopes, from a short run that begins at the last sample before it.
+/// State between two samples and its slopes by each seed.
 type State = (Vec<f64>, Vec<Vec<f64>>);
 
+/// State and slopes at an instant, from a short run that begins at the last sample before it. `None` if that run does
+/// not reach the instant.
 fn on_the_way(parts: &Parts<'_>, carried: &Carried, t: f64) -> Result<Option<State>, Error> {
     let (solution, span) = (&carried.solution, parts.problem.scene.span);
     let toward = (span.1 - span.0).signum();
@@ -118,18 +122,19 @@ fn on_the_way(parts: &Parts<'_>, carried: &Carried, t: f64) -> Result<Option<Sta
     Ok((run.solution.stop == Stop::End).then_some((run.solution.y_end, run.end)))
 }
 
-/// Least relative error of a derivative: eight roundings.
+/// Least relative error of a derivative, which allows for eight roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Errors of the derivatives at the end by each seed, and the run that gave them.
+/// Errors of the derivatives at the end by each seed, and a description of the run that they were computed from.
 type Assessed = (Option<Vec<Vec<f64>>>, Option<String>);
 
-/// Errors of the derivatives at the end, from a second run with other steps, from numbers one rounding away.
+/// Estimates the errors of the derivatives at the end, by a second run with other steps, from numbers one rounding
+/// away. `None` if no second run comes to the same end.
 ///
-/// Differences shortly before the end count as well: two motions that swing about each other meet now and then.
+/// Differences shortly before the end count as well: two motions that oscillate about each other meet now and then.
 ///
 /// # Errors
-/// [`Error`] if the second run makes no sense where the first did.
+/// [`Error`] if the second run is refused although the first was not.
 pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<f64>])) -> Result<Assessed, Error> {
     let (problem, first) = (parts.problem, &carried.solution);
     if first.steps == 0 || first.stop.is_failure() {
@@ -153,7 +158,7 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<
         }
         let its = Parts { problem: &beside, ..*parts };
         let theirs = end(&its, &run)?.shown;
-        // The second run has no derivatives where it alone nearly touches a contact: it tells nothing of them.
+        // A second run that alone nearly touches a contact has no derivatives, and tells nothing about errors.
         let pairs = || own.shown.iter().flatten().zip(theirs.iter().flatten());
         if pairs().any(|(own, other)| other.is_nan() && !own.is_nan()) {
             continue;
@@ -174,12 +179,12 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<
     Ok((None, None))
 }
 
-/// Time next to an instant at which slopes jump in which samples are not compared, over the larger of the instant and 1
-/// s.
+/// Time before and after a jump of slopes within which samples are not compared, relative to the larger of the instant
+/// and 1 s.
 const BESIDE: f64 = 1e-6;
 
-/// Indices of two samples shortly before the end, if there are such. None is next to an instant at which slopes jump: a
-/// second run may be on the other side of it.
+/// Indices of at most two samples shortly before the end of a run. Neither is next to an instant at which slopes jump:
+/// a second run may be on the other side of that instant.
 fn before(parts: &Parts<'_>, carried: &Carried) -> Vec<usize> {
     let (t, t_end) = (&carried.solution.t, carried.solution.t_end);
     let p: Vec<Tangent<1>> = parts.problem.scene.parameters.iter().map(|p| Tangent::from_f64(*p)).collect();
@@ -193,6 +198,7 @@ fn before(parts: &Parts<'_>, carried: &Carried) -> Vec<usize> {
     list
 }
 
+/// Derivatives of the shown quantities at a sample, by each seed.
 fn at_sample(parts: &Parts<'_>, carried: &Carried, sample: usize) -> Result<Vec<Vec<f64>>, Error> {
     let solution = &carried.solution;
     let place = parts.quantities.place(parts.problem, solution.t[sample], &solution.y[sample])?;
@@ -200,6 +206,7 @@ fn at_sample(parts: &Parts<'_>, carried: &Carried, sample: usize) -> Result<Vec<
     Ok(slopes.map(|(seed, at)| parts.quantities.slopes(&place, &seed.parameters, &at[sample]).shown).collect())
 }
 
+/// Sizes of the differences of two tables of derivatives.
 fn differences(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let of = |a: &Vec<f64>, b: &Vec<f64>| a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect();
     a.iter().zip(b).map(|(a, b)| of(a, b)).collect()

@@ -1,4 +1,4 @@
-//! Equations with slopes: the compiled ones, or their tapes in numbers with slopes.
+//! Equations in numbers with slopes: compiled ones, or interpreted ones whose tapes compute with slopes.
 
 use super::bounce::{Bounced, Parts};
 use super::contacts::Wide;
@@ -19,19 +19,22 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{Accompanied, Event, Lent, Options, Output, RightHandSide, Solution, Tangents, integrate};
 use tripos_traits::{CompiledSystem, Derivative, InTangents, Method, Tangent};
 
-/// Equations that give values with slopes.
+/// Equations of motion that compute rates with slopes.
 pub struct Equations {
-    /// Equations in doubles.
+    /// Equations of motion in doubles.
     pub code: Code,
+    /// Interpreted equations in numbers with one slope, made on first use.
     one: OnceCell<Derivative<Interpreted<Tangent<1>>>>,
+    /// Interpreted equations in numbers with four slopes, made on first use.
     four: OnceCell<Derivative<Interpreted<Tangent<4>>>>,
 }
 
 impl Equations {
-    /// Prepares the equations of a mechanism for a method; they are compiled if a version with slopes is compiled.
+    /// Prepares the equations of a mechanism for a method. Compiled equations are used only if they are also compiled
+    /// with slopes.
     ///
     /// # Errors
-    /// Those of [`code`].
+    /// Errors of [`code`].
     pub fn new(mechanism: &Mechanism, scene: &Scene, by: &By, method: Method) -> Result<Self, Error> {
         let distance = scene.integration.distance;
         let mut code = code(mechanism, by, distance, Ready::Solved)?;
@@ -61,6 +64,7 @@ impl Equations {
         }
     }
 
+    /// Functions that compute rates with four slopes.
     fn four(&self) -> Parts<'_, 4> {
         match (&self.code, compiled(&self.code)) {
             (Code::Interpreted(system), _) => parts(self.four.get_or_init(|| Derivative(system.double.to()))),
@@ -69,13 +73,13 @@ impl Equations {
         }
     }
 
-    /// Makes a run with its derivatives by each of the seeds, from a state with slopes along each of them.
+    /// Makes a run with its derivatives by each of the seeds, from a state with slopes along each seed.
     ///
-    /// These are the derivatives of the run itself, along the steps that it takes. Four are carried along at once; if
-    /// there are more, the same run is made again for each four.
+    /// The results are the derivatives of the run itself, along the steps that it takes. One run carries four slopes.
+    /// If there are more seeds, the same run is made again for each further four.
     ///
     /// # Errors
-    /// [`Error::Request`] if the question makes no sense.
+    /// [`Error::Request`] if the run cannot begin, or there is no seed.
     pub fn run(
         &self,
         problem: &Problem<'_>,
@@ -109,26 +113,28 @@ pub struct From<'a> {
     pub span: (f64, f64),
     /// Integrated state at the first instant.
     pub y: &'a [f64],
-    /// Slopes of this state, a list for each seed.
+    /// Slopes of the state `y`, a list for each seed.
     pub slopes: &'a [Vec<f64>],
 }
 
-/// A run, and the slopes of its integrated states.
+/// A run with the slopes of its integrated states by each seed.
 pub struct Carried {
-    /// The run in plain doubles.
+    /// Solution of the run in plain doubles.
     pub solution: Solution,
-    /// Slopes by each seed, at each sample, of each component.
+    /// Slopes of the integrated state: by each seed, at each sample, of each component.
     pub at: Vec<Vec<Vec<f64>>>,
-    /// Slopes by each seed, at the end, of each component.
+    /// Slopes of the integrated state at the end of the run: by each seed, of each component.
     pub end: Vec<Vec<f64>>,
     /// Changes of contacts during the run, and ends of derivatives.
     pub way: Way,
 }
 
+/// Functions of interpreted equations that compute rates and Taylor coefficients with slopes.
 fn parts<const K: usize>(system: &Derivative<Interpreted<Tangent<K>>>) -> Parts<'_, K> {
     (system, Some(system))
 }
 
+/// Functions of compiled equations that compute with slopes; `None` if these are not compiled.
 fn compiled(code: &Code) -> Option<InTangents<'static>> {
     match code {
         Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) => lanes.tangents,
@@ -136,7 +142,7 @@ fn compiled(code: &Code) -> Option<InTangents<'static>> {
     }
 }
 
-/// Makes one run in numbers with `K` slopes. Derivatives end where a contact is just touched.
+/// Makes one run in numbers with `K` slopes. Derivatives end at an instant at which a contact is only touched.
 fn watched<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -151,7 +157,7 @@ fn watched<const K: usize>(
     Ok(carried)
 }
 
-/// Ends the derivatives by numbers that change a gap whose minimum is zero.
+/// Ends the derivatives by numbers that change a gap at its minimum of zero.
 fn end_at<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -179,7 +185,7 @@ fn end_at<const K: usize>(
 }
 
 impl Carried {
-    /// Ends the derivatives by a number at an instant.
+    /// Ends the derivatives by a number at the instant `t`, s: later slopes become NaN.
     fn over(&mut self, number: usize, t: f64, why: String) {
         self.way.end(number, t, why);
         let later = self.solution.t.iter().zip(&mut self.at[number]).filter(|(sample, _)| **sample >= t);
@@ -188,7 +194,8 @@ impl Carried {
     }
 }
 
-/// Makes one run in numbers with `K` slopes. It lists the contacts that are nearly touched if that is watched.
+/// Makes one run in numbers with `K` slopes, by `seeds`. Also lists the minima of gaps that are nearly zero, if
+/// `is_watched` is true.
 fn carry<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
@@ -231,7 +238,7 @@ fn carry<const K: usize>(
     Ok((carried, approaches))
 }
 
-/// Makes a run without contacts.
+/// Makes a run of a scene without contacts, in numbers with `K` slopes.
 fn smooth<const K: usize>(
     problem: &Problem<'_>,
     (flow, series): Parts<'_, K>,

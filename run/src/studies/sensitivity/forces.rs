@@ -6,20 +6,20 @@ use crate::preparation::impacts::{Contacts, Kept, Operators};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
 
-/// Fraction of the size of its terms below which a quantity counts as zero.
+/// Fraction of the size of its terms below which a force or a velocity of a contact counts as zero.
 pub const NOTHING: f64 = 1e-9;
 
-/// The derivative of the rates of the equations without contacts, along a direction at a state.
+/// Function that gives the derivative, along a direction at a state, of the rates without forces of contacts.
 pub type RatesAlong<'c> = dyn Fn(&[f64], Direction<'_>) -> Vec<f64> + 'c;
 
-/// The varied number, with the derivatives of parameters and of coefficients of contacts by it.
+/// Number by which derivatives are taken, with the derivatives of parameters and of coefficients of contacts by it.
 #[derive(Clone, Copy)]
 pub struct Varied<'v> {
     pub name: &'v str,
     pub parameters: &'v [f64],
-    /// Derivatives of the coefficients of restitution, by contact.
+    /// Derivatives of the coefficients of restitution, one for each contact.
     pub restitutions: &'v [f64],
-    /// Derivatives of the coefficients of friction, by contact.
+    /// Derivatives of the coefficients of friction, one for each contact.
     pub frictions: &'v [f64],
 }
 
@@ -27,20 +27,21 @@ pub struct Varied<'v> {
 pub struct Forces {
     kept: Kept,
     y: Vec<f64>,
-    /// Rates of the state without the forces.
+    /// Rates of the state without the forces of contacts.
     free: Vec<f64>,
     operators: Operators,
     grip: Grip,
-    /// The forces along all rows.
+    /// Forces of the held contacts along all rows.
     along_rows: DVector<f64>,
-    /// Accelerations of all rows without the forces.
+    /// Accelerations along all rows without the forces of contacts.
     accelerations: DVector<f64>,
     /// Indices of the rows whose force is not determined.
     shared: Vec<usize>,
 }
 
 impl Forces {
-    /// Computes the forces of contacts that are held at a state. `free` holds the rates of the state without them.
+    /// Computes the forces of contacts that are held at a state. `free` holds the rates of the state without these
+    /// forces.
     ///
     /// # Errors
     /// [`Failure`] where the forces are not finite.
@@ -66,13 +67,13 @@ impl Forces {
         (of_u * self.operators.inertia.solve(&of_u.transpose()))[0].sqrt()
     }
 
-    /// Largest acceleration of held rows without forces, each over the root of its compliance.
+    /// Largest acceleration along the held rows without forces, each divided by the root of the row's compliance.
     fn largest(&self) -> f64 {
         let size = |row: &usize| self.accelerations[*row].abs() / self.unit(*row);
         self.grip.rows.iter().map(size).fold(0.0, f64::max)
     }
 
-    /// True if the force along a row is zero, except for rounding.
+    /// True if the force along the row of a gap is zero or below, except for rounding.
     pub fn is_nothing(&self, row: usize) -> bool {
         self.along_rows[row] * self.unit(row) <= NOTHING * self.largest()
     }
@@ -95,15 +96,15 @@ impl Forces {
         !self.shared.is_empty()
     }
 
-    /// Iterates over the held contacts with their modes.
+    /// Iterates over the indices of the held contacts, each with its mode.
     pub fn kept(&self) -> impl Iterator<Item = (usize, Mode)> + '_ {
         self.kept.iter()
     }
 
-    /// Derivative of the forces along a direction.
+    /// Derivative of the forces along a direction: the slopes `state` of the state and those of the varied number.
     ///
     /// # Errors
-    /// Reason why it has no value.
+    /// Text that says why the derivative has no value.
     pub fn change(
         &self,
         wide: &Wide<'_>,

@@ -1,13 +1,13 @@
-//! Rows that contacts hold, along which forces follow from the motion of the rows, and friction, which follows from the
-//! forces along gaps.
+//! Rows that contacts hold, and friction of slipping contacts. Forces along held rows follow from the motion of the
+//! rows, and friction follows from the forces along gaps.
 
 use crate::preparation::impacts::{Contacts, Kept};
 use nalgebra::{DMatrix, DVector};
 use tripos_sim::{Found, Mode};
 
-/// Singular values below this fraction of the largest are rounding.
+/// Ratio to the largest singular value below which a singular value is rounding.
 const DEPENDENT: f64 = 1e-11;
-/// Singular values below this fraction of the largest may be rounding.
+/// Ratio to the largest singular value below which a singular value may be rounding.
 const DOUBTFUL: f64 = 1e-9;
 
 /// Rows and friction that contacts hold, by the mode of each.
@@ -19,30 +19,30 @@ pub struct Grip {
     pub slips: Vec<Slip>,
 }
 
-/// A contact that slips: its force along the slip is −μ s times that along its gap.
+/// A contact that slips: its force along the slip is −μ s times its force along the gap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
-    /// Index of the contact.
+    /// Index of the slipping contact.
     pub contact: usize,
-    /// Index of the row of its gap.
+    /// Index of the row of the contact's gap.
     pub normal: usize,
-    /// Index of the row of its slip.
+    /// Index of the row of the contact's slip.
     pub along: usize,
-    /// Sign s of its slip velocity.
+    /// Sign s of the contact's slip velocity.
     pub way: f64,
     /// Friction per force along the gap, −μ s.
     pub factor: f64,
 }
 
 impl Grip {
-    /// Grip of held contacts in a motion.
+    /// Rows and friction of contacts that are held in a motion.
     pub fn of(contacts: &Contacts<'_>, kept: &Kept) -> Self {
         let mut grip = Self::default();
         kept.iter().for_each(|(at, mode)| grip.add(contacts, at, mode, true));
         grip
     }
 
-    /// Grip of contacts in an impact, in modes that were found.
+    /// Rows and friction of contacts in an impact, in modes that were found.
     pub fn found(contacts: &Contacts<'_>, which: &[usize], found: &Found) -> Self {
         let mut grip = Self::default();
         let each = which.iter().zip(&found.modes).zip(&found.pushes);
@@ -50,6 +50,8 @@ impl Grip {
         grip
     }
 
+    /// Adds the rows and friction of a contact in a mode. `pushes` is false if the contact does not push beyond its
+    /// given impulse.
     fn add(&mut self, contacts: &Contacts<'_>, contact: usize, mode: Mode, pushes: bool) {
         let rows = &contacts.rows[contact];
         // A contact that does not push beyond its given impulse holds its slip alone.
@@ -65,7 +67,7 @@ impl Grip {
         }
     }
 
-    /// Matrix that takes forces along held rows to those along all rows, one column for each held row.
+    /// Matrix that takes forces along held rows to forces along all rows, one column for each held row.
     pub fn spread(&self, count: usize) -> DMatrix<f64> {
         let mut all = DMatrix::zeros(count, self.rows.len());
         for (at, row) in self.rows.iter().enumerate() {
@@ -77,8 +79,7 @@ impl Grip {
         all
     }
 
-    /// Derivative of friction along all rows by its coefficients, whose derivatives are `by`, for these forces along
-    /// gaps.
+    /// Derivative of friction along all rows if its coefficients change by `by`, for the given forces along gaps.
     pub fn of_coefficients(&self, by: &[f64], forces: &DVector<f64>) -> DVector<f64> {
         let mut all = DVector::zeros(forces.len());
         for slip in &self.slips {
@@ -87,7 +88,7 @@ impl Grip {
         all
     }
 
-    /// Friction along all rows that these forces along gaps cause.
+    /// Friction along all rows that the given forces along gaps cause.
     pub fn of_given(&self, given: &DVector<f64>) -> DVector<f64> {
         let mut all = DVector::zeros(given.len());
         for slip in &self.slips {
@@ -96,7 +97,8 @@ impl Grip {
         all
     }
 
-    /// Linear system of the forces along the held rows, for a compliance G of all rows. Its units make rows alike.
+    /// Linear system for the forces along the held rows, for a compliance G of all rows. Its units make rows
+    /// comparable.
     pub fn system(&self, compliance: &DMatrix<f64>) -> HeldSystem {
         let unit = |row: &usize| {
             let g = compliance[(*row, *row)];
@@ -109,23 +111,26 @@ impl Grip {
     }
 }
 
-/// A λ + c = 0 along held rows, with the forces λ along them and the motion c of the rows without forces.
+/// Linear system A λ + c = 0 along held rows, with the forces λ along them and the motion c of the rows without forces.
 pub struct HeldSystem {
+    /// Matrix A with its rows and columns in comparable units.
     scaled: DMatrix<f64>,
+    /// Unit of each row, the inverse root of its compliance.
     unit: DVector<f64>,
 }
 
 impl HeldSystem {
-    /// λ of the least size in units in which rows are alike; `None` if it is not finite.
+    /// Solves for the forces λ of the least size, in comparable units; `None` if they are not finite.
     pub fn solve(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         self.solved(self.scaled.clone(), c)
     }
 
-    /// x of the least size with Aᵀ x + c = 0; `None` if it is not finite.
+    /// Solves Aᵀ x + c = 0 for the x of the least size, in comparable units; `None` if it is not finite.
     pub fn solve_transposed(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         self.solved(self.scaled.transpose(), c)
     }
 
+    /// Solves a scaled system for the solution of the least size; `None` if it is not finite.
     fn solved(&self, matrix: DMatrix<f64>, c: &DVector<f64>) -> Option<DVector<f64>> {
         if c.is_empty() {
             return Some(c.clone());

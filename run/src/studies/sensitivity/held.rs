@@ -1,7 +1,7 @@
-//! Motions in which contacts are held closed, with slopes.
+//! Motions in which contacts are held closed, in numbers with slopes.
 //!
-//! Invariant: values are those of [`crate::preparation::impacts::Held`], bit by bit. The slopes of forces follow from
-//! the linear system that gives the forces ([`super::contacts`]).
+//! Invariant: the values are those of [`crate::preparation::impacts::Held`], bit by bit. The slopes of forces follow
+//! from the linear system for the forces ([`super::contacts`]).
 
 use super::contacts::{Acting, Change, Direction, Wide, Without};
 use super::grip::Grip;
@@ -15,20 +15,21 @@ use tripos_traits::{Real, Scalar, Tangent};
 
 /// Gaps and velocities of contacts as tapes in numbers with slopes.
 pub struct Told<const K: usize> {
-    /// Tape of each gap, in parameters and coordinates.
+    /// Tape of the gap of each contact. Inputs: parameters, then coordinates.
     pub gaps: Vec<Tape<Tangent<K>>>,
-    /// Tape with the velocities of all rows first, in parameters and state.
+    /// Tape whose first values are the velocities along all rows. Inputs: parameters, then state.
     pub rates: Tape<Tangent<K>>,
 }
 
 /// Equations with the forces of held contacts, in numbers with slopes.
 pub struct HeldTangents<'a, const K: usize> {
+    /// Equations without the forces of contacts, in numbers with slopes.
     pub rhs: Tangents<'a, K>,
-    /// The same equations in doubles.
+    /// Equations with the forces of held contacts in doubles.
     pub held: Held<'a>,
     pub wide: &'a Wide<'a>,
     pub told: &'a Told<K>,
-    /// Parameters with their slopes.
+    /// Values of the parameters with their slopes by the seeds.
     pub parameters: &'a [Tangent<K>],
     pub seeds: &'a [Seed],
     pub way: &'a RefCell<Way>,
@@ -39,7 +40,7 @@ pub fn values<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }
 
-/// Slopes of a state along the direction of this index.
+/// Slopes of a state by the seed with the index `at`.
 pub fn slopes<S: Real>(y: &[S], at: usize) -> Vec<f64> {
     y.iter().map(|y| y.slope(at)).collect()
 }
@@ -76,7 +77,7 @@ impl<const K: usize> HeldTangents<'_, K> {
         Ok(())
     }
 
-    /// Sets the slopes of the constraints of contacts, the first of which has the index `own`.
+    /// Sets the slopes of the values of the contacts' constraints, the first of which has the index `own`.
     fn turn(&self, own: usize, y: &[Tangent<K>], values: &mut [Tangent<K>]) {
         let n = y.len() - self.held.contacts.system.lengths().variables;
         let of_gaps: Vec<Tangent<K>> = [self.parameters, &y[..n]].concat();

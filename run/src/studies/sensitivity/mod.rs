@@ -1,19 +1,20 @@
 //! Sensitivities: the derivatives of quantities that a run shows by parameters and numbers of its start.
 //!
 //! The run is made in numbers that carry their slopes ([`tripos_traits::Tangent`]). The same equations, compiled or
-//! interpreted, give s′ = f_y s + f_p with y′ = f by one call. Every method makes of it the derivative of the steps
-//! that it takes. So the run equals the run without sensitivities, bit by bit. Steps are chosen by the errors of the
-//! states alone. A second run gives the errors that this leaves in the derivatives, as it does for the states. H. G.
-//! Bock, "Numerical treatment of inverse problems in chemical reaction kinetics", *Modelling of Chemical Reaction
-//! Systems* (1981), 102–125: internal numerical differentiation.
+//! interpreted, compute y′ = f and s′ = f_y s + f_p in one call. So every method also computes the derivative of the
+//! steps that it takes. The run equals the run without sensitivities, bit by bit. Steps are chosen by the errors of the
+//! states alone. A second run gives the errors of the derivatives, as it does for the states. Source: H. G. Bock,
+//! "Numerical treatment of inverse problems in chemical reaction kinetics", *Modelling of Chemical Reaction Systems*
+//! (1981), 102–125: internal numerical differentiation.
 //!
-//! Where an event ends the run, its instant depends on the varied number: dt/dp = −(g_y s + g_p)/(g_y f) with g = 0
-//! there. The derivatives at the end are total ones, s + f dt/dp. Events that do not end the run change nothing.
+//! If an event ends the run, its instant depends on the varied number: dt/dp = −(g_y s + g_p)/(g_y f), with g = 0 at
+//! the event. The derivatives at the end are then total ones, s + f dt/dp. Events that do not end the run change no
+//! derivative of the state.
 //!
-//! The derivatives of one number that is shown at the end, by many numbers at once, are found backwards: [`gradient`].
+//! The derivatives of one quantity at the end, by many numbers at once, are computed backwards: [`gradient`].
 //!
-//! Absent on purpose: a scene's own reduced equations. They hold constants that would have to be differentiated as
-//! well.
+//! A scene's own reduced equations are left out on purpose. They contain constants that would have to be differentiated
+//! as well.
 
 mod apart;
 mod bounce;
@@ -50,49 +51,51 @@ use start::Seed;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 
-/// A run with its derivatives.
+/// A run with the derivatives of its shown quantities.
 pub struct Sensitivities {
-    /// The run, equal bit by bit to the run without derivatives.
+    /// The run itself, equal bit by bit to the run without derivatives.
     pub run: Run,
     /// Names of the numbers by which derivatives are taken.
     pub by: Vec<String>,
     /// Names of the differentiated quantities: coordinates, generalized speeds, other outputs of the scene,
     /// `kinetic_energy` and `potential_energy`.
     pub names: Vec<String>,
-    /// Unit of each derivative, a list for each of `by`, in the order of `names`. `None` where the unit of an output is
+    /// Unit of each derivative, a list for each of `by`, in the order of `names`; `None` if the unit of an output is
     /// not known.
     pub units: Vec<Vec<Option<String>>>,
-    /// Derivatives at the end, in the same order. They are total ones where an event ends the run, else those at a
-    /// fixed instant.
+    /// Derivatives at the end of the run, a list for each of `by`, in the order of `names`. They are total ones if an
+    /// event ends the run, otherwise derivatives at a fixed instant.
     pub end: Vec<Vec<f64>>,
-    /// Estimated errors of these derivatives; `None` if a second run does not come to the same end.
+    /// Estimated errors of the derivatives at the end, in the order of `end`; `None` if no second run comes to the same
+    /// end.
     pub errors: Option<Vec<Vec<f64>>>,
-    /// Derivatives at each sample, at fixed instants, if they were asked for: a list for each of `by`.
+    /// Derivatives at fixed instants: for each of `by`, at each sample, in the order of `names`. Empty if not
+    /// requested.
     pub samples: Vec<Vec<Vec<f64>>>,
     /// Derivative of the instant at which the run ends, by each of `by`: 0 unless an event ends it.
     pub t_end: Vec<f64>,
-    /// Derivatives of the instants of the events of the run; `None` for events that do not cross zero.
+    /// Derivatives of the instant of each event of the run, by each of `by`; `None` for events that do not cross zero.
     pub events: Vec<Option<Vec<f64>>>,
-    /// Description of the second run.
+    /// Description of the second run, which gave the errors; `None` if no second run comes to the same end.
     pub assessed_by: Option<String>,
-    /// Reason and instant at which derivatives by each of `by` end on the way; `None` where they do not.
+    /// Instant and reason of an early end of the derivatives by each of `by`; `None` if they reach the end of the run.
     pub ended: Vec<Option<String>>,
 }
 
-/// Instants at which derivatives are wanted.
+/// Instants of a run at which derivatives are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum At {
-    /// At the end and at events.
+    /// Derivatives at the end of the run and at its events.
     End,
-    /// Also at each sample.
+    /// Derivatives at the end, at events and at each sample.
     Samples,
 }
 
 impl Sensitivities {
-    /// Derivative at the end of the quantity with this name, by a number of the scene.
+    /// Derivative, at the end of the run, of the quantity `name` by the number `by`.
     ///
     /// # Errors
-    /// [`Error::Request`] if there is no such name.
+    /// [`Error::Request`] if no quantity or number has the given name.
     pub fn of(&self, name: &str, by: &str) -> Result<f64, Error> {
         let place = |list: &[String], name: &str, what: &str| {
             list.iter().position(|other| other == name).ok_or_else(|| {
@@ -104,7 +107,7 @@ impl Sensitivities {
         Ok(self.end[by][place(&self.names, name, "nothing is differentiated that is called")?])
     }
 
-    /// Describes a derivative that has no value; `None` if all have one.
+    /// Describes a derivative at the end that has no value; `None` if all have one.
     #[must_use]
     pub fn missing(&self) -> Option<String> {
         let found = self.end.iter().zip(&self.by).find_map(|(list, by)| {
@@ -119,13 +122,13 @@ impl Sensitivities {
     }
 }
 
-/// Runs a scene by whole equations, with the derivatives of the quantities that it shows by the named parameters and
-/// numbers of its start. `set` holds the numbers whose values differ from the file of the scene.
+/// Runs a scene by whole equations, with the derivatives of its shown quantities by the named parameters and numbers of
+/// its start. `set` holds the numbers that were set and differ from the scene file.
 ///
 /// # Errors
 /// [`Error::Input`] for a name that the scene does not have. [`Error::Request`] for equations or a method that cannot
 /// be differentiated, and for a number that moves a jump of the equations at which there is no derivative. Otherwise
-/// those of [`crate::simulate`].
+/// the errors of [`crate::simulate`].
 pub fn sensitivities(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -189,7 +192,7 @@ pub fn sensitivities(
     })
 }
 
-/// Derivatives, by differences, of a run that changes its speeds on the way.
+/// Computes the derivatives of a run that changes its speeds on the way, by differences of runs.
 fn by_differences(
     mechanism: &Mechanism,
     (scene, set): (&Scene, &[(String, f64)]),
@@ -223,7 +226,7 @@ fn by_differences(
     })
 }
 
-/// Data from which derivatives are computed.
+/// Data from which the derivatives of a run are computed.
 struct Parts<'a> {
     problem: &'a Problem<'a>,
     equations: &'a Equations,
@@ -265,7 +268,7 @@ fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
     Ok(())
 }
 
-/// Notes on the derivatives for the reader of a run.
+/// Notes to the user on the derivatives of a run.
 fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
@@ -295,7 +298,7 @@ fn jumps(mechanism: &Mechanism) -> Option<String> {
     })
 }
 
-/// Computes the derivatives at each sample.
+/// Computes the derivatives of the shown quantities by each seed, at each sample.
 fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, Error> {
     let solution = &carried.solution;
     let mut lists = vec![Vec::with_capacity(solution.t.len()); parts.seeds.len()];
@@ -308,7 +311,7 @@ fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, E
     Ok(lists)
 }
 
-/// Options of a run that goes on from a sample to an instant.
+/// Options of a short run from a sample to an instant after it.
 fn onward(parts: &Parts<'_>) -> tripos_sim::Options {
     tripos_sim::Options { output: tripos_sim::Output::Ends, ..options(parts.problem.scene) }
 }

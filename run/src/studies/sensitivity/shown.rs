@@ -1,8 +1,8 @@
-//! Derivatives of the quantities that a run shows, from those of its states.
+//! Derivatives of the quantities that a run shows, from the derivatives of its states.
 //!
-//! Coordinates, and speeds where these are integrated, have the slopes of the state. Every other quantity is a function
-//! of parameters and state. Its derivative along them is a difference in 32 digits ([`super::difference`]), which needs
-//! no second definition of it.
+//! Coordinates have the slopes of the state, and so have speeds that are integrated. Every other quantity is a function
+//! of parameters and state. Its derivative along their slopes is a difference in 32 digits ([`super::difference`]),
+//! which needs no second definition of the quantity.
 
 use super::difference::along;
 use crate::code::{Code, Ready, code, tape};
@@ -19,31 +19,35 @@ use tripos_sim::Dynamics;
 use tripos_sim::linear::{self, Shape};
 use tripos_traits::{DoubleDouble, Lengths, Scalar};
 
-/// Differentiated quantities: those that a run shows, its energies, and those that it watches.
+/// Differentiated quantities: the shown quantities of a run, its energies, and the functions that it watches.
 pub struct Quantities {
-    /// Names of coordinates and generalized speeds, of other outputs, of the kinetic and the potential energy.
+    /// Names of coordinates, of generalized speeds, of other outputs, and of the kinetic and the potential energy.
     pub names: Vec<String>,
-    /// Their units, where they are known.
+    /// Units of the quantities, in the order of `names`; `None` if a unit is not known.
     pub units: Vec<Option<Unit>>,
     /// Number of coordinates and speeds among the names.
     states: usize,
-    /// Tape of other outputs, then of the watched functions: the domain's conditions and the scene's events.
+    /// Tape of the other outputs, then of the watched functions: the conditions of the domain and the events of the
+    /// scene.
     tape: Tape<DoubleDouble>,
+    /// Number of other outputs.
     outputs: usize,
     needs_accelerations: bool,
+    /// Indices in [`ENERGIES`] of the energies that the tape reads.
     energies: Vec<usize>,
-    /// Force balance, if a quantity mentions a reaction.
+    /// Equations of the force balance; `None` if no quantity mentions a reaction.
     balance: Option<Code>,
 }
 
-/// A place in a run: an integrated state, and reactions where something needs them.
+/// An integrated state of a run, and the unknowns of the force balance if a quantity mentions a reaction.
 pub struct Place<'a> {
     problem: &'a Problem<'a>,
     y: &'a [f64],
+    /// Unknowns of the force balance, accelerations before reactions; empty if no quantity needs them.
     reactions: Vec<f64>,
 }
 
-/// Derivatives of all quantities along a direction: those shown, and those watched.
+/// Derivatives of the shown and the watched quantities along a direction.
 pub struct Slopes {
     /// Derivatives of the shown quantities, in the order of [`Quantities::names`].
     pub shown: Vec<f64>,
@@ -52,10 +56,10 @@ pub struct Slopes {
 }
 
 impl Quantities {
-    /// Prepares the quantities of the runs of a scene.
+    /// Prepares the differentiated quantities for the runs of a scene.
     ///
     /// # Errors
-    /// [`Error`] if one of them needs a reaction that the model does not determine.
+    /// [`Error`] if a quantity needs a reaction that the model does not determine.
     pub fn new(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let (model, arena) = (&mechanism.model, &mechanism.arena);
         let mut names = state_names(model);
@@ -97,10 +101,10 @@ impl Quantities {
         self.tape.outputs() - self.outputs
     }
 
-    /// A place in a run.
+    /// Prepares an integrated state of a run for derivatives: computes its reactions if they are needed.
     ///
     /// # Errors
-    /// [`Error::Request`] if the parameters are not those of the equations.
+    /// [`Error::Request`] if the number of parameters does not fit the equations.
     pub fn place<'a>(&self, problem: &'a Problem<'a>, t: f64, y: &'a [f64]) -> Result<Place<'a>, Error> {
         let mut reactions = Vec::new();
         if let Some(balance) = &self.balance {
@@ -128,14 +132,14 @@ impl Quantities {
         Slopes { shown: all, watched }
     }
 
-    /// Slopes of the state that are shown directly: those of coordinates, and of speeds where these are integrated.
+    /// Slopes of the state that are shown directly: those of coordinates, and of speeds if these are integrated.
     fn moved_with(&self, problem: &Problem<'_>, state: &[f64]) -> Vec<f64> {
         let is_rate = problem.by.formulation().is_some_and(Formulation::is_in_rates);
         let known = if is_rate { problem.model.coordinates.len() } else { self.states };
         state[..known].to_vec()
     }
 
-    /// All quantities at parameters, state and reactions.
+    /// Computes all quantities in 32 digits from parameters, state and unknowns of the force balance, which `x` joins.
     fn values(&self, problem: &Problem<'_>, x: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let system = problem.code.extended();
         let Lengths { parameters, coordinates: n, speeds, .. } = system.lengths();
@@ -165,7 +169,7 @@ impl Quantities {
         state.iter().copied().chain(values).chain(own).chain(watched).collect()
     }
 
-    /// The derivatives of the unknowns of the force balance A x = b: A x′ = b′ − A′ x.
+    /// Derivatives of the unknowns of the force balance A x = b along a direction, by A x′ = b′ − A′ x.
     fn reactions(&self, place: &Place<'_>, parameters: &[f64], state: &[f64]) -> Vec<f64> {
         let Some(balance) = &self.balance else { return Vec::new() };
         let (problem, system) = (place.problem, balance.extended());

@@ -1,8 +1,8 @@
 //! Derivatives of the start of a run and of its parameters by one number of a scene.
 //!
 //! A start may follow from a number in many ways: by formulas, by closed loops, by speeds that rates determine. Its
-//! derivative is a difference of starts in 32 digits, of order 4 in the step. It is right to some 20 digits: in
-//! doubles, to rounding.
+//! derivative is a difference of starts in 32 digits, of order 4 in the step. The derivative has some 20 correct
+//! digits, so that it is exact in doubles.
 
 use super::difference::{CENTRAL, FORWARD, STEP, difference};
 use super::forces::Varied;
@@ -13,31 +13,31 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{Impact, Nearby, Scene};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
-/// A number of a scene, and the derivatives by it of the parameters and the start of a run.
+/// A number of a scene, with the derivatives by it of the parameters and the start of a run.
 #[derive(Clone)]
 pub struct Seed {
     /// Name of the number.
     pub name: String,
     /// Unit of the number.
     pub unit: Unit,
-    /// Slopes of the parameters, in the order of the model.
+    /// Derivatives of the parameters, in the order of the model.
     pub parameters: Vec<f64>,
-    /// Slopes of the integrated state.
+    /// Derivatives of the integrated state at the start.
     pub state: Vec<f64>,
-    /// Slopes of the restitutions of contacts.
+    /// Derivatives of the restitutions, one for each contact.
     pub restitutions: Vec<f64>,
-    /// Slopes of the coefficients of friction of contacts, 0 for those that have none.
+    /// Derivatives of the coefficients of friction, one for each contact; 0 for a contact without friction.
     pub frictions: Vec<f64>,
-    /// True if the span of the scene changes with the number, too.
+    /// True if the span of the scene changes with the number.
     pub moves_span: bool,
 }
 
 impl Seed {
-    /// Computes the derivatives by the number of this name, in a scene in which the numbers in `set` were set.
+    /// Computes the derivatives by the number with the given name. `set` holds the numbers that were set and differ
+    /// from the scene file.
     ///
     /// # Errors
-    /// [`Error::Input`] for a name that is no parameter and no number of the start, and where no neighboring scenes
-    /// exist.
+    /// [`Error::Input`] for a name that is no parameter and no number of the start, and if no neighboring scenes exist.
     pub fn new(problem: &Problem<'_>, set: &[(String, f64)], name: &str) -> Result<Self, Error> {
         let mut nearby = Nearby::new(problem.scene, problem.mechanism, set, name)?;
         let (value, unit) = (nearby.value(), nearby.unit());
@@ -63,10 +63,10 @@ impl Seed {
         Ok(Self { name: name.to_owned(), unit, parameters, state, restitutions, frictions, moves_span })
     }
 
-    /// Refuses a coefficient of friction that begins at 0: the direction of friction is not known there.
+    /// Refuses a number that changes a coefficient of friction from 0: the direction of friction is not known there.
     ///
     /// # Errors
-    /// [`Error::Request`], with the reason.
+    /// [`Error::Request`] with the reason why there is no derivative.
     pub fn check(&self, scene: &Scene) -> Result<(), Error> {
         let is_zero = |impact: &Impact| impact.friction.as_ref().is_some_and(|friction| friction.coefficient == 0.0);
         let found = scene.impacts.iter().zip(&self.frictions).find(|(impact, by)| is_zero(impact) && **by != 0.0);
@@ -79,17 +79,18 @@ impl Seed {
         })
     }
 
-    /// Derivatives of the parameters and of the coefficients of contacts by this number.
+    /// Returns the number with the derivatives of the parameters and of the coefficients of contacts.
     pub fn varied(&self) -> Varied<'_> {
         let Self { name, parameters, restitutions, frictions, .. } = self;
         Varied { name, parameters, restitutions, frictions }
     }
 }
 
-/// Scenes at the places of a rule for differences, and the rule.
+/// Scenes at the places of a rule for differences, and the rule itself.
 type Around = (Vec<Scene>, &'static [(i32, i64)]);
 
-/// Scenes at the places of a rule for differences: on both sides of the number, or on one side if only that exists.
+/// Makes the scenes at the places of a rule for differences: on both sides of the number, or on one side if only that
+/// exists.
 fn scenes(at: &mut dyn FnMut(i32) -> Result<Scene, Diagnostics>) -> Result<Around, Error> {
     let mut by = |rule: &'static [(i32, i64)], side: i32| -> Result<Vec<Scene>, Diagnostics> {
         rule.iter().map(|(place, _)| at(side * place)).collect()

@@ -1,5 +1,5 @@
-//! An impact as a sequence of impulses. Each follows from the velocities before it and the rows that one set of
-//! contacts holds.
+//! An impact as a sequence of strikes. The impulses of a strike follow from the velocities before it and the rows that
+//! one set of contacts holds.
 
 use super::forces::NOTHING;
 use super::grip::Grip;
@@ -7,41 +7,42 @@ use crate::preparation::impacts::{Contacts, Crossing, Kept, Operators, Response}
 use nalgebra::DVector;
 use tripos_sim::{Failure, Share};
 
-/// Law that gives the impulses of a strike.
+/// Law that determines the impulses of a strike.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law {
-    /// Impulses remove 1 + e of the velocities along gaps, by Newton's law.
+    /// Impulses remove the velocities along gaps times 1 + e, by Newton's law.
     Turn,
-    /// Impulses remove the velocities; impulses that are given along gaps cause friction, too, by Poisson's law.
+    /// Impulses remove the velocities, by Poisson's law or to bring contacts to rest. Impulses `given` along gaps cause
+    /// friction as well.
     Stop { given: Option<DVector<f64>> },
-    /// Impulses along gaps are parts e of those of the strike before, by Poisson's law.
+    /// Impulses along gaps are e times those of the strike before, which the variant holds, by Poisson's law.
     Return(DVector<f64>),
 }
 
-/// Impulses at a state, with the law that gives them.
+/// Impulses at a state, with the law that determines them.
 pub struct Strike {
     /// State before the impulses.
     pub y: Vec<f64>,
     pub operators: Operators,
     pub law: Law,
-    /// Impulses along all rows.
+    /// Impulses along all rows of contacts.
     pub impulses: DVector<f64>,
-    /// Rows from whose motion the impulses follow, and friction.
+    /// Rows from whose motion the impulses follow, and friction of slipping contacts.
     pub grip: Grip,
-    /// Contacts that neither push nor open.
+    /// Indices of the contacts that neither push nor open.
     pub undecided: Vec<usize>,
-    /// Contacts that Newton's law reverses though their gaps have no velocity. They would take no part if their gaps
-    /// opened.
+    /// Indices of the contacts that take part by Newton's law though their gaps have no velocity. They would take no
+    /// part if their gaps opened.
     pub resting: Vec<usize>,
-    /// Other sets of rows and friction that contacts with friction may hold, for the same motion.
+    /// Other sets of rows and friction by which contacts with friction may get the same motion.
     pub others: Vec<Grip>,
 }
 
-/// Computes the impulses of a crossing, one after the other. Contacts that are held afterwards are brought to rest,
+/// Computes the strikes of a crossing, in their order. Contacts that are held after the crossing are brought to rest,
 /// even if they rest already.
 ///
 /// # Errors
-/// [`Failure`] where something has no value.
+/// [`Failure`] if a quantity of the contacts has no value.
 pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<Strike>, Failure> {
     let after = crossing.after;
     let mut made = Making { contacts, y: crossing.before.to_vec(), list: Vec::new() };
@@ -67,14 +68,14 @@ pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<S
     Ok(made.list)
 }
 
-/// Coefficients of the contacts along their gaps, 0 along slips.
+/// Vector over all rows that holds a coefficient of each contact at the row of its gap, and 0 at rows of slips.
 pub fn along_rows(contacts: &Contacts<'_>, of: impl Fn(usize) -> f64) -> DVector<f64> {
     let mut all = DVector::zeros(contacts.count);
     contacts.rows.iter().enumerate().for_each(|(at, rows)| all[rows[0]] = of(at));
     all
 }
 
-/// Impulses so far, and the state after them.
+/// Strikes of a crossing so far, and the state after them.
 struct Making<'m> {
     contacts: &'m Contacts<'m>,
     y: Vec<f64>,
@@ -82,11 +83,12 @@ struct Making<'m> {
 }
 
 impl Making<'_> {
+    /// Response of the velocities to impulses at the present state.
     fn response(&self) -> Result<Response, Failure> {
         self.contacts.response(&self.y, &self.contacts.rates(&self.y))
     }
 
-    /// Adds impulses that push, from the velocities that a law removes.
+    /// Adds a strike of the contacts `which`, whose impulses push and remove the velocities that the law states.
     fn push(&mut self, which: &[usize], law: Law) -> Result<(), Failure> {
         let contacts = self.contacts;
         let response = self.response()?;
@@ -116,8 +118,8 @@ impl Making<'_> {
         self.add(law, contacts.spread(&impulses, &rows), grip, (of(&|share| share == Share::Neither), Vec::new()))
     }
 
-    /// Notes the contacts of the last strike whose gaps had no velocity. A contact that was held is left out: it has
-    /// none whatever is varied.
+    /// Records the contacts of the last strike whose gaps had no velocity. A contact that was held is left out: its
+    /// velocity stays zero whatever is varied.
     fn note_resting(&mut self, hit: &[usize], kept: &Kept) {
         let contacts = self.contacts;
         let Some(strike) = self.list.last_mut() else { return };
@@ -130,7 +132,7 @@ impl Making<'_> {
         strike.resting = hit.iter().copied().filter(|at| kept.mode(*at).is_none() && rests(at)).collect();
     }
 
-    /// Adds the parts e of the impulses so far along gaps, and returns them.
+    /// Adds a strike with e times the last impulses along gaps, and returns its impulses.
     fn give_back(&mut self) -> Result<DVector<f64>, Failure> {
         let nothing = || DVector::zeros(self.contacts.count);
         let compression = self.list.last().map_or_else(nothing, |strike| strike.impulses.clone());
@@ -139,7 +141,7 @@ impl Making<'_> {
         Ok(given)
     }
 
-    /// Adds impulses that bring contacts to rest.
+    /// Adds a strike whose impulses bring contacts to rest.
     fn rest(&mut self, still: &Kept) -> Result<(), Failure> {
         let contacts = self.contacts;
         let response = self.response()?;
@@ -149,6 +151,7 @@ impl Making<'_> {
         self.add(Law::Stop { given: None }, impulses, Grip::of(contacts, still), (Vec::new(), Vec::new()))
     }
 
+    /// Adds a strike with known impulses, and applies them to the state.
     fn add(
         &mut self,
         law: Law,

@@ -10,18 +10,18 @@ use std::fmt;
 pub struct Ending {
     /// Instant from which on there are no derivatives, s.
     pub t: f64,
-    /// Reason for the end.
+    /// Reason why the derivatives end.
     pub why: String,
 }
 
-/// An instant at which contacts close, open, stick or slip.
+/// An instant at which contacts close, open, stick or slip, with its derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instant {
     /// Instant of the change, s.
     pub t: f64,
-    /// Derivative of the instant by each number.
+    /// Derivative of the instant by each seed; NaN if there is none.
     pub moves: Vec<f64>,
-    /// Contacts that are held from there on.
+    /// Contacts that are held from this instant on.
     pub kept: Kept,
 }
 
@@ -30,27 +30,28 @@ pub struct Instant {
 pub struct Way {
     /// Changes of contacts, in the order of the run.
     pub instants: Vec<Instant>,
-    /// End of the derivatives by each number; `None` where they go on to the end.
+    /// End of the derivatives by each seed; `None` if they reach the end of the run.
     pub endings: Vec<Option<Ending>>,
 }
 
 impl Way {
-    /// Record without contacts, with derivatives by this many numbers.
+    /// Creates a record without changes of contacts, with derivatives by `numbers` seeds.
     pub fn new(numbers: usize) -> Self {
         Self { instants: Vec::new(), endings: vec![None; numbers] }
     }
 
-    /// Contacts that are held from an instant on.
+    /// Contacts that are held just after an instant.
     pub fn kept(&self, t: f64) -> &Kept {
         self.instants.iter().rfind(|instant| instant.t <= t).map_or(&NONE, |instant| &instant.kept)
     }
 
-    /// Derivatives of an instant at which contacts change; `None` if no contact changes at `t`.
+    /// Derivatives of an instant at which contacts change, by each seed; `None` if no contact changes at `t`.
     pub fn moves(&self, t: f64) -> Option<&[f64]> {
         self.instants.iter().find(|instant| instant.t.total_cmp(&t).is_eq()).map(|instant| instant.moves.as_slice())
     }
 
-    /// Ends the derivatives by a number if they had not ended before. Later instants then have no derivative by it.
+    /// Ends the derivatives by the seed `number` at an instant, s, if they had not ended before. Later instants then
+    /// have no derivative by this seed.
     pub fn end(&mut self, number: usize, t: f64, why: String) {
         if self.endings[number].as_ref().is_some_and(|ending| ending.t <= t) {
             return;
@@ -59,7 +60,7 @@ impl Way {
         self.instants.iter_mut().filter(|instant| instant.t > t).for_each(|instant| instant.moves[number] = f64::NAN);
     }
 
-    /// Adds the derivatives of the same instants by other numbers.
+    /// Adds the derivatives of the same run's instants by further seeds.
     pub fn extend(&mut self, other: Self) {
         for (own, more) in self.instants.iter_mut().zip(other.instants) {
             own.moves.extend(more.moves);
@@ -68,7 +69,7 @@ impl Way {
     }
 }
 
-/// Ends the derivatives by a number if they had not ended before.
+/// Ends the derivatives by the seed `number` at an instant, s, if they had not ended before.
 pub fn end(way: &RefCell<Way>, number: usize, t: f64, why: String) {
     let mut way = way.borrow_mut();
     way.endings[number].get_or_insert(Ending { t, why });

@@ -6,7 +6,7 @@ use super::graze;
 use crate::preparation::impacts::{Crossing, Happening};
 use tripos_sim::Mode;
 
-/// A function of the state that is zero where a contact changes.
+/// Function of the state that is zero where a contact changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum What {
     /// Gap of a contact that closes.
@@ -19,7 +19,7 @@ enum What {
     Slip,
 }
 
-/// A zero of a contact, with the rate at which it is crossed.
+/// Function of a contact that crosses zero at an instant, and its rate there.
 #[derive(Clone, Copy, Debug)]
 struct Zero {
     what: What,
@@ -27,40 +27,41 @@ struct Zero {
     rate: f64,
 }
 
-/// Derivative of an instant, and the size of its terms.
+/// Derivative of an instant by a number, and the size of the derivative's terms.
 #[derive(Clone, Copy)]
 struct Moves {
     by: f64,
     size: f64,
 }
 
-/// State of a motion that arrives at a crossing, with its rates and forces.
+/// State of a motion just before a crossing, with its rates and forces.
 pub struct Coming<'c> {
     pub wide: &'c Wide<'c>,
     pub crossing: &'c Crossing<'c>,
     pub rates_along: &'c RatesAlong<'c>,
     /// Rates before the crossing, with the forces of held contacts.
     pub rates: Vec<f64>,
-    /// Forces of the held contacts; `None` where no contact is held.
+    /// Forces of the contacts held before the crossing; `None` if no contact is held.
     pub forces: Option<Forces>,
 }
 
-/// Functions that are zero at a crossing.
+/// Functions of contacts that are zero at a crossing, and contacts that are only touched.
 pub struct Zeros<'c> {
     pub coming: Coming<'c>,
-    /// Zero that causes the crossing; `None` at the start, and where a contact is only touched.
+    /// Function whose zero causes the crossing; `None` at the start, and if a contact is only touched.
     first: Option<Zero>,
-    /// Other zeros at the same instant that arise by themselves. They stay together only if they move alike.
+    /// Other functions that cross zero at the same instant by themselves. They stay together only if their zeros move
+    /// alike.
     others: Vec<Zero>,
-    /// Contacts that are touched without a velocity.
+    /// Indices of the contacts that are touched without a velocity that closes them.
     touched: Vec<usize>,
 }
 
 impl<'c> Zeros<'c> {
-    /// Finds the functions that are zero at a crossing.
+    /// Finds the functions of contacts that are zero at a crossing.
     ///
     /// # Errors
-    /// Reason why there is no derivative by anything.
+    /// Text that says why there is no derivative by any number.
     pub fn new(coming: Coming<'c>) -> Result<Self, String> {
         let (list, touched) = zeros(&coming)?;
         let mut list = list.into_iter();
@@ -68,23 +69,23 @@ impl<'c> Zeros<'c> {
         Ok(Self { coming, first, others: list.collect(), touched })
     }
 
-    /// True if more than one contact changes, or one is only touched.
+    /// True if more than one contact changes, or a contact is only touched.
     pub fn ask(&self) -> bool {
         !self.others.is_empty() || !self.touched.is_empty()
     }
 
-    /// Derivative of the instant; zero at the start.
+    /// Derivative of the instant of the crossing by the varied number; zero at the start of a run.
     ///
     /// # Errors
-    /// Reason why it has no value.
+    /// Text that says why the derivative has no value.
     pub fn later(&self, varied: &Varied<'_>, state: &[f64]) -> Result<f64, String> {
         self.first.as_ref().map_or(Ok(0.0), |zero| Ok(self.coming.moves(zero, varied, state)?.by))
     }
 
-    /// Refuses a number that moves zeros of one instant apart.
+    /// Refuses a number that moves the zeros of one instant apart.
     ///
     /// # Errors
-    /// Reason, with the contacts and the number.
+    /// Text that names the contacts and the number.
     pub fn stay_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
         let (wide, y) = (self.coming.wide, self.coming.crossing.before);
         self.touched.iter().try_for_each(|contact| graze::check(wide, (*contact, y), varied, state))?;
@@ -110,7 +111,7 @@ impl<'c> Zeros<'c> {
     }
 }
 
-/// Zeros of a crossing, the one that causes it first, and the contacts that are touched without a velocity.
+/// Finds the zeros of a crossing, the one that causes it first, and the contacts that are touched without a velocity.
 fn zeros(of: &Coming<'_>) -> Result<(Vec<Zero>, Vec<usize>), String> {
     let Crossing { happening, kept, after, .. } = of.crossing;
     let Some(happening) = *happening else { return Ok((Vec::new(), Vec::new())) };
@@ -144,13 +145,13 @@ fn zeros(of: &Coming<'_>) -> Result<(Vec<Zero>, Vec<usize>), String> {
     Ok((list, touched))
 }
 
-/// Ways in which a gap of zero is reached.
+/// Ways in which a gap reaches zero.
 enum Closing {
     /// The gap grows.
     Opens,
-    /// The gap is at its minimum, within the error of a run.
+    /// The gap is at its minimum, within the error of the run.
     Touches,
-    /// The gap closes at this rate.
+    /// The gap closes at this rate, which is negative.
     Closes(f64),
 }
 
@@ -163,8 +164,8 @@ impl Coming<'_> {
         self.wide.contacts.rows[contact][0]
     }
 
-    /// Function that is zero where a held contact changes by itself; `None` if it does not change, or because others
-    /// do.
+    /// Function whose zero makes a held contact change; `None` if it does not change, or only because other contacts
+    /// change.
     fn changes(&self, contact: usize, mode: Mode) -> Option<What> {
         let forces = self.forces.as_ref()?;
         match (mode, self.crossing.after.kept.mode(contact)) {
@@ -178,7 +179,7 @@ impl Coming<'_> {
         }
     }
 
-    /// Finds the way in which a gap of zero is reached.
+    /// Finds the way in which the gap of a contact reaches zero.
     fn closes(&self, contact: usize) -> Closing {
         let (contacts, y) = (self.wide.contacts, self.crossing.before);
         let slopes = contacts.gap_slopes(y);
@@ -197,7 +198,7 @@ impl Coming<'_> {
         Closing::Closes(rate)
     }
 
-    /// Zero of a contact that was held, with the rate at which it is crossed.
+    /// Zero of a contact that was held before the crossing, with the rate at which its function crosses zero.
     fn crosses(&self, what: What, contact: usize) -> Result<Zero, String> {
         let still = vec![0.0; self.wide.contacts.parameters.len()];
         let none = vec![0.0; self.wide.contacts.impacts.len()];
@@ -227,7 +228,7 @@ impl Coming<'_> {
         Ok(Zero { what, contact, rate })
     }
 
-    /// Derivative of a zero function along a direction, and the size of its terms.
+    /// Derivative of a contact's function along a direction, and the size of its terms.
     fn value(&self, what: What, contact: usize, varied: &Varied<'_>, state: &[f64]) -> Result<(f64, f64), String> {
         let direction = Direction { parameters: varied.parameters, state };
         match what {
@@ -248,7 +249,7 @@ impl Coming<'_> {
         })
     }
 
-    /// Derivative of the instant of a zero.
+    /// Derivative of the instant at which a function is zero, and the size of its terms.
     fn moves(&self, zero: &Zero, varied: &Varied<'_>, state: &[f64]) -> Result<Moves, String> {
         let (change, size) = self.value(zero.what, zero.contact, varied, state)?;
         Ok(Moves { by: -change / zero.rate, size: size / zero.rate.abs() })

@@ -1,4 +1,5 @@
-//! Errors of each solve along a passage, with condition numbers: the digits that a numeric solve loses, and the reason.
+//! Errors of each solve for accelerations along a passage, with condition numbers: the digits that a numeric solve
+//! loses, and the reason.
 
 use super::findings::{Findings, Looked, Row, Study, Topic};
 use super::ladder::passage;
@@ -17,14 +18,14 @@ use tripos_traits::{DoubleDouble, Real, Scalar, System, larger};
 /// Number of distances from the singular surface, per decade, at which matrices are examined.
 const PER_DECADE: usize = 6;
 
-/// A state of the passage: divisor of the kinematic equations, coordinates, speeds.
+/// State of a passage near a singular surface: divisor of the kinematic equations, coordinates, speeds.
 struct Waypoint {
     divisor: f64,
     q: Vec<f64>,
     u: Vec<f64>,
 }
 
-/// u̇ at exactly these doubles, in twice their precision.
+/// Accelerations u̇ at a state of a passage, in twice the precision of the doubles that give the state.
 fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint) -> Vec<DoubleDouble> {
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let (p, q, u) = (wide(&study.scene.parameters), wide(&place.q), wide(&place.u));
@@ -36,8 +37,9 @@ fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint)
     u_dot
 }
 
-/// Largest error of u̇ in units of the largest u̇, NaN where the linear system has no solution, and the condition
-/// numbers (plain, equilibrated) of the matrix.
+/// Examines the accelerations of a case at a state of a passage. Returns the largest error of u̇ relative to the largest
+/// u̇, NaN if the linear system has no solution. Also returns the condition numbers of the matrix, first as it is, then
+/// with its rows and columns scaled.
 fn look(
     case: &Case,
     extended: &dyn System<DoubleDouble>,
@@ -57,7 +59,7 @@ fn look(
             Err(_) => v_dot.fill(f64::NAN),
         },
     }
-    // The definitions of the speeds, applied to doubles, must not add an error of their own: in twice the precision.
+    // The definitions of the speeds are applied in twice the precision of a double, to add no error of their own.
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let mut u_dot = vec![DoubleDouble::int(0); place.u.len()];
     let mut exact_v = vec![DoubleDouble::int(0); v.len()];
@@ -71,7 +73,8 @@ fn look(
     Ok((error, 1.0 / linear::plain_reciprocal_condition(&matrix, n), 1.0 / linear::reciprocal_condition(&matrix, n)))
 }
 
-/// States along the first passage of the narrowest rung, up to `PER_DECADE` in each decade of the divisor.
+/// States along the first passage of the scene's rung that is nearest to the singular surface, up to `PER_DECADE` in
+/// each decade of the divisor.
 fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     let model = study.model;
     let mut narrow: Option<(f64, f64, Scene)> = None;
@@ -111,14 +114,18 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     Ok(list)
 }
 
-/// Curves of the figure: in each panel one for each formulation, by its name and in its own look.
+/// Curves of the figure of condition numbers: in each panel one for each formulation, with its name and style.
 #[derive(Default)]
 struct Curves {
+    /// Errors of eliminated accelerations along the passage.
     eliminated: Vec<Series>,
+    /// Errors of numerically solved accelerations along the passage.
     numeric: Vec<Series>,
+    /// Condition numbers of the matrices.
     plain: Vec<Series>,
+    /// Condition numbers of the matrices with scaled rows and columns.
     scaled: Vec<Series>,
-    /// The largest error of each case that has one, in words.
+    /// Text with the largest error of each case that has one.
     worst: Vec<String>,
 }
 
@@ -142,8 +149,8 @@ impl Curves {
     }
 }
 
-/// Looks along a passage, if there is one and the model has Lagrange's equations, whose accelerations are the exact
-/// ones.
+/// Examines accelerations along a passage, if the scene has one and the model has Lagrange's equations. These give the
+/// exact accelerations, in twice the precision of a double.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -163,7 +170,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         for place in &places {
             let exact = exact(study, lagrange.extended(), place);
             let (error, cond, equilibrated) = look(case, case.code.extended(), &scene, place, &exact)?;
-            // An error below half a unit in the last place counts as none.
+            // An error below half a unit in the last place counts as 1e-17.
             error_points.push((place.divisor, larger(error, 1e-17)));
             plain.push((place.divisor, cond));
             scaled.push((place.divisor, equilibrated));

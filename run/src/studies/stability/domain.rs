@@ -11,7 +11,7 @@ use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;
 use tripos_sim::{Method, Options, Output, Stop};
 
-/// Runs with and without the domain, if the model has one and the motion leaves it.
+/// Runs a scene with and without the conditions of the domain, if the model has any and the motion leaves it.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.

@@ -1,4 +1,4 @@
-//! Long runs: whether conserved quantities drift for ever or stay bounded, by method; and tolerances finer than
+//! Long runs by each method, in which conserved quantities drift for ever or stay bounded; and tolerances finer than
 //! rounding.
 
 use super::findings::{Findings, Row, Study, Topic};
@@ -15,9 +15,9 @@ use tripos_sim::stability::{Trend, trend};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::larger;
 
-/// Length of a long run in spans of the scene, for a quick and for a full study.
+/// Length of a long run in spans of the scene: for a quick study, then for a full study.
 const SPANS: [f64; 2] = [20.0, 200.0];
-/// Steps of a fixed-step run in one span.
+/// Number of steps of a fixed-step run in one span of the scene.
 const FIXED: f64 = 400.0;
 
 /// Runs every method over many spans, if energy is conserved and the motion stays in its domain.
@@ -79,10 +79,11 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-/// A word for the trend of the energy, and pairs of time and distance from the start.
+/// A word for the trend of the energy, and pairs of instant, s, and size of the energy's change since the start.
 type Told = (&'static str, Vec<(f64, f64)>);
 
-/// Makes one long run: tells in a word whether the energy drifts, and how far it is from its start at each sample.
+/// Makes one long run. Returns a word that says if the energy drifts, and its change since the start at each sample.
+/// Adds the rows of the table.
 fn energy_along(
     problem: &Problem<'_>,
     y0: &[f64],
@@ -123,7 +124,8 @@ fn energy_along(
     Ok((word, points))
 }
 
-/// Runs with a tolerance below the rounding of the variables. It makes a run longer and no better, so a warning is due.
+/// Runs a problem with a tolerance below the rounding of the variables, and with a larger one for comparison. The small
+/// tolerance makes a run longer and no better, so the run must warn.
 fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings: &mut Findings) -> Result<(), Error> {
     for (tolerance, case) in [(1e-12, "1e-12"), (1e-18, "1e-18")] {
         let options = Options {

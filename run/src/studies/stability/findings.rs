@@ -1,4 +1,4 @@
-//! Inputs of the studies, and their findings.
+//! Inputs of the stability studies, and their findings.
 
 use crate::follow::Progress;
 use crate::mechanism::Mechanism;
@@ -6,30 +6,30 @@ use crate::studies::figure::Figure;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Scene, Solve};
 
-/// One number that a study found.
+/// Row of the table of a study: one number, with the run that it belongs to.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
     /// Name of the study.
     pub check: &'static str,
-    /// Name of the equations; empty where it does not matter.
+    /// Name of the equations; empty if the number does not depend on them.
     pub formulation: String,
     /// Name of the solve for accelerations.
     pub solve: &'static str,
     /// Name of the integration method.
     pub method: &'static str,
-    /// Rung, instant or tolerance to which the value belongs.
+    /// Rung, instant or tolerance that the value belongs to.
     pub case: String,
-    /// Name of the quantity.
+    /// Name of the quantity whose value is given.
     pub quantity: &'static str,
-    /// Value of the quantity; `None` where a run did not get there.
+    /// Value of the quantity; `None` if the run stopped before it.
     pub value: Option<f64>,
-    /// Value by theory or by the reference; `None` if there is none.
+    /// Expected value by theory or by the reference; `None` if there is none.
     pub expected: Option<f64>,
-    /// Place and reason of a run's stop, or a note on the value.
+    /// Instant and reason of a run's stop, or a note on the value.
     pub remark: String,
 }
 
-/// A run past a singular surface: a cell of the heat map.
+/// A run past a singular surface, which gives a cell of the heat map.
 #[derive(Clone, Debug)]
 pub struct Passed {
     /// Equations that were integrated.
@@ -38,13 +38,13 @@ pub struct Passed {
     pub solve: &'static str,
     /// Name of the integration method.
     pub method: &'static str,
-    /// Variable that was integrated.
+    /// Variable that was integrated past the surface: the coordinate or its distance.
     pub variable: Variable,
     /// Least distance of the passage: the smallest size of the divisor of the kinematic equations.
     pub least: f64,
-    /// Error at the end; `None` if the run did not get there.
+    /// Error at the end of the run; `None` if the run stopped earlier.
     pub error: Option<f64>,
-    /// Number of accepted steps.
+    /// Number of accepted steps of the run.
     pub steps: u64,
     /// Reason why the run ended.
     pub stop: String,
@@ -57,18 +57,18 @@ pub struct Passed {
 pub enum Topic {
     /// Passages near a singular surface.
     Passages,
-    /// Matrices along a passage.
+    /// Condition of the matrices along a passage.
     Conditioning,
-    /// The domain of the equations.
+    /// Domain in which the equations describe the motion.
     Domain,
-    /// Growth of small errors.
+    /// Growth of small errors of the start.
     Growth,
     /// Drift of conserved quantities over long runs.
     Drift,
 }
 
 impl Topic {
-    /// The name in a line of progress.
+    /// Name of the study in a line of progress.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -81,16 +81,16 @@ impl Topic {
     }
 }
 
-/// Accelerations and a matrix at one place of a passage.
+/// Errors of accelerations and condition of a matrix at one state of a passage.
 #[derive(Clone, Debug)]
 pub struct Looked {
     /// Equations that give the accelerations.
     pub by: By,
-    /// Solve for the accelerations.
+    /// Way in which the accelerations are found.
     pub solve: Solve,
-    /// Size of the divisor of the kinematic equations.
+    /// Size of the divisor of the kinematic equations at the state.
     pub divisor: f64,
-    /// Largest error of the accelerations against those with 32 digits, in units of the largest acceleration.
+    /// Largest error of the accelerations against those with 32 digits, relative to the largest acceleration.
     pub error: f64,
     /// Condition number of the matrix with its rows and columns scaled.
     pub equilibrated: f64,
@@ -99,14 +99,14 @@ pub struct Looked {
 /// Variable that is integrated past a singular surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variable {
-    /// The coordinate itself.
+    /// The coordinate that is singular on the surface.
     Coordinate,
-    /// Its distance from the surface.
+    /// Distance of the coordinate from its value on the surface.
     Distance,
 }
 
 impl Variable {
-    /// The name in tables.
+    /// Name of the variable in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -119,38 +119,38 @@ impl Variable {
 /// Findings of all studies.
 #[derive(Default)]
 pub struct Findings {
-    /// Rows of the table: every number that was found.
+    /// Rows of the table, one for every number that was found.
     pub rows: Vec<Row>,
-    /// The cells of the heat map of passages.
+    /// Runs past singular surfaces, the cells of the heat map.
     pub passages: Vec<Passed>,
-    /// Accelerations and matrices along the narrowest passage, on the way in.
+    /// Errors of accelerations and conditions of matrices along the narrowest passage, up to its least distance.
     pub looked: Vec<Looked>,
     /// True if the motion leaves the domain of its equations.
     pub left_domain: bool,
-    /// Figures by file name.
+    /// File names and contents of the figures.
     pub figures: Vec<(&'static str, Figure)>,
-    /// Conclusions, one line each.
+    /// Conclusions of the studies, one line each.
     pub statements: Vec<Statement>,
-    /// The study that was interrupted, if one was: those after it were not begun.
+    /// Study that was interrupted; later studies were not begun. `None` if all were completed.
     pub unfinished: Option<Topic>,
 }
 
-/// Conclusion of a study, in a sentence.
+/// Conclusion of a study in one sentence.
 #[derive(Clone, Debug)]
 pub struct Statement {
-    /// The study that found it.
+    /// Study that the conclusion belongs to.
     pub study: Topic,
-    /// The sentence.
+    /// The conclusion as a sentence.
     pub text: String,
 }
 
 /// Model, scene and options on which a study works.
 pub struct Study<'a> {
-    /// The model.
+    /// Mechanism that the study examines.
     pub model: &'a Mechanism,
-    /// The scene.
+    /// Scene that the study examines.
     pub scene: &'a Scene,
-    /// True if a shorter study with fewer runs is wanted.
+    /// True for a shorter study with fewer runs.
     pub quick: bool,
     /// Receiver of progress messages.
     pub progress: &'a dyn Progress,

@@ -1,4 +1,5 @@
-//! Passages near a singular surface: every formulation, solve and method, in the coordinate and in its distance.
+//! Passages near a singular surface: errors of every formulation, solve and method, in the coordinate and in its
+//! distance.
 
 use super::findings::{Findings, Passed, Row, Study, Topic, Variable};
 use crate::code::{Ready, code, tape};
@@ -19,7 +20,7 @@ use tripos_sim::work_precision::{error, options};
 use tripos_sim::{Method, Options, Output};
 use tripos_traits::larger;
 
-/// The methods that are compared, each at a tolerance near the finest that it takes.
+/// Methods that are compared, each at a tolerance near the finest that it accepts.
 const METHODS: [(Method, f64); 5] = [
     (Method::Dop853, 3e-14),
     (Method::Ode45, 1e-12),
@@ -27,21 +28,22 @@ const METHODS: [(Method, f64); 5] = [
     (Method::Gauss6, 1e-11),
     (Method::Rk4, 1e-12),
 ];
-/// Method for a scene's own equations. Their states are of very different sizes near the surface, and none loses digits
-/// there: an absolute tolerance alone lets all of them be kept.
+/// Method for a scene's own equations. Near the surface their states have very different sizes, and none of them loses
+/// digits. An absolute tolerance alone keeps the digits of all.
 const OWN: Way = Way::Absolute(Method::Dop853, 1e-14);
-/// Number of methods that a quick study takes.
+/// Number of methods that a quick study compares.
 const QUICK: usize = 2;
 
-/// The passage of a motion by a singular surface.
+/// Passage of a motion near a singular surface.
 pub struct Passage {
     /// Instant at which the motion is nearest to the surface, s.
     pub t: f64,
-    /// Distance at that instant: the absolute value of the divisor of the kinematic equations.
+    /// Distance from the surface at that instant: the size of the divisor of the kinematic equations.
     pub least: f64,
 }
 
-/// Finds the first passage of a scene: a minimum of a divisor of the kinematic equations. `None` if there is none.
+/// Finds the first passage of a scene near a singular surface: a minimum of a divisor of the kinematic equations.
+/// `None` if there is none.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -67,14 +69,15 @@ pub fn passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>, Erro
     Ok(least.map(|at| Passage { t: run.t[at], least: values[at] }))
 }
 
-/// One rung of the ladder: a scene, with the reference at its passage and at its end.
+/// Rung of the ladder: a scene, with the reference at its passage and at its end.
 struct Rung {
     scene: Scene,
     reference: Reference,
+    /// Least distance of the passage.
     least: f64,
 }
 
-/// Runs the ladder, if the kinematic equations are singular anywhere near the motion.
+/// Runs all passages of the scene's ladder, if the kinematic equations become singular near the motion.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -104,7 +107,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         let mut scene = study.scene.clone();
         scene.integration.distance = distance;
         let what = Integrated { distance, variable: distance.map_or(Variable::Coordinate, |_| Variable::Distance) };
-        // A formulation that the model does not have has no passages.
+        // The list has only formulations that the model has.
         for case in whole(model, &scene, false)?.0 {
             for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
                 if case.has(method) {
@@ -113,7 +116,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             }
         }
     }
-    // A scene's own equations are in the distance where they have one.
+    // A scene's own equations are written in the distance if they have one.
     let own = own(model, study.scene);
     if let Err(failure) = &own {
         findings.say(Topic::Passages, format!("the scene's own equations were not run: {}", failure.first_line()));
@@ -146,12 +149,12 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
 /// Variable that is integrated in a row of the heat map.
 #[derive(Clone, Copy)]
 struct Integrated {
-    /// Distance in which the equations of the whole model are written.
+    /// Distance in which the equations of the whole model are written; `None` for the coordinate.
     distance: Option<Distance>,
     variable: Variable,
 }
 
-/// Makes one run of one rung: adds its rows, and gives its cell.
+/// Makes one run of one rung. Adds its rows to the findings, and returns its cell of the heat map.
 fn cell(
     study: &Study<'_>,
     findings: &mut Findings,
@@ -192,8 +195,8 @@ fn cell(
     let (mut t, mut y, mut steps, mut last) = (scene.span.0, start.clone(), 0, f64::NAN);
     let instants = rung.reference.times.iter().zip(&rung.reference.states);
     for (quantity, (next, state)) in ["error inside", "error at the end"].into_iter().zip(instants) {
-        // Quadrature takes no steps that a first part could spare it, and a state inside the passage holds the energy
-        // with fewer digits.
+        // Quadrature starts anew for each part: it takes no steps that a first part could save, and a state inside the
+        // passage holds the energy with fewer digits.
         if way == Way::Quadrature {
             (t, y) = (scene.span.0, start.clone());
         }
@@ -208,7 +211,7 @@ fn cell(
             findings.passages.push(passed(None, steps, &stop, t_end));
             findings.rows.push(row(quantity, None, &why));
             findings.rows.push(row("steps", Some(steps as f64), &why));
-            // A cell is narrow.
+            // A cell is narrow, so its text is short.
             return Ok(Cell::Stopped(format!("{stop} {t_end:.2} s")));
         }
         t = *next;
@@ -221,15 +224,16 @@ fn cell(
     Ok(Cell::Value(last))
 }
 
-/// End of one part of a passage.
+/// End of a run over one part of a passage.
 struct Arrival {
-    /// Reason why the part stopped before its end; `None` if it did not.
+    /// Reason why the run stopped before the end of the part; `None` if it did not.
     stop: Option<String>,
     t_end: f64,
     steps: u64,
     y_end: Option<Vec<f64>>,
 }
 
+/// Runs a problem over one part of a passage.
 fn arrive(
     study: &Study<'_>,
     problem: &Problem<'_>,
@@ -253,7 +257,8 @@ fn arrive(
     }
 }
 
-/// Adds the best and the worst run through the narrowest passage, and the uncertainty of the references.
+/// Adds to the findings the best and the worst run through the narrowest passage, and the uncertainty of the
+/// references.
 fn summary(findings: &mut Findings, rungs: &[Rung]) {
     let Some(narrow) = rungs.iter().min_by(|a, b| a.least.total_cmp(&b.least)) else { return };
     let describe = |p: &Passed| format!("{}, {}, {}, in the {}", p.by.name(), p.solve, p.method, p.variable.name());

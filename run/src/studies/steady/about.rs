@@ -1,4 +1,4 @@
-//! A mechanism near a steady motion: its linear system, its modes, and its stability.
+//! Linear system, modes and stability of a mechanism near a steady motion.
 
 use super::Question;
 use super::control::{Transfer, reached, transfers};
@@ -14,39 +14,39 @@ use tripos_derive::scene::Asked;
 /// Linear system near a steady motion, with its modes, stability and transfer functions.
 #[derive(Clone, Debug)]
 pub struct About {
-    /// Names of all states of the mechanism: coordinates, then speeds.
+    /// Names of all states of the mechanism: coordinates, then generalized speeds.
     pub all: Vec<String>,
-    /// Index of time among the states; `None` if the model does not name it. Drives go on with time.
+    /// Index of time among the states, with which drives go on; `None` if the model does not name time.
     pub time: Option<usize>,
     /// Steady motion about which the system is linear.
     pub steady: Steady,
-    /// Symmetries along which the motion goes, in words, each with its rate.
+    /// Descriptions of the symmetries along which the motion moves, each with its rate.
     pub moves: Vec<(String, f64)>,
-    /// Names of the inputs.
+    /// Names of the inputs of the linear system.
     pub inputs: Vec<String>,
-    /// Names of the outputs.
+    /// Names of the outputs of the linear system.
     pub outputs: Vec<String>,
     /// Matrices of the linear system.
     pub system: Quotient,
     /// Eigenvalues of the linear system.
     pub modes: Vec<Mode>,
-    /// Stability of the motion by the eigenvalues.
+    /// Stability of the steady motion by the eigenvalues.
     pub stability: Stability,
-    /// Names of states that tell the steady motions of its family apart, as many as the family has parameters. Empty if
-    /// A maps directions to zero but no steady motions were found there.
+    /// Names of states that distinguish the steady motions of the family, as many as the family has parameters. Empty
+    /// if the matrix A maps directions to zero but no steady motions were found along these.
     pub family: Vec<String>,
-    /// Number of independent directions that A maps to zero.
+    /// Number of independent directions that the matrix A maps to zero.
     pub still: usize,
-    /// Number of dimensions that the inputs reach.
+    /// Dimension of the space of states that the inputs reach.
     pub controllable: usize,
-    /// Number of dimensions that the outputs show.
+    /// Dimension of the space of states that the outputs show.
     pub observable: usize,
     /// Transfer functions from each input to each output.
     pub transfers: Vec<Transfer>,
 }
 
 impl About {
-    /// Coordinates and speeds by name, with their values; time is left out.
+    /// Names and values of coordinates and speeds in the steady motion; time is left out.
     pub fn states(&self) -> impl Iterator<Item = (&str, f64)> + '_ {
         let all = self.all.iter().zip(&self.steady.x).enumerate().filter(|(at, _)| Some(*at) != self.time);
         all.map(|(_, (name, x))| (name.as_str(), x.hi()))
@@ -56,22 +56,22 @@ impl About {
 /// Options of a linearisation.
 #[derive(Clone, Debug, Default)]
 pub struct Wanted {
-    /// Inputs, by name: inputs of the model, or parameters. All inputs of the model if none is given.
+    /// Names of the inputs: inputs of the model, or parameters. If the list is empty, all inputs of the model.
     pub inputs: Vec<String>,
-    /// True if states that symmetries shift are kept.
+    /// True if states that symmetries shift are kept in the linear system.
     pub whole: bool,
-    /// True if a state that is not steady is accepted, with the loops closed by the coordinates that are sought.
+    /// True if a state that is not steady is accepted, with the loops closed by the sought coordinates.
     pub as_is: bool,
 }
 
 /// Advice for a state that is not steady.
 const ASK: &str = "put what may change under [guess], or ask `tripos equilibria` for what is near";
 
-/// Linearises a mechanism about a steady motion: the state that is asked about, with its sought states solved for.
+/// Linearises a mechanism about a steady motion: the given state, with its sought states solved for.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived or lacks one of the inputs, if the state is not steady and no steady state
-/// was found near it, and if it is singular.
+/// [`Error`] if the model cannot be derived or lacks one of the inputs, or if the state is singular. [`Error`] also if
+/// the state is not steady and no steady state was found near it.
 pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<About, Error> {
     let mut question = Question::new(model, asked, &wanted.inputs)?;
     let unknowns = Unknowns { states: asked.sought.clone(), moves: true };
@@ -86,16 +86,16 @@ pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<Ab
 }
 
 impl Question {
-    /// Linear system near a steady motion, with its modes and stability; `whole` keeps the states that symmetries
-    /// shift.
+    /// Computes the linear system near a steady motion, with its modes and stability; `whole` keeps the states that
+    /// symmetries shift.
     ///
     /// # Errors
-    /// [`Error::Stopped`] in a singular pose, and where a slope has no value.
+    /// [`Error::Stopped`] in a singular pose, and if a slope has no value.
     pub fn about(&mut self, model: &Mechanism, steady: Steady, whole: bool) -> Result<About, Error> {
         self.about_in(model, steady, whole, true)
     }
 
-    /// Linearises about a steady motion. `with_family` looks for its family, which the search for a crossing does not
+    /// Linearises about a steady motion. `with_family` also finds its family, which the search for a crossing does not
     /// need.
     pub(super) fn about_in(
         &mut self,
@@ -131,7 +131,8 @@ impl Question {
     }
 }
 
-/// Indices, in ascending order, of rows of a matrix that tell its columns apart. Large rows are preferred.
+/// Indices, in ascending order, of rows of a matrix by which its columns can be distinguished. Large rows are
+/// preferred.
 fn leading(columns: &DMatrix<f64>) -> Vec<usize> {
     let mut left = columns.clone();
     let mut rows = Vec::new();
@@ -147,7 +148,7 @@ fn leading(columns: &DMatrix<f64>) -> Vec<usize> {
 }
 
 impl Question {
-    /// Error that tells why a state is not steady, and what to do.
+    /// Error that says why a state is not steady, with the given advice.
     #[must_use]
     pub fn unbalanced(&self, steady: &Steady, help: &str) -> Error {
         let rates = steady.unbalanced.iter().map(|(at, left)| format!("{}' is left at {left:.6e}", self.names[*at]));
@@ -160,7 +161,7 @@ impl Question {
         }
     }
 
-    /// Symmetries along which a motion goes, in words, with its rates.
+    /// Descriptions of the symmetries along which a steady motion moves, each with its rate.
     fn moves(&self, model: &Mechanism, steady: &Steady) -> Vec<(String, f64)> {
         let all = self.flow.symmetries.iter().zip(&steady.along).enumerate();
         let all = all.filter(|(at, _)| Some(*at) != self.by_time);

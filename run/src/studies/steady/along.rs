@@ -1,4 +1,4 @@
-//! A steady motion followed along a number: the crossings of the imaginary axis by eigenvalues, and its end.
+//! A steady motion followed along a number: its eigenvalues that cross the imaginary axis, and its end.
 
 use super::Question;
 use super::about::About;
@@ -10,34 +10,35 @@ use crate::{Error, Mechanism};
 use tripos_derive::scene::Asked;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Largest number of halvings of an interval for a crossing; `WIDTH` is the relative width at which they end.
+/// Largest number of halvings of the interval in which a crossing or an end lies.
 const HALVINGS: usize = 200;
+/// Width, relative to the values at its ends, at which an interval is no longer halved.
 const WIDTH: f64 = 4.0 * f64::EPSILON;
-/// Largest number of crossings that are told apart between two values.
+/// Largest number of crossings that are distinguished between two values.
 const MOST_CROSSINGS: usize = 32;
 
-/// A steady motion at one value of the number.
+/// Steady motion at one value of the number that it is followed along.
 #[derive(Clone, Debug)]
 pub struct Point {
     /// Value of the number.
     pub value: f64,
-    /// Linear system of the steady motion there.
+    /// Linear system of the steady motion at this value.
     pub about: About,
 }
 
 /// Kind of change of a steady motion between two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CrossingKind {
-    /// A real eigenvalue passes 0: other steady motions branch off, or it exchanges stability with them.
+    /// A real eigenvalue passes 0: other steady motions branch off, or this motion exchanges stability with them.
     Real,
-    /// A pair of eigenvalues passes the imaginary axis: oscillations begin to grow, or end to (E. Hopf).
+    /// A pair of eigenvalues passes the imaginary axis: oscillations begin or cease to grow (E. Hopf).
     Pair,
     /// Two steady motions meet and end: no steady motion goes on beyond.
     Fold,
 }
 
 impl CrossingKind {
-    /// Its name in JSON and tables.
+    /// Name of the kind in JSON and tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -55,25 +56,25 @@ pub struct Crossing {
     pub kind: CrossingKind,
     /// Value of the number at the change.
     pub value: f64,
-    /// Angular frequency there, rad/s; 0 except for a pair.
+    /// Angular frequency of the oscillations at the change, rad/s; 0 except for a pair.
     pub frequency: f64,
 }
 
-/// A steady motion along a number.
+/// Course of a steady motion along a number.
 #[derive(Clone, Debug, Default)]
 pub struct Course {
-    /// Points at the values that were asked for, as far as the motion goes.
+    /// Points at the requested values, as far as the motion goes.
     pub points: Vec<Point>,
-    /// Crossings between the points.
+    /// Changes of stability between the points, and the end of the motion.
     pub crossings: Vec<Crossing>,
-    /// Reason why the motion ends before the last value; `None` if it does not.
+    /// Reason why the motion ends before the last value; `None` if it reaches that value.
     pub ended: Option<String>,
 }
 
-/// Follows a steady motion over values of a number of the state file; `asked` gives the request at a value.
+/// Follows a steady motion over values of a number of the state file; `asked` gives the request at each value.
 ///
 /// # Errors
-/// [`Error`] as [`super::equilibria`], at the first value.
+/// Errors of [`super::equilibria`], at the first value.
 pub fn follow(
     model: &Mechanism,
     asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
@@ -84,7 +85,7 @@ pub fn follow(
     along((model, &mut question), asked, values)
 }
 
-/// Follows a steady motion, as [`follow`] does, for a question that exists already.
+/// Follows a steady motion, as [`follow`] does, for a mechanism that is already prepared.
 pub(super) fn along(
     (model, question): (&Mechanism, &mut Question),
     asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
@@ -95,7 +96,7 @@ pub(super) fn along(
     let start = asked(*first)?;
     let mut unknowns = unknowns(question, &start);
     if let Some(last) = values.last() {
-        // States that the number moves are held.
+        // States that the number changes are not solved for.
         let other = asked(*last)?;
         unknowns.states.retain(|at| start.x[*at] == other.x[*at]);
     }
@@ -120,7 +121,7 @@ pub(super) fn along(
     Ok(course)
 }
 
-/// Data of a steady motion that is followed along a number.
+/// Mechanism, unknowns and requests of a steady motion that is followed along a number.
 struct Way<'w> {
     model: &'w Mechanism,
     question: &'w mut Question,
@@ -129,12 +130,12 @@ struct Way<'w> {
 }
 
 impl Way<'_> {
-    /// Finds the steady motion at a value, from one that is near.
+    /// Finds the steady motion at a value of the number, beginning at a steady motion near it.
     fn point(&mut self, value: f64, near: Option<&Steady>) -> Result<Point, Error> {
         self.point_in(value, near, true)
     }
 
-    /// Finds the steady motion at a value of the parameter; `with_family` looks for its family.
+    /// Finds the steady motion at a value of the number; `with_family` also finds its family.
     fn point_in(&mut self, value: f64, near: Option<&Steady>, with_family: bool) -> Result<Point, Error> {
         let asked = (self.asked)(value)?;
         self.question.at(&asked.parameters);
@@ -149,7 +150,8 @@ impl Way<'_> {
         Ok(Point { value, about: self.question.about_in(self.model, steady, false, with_family)? })
     }
 
-    /// Last value at which the motion is found, between a value at which it is found and one at which it is not.
+    /// Last value at which the steady motion is found, between a point of it and the value `to` at which it is not
+    /// found.
     fn end(&mut self, from: &Point, to: f64) -> f64 {
         let (mut near, mut last, mut beyond) = (from.about.steady.clone(), from.value, to);
         for _ in 0..HALVINGS {
@@ -165,10 +167,10 @@ impl Way<'_> {
         last
     }
 
-    /// Finds the eigenvalues that cross the imaginary axis between two points. A real one crosses where the product of
-    /// all eigenvalues except those of the family changes its sign; this is known even where eigenvalues near 0 are
-    /// not. A pair crosses where the number of growing eigenvalues changes by two. Two real ones that meet and become a
-    /// pair cross nothing.
+    /// Finds the eigenvalues that cross the imaginary axis between two points. A real eigenvalue crosses where the
+    /// product of all eigenvalues except those of the family changes its sign. This product is known even where
+    /// eigenvalues near 0 are not. A pair crosses where the number of growing eigenvalues changes by two. Two real
+    /// eigenvalues that meet and become a pair cross nothing.
     fn crossings(&mut self, from: &Point, to: &Point) -> Result<Vec<Crossing>, Error> {
         let family = from.about.still;
         let is_negative = |point: &Point| is_negative(&point.about.system.a, family);
@@ -196,7 +198,7 @@ impl Way<'_> {
     }
 
     /// Brackets by halving, to rounding, the first point at which `what` differs from its value at `from`. Returns the
-    /// last point before it, and that point.
+    /// last point before the difference, and the first point with it.
     fn change<T: PartialEq>(
         &mut self,
         from: &Point,
@@ -219,14 +221,14 @@ impl Way<'_> {
     }
 }
 
-/// Number of eigenvalues that grow.
+/// Number of eigenvalues of a point with a positive real part.
 fn growing(point: &Point) -> usize {
     let grows = |mode: &&Mode| mode.grows();
     point.about.modes.iter().filter(grows).count()
 }
 
-/// True if the coefficient of s^family in det(s − A) is negative. It is ± the sum of the products of n − family
-/// eigenvalues (D. K. Faddeev's recurrence).
+/// True if the coefficient of s^family in det(s − A) is negative. The coefficient is ± the sum of the products of n −
+/// family eigenvalues (D. K. Faddeev's recurrence).
 fn is_negative(a: &Wide, family: usize) -> bool {
     let n = a.rows.len();
     let one = DoubleDouble::int(1);

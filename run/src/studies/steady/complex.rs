@@ -3,7 +3,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// A complex number.
+/// Complex number of 32 digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Complex {
     /// Real part.
@@ -13,37 +13,37 @@ pub struct Complex {
 }
 
 impl Complex {
-    /// A real number.
+    /// Makes the complex number of a real number.
     #[must_use]
     pub fn real(re: DoubleDouble) -> Self {
         Self { re, ..Self::default() }
     }
 
-    /// A real number, from a double.
+    /// Makes the complex number of a real number that is given as a double.
     #[must_use]
     pub fn from_f64(re: f64) -> Self {
         Self::real(DoubleDouble::from_f64(re))
     }
 
-    /// The conjugate.
+    /// Complex conjugate of the number.
     #[must_use]
     pub fn conj(self) -> Self {
         Self { re: self.re, im: -self.im }
     }
 
-    /// |z|², to 32 digits.
+    /// Squared absolute value |z|², to 32 digits.
     #[must_use]
     pub fn squared_norm(self) -> DoubleDouble {
         self.re * self.re + self.im * self.im
     }
 
-    /// |z|, to 32 digits.
+    /// Absolute value |z|, to 32 digits.
     #[must_use]
     pub fn modulus(self) -> DoubleDouble {
         self.squared_norm().sqrt()
     }
 
-    /// |z|, as a double.
+    /// Absolute value |z|, as a double.
     #[must_use]
     pub fn norm(self) -> f64 {
         self.re.hi().hypot(self.im.hi())
@@ -55,7 +55,7 @@ impl Complex {
         Self { re: self.re * r, im: self.im * r }
     }
 
-    /// Square root whose real part is not negative.
+    /// Square root of the number, whose real part is not negative.
     #[must_use]
     pub fn sqrt(self) -> Self {
         let half = DoubleDouble::from_f64(0.5);
@@ -63,7 +63,7 @@ impl Complex {
         if size.hi() <= 0.0 {
             return Self::default();
         }
-        // The larger part first, so that nothing cancels.
+        // The larger part is computed first, so that nothing cancels.
         let large = ((size + self.re.abs()) * half).sqrt();
         let small = self.im * half / large;
         let is_left = self.re.hi() < 0.0;
@@ -71,7 +71,7 @@ impl Complex {
         if is_left { Self { re: small * sign, im: large * sign } } else { Self { re: large, im: small } }
     }
 
-    /// True if both parts are finite.
+    /// True if real and imaginary part are finite.
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.re.is_finite() && self.im.is_finite()

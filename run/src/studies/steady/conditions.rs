@@ -1,5 +1,4 @@
-//! Rest and steady motion in closed form: the terms that must vanish, in letters, and the solutions that exact algebra
-//! finds.
+//! Rest and steady motion in closed form: terms in letters that must vanish, and solutions that exact algebra finds.
 
 use super::newton::Steady;
 use crate::{Error, Mechanism};
@@ -10,7 +9,8 @@ use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_traits::DoubleDouble;
 
-/// Distance of a number from a formula, relative to its size or 1, up to which it lies on the formula's branch.
+/// Distance of a number from the value of a formula up to which it lies on the formula's branch, relative to the
+/// number's size or 1.
 const NEAR: f64 = 1e-9;
 
 /// A formula in the notation of model files and in LaTeX.
@@ -27,43 +27,43 @@ pub struct Formula {
 pub struct Told {
     /// An unknown, its square, or a sine, cosine or tangent of it.
     pub name: Formula,
-    /// Formula of the value.
+    /// Formula of the value of `name`.
     pub value: Formula,
 }
 
-/// A velocity along a symmetry.
+/// Velocity along a symmetry of the mechanism.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Velocity {
-    /// Letter of the velocity; the rate of a coordinate where it is one.
+    /// Letter of the velocity; the name of a rate of a coordinate if the velocity is one.
     pub name: String,
-    /// Motion of the mechanism along the symmetry, in words.
+    /// Description of the motion of the mechanism along the symmetry.
     pub along: String,
-    /// True if it is the rate of a coordinate.
+    /// True if the velocity is the rate of a coordinate.
     pub is_rate: bool,
 }
 
-/// Solutions that are given by formulas; angles up to whole turns.
+/// Solutions that are given by formulas; angles hold up to whole turns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Solved {
-    /// Formulas of the unknowns that were solved for, in those that are left free.
+    /// Formulas of the unknowns that were solved for, in terms of those that are left free.
     pub solved: Vec<Told>,
     /// Conditions for the unknowns to be real, such as `l*cos(q) >= 0`.
     pub needs: Vec<Formula>,
-    /// Divisors, which must not be 0.
+    /// Divisors of the formulas, which must not be 0.
     pub divided_by: Vec<Formula>,
-    /// Terms that must vanish, too, but were not solved for.
+    /// Terms that must vanish as well, but were not solved.
     pub left: Vec<Formula>,
     branch: Branch,
 }
 
-/// Rest, or motion along symmetries, in closed form.
+/// Conditions of rest, or of motion along symmetries, in closed form.
 #[derive(Clone, Debug)]
 pub struct Conditions {
-    /// True if these are conditions of rest, with all velocities 0.
+    /// True for conditions of rest, with all velocities 0.
     pub rest: bool,
     /// Velocities along symmetries; empty at rest.
     pub along: Vec<Velocity>,
-    /// Generalized speeds in coordinates and these velocities.
+    /// Generalized speeds as formulas in coordinates and the velocities `along`.
     pub speeds: Vec<Told>,
     /// Velocities, coordinates and parameters that were solved for, the preferred ones first.
     pub unknowns: Vec<String>,
@@ -71,30 +71,32 @@ pub struct Conditions {
     pub equations: Vec<Formula>,
     /// Number of further equations that are too large for a readable form.
     pub too_large: usize,
-    /// Divisors of the equations: where one of these is 0 the conditions say nothing.
+    /// Divisors of the equations: if one of them is 0 the conditions say nothing.
     pub divided_by: Vec<Formula>,
-    /// Solutions where no divisor is 0, each proved by substitution: all of them if `complete`.
+    /// Solutions for which no divisor is 0, each proved by substitution: all of them if `complete`.
     pub branches: Vec<Solved>,
     /// True if the search ended within its budget.
     pub complete: bool,
+    /// Symbols of the parameters, the coordinates and the velocities.
     symbols: Vec<Expr>,
 }
 
 /// Conditions of rest and of steady motion of a mechanism in closed form.
 #[derive(Clone)]
 pub struct ClosedForm {
-    /// Rest, then motion along symmetries, if it has any.
+    /// Conditions of rest, then of motion along symmetries, if the mechanism has any.
     pub list: Vec<Conditions>,
     arena: Arena,
+    /// Flags of the coordinates that are angles.
     is_angle: Vec<bool>,
 }
 
-/// Finds the conditions of rest and of steady motion in letters, and solves them where exact algebra can. It prefers to
-/// solve for the names in `asked`: velocities, coordinates, and parameters, which are solved for only if they are
+/// Finds the conditions of rest and of steady motion in letters, and solves them if exact algebra can. It prefers to
+/// solve for the names in `asked`: velocities, coordinates, and parameters. Parameters are solved for only if they are
 /// named.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived, depends on time, or has no such names.
+/// [`Error`] if the model cannot be derived, depends on time, or has no quantity of a given name.
 pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Error> {
     let mut flow = super::steady_flow(model)?;
     let mut balances = vec![flow.balance(model, false)];
@@ -145,6 +147,7 @@ pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Err
     Ok(ClosedForm { list, arena: flow.arena, is_angle })
 }
 
+/// Writes a term in the notation of model files and in LaTeX.
 fn formula(arena: &Arena, e: Expr) -> Formula {
     Formula { text: text(arena, e), latex: latex(arena, e) }
 }
@@ -163,6 +166,7 @@ fn subject(arena: &mut Arena, relation: &Relation) -> Expr {
     }
 }
 
+/// Writes a branch of solutions as formulas.
 fn solved(arena: &mut Arena, branch: Branch) -> Solved {
     let mut list = Vec::new();
     for relation in &branch.solved {
@@ -189,8 +193,8 @@ fn solved(arena: &mut Arena, branch: Branch) -> Solved {
 }
 
 impl ClosedForm {
-    /// Index of the conditions that a motion is under, and indices of the branches on which it lies, by its numbers.
-    /// This proves nothing. `None` if no conditions apply.
+    /// Index of the conditions that a motion satisfies, and indices of the branches on which it lies, judged by its
+    /// numbers. This proves nothing. `None` if no conditions apply.
     #[must_use]
     pub fn branches_at(&self, parameters: &[DoubleDouble], steady: &Steady) -> Option<(usize, Vec<usize>)> {
         let at = self.list.iter().position(|conditions| conditions.rest == steady.is_rest())?;
@@ -202,7 +206,7 @@ impl ClosedForm {
         Some((at, (0..conditions.branches.len()).filter(holds).collect()))
     }
 
-    /// True if a branch holds, by numbers.
+    /// True if the numbers of a motion satisfy a branch of solutions.
     fn holds(&self, conditions: &Conditions, branch: &Branch, values: &[DoubleDouble]) -> bool {
         let mut arena = self.arena.clone();
         let sides = branch.solved.iter().map(|relation| [subject(&mut arena, relation), relation.value]);

@@ -1,4 +1,4 @@
-//! Dimensions of a linear system that inputs reach and outputs show, and its transfer functions.
+//! Dimensions of a linear system that its inputs reach and its outputs show, and its transfer functions.
 
 use super::complex::Complex;
 use super::dense::Wide;
@@ -7,11 +7,11 @@ use crate::Error;
 use nalgebra::DMatrix;
 use tripos_traits::DoubleDouble;
 
-/// Length of a unit direction, after the reached directions are taken out of it, up to which it counts as zero.
+/// Length of a unit direction, after its parts along the reached directions are removed, up to which it counts as zero.
 const NOTHING: f64 = 1e-9;
 
 /// Number of dimensions that inputs reach: the rank of (B, A B, A² B, …), found direction by direction, so that powers
-/// of A do not hide any (Kalman's condition). For (Aᵀ, Cᵀ), the number of dimensions that outputs show.
+/// of A do not hide any (Kalman's condition). For (Aᵀ, Cᵀ) it is the number of dimensions that outputs show.
 #[must_use]
 pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
     let mut basis: Vec<nalgebra::DVector<f64>> = Vec::new();
@@ -19,7 +19,7 @@ pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
     let mut next: Vec<nalgebra::DVector<f64>> =
         b.column_iter().filter(|c| c.norm() > 0.0).map(|c| c.into_owned().normalize()).collect();
     while let Some(mut direction) = next.pop() {
-        // Twice, since rounding leaves a rest.
+        // This is done twice, since rounding leaves a rest.
         for _ in 0..2 {
             for known in &basis {
                 direction -= known * known.dot(&direction);
@@ -39,7 +39,7 @@ pub fn reached(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
     basis.len()
 }
 
-/// y(s)/r(s) of one output and one input, (n₀ sᵐ + n₁ sᵐ⁻¹ + …)/(sᵏ + …).
+/// Transfer function y(s)/r(s) of one output and one input, (n₀ sᵐ + n₁ sᵐ⁻¹ + …)/(sᵏ + …).
 #[derive(Clone, Debug)]
 pub struct Transfer {
     /// Index of the input.
@@ -52,10 +52,11 @@ pub struct Transfer {
     pub denominator: Vec<f64>,
 }
 
-/// The transfer functions of d' = A d + B r, y = C d + D r: det(s − A + b c) − det(s − A) over det(s − A), each.
+/// Transfer functions of d' = A d + B r, y = C d + D r. Each is (det(s − A + b c) − det(s − A))/det(s − A), plus an
+/// entry of D, with a column b of B and a row c of C.
 ///
 /// # Errors
-/// [`Error::Stopped`] where eigenvalues are not found.
+/// [`Error::Stopped`] if eigenvalues are not found.
 pub fn transfers(a: &Wide, b: &Wide, c: &Wide, d: &Wide) -> Result<Vec<Transfer>, Error> {
     let mut list = Vec::new();
     let open = characteristic(a)?;
@@ -81,7 +82,7 @@ pub fn transfers(a: &Wide, b: &Wide, c: &Wide, d: &Wide) -> Result<Vec<Transfer>
     Ok(list)
 }
 
-/// Coefficients of det(s − A), that of the highest power first.
+/// Coefficients of the characteristic polynomial det(s − A), that of the highest power first.
 fn characteristic(a: &Wide) -> Result<Vec<DoubleDouble>, Error> {
     let mut coefficients = vec![Complex::from_f64(1.0)];
     if !a.rows.is_empty() {

@@ -1,4 +1,4 @@
-//! Small dense matrices: in 32 digits where results are given, in doubles where something is chosen or corrected.
+//! Small dense matrices: in 32 digits for results, in doubles for choices and corrections.
 
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
@@ -6,35 +6,35 @@ use tripos_traits::{DoubleDouble, Scalar};
 /// Matrix of numbers of 32 digits.
 #[derive(Clone, Debug, Default)]
 pub struct Wide {
-    /// Entries, row by row.
+    /// Entries of the matrix, row by row.
     pub rows: Vec<Vec<DoubleDouble>>,
 }
 
 impl Wide {
-    /// Matrix of zeros.
+    /// Makes a matrix of zeros.
     #[must_use]
     pub fn zeros(rows: usize, columns: usize) -> Self {
         Self { rows: vec![vec![DoubleDouble::int(0); columns]; rows] }
     }
 
-    /// Matrix with these columns, which have one length.
+    /// Makes a matrix from its columns, which have one length.
     #[must_use]
     pub fn from_columns(rows: usize, columns: &[Vec<DoubleDouble>]) -> Self {
         Self { rows: (0..rows).map(|row| columns.iter().map(|column| column[row]).collect()).collect() }
     }
 
-    /// Number of columns; 0 without rows.
+    /// Number of columns of the matrix; 0 without rows.
     pub fn columns(&self) -> usize {
         self.rows.first().map_or(0, Vec::len)
     }
 
-    /// Part of the matrix with these rows and columns.
+    /// Part of the matrix with the given rows and columns, by their indices.
     #[must_use]
     pub fn part(&self, rows: &[usize], columns: &[usize]) -> Self {
         Self { rows: rows.iter().map(|row| columns.iter().map(|column| self.rows[*row][*column]).collect()).collect() }
     }
 
-    /// Sum self + sign · a b.
+    /// Sum of this matrix and the product of two others: self + sign · a b.
     #[must_use]
     pub fn plus(&self, sign: f64, a: &Self, b: &Self) -> Self {
         let sign = DoubleDouble::from_f64(sign);
@@ -61,7 +61,7 @@ impl Wide {
         self.rows.iter().map(|row| row.iter().map(|x| x.hi()).collect()).collect()
     }
 
-    /// Solution X of self · X = right, by Gauss with row pivots; `None` where the matrix is singular.
+    /// Solution X of self · X = right, by Gauss's elimination with row pivots; `None` if the matrix is singular.
     #[must_use]
     pub fn solve(&self, right: &Self) -> Option<Self> {
         let n = self.rows.len();
@@ -88,7 +88,7 @@ impl Wide {
     }
 }
 
-/// Shortest correction x for which a x + r is smallest, after columns are scaled to one size. Singular values below
+/// Shortest vector x for which a x + r is smallest, after columns are scaled to one size. Singular values below
 /// `relative` times the largest count as zero. `None` if an entry is not finite.
 pub fn least(a: &DMatrix<f64>, r: &DVector<f64>, relative: f64) -> Option<DVector<f64>> {
     if a.ncols() == 0 || a.nrows() == 0 {
@@ -112,7 +112,7 @@ pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
     if a.nrows() == 0 || n == 0 {
         return DMatrix::identity(n, n);
     }
-    // Rows of zeros make it square, so that all right singular vectors are there.
+    // Rows of zeros make the matrix square, so that all right singular vectors are computed.
     let square = a.clone().resize_vertically(a.nrows().max(n), 0.0);
     let svd = square.svd(false, true);
     let v_t = svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n));
@@ -122,7 +122,7 @@ pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
     if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }
 }
 
-/// Orthonormal basis of the `count` directions that a square matrix moves least.
+/// Orthonormal basis, as columns, of the `count` directions that a square matrix maps to the smallest vectors.
 pub fn least_moved(a: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
     let svd = a.clone().svd(false, true);
     let v_t = svd.v_t.unwrap_or_else(|| DMatrix::identity(a.ncols(), a.ncols()));

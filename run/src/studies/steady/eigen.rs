@@ -1,12 +1,12 @@
-//! Eigenvalues of small matrices in 32 digits, with their multiplicity, their growth, and the states that take part in
+//! Eigenvalues of small matrices in 32 digits, with their multiplicity, their growth, and the shares of the states in
 //! them.
 //!
-//! Rounding splits an eigenvalue of multiplicity k by the k-th root of the rounding. Eigenvalues count as one where the
-//! symmetric functions of their differences vanish, compared with rounding. These are the coefficients of the
-//! characteristic polynomial of their part of the Schur form. That part without its eigenvalue is nilpotent: its powers
-//! tell whether solutions are bounded or grow like a power of t (F. R. Gantmacher, *The Theory of Matrices*, chapter
-//! VIII; J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965, chapter 2). A quantity that is neither clearly 0
-//! nor clearly different from 0 is reported as undecided.
+//! Rounding splits an eigenvalue of multiplicity k by the k-th root of the rounding. Eigenvalues count as one if the
+//! symmetric functions of their differences are zero, compared with rounding. These functions are the coefficients of
+//! the characteristic polynomial of the eigenvalues' part of the Schur form. That part without its eigenvalue is
+//! nilpotent: its powers tell whether solutions are bounded or grow like a power of t (F. R. Gantmacher, *The Theory of
+//! Matrices*, chapter VIII; J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965, chapter 2). A quantity that is
+//! neither clearly 0 nor clearly different from 0 is reported as undecided.
 
 use super::complex::Complex;
 use super::dense::Wide;
@@ -15,55 +15,59 @@ use crate::Error;
 use nalgebra::DMatrix;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Multiple of its rounding up to which a quantity is 0. From the multiple `NOT_ZERO` on it is not 0.
+/// Multiple of its rounding up to which a quantity is 0.
 const ZERO: f64 = 1e3;
+/// Multiple of its rounding from which a quantity is not 0.
 const NOT_ZERO: f64 = 1e7;
-/// Relative error of the entries of a matrix. Entries below `NOTHING` times the size of the matrix are rounding alone.
+/// Relative error of the entries of a matrix whose eigenvalues are found.
 const DIGITS: f64 = 1e-27;
+/// Ratio to the size of the matrix below which an entry is rounding alone.
 const NOTHING: f64 = 1e-24;
-/// Largest distance of eigenvalues that may coincide, over the root of the least size that is clearly not 0.
+/// Largest distance of k eigenvalues that may coincide, as a multiple of the k-th root of the least size that is
+/// clearly not 0.
 const APART: f64 = 3.0;
 
-/// An eigenvalue with its error, its multiplicity, and the shares of the states in it.
+/// Eigenvalue with its error, its multiplicity, and the shares of the states in it.
 #[derive(Clone, Debug)]
 pub struct Mode {
     /// Real and imaginary part of the eigenvalue, 1/s. A part that cannot be told from 0 is 0.
     pub value: [f64; 2],
-    /// Factor by which an error of the matrix may be larger in the eigenvalue: the size of the projector onto its
-    /// vectors. For a simple eigenvalue this is 1/|yᴴ x| of its left and right vectors of length 1. It is 1 at best,
+    /// Factor by which an error of the matrix may grow in the eigenvalue: the size of the projector onto its vectors.
+    /// For a simple eigenvalue this is 1/|yᴴ x| with its left and right vectors y and x of length 1. It is 1 at best,
     /// and large near values that nearly coincide.
     pub condition: f64,
     /// Largest error that the eigenvalue may have, 1/s.
     pub error: f64,
-    /// Share of each state in the eigenvalue, from 0 to 1 with sum 1: |y_k x_k|.
+    /// Share of each state in the eigenvalue: |y_k x_k|, scaled to the sum 1.
     pub shares: Vec<f64>,
-    /// Number of eigenvalues that coincide with it, itself included.
+    /// Number of eigenvalues that coincide with this one, itself included.
     pub multiplicity: usize,
-    /// Power of t by which solutions grow beside e^(λ t). It is 0 where the eigenvalue has as many vectors as its
-    /// multiplicity, and k − 1 where its largest Jordan block has k rows.
+    /// Power of t by which solutions grow in addition to e^(λ t). It is 0 if the eigenvalue has as many vectors as its
+    /// multiplicity, and k − 1 if its largest Jordan block has k rows.
     pub power: usize,
-    /// Number of independent vectors of the eigenvalue.
+    /// Number of independent eigenvectors of the eigenvalue.
     pub vectors: usize,
-    /// True if its digits do not tell whether its real part is 0, or, where it is 0, whether it coincides with others.
+    /// True if the digits do not tell whether the real part is 0. Also true if it is 0 and they do not tell whether the
+    /// eigenvalue coincides with others.
     pub is_undecided: bool,
 }
 
 impl Mode {
-    /// True if solutions grow exponentially with it.
+    /// True if solutions of this mode grow exponentially.
     #[must_use]
     pub fn grows(&self) -> bool {
         self.value[0] > 0.0
     }
 
-    /// True if its real part is 0.
+    /// True if the real part of the eigenvalue is 0.
     #[must_use]
     pub fn is_neutral(&self) -> bool {
         self.value[0].abs() <= 0.0
     }
 }
 
-/// Eigenvalues of a square matrix, those with the largest real part first. Its entries are known to 27 digits, and may
-/// have a further error of `uncertain` times the size of the matrix.
+/// Eigenvalues of a square matrix, those with the largest real part first. The entries of the matrix are known to 27
+/// digits, and may have a further error of `uncertain` times the size of the matrix.
 ///
 /// # Errors
 /// [`Error::Stopped`] if the eigenvalues are not found.
@@ -82,7 +86,7 @@ pub fn modes(a: &Wide, uncertain: f64) -> Result<Vec<Mode>, Error> {
     Ok(list.into_iter().flat_map(|mode| std::iter::repeat_n(mode.clone(), mode.multiplicity)).collect())
 }
 
-/// Modes in exact pairs: values below the real axis mirror those above it, to the last digit.
+/// Makes modes exact pairs: eigenvalues below the real axis mirror those above it, to the last digit.
 fn in_pairs(modes: Vec<Mode>) -> Vec<Mode> {
     let count = |is_side: fn(f64) -> bool| -> usize {
         modes.iter().filter(|mode| is_side(mode.value[1])).map(|mode| mode.multiplicity).sum()
@@ -101,9 +105,9 @@ fn in_pairs(modes: Vec<Mode>) -> Vec<Mode> {
     list
 }
 
-/// Similar matrix whose rows and columns are of like sizes, scaled by powers of two, and its possible error (B. N.
-/// Parlett & C. Reinsch, Numer. Math. 13, 1969). Entries that are not clear of their uncertainty do not count in the
-/// scaling.
+/// Similar matrix whose rows and columns have comparable sizes, scaled by powers of two, and its possible error (B. N.
+/// Parlett & C. Reinsch, Numer. Math. 13, 1969). Entries that are not clearly larger than their uncertainty do not
+/// count in the scaling.
 fn balanced(a: &Wide, uncertain: f64) -> (Wide, f64) {
     let rounded = a.rounded();
     let (size, off) = (rounded.norm(), uncertain * rounded.norm());
@@ -123,7 +127,7 @@ fn balanced(a: &Wide, uncertain: f64) -> (Wide, f64) {
     (scaled, noise.norm())
 }
 
-/// Eigenvalues that coincide, by their indices on the diagonal.
+/// Eigenvalues that coincide, by their indices on the diagonal of the Schur form.
 struct Group {
     places: Vec<usize>,
     is_undecided: bool,
@@ -138,6 +142,7 @@ enum Size {
 }
 
 impl Size {
+    /// Decides whether the size `x` of a quantity is 0, for its rounding.
     fn of(x: f64, rounding: f64) -> Self {
         if x <= ZERO * rounding {
             Self::Zero
@@ -148,6 +153,7 @@ impl Size {
         }
     }
 
+    /// Decision about the larger of two quantities.
     fn most(self, other: Self) -> Self {
         match (self, other) {
             (Self::NotZero, _) | (_, Self::NotZero) => Self::NotZero,
@@ -157,17 +163,18 @@ impl Size {
     }
 }
 
-/// A Schur form, with the data that sort its eigenvalues into groups that coincide.
+/// Schur form of a matrix, with the data that sort its eigenvalues into groups that coincide.
 struct Spectrum {
     form: Schur,
     values: Vec<Complex>,
-    /// Possible error of entries; `size` is that of the matrix.
+    /// Possible error of the matrix, by its norm.
     noise: f64,
+    /// Norm of the matrix.
     size: f64,
 }
 
 impl Spectrum {
-    /// Eigenvalues in groups that coincide, the largest groups first.
+    /// Sorts the eigenvalues into groups that coincide, the largest groups first.
     fn groups(&self) -> Vec<Group> {
         let n = self.values.len();
         let mut left: Vec<usize> = (0..n).collect();
@@ -193,7 +200,7 @@ impl Spectrum {
         groups
     }
 
-    /// Groups of eigenvalues that are linked by chains with steps up to `reach`.
+    /// Sorts eigenvalues into groups that are linked by chains with steps up to `reach`.
     fn linked(&self, among: &[usize], reach: f64) -> Vec<Vec<usize>> {
         let mut left = among.to_vec();
         let mut chains = Vec::new();
@@ -212,10 +219,11 @@ impl Spectrum {
         chains
     }
 
-    /// Decides whether these eigenvalues coincide: the symmetric functions of their distances from the mean are 0.
+    /// Decides whether eigenvalues coincide: the symmetric functions of their distances from the mean are 0.
     fn coincide(&self, places: &[usize]) -> Size {
         let part = Part::new(&self.form.with_first(places), places.len());
-        // Coefficients of the product of all (s − λ + mean), and those of (s + |λ − mean|), which are no smaller.
+        // Coefficients of the product of all (s − λ + mean), and coefficients of the product of all (s + |λ − mean|),
+        // which are no smaller.
         let mut coefficients = vec![Complex::from_f64(1.0)];
         for (at, row) in part.nilpotent.iter().enumerate() {
             coefficients.push(Complex::default());
@@ -229,13 +237,13 @@ impl Spectrum {
         for (k, coefficient) in coefficients.iter().enumerate().skip(1) {
             ways *= (part.nilpotent.len() + 1 - k) as f64 / k as f64;
             let rounding = ways * self.noise * length.powi(i32::try_from(k).unwrap_or(i32::MAX) - 1);
-            // A rounding below the smallest positive number would tell nothing.
+            // The smallest positive number is the least rounding that tells anything.
             most = most.most(Size::of(coefficient.norm(), rounding.max(f64::MIN_POSITIVE)));
         }
         most
     }
 
-    /// Mode of a group of eigenvalues that coincide.
+    /// Makes the mode of a group of eigenvalues that coincide.
     fn mode(&self, group: &Group) -> Mode {
         let form = self.form.with_first(&group.places);
         let many = group.places.len();
@@ -248,7 +256,7 @@ impl Spectrum {
         let value = [clean(parts[0]), clean(parts[1])];
         let (power, power_is_sure) = part.power(off);
         let (rank, rank_is_sure) = part.rank(off);
-        // An eigenvalue that surely decays or grows does so whatever it coincides with.
+        // An eigenvalue whose real part is not 0 decays or grows, whatever it coincides with.
         let is_undecided = match parts[0].1 {
             Size::Zero => group.is_undecided || !power_is_sure || !rank_is_sure,
             Size::Undecided => true,
@@ -269,6 +277,7 @@ impl Spectrum {
 
 /// Part of a Schur form that belongs to eigenvalues that coincide.
 struct Part {
+    /// Mean of the eigenvalues.
     mean: Complex,
     /// Block of the Schur form, less the mean on its diagonal.
     nilpotent: Vec<Vec<Complex>>,
@@ -286,11 +295,13 @@ impl Part {
         Self { mean, nilpotent }
     }
 
+    /// Frobenius norm of the nilpotent part.
     fn norm(&self) -> f64 {
         norm(&self.nilpotent)
     }
 
-    /// Largest power of the nilpotent part that is not 0, and true if that is sure. Entries may have the error `off`.
+    /// Largest exponent with which a power of the nilpotent part is not 0, and true if that is sure. Entries may have
+    /// the error `off`.
     fn power(&self, off: f64) -> (usize, bool) {
         let many = self.nilpotent.len();
         let length = self.norm().max(off);
@@ -308,7 +319,8 @@ impl Part {
         (many - 1, is_sure)
     }
 
-    /// Rank of the nilpotent part, by elimination with the largest pivots, and true if it is sure.
+    /// Rank of the nilpotent part, by elimination with the largest pivots, and true if the rank is sure. Entries may
+    /// have the error `off`.
     fn rank(&self, off: f64) -> (usize, bool) {
         let mut left = self.nilpotent.clone();
         for rank in 0..left.len() {
@@ -333,17 +345,19 @@ impl Part {
     }
 }
 
+/// Frobenius norm of a matrix.
 fn norm(matrix: &[Vec<Complex>]) -> f64 {
     matrix.iter().flatten().map(|x| x.norm()).fold(0.0, f64::hypot)
 }
 
+/// Product of two square matrices.
 fn times(a: &[Vec<Complex>], b: &[Vec<Complex>]) -> Vec<Vec<Complex>> {
     let entry = |row: &[Complex], j: usize| row.iter().zip(b).fold(Complex::default(), |sum, (x, y)| sum + *x * y[j]);
     a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
 }
 
-/// Size of the projector P onto the vectors of the first eigenvalues along those of the others, and the shares |P_kk|
-/// of the states.
+/// Norm of the projector P onto the vectors of the first eigenvalues of a Schur form, along those of the others. Also
+/// returns the shares |P_kk| of the states, scaled to the sum 1.
 ///
 /// P = Q (1 Z; 0 0) Qᴴ with T₁₁ Z − Z T₂₂ = T₁₂, which is solved column by column. Differences of eigenvalues count as
 /// at least `noise`.

@@ -1,4 +1,4 @@
-//! Steady motions beside a steady motion: an eigenvalue of 0 of the linear system tells that there may be some.
+//! Steady motions beside a steady motion: an eigenvalue of 0 of the linear system shows that others may exist.
 
 use super::Question;
 use super::dense::{least, least_moved};
@@ -7,15 +7,17 @@ use super::quotient::Quotient;
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Distance at which steady motions are looked for, over the size of the state or 1. `LEFT` bounds the residual of
-/// their balance, and `BACK` how far Newton's method may lead back.
+/// Distance at which other steady motions are searched, relative to the size of the state or 1.
 const BESIDE: f64 = 1e-3;
+/// Largest residual of the balance of a steady motion that is found beside another.
 const LEFT: f64 = 1e-20;
+/// Largest part of the distance by which Newton's method may lead back to the first steady motion.
 const BACK: f64 = 0.3;
 
 impl Question {
     /// Directions, in the kept states, in which steady motions were found beside a steady motion: as many as A maps to
-    /// zero, or none. Each direction is tried both ways, and so is their sum: q̈ = −q³ has none beside q = 0.
+    /// zero, or none. Each direction is tried both ways, and so is their sum. For example, q̈ = −q³ has no steady motion
+    /// beside q = 0.
     pub(super) fn beside(&self, steady: &Steady, system: &Quotient, count: usize) -> DMatrix<f64> {
         let directions = least_moved(&system.a.rounded(), count);
         let together = directions.column_iter().fold(DVector::zeros(directions.nrows()), |sum, column| sum + column);
@@ -26,7 +28,7 @@ impl Question {
         if is_found { directions } else { DMatrix::zeros(directions.nrows(), 0) }
     }
 
-    /// True if a steady motion is found in a direction.
+    /// True if another steady motion is found in a direction `way` of the kept states.
     fn goes_on(&self, steady: &Steady, system: &Quotient, (directions, way): (&DMatrix<f64>, &DVector<f64>)) -> bool {
         let unknowns = Unknowns { states: self.free_states(), moves: true };
         let Some(lifted) = self.lifted(steady, &unknowns.states, system, way) else { return false };
@@ -44,7 +46,8 @@ impl Question {
         found.is_steady() && found.residual <= LEFT.max(10.0 * steady.residual) && back <= BACK * way.norm()
     }
 
-    /// Direction in these states of the mechanism, as far as the slopes of the residual determine it.
+    /// Direction in the given states of the mechanism, with the components `way` in the kept states. Other components
+    /// are those that the slopes of the residual determine. `None` if a slope is not finite.
     fn lifted(&self, steady: &Steady, states: &[usize], system: &Quotient, way: &DVector<f64>) -> Option<Vec<f64>> {
         let slopes = self.slopes_at(steady, states);
         let (rows, columns) = slopes.shape();

@@ -1,4 +1,4 @@
-//! The linear system near a steady motion with numbers kept as letters, such as the speed of a bicycle.
+//! Linear system near a steady motion with numbers kept as letters, such as the speed of a bicycle.
 
 use super::Question;
 use super::about::About;
@@ -12,13 +12,14 @@ use tripos_derive::flow::{Chosen, InLetters, NotInLetters, Stated};
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
 
-/// Change of a sought state, relative to its size or 1, up to which its guess holds for every value of the letters.
+/// Change of a sought state, relative to its size or 1, up to which its guess counts as exact for every value of the
+/// letters.
 const AS_GUESSED: f64 = 1e-12;
 
-/// An entry of a matrix in letters.
+/// Entry of a matrix of the linear system, in letters.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Entry {
-    /// A polynomial in the one letter, the coefficient of its power 0 first.
+    /// Coefficients of a polynomial in a single letter, that of the power 0 first.
     Polynomial(Vec<f64>),
     /// A formula in letters and parameters.
     Formula(View),
@@ -29,16 +30,16 @@ pub enum Entry {
 pub struct Letters {
     /// Names of the letters.
     pub names: Vec<String>,
-    /// A, B, C and D, row by row.
+    /// Matrices A, B, C and D, each row by row.
     pub matrices: [Vec<Vec<Entry>>; 4],
 }
 
-/// Linear system of a steady motion, with these numbers kept as letters: names of the state file, or parameters. It is
-/// proved that the motion is steady for all of their values.
+/// Computes the linear system of a steady motion with numbers kept as letters: names of the state file, or parameters.
+/// It is proved that the motion is steady for all values of the letters.
 ///
 /// # Errors
-/// [`Error`] if there are no such letters, if the motion is steady only for some of their values, and if it is known by
-/// numbers alone.
+/// [`Error`] if a letter is unknown, if the motion is steady only for certain values of the letters, or if it is known
+/// by numbers alone.
 pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[String]) -> Result<Letters, Error> {
     let question = Question::new(model, asked, &found.inputs)?;
     let symbols = letters.iter().map(|name| letter(model, asked, name)).collect::<Result<Vec<Expr>, Error>>()?;
@@ -56,7 +57,7 @@ pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[St
     let parameters = model.parameters.iter().zip(&asked.rational).zip(&asked.parameters);
     let (mut numbers, mut known) = (Vec::new(), Vec::new());
     for ((parameter, exact), value) in parameters {
-        // An input has a value, too: its slope is taken before the value is put in.
+        // An input has a value as well: the slope by it is taken before its value is inserted.
         if let (false, Some(exact)) = (symbols.contains(&parameter.symbol), exact) {
             numbers.push((parameter.symbol, exact.clone()));
         }
@@ -79,6 +80,7 @@ pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[St
     Ok(Letters { names: letters.to_vec(), matrices })
 }
 
+/// Error for a linear system that does not exist in letters.
 fn refused(why: &NotInLetters, letters: &[String]) -> Error {
     let letters = letters.join(", ");
     match why {
@@ -92,7 +94,7 @@ fn refused(why: &NotInLetters, letters: &[String]) -> Error {
     }
 }
 
-/// Symbol of the letter with this name.
+/// Symbol of the letter with the given name.
 fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error> {
     let own = asked.names.iter().map(|(own, symbol, _)| (own.as_str(), *symbol));
     let all: Vec<(&str, Expr)> = own.chain(model.parameters.iter().map(|p| (p.name.as_str(), p.symbol))).collect();
@@ -102,6 +104,7 @@ fn letter(model: &Mechanism, asked: &Asked, name: &String) -> Result<Expr, Error
     })
 }
 
+/// Makes an entry of a matrix: a polynomial if the term is one in a single letter, otherwise a formula.
 fn entry(system: &mut InLetters, e: Expr, letters: &[Expr], known: &[(Expr, DoubleDouble)]) -> Entry {
     let polynomial = if let [letter] = letters { system.polynomial(e, *letter, known) } else { None };
     let polynomial = polynomial.map(|list| list.iter().map(|c| c.hi()).collect());
@@ -115,13 +118,14 @@ impl Entry {
         matches!(self, Self::Polynomial(list) if list.iter().all(|c| c.abs() <= 0.0))
     }
 
-    /// Text in the language of model files, with numbers in shortest decimals.
+    /// Text of the entry in the language of model files, with numbers in shortest decimals.
     #[must_use]
     pub fn text(&self, letter: &str) -> String {
         text_of(&self.view(letter, &|x| x.to_string()))
     }
 
-    /// View of the entry, for any notation; `decimals` writes numbers that are not negative.
+    /// View of the entry, for any notation; `letter` is the name of a single letter, and `decimals` writes numbers that
+    /// are not negative.
     #[must_use]
     pub fn view(&self, letter: &str, decimals: &dyn Fn(f64) -> String) -> View {
         let coefficients = match self {
@@ -145,7 +149,7 @@ impl Entry {
 }
 
 impl Question {
-    /// Choices of a numeric elimination, which an exact one repeats.
+    /// Choices of states and symmetries that the numeric elimination made, for the exact elimination to repeat.
     fn chosen(&self, found: &About) -> Chosen {
         let (values, _) = self.program.evaluate(&self.wide, &self.parameters, &found.steady.x, &[]);
         let carriers = found.steady.carriers();

@@ -1,4 +1,4 @@
-//! A steady motion over two numbers.
+//! A steady motion followed over two numbers.
 
 use super::Question;
 use super::along::{Course, along};
@@ -8,15 +8,15 @@ use tripos_derive::scene::Asked;
 /// A steady motion over two numbers: its course along the first, for each value of the second.
 #[derive(Clone, Debug)]
 pub struct Map {
-    /// Values of the second number, each with the course there, or the reason why there is none.
+    /// Values of the second number, each with the course at that value, or the reason why there is none.
     pub rows: Vec<(f64, Result<Course, Error>)>,
 }
 
 /// Follows a steady motion over values of one number of the state file, for each value of another. `asked` gives the
-/// request at both.
+/// request at values of both numbers.
 ///
 /// # Errors
-/// [`Error`] as [`super::follow`], if there is no steady motion to begin with at any of the second values.
+/// Errors of [`super::follow`] if none of the second values has a steady motion to begin with.
 pub fn map(
     model: &Mechanism,
     asked: &mut dyn FnMut(f64, f64) -> Result<Asked, Error>,

@@ -1,9 +1,9 @@
-//! Equilibria, steady motions and the linear systems near them, by the exact slopes of a mechanism's equations in 32
-//! digits.
+//! Equilibria, steady motions and the linear systems near them, computed by the exact slopes of a mechanism's equations
+//! in 32 digits.
 //!
 //! A steady motion is one that the symmetries of the mechanism carry along: x' = f(x) is a combination Σ c ζ(x) of its
 //! symmetries ([`tripos_derive::flow`]). So every quantity that the symmetries leave unchanged is constant. Rest is the
-//! case c = 0. Differences from a steady motion, in the frame that moves along, obey d' = (Df − Σ c Dζ) d. The states
+//! case c = 0. Differences d from a steady motion, in the frame that moves along, obey d' = (Df − Σ c Dζ) d. The states
 //! that the symmetries shift are left out (J. E. Marsden, Lectures on Mechanics, 1992, chapter 5: relative equilibria).
 
 mod about;
@@ -44,27 +44,28 @@ use tripos_derive::prove::IntegralKind;
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
 
-/// Steady motions of a mechanism at given parameters: its equations, and the functions that are asked for.
+/// Mechanism prepared for the search of steady motions at given parameters: its equations, and the requested functions.
 pub struct Question {
-    /// Equations of first order.
+    /// Equations of the mechanism in first order, with its symmetries.
     pub flow: Flow,
-    /// Names of the states: coordinates, then speeds.
+    /// Names of the states: coordinates, then generalized speeds.
     pub names: Vec<String>,
     /// Number of coordinates among the states.
     pub coordinates: usize,
-    /// Index of time among the states; `None` if the model does not name it.
+    /// Index of time among the states; `None` if the model does not name time.
     pub(crate) time: Option<usize>,
-    /// Index of the shift of time among the symmetries: it carries every state along at the rate 1.
+    /// Index of the shift of time among the symmetries, which carries every state along at the rate 1; `None` if there
+    /// is none.
     pub(crate) by_time: Option<usize>,
-    /// Names of the loops.
+    /// Names of the loops, the redundant ones last.
     loops: Vec<String>,
     /// Flags of the states that are angles.
     is_angle: Vec<bool>,
     /// Indices of the parameters that are inputs.
     inputs: Vec<usize>,
-    /// Names of the outputs.
+    /// Names of the outputs of the linear system.
     outputs: Vec<String>,
-    /// Terms of the outputs in states.
+    /// Terms of the outputs as functions of states and parameters.
     output_terms: Vec<Expr>,
     /// Program of all functions that are computed at a state.
     program: Program,
@@ -77,7 +78,7 @@ pub struct Question {
 }
 
 impl Question {
-    /// Prepares a model with the numbers of a state file, for these inputs: parameters by name, or all inputs of the
+    /// Prepares a model with the numbers of a state file and with inputs: parameters by name, or all inputs of the
     /// model if none is named.
     ///
     /// # Errors
@@ -130,19 +131,20 @@ impl Question {
         speeds || values.flow[..self.coordinates].iter().enumerate().any(goes_on)
     }
 
-    /// Sets other values of the parameters.
+    /// Replaces the values of the parameters.
     pub fn at(&mut self, parameters: &[DoubleDouble]) {
         self.parameters = parameters.to_vec();
     }
 }
 
-/// Equations of a model that moves. They do not depend on time, though the model may name it.
+/// Derives the equations of a model for steady motions. They do not depend on time, though the model may name it.
+/// # Errors [`Error`] if the model has no speeds, cannot be derived, or depends on time.
 fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
     model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")?;
     let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
     let Some(time) = model.time() else { return Ok(flow) };
     if flow.by_time(model).is_some() {
-        // A rotation by a drive in time is the shift of time itself.
+        // A rotation by a drive in time equals the shift of time itself.
         flow.symmetries.retain(|field| field.kind == IntegralKind::Coordinate(time) || field.along[time] == Expr::ZERO);
         return Ok(flow);
     }
@@ -155,7 +157,7 @@ fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
     Err(Error::request(what, help))
 }
 
-/// Indices of these parameters, or of all inputs of the model if none is named.
+/// Indices of the named parameters, or of all inputs of the model if none is named.
 fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
     if names.is_empty() {
         return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());

@@ -1,5 +1,5 @@
 //! Newton's method for states that symmetries carry along, with slopes in doubles and residuals in 32 digits: each step
-//! gives some fifteen digits more.
+//! adds some fifteen digits.
 
 use super::Question;
 use super::dense::least;
@@ -9,39 +9,42 @@ use tripos_derive::flow::Rates;
 use tripos_derive::scene::{Asked, Loops};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Largest number of Newton steps. `HALVINGS` is that of halvings of one; singular values below `NOTHING` of the
-/// largest are zero.
+/// Largest number of Newton steps towards a steady state.
 const STEPS: usize = 60;
+/// Largest number of halvings of one Newton step.
 const HALVINGS: usize = 14;
+/// Ratio to the largest singular value below which a singular value counts as zero.
 const NOTHING: f64 = 1e-11;
-/// Relative size above which a field is independent: that of its rest, after the fields before it are taken out.
+/// Relative size of the rest of a symmetry's field above which the field is independent. The rest is what remains after
+/// its parts along the fields before it are removed.
 const INDEPENDENT: f64 = 1e-8;
-/// Residual below which 32 digits tell no more. `MOST_TURN` is the largest change of an angle at once, rad.
+/// Residual below which 32 digits allow no improvement.
 const EXACT: f64 = 1e-27;
+/// Largest change of an angle in one Newton step, rad.
 const MOST_TURN: f64 = 1.0;
-/// Ratio of a change to the one before it above which convergence is slow: a regular step is smaller by far.
+/// Ratio of a change to the one before it above which convergence is slow: regular steps shrink much faster.
 const SLOW: f64 = 0.05;
 /// Residual of a rate, relative to its size or 1, up to which a motion counts as steady.
 pub const BALANCED: f64 = 1e-9;
 
-/// A state, and the velocities at which the symmetries carry it along.
+/// A state, and the velocities at which the symmetries carry it along, with their residuals.
 #[derive(Clone, Debug)]
 pub struct Steady {
-    /// Values of the coordinates, then of the speeds.
+    /// Values of the coordinates, then of the generalized speeds.
     pub x: Vec<DoubleDouble>,
-    /// Velocities c along the symmetries, one each.
+    /// Velocity c along each symmetry.
     pub along: Vec<DoubleDouble>,
-    /// Largest residual of x' − Σ c ζ, and of the loops that tie the mechanism.
+    /// Largest residual of x' − Σ c ζ, and of the loops that constrain the mechanism.
     pub residual: f64,
-    /// Possible error of the state, relative to its size or 1. It is the last change of the state where changes shrank
-    /// by no more than a factor, as where steady motions meet; 0 elsewhere.
+    /// Possible error of the state, relative to its size or 1. It is the last change of the state if changes shrank
+    /// slowly, as where steady motions meet; otherwise 0.
     pub uncertain: f64,
-    /// Residuals of the rates that are not balanced, with the indices of their states.
+    /// Indices of the states whose rates are not balanced, with the residuals.
     pub unbalanced: Vec<(usize, f64)>,
-    /// Openings of the loops that are not closed, with the indices of the loops.
+    /// Indices of the loops that are not closed, with their gaps.
     pub open: Vec<(usize, f64)>,
-    /// Index of the shift of time among the symmetries. A state that moves with time alone is at rest relative to its
-    /// drives.
+    /// Index of the shift of time among the symmetries; `None` if there is none. A state that moves with time alone is
+    /// at rest relative to its drives.
     by_time: Option<usize>,
 }
 
@@ -72,7 +75,7 @@ impl Steady {
     }
 }
 
-/// Unknowns of a search: states, by their indices, and velocities along symmetries.
+/// Unknowns of a search for a steady state: states, by their indices, and velocities along symmetries.
 #[derive(Clone, Debug)]
 pub struct Unknowns {
     /// Indices of the unknown states.
@@ -81,17 +84,18 @@ pub struct Unknowns {
     pub moves: bool,
 }
 
-/// Unknowns of one solve: states, and velocities along these symmetries.
+/// Unknowns of one solve by Newton's method: indices of states, and indices of symmetries whose velocities are unknown.
 struct Sought {
     states: Vec<usize>,
     along: Vec<usize>,
 }
 
-/// A guess of Newton's method, with its residuals.
+/// Guess of Newton's method, with its residuals.
 struct Guess {
     x: Vec<DoubleDouble>,
     along: Vec<DoubleDouble>,
     values: Rates<DoubleDouble>,
+    /// Residuals of the rates, then gaps of the loops.
     left: Vec<DoubleDouble>,
     uncertain: f64,
 }
@@ -109,13 +113,13 @@ impl Guess {
         Self { x, along, values, left, uncertain: 0.0 }
     }
 
-    /// Length of the residual, each part with its weight.
+    /// Norm of the residual, each part with its weight.
     fn size(&self, weights: &[f64]) -> f64 {
         self.left.iter().zip(weights).map(|(left, weight)| (left.hi() * weight).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Weights of the first parts of the residual: a large rate need not be balanced to more digits than others. The
-    /// rest has the weight 0.
+    /// Weights of the parts of the residual, which are 0 after the first `first`. A large rate need not be balanced to
+    /// more digits than others.
     fn weights(&self, first: usize) -> Vec<f64> {
         let beside = |at: usize| self.values.flow.get(at).map_or(1.0, |rate| rate.hi().abs().max(1.0));
         (0..self.left.len()).map(|at| if at < first { 1.0 / beside(at) } else { 0.0 }).collect()
@@ -123,30 +127,31 @@ impl Guess {
 }
 
 impl Question {
-    /// Finds the steady state nearest to a guess, by these unknowns. If none is near, the guess is returned with its
-    /// residuals.
+    /// Finds a steady state near a guess, by changing the given unknowns. If none is near, the last guess is returned
+    /// with its residuals.
     #[must_use]
     pub fn settle(&self, x: &[DoubleDouble], unknowns: &Unknowns) -> Steady {
         let others = (0..self.program.sizes.symmetries).filter(|at| Some(*at) != self.by_time);
         let all = if unknowns.moves { others.collect() } else { Vec::new() };
         let none = self.standing();
-        // First the velocities that carry the guess along, so that the guess itself is changed no more than it must be.
+        // First the velocities are found that carry the guess along, so that the guess itself changes as little as
+        // possible.
         let carried = self.improved(x, none.clone(), &Sought { states: Vec::new(), along: all.clone() });
         let near = self.improved(x, carried.along, &Sought { states: unknowns.states.clone(), along: all });
         if !unknowns.moves {
             return self.told(near);
         }
-        // Where symmetries act alike at a state, as spin and turn of an upright top, the first one carries it along.
+        // If symmetries act alike at a state, as spin and turn of an upright top do, the first one carries it along.
         let along = self.independent(&near.values.symmetries);
         let settled = self.improved(&near.x, none, &Sought { states: Vec::new(), along });
         self.told(Guess { uncertain: near.uncertain, ..settled })
     }
 
-    /// Takes the state that was asked about as it is, carried along by no symmetry. Only the sought coordinates that
-    /// close the loops are solved for.
+    /// Accepts the requested state as it is, carried along by no symmetry. Only the sought coordinates that close the
+    /// loops are solved for.
     ///
     /// # Errors
-    /// [`Error::Request`] if the loops are not closed by these.
+    /// [`Error::Request`] if the sought coordinates do not close the loops.
     pub(super) fn as_it_is(&self, model: &Mechanism, asked: &Asked) -> Result<Steady, Error> {
         let (mut x, n) = (asked.x.clone(), self.coordinates);
         let free: Vec<usize> = asked.sought.iter().copied().filter(|at| *at < n).collect();
@@ -163,8 +168,8 @@ impl Question {
         Err(Error::request(what, "state coordinates that close them, or put as many as close them under [guess]"))
     }
 
-    /// Improves a guess by Newton's method as long as it helps: first with all loops, then with those that tie the
-    /// mechanism. The numbers of a file close the other loops only to its digits.
+    /// Improves a guess by Newton's method as long as it helps: first with all loops, then with those that constrain
+    /// the mechanism. The numbers of a file close the redundant loops only to their own digits.
     fn improved(&self, x: &[DoubleDouble], along: Vec<DoubleDouble>, unknowns: &Sought) -> Guess {
         let sizes = self.program.sizes;
         let guess = Guess::new(self, x.to_vec(), along);
@@ -175,7 +180,7 @@ impl Question {
         self.improved_by(near, unknowns, sizes.states + sizes.ties)
     }
 
-    /// Improves a guess by Newton's method for the first parts of the residual.
+    /// Improves a guess by Newton's method for the first `first` parts of the residual.
     fn improved_by(&self, guess: Guess, unknowns: &Sought, first: usize) -> Guess {
         let mut guess = guess;
         let weights = guess.weights(first);
@@ -193,7 +198,7 @@ impl Question {
         guess
     }
 
-    /// Takes one step of Newton's method; `None` if no part of it reduces the residual.
+    /// Takes one step of Newton's method; `None` if no fraction of the step reduces the residual.
     fn step(&self, guess: &Guess, unknowns: &Sought, weights: &[f64]) -> Option<Guess> {
         let mut jacobian = self.slopes_of_left(guess, unknowns);
         jacobian.row_iter_mut().zip(weights).for_each(|(mut row, weight)| row *= *weight);
@@ -220,32 +225,33 @@ impl Question {
         None
     }
 
-    /// Indices of the states that may be changed for balance: all except time.
+    /// Indices of the states that may change to reach balance: all except time.
     pub(super) fn free_states(&self) -> Vec<usize> {
         (0..self.names.len()).filter(|at| Some(*at) != self.time).collect()
     }
 
-    /// Velocities along symmetries of a state at rest: time alone goes on.
+    /// Velocities along the symmetries at rest: 1 for the shift of time, otherwise 0.
     fn standing(&self) -> Vec<DoubleDouble> {
         (0..self.program.sizes.symmetries).map(|at| DoubleDouble::int(i64::from(Some(at) == self.by_time))).collect()
     }
 
     /// Indices of the symmetries that are independent of those before them at a state; the shift of time is left out.
+    /// `fields` holds the direction of each symmetry.
     fn independent(&self, fields: &[Vec<DoubleDouble>]) -> Vec<usize> {
         let others: Vec<usize> = (0..fields.len()).filter(|at| Some(*at) != self.by_time).collect();
         let fields: Vec<&Vec<DoubleDouble>> = others.iter().map(|at| &fields[*at]).collect();
         independent(&fields).into_iter().map(|place| others[place]).collect()
     }
 
-    /// Slopes of the residual at a steady state, by these states and by the velocities along all symmetries that are
-    /// independent there.
+    /// Slopes of the residual at a steady state, by the given states, then by the velocities along all symmetries that
+    /// are independent at the state.
     pub(super) fn slopes_at(&self, steady: &Steady, states: &[usize]) -> DMatrix<f64> {
         let guess = Guess::new(self, steady.x.clone(), steady.along.clone());
         let along = self.independent(&guess.values.symmetries);
         self.slopes_of_left(&guess, &Sought { states: states.to_vec(), along })
     }
 
-    /// Slopes of the residual by the unknowns.
+    /// Slopes of the residual of a guess by the unknowns, one column each.
     fn slopes_of_left(&self, guess: &Guess, unknowns: &Sought) -> DMatrix<f64> {
         let sizes = self.program.sizes;
         let count = sizes.states + sizes.inputs;
@@ -265,7 +271,7 @@ impl Question {
         })
     }
 
-    /// Steady state of a guess, with the residuals that are not balanced.
+    /// Makes the result of a search from a guess, with the residuals that are not balanced.
     fn told(&self, guess: Guess) -> Steady {
         let (rates, loops) = guess.left.split_at(self.program.sizes.states);
         let open = |size: f64, beside: f64| size.is_nan() || size.abs() > BALANCED * beside;
@@ -282,13 +288,13 @@ impl Question {
     }
 }
 
-/// Largest difference of two states, each number relative to its size or 1.
+/// Largest difference of two states, each component relative to its size or 1.
 fn apart(a: &[DoubleDouble], b: &[DoubleDouble]) -> f64 {
     let one = |(a, b): (&DoubleDouble, &DoubleDouble)| (*a - *b).hi().abs() / a.hi().abs().max(1.0);
     a.iter().zip(b).map(one).fold(0.0, f64::max)
 }
 
-/// Indices of the fields that do not follow from those before them.
+/// Indices of the fields that do not depend linearly on those before them.
 fn independent(fields: &[&Vec<DoubleDouble>]) -> Vec<usize> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut list = Vec::new();
@@ -296,7 +302,7 @@ fn independent(fields: &[&Vec<DoubleDouble>]) -> Vec<usize> {
         let field = DVector::from_iterator(field.len(), field.iter().map(|x| x.hi()));
         let size = field.norm();
         let mut left = field;
-        // Twice, since rounding leaves a rest.
+        // This is done twice, since rounding leaves a rest.
         for _ in 0..2 {
             for known in &basis {
                 left -= known * known.dot(&left);

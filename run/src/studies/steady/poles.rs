@@ -1,5 +1,5 @@
 //! States at which the equations of a mechanism are singular by themselves: speeds do not determine the rates of
-//! coordinates, or some speeds have no inertia.
+//! coordinates, or certain speeds have no inertia.
 
 use super::newton::Steady;
 use crate::Error;
@@ -12,22 +12,24 @@ use tripos_derive::algebra::value::evaluate::{Tape, UnknownSymbol};
 use tripos_derive::flow::Flow;
 use tripos_traits::DoubleDouble;
 
-/// Least distance of a state from a zero of a divisor, relative to its size or 1. Newton's method finds a state at such
-/// a zero only to half or a third of the digits, and slopes near it grow as the distance falls.
+/// Least accepted distance of a state from a zero of a divisor, relative to the state's size or 1. Newton's method
+/// finds a state at such a zero only to half or a third of the digits, and slopes near it grow as the distance falls.
 const NEAR: f64 = 1e-7;
-/// Least eigenvalue of a mass matrix with the diagonal 1 below which the matrix is singular.
+/// Size of the least eigenvalue of a mass matrix with the diagonal 1 up to which the matrix is singular.
 const SINGULAR: f64 = 1e-12;
 
-/// Divisors and mass matrix of a mechanism, computed at a state.
+/// Divisors and mass matrix of a mechanism, for a check of states.
 pub(super) struct Poles {
+    /// Text of each divisor.
     divisors: Vec<String>,
+    /// Names of the generalized speeds.
     speeds: Vec<String>,
-    /// Tape of the divisors, their slopes along all states, and the mass matrix row by row.
+    /// Tape of the divisors, of their slopes by all states, and of the mass matrix row by row.
     tape: Tape,
 }
 
 impl Poles {
-    /// Prepares the divisors and the mass matrix of a flow.
+    /// Prepares the divisors and the mass matrix of a mechanism's equations in first order.
     ///
     /// # Errors
     /// [`UnknownSymbol`] if a divisor has no value in states and parameters.
@@ -47,7 +49,7 @@ impl Poles {
         })
     }
 
-    /// Refuses a state that is singular, or too near a singular one for slopes to tell anything.
+    /// Refuses a state that is singular, or too near a singular one for slopes to be meaningful.
     ///
     /// # Errors
     /// [`Error::Request`] that names the singular divisor or the speeds without inertia.
@@ -59,7 +61,7 @@ impl Poles {
         let near = NEAR.max(10.0 * steady.uncertain);
         for ((name, value), slopes) in self.divisors.iter().zip(divisors).zip(slopes.chunks(steady.x.len().max(1))) {
             let reach = slopes.iter().zip(&steady.x).map(|(slope, x)| slope.abs() * x.hi().abs().max(1.0)).sum::<f64>();
-            // NaN is refused as well.
+            // A divisor that is NaN is refused as well.
             if value.is_nan() || value.abs() <= near * reach || value.abs() <= 0.0 {
                 let what = format!(
                     "the equations are singular at this state: they divide by {name}, which is {value:.1e} there, and slopes have no bound"
@@ -72,7 +74,7 @@ impl Poles {
         self.has_inertia(inertia)
     }
 
-    /// Refuses a mass matrix that is singular.
+    /// Refuses a singular mass matrix, given row by row.
     fn has_inertia(&self, inertia: &[f64]) -> Result<(), Error> {
         let n = self.speeds.len();
         let size = |at: usize| inertia[at * n + at].abs().sqrt();

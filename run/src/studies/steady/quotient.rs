@@ -8,10 +8,10 @@ use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::Rates;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Pivot, relative to the largest entry of its column, below which columns are dependent.
+/// Ratio of a pivot to the largest entry of its column below which columns are dependent.
 const DEPENDENT: f64 = 1e-9;
 
-/// Linear system d' = A d + B r, y = C d + D r, in the states that are kept.
+/// Linear system d' = A d + B r, y = C d + D r near a steady motion, in the states that are kept.
 #[derive(Clone, Debug)]
 pub struct Quotient {
     /// Indices of the states that are kept.
@@ -20,20 +20,21 @@ pub struct Quotient {
     pub closed: Vec<usize>,
     /// Indices of the states that symmetries shift, and on which no kept state depends.
     pub shifted: Vec<usize>,
-    /// Indices of the symmetries that shift these states, where no output tells them apart.
+    /// Indices of the symmetries that shift the states `shifted` and that no output shows.
     pub(super) symmetries: Vec<usize>,
-    /// A, in the order of `kept`.
+    /// Matrix A, rows and columns in the order of `kept`.
     pub a: Wide,
-    /// B, one column per input.
+    /// Matrix B, one column for each input.
     pub b: Wide,
-    /// C, one row per output.
+    /// Matrix C, one row for each output.
     pub c: Wide,
-    /// D, one row per output and one column per input.
+    /// Matrix D, one row for each output and one column for each input.
     pub d: Wide,
 }
 
 impl Question {
-    /// Linear system near a state that the symmetries carry along; `whole` keeps the states that these shift.
+    /// Computes the linear system near a state that the symmetries carry along; `whole` keeps the states that these
+    /// shift.
     pub(super) fn quotient(&self, steady: &Steady, whole: bool) -> Result<Quotient, Error> {
         let sizes = self.program.sizes;
         let (values, slopes) = self.program.all_slopes(&self.wide, &self.parameters, &steady.x);
@@ -69,15 +70,15 @@ impl Question {
             return Err(Error::Stopped("a slope has no value that a number can hold at this state".to_owned()));
         }
         let (closed, symmetries) = all.on_loops(&loops(by_state), &loops(by_input), &values.symmetries)?;
-        // A shift of time is no difference from the motion, even where differences along symmetries are kept.
+        // A shift of time is not a difference from the motion, even if differences along symmetries are kept.
         let left_out: Vec<usize> = (0..sizes.symmetries).filter(|at| !whole || Some(*at) == self.by_time).collect();
         Ok(closed.without(&symmetries, &left_out, self.coordinates))
     }
 }
 
 impl Quotient {
-    /// Restricts the system and the symmetries to states where the loops are closed. `slopes` and `by_input` are the
-    /// slopes of the loops along states and inputs.
+    /// Restricts the system and the symmetries to states in which the loops are closed. `slopes` and `by_input` are the
+    /// slopes of the loops by states and inputs.
     fn on_loops(self, slopes: &Wide, by_input: &Wide, symmetries: &[Vec<DoubleDouble>]) -> Result<(Self, Wide), Error> {
         let fields = Wide::from_columns(self.kept.len(), symmetries);
         if slopes.rows.is_empty() {
@@ -92,7 +93,7 @@ impl Quotient {
         let rest: Vec<usize> = columns.iter().copied().filter(|at| !found.contains(at)).collect();
         let all: Vec<usize> = (0..slopes.rows.len()).collect();
         let singular = || Error::Stopped("this is a singular pose: its loops cannot be solved for".to_owned());
-        // The closed states follow the kept states, and inputs on which the loops depend.
+        // The closed states depend on the kept states, and on inputs that the loops depend on.
         let follow = |open: &Wide| {
             let open = Wide::zeros(open.rows.len(), open.columns()).plus(-1.0, &identity(open.rows.len()), open);
             slopes.part(&all, &found).solve(&open).ok_or_else(singular)
@@ -114,7 +115,8 @@ impl Quotient {
         Ok((on, fields.part(&rest, &every)))
     }
 
-    /// Removes the states that these symmetries shift, as far as no output shows them.
+    /// Removes the states that symmetries shift, as far as no output shows them. `left_out` are the indices of the
+    /// symmetries.
     fn without(self, symmetries: &Wide, left_out: &[usize], coordinates: usize) -> Self {
         let every: Vec<usize> = (0..self.kept.len()).collect();
         let symmetries = &symmetries.part(&every, left_out);
@@ -149,8 +151,8 @@ impl Quotient {
         }
     }
 
-    /// Combinations of symmetries that no output shows, now or later: the largest subspace within ker C that A leaves
-    /// invariant.
+    /// Combinations of symmetries, as columns, that no output shows at any time: the largest subspace within ker C that
+    /// A leaves invariant.
     fn hidden(&self, fields: &DMatrix<f64>) -> DMatrix<f64> {
         let count = fields.ncols();
         let seen = self.c.rounded();
@@ -178,6 +180,7 @@ impl Quotient {
     }
 }
 
+/// Identity matrix of n rows.
 fn identity(n: usize) -> Wide {
     let mut one = Wide::zeros(n, n);
     for (at, row) in one.rows.iter_mut().enumerate() {
@@ -186,15 +189,15 @@ fn identity(n: usize) -> Wide {
     one
 }
 
-/// Combines columns, fields · hidden. Columns that are not mixed stay the same, to the last digit.
+/// Combines the columns of a matrix: fields · hidden. Columns that are not mixed keep their value, to the last digit.
 fn combined(fields: &Wide, hidden: &DMatrix<f64>) -> Wide {
     let wide =
         Wide { rows: hidden.row_iter().map(|row| row.iter().map(|x| DoubleDouble::from_f64(*x)).collect()).collect() };
     Wide::zeros(fields.rows.len(), hidden.ncols()).plus(1.0, fields, &wide)
 }
 
-/// Rows and columns of a regular square part of full rank, after columns are scaled to one size. Rows of the first
-/// group are taken as long as there are any.
+/// Chooses rows and columns of a regular square part of full rank, after columns are scaled to one size. Rows of a
+/// group are taken only after those of the groups before it.
 pub fn pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<usize>) {
     let mut left = matrix.clone();
     for mut column in left.column_iter_mut() {
@@ -209,7 +212,7 @@ pub fn pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<us
             let mut best = (DEPENDENT, None);
             for column in (0..left.ncols()).filter(|column| !columns.contains(column)) {
                 for row in group.iter().filter(|row| !rows.contains(row)) {
-                    // The first of equal entries, except for rounding.
+                    // The first of entries that are equal except for rounding is taken.
                     if left[(*row, column)].abs() > best.0 * (1.0 + 1e-6) {
                         best = (left[(*row, column)].abs(), Some((*row, column)));
                     }

@@ -1,6 +1,6 @@
-//! The Schur form A = Q T Qᴴ of a real matrix in 32 digits, with its eigenvalues in any order.
+//! Schur form A = Q T Qᴴ of a real matrix in 32 digits, with its eigenvalues in any order.
 //!
-//! It is computed by the shifted QR iteration on a Hessenberg matrix (J. G. F. Francis, Comput. J. 4, 1961; J. H.
+//! The form is computed by the shifted QR iteration on a Hessenberg matrix (J. G. F. Francis, Comput. J. 4, 1961; J. H.
 //! Wilkinson, *The Algebraic Eigenvalue Problem*, 1965). Only rotations change A, so that T belongs to a matrix that
 //! differs from A by some 1e-31 of its size.
 
@@ -8,22 +8,23 @@ use super::complex::Complex;
 use super::dense::Wide;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// An entry below the diagonal counts as 0 below this fraction of its neighbours on the diagonal.
+/// Fraction of its neighbours on the diagonal below which an entry below the diagonal counts as 0.
 const NOTHING: f64 = 1e-32;
-/// Largest number of steps of the iteration for one eigenvalue; after each `UNUSUAL` steps an unusual shift is taken.
+/// Largest number of steps of the QR iteration for one eigenvalue.
 const MOST_STEPS: usize = 200;
+/// Number of steps of the QR iteration after which one unusual shift is taken.
 const UNUSUAL: usize = 12;
 
-/// A = Q T Qᴴ with a unitary Q and an upper triangular T.
+/// Schur form A = Q T Qᴴ of a matrix, with a unitary Q and an upper triangular T.
 #[derive(Clone, Debug)]
 pub struct Schur {
-    /// T, row by row.
+    /// Upper triangular matrix T, row by row.
     pub t: Vec<Vec<Complex>>,
-    /// Q, row by row.
+    /// Unitary matrix Q, row by row.
     pub q: Vec<Vec<Complex>>,
 }
 
-/// A unitary matrix of two rows and columns that takes (a, b) to (r, 0).
+/// Unitary matrix G of two rows and columns that takes (a, b) to (r, 0).
 struct Rotation([[Complex; 2]; 2]);
 
 impl Rotation {
@@ -37,7 +38,7 @@ impl Rotation {
         Self([[a.conj().scaled(inverse), b.conj().scaled(inverse)], [(-b).scaled(inverse), a.scaled(inverse)]])
     }
 
-    /// Computes G M on rows k and k + 1, from a column on.
+    /// Computes G M on rows k and k + 1, from the column `from` on.
     fn rows(&self, m: &mut [Vec<Complex>], k: usize, from: usize) {
         let (above, below) = m.split_at_mut(k + 1);
         for (x, y) in above[k][from..].iter_mut().zip(&mut below[0][from..]) {
@@ -45,7 +46,7 @@ impl Rotation {
         }
     }
 
-    /// Computes M Gᴴ on columns k and k + 1, for the first rows.
+    /// Computes M Gᴴ on columns k and k + 1, for the first `rows` rows.
     fn columns(&self, m: &mut [Vec<Complex>], k: usize, rows: usize) {
         let [[a, b], [c, d]] = self.0.map(|row| row.map(Complex::conj));
         for row in &mut m[..rows] {
@@ -55,7 +56,7 @@ impl Rotation {
 }
 
 impl Schur {
-    /// Schur form of a square matrix; `None` where the iteration does not end, or an entry is not finite.
+    /// Computes the Schur form of a square matrix; `None` if the iteration does not end, or an entry is not finite.
     #[must_use]
     pub fn new(a: &Wide) -> Option<Self> {
         let n = a.rows.len();
@@ -85,7 +86,7 @@ impl Schur {
         Some(form)
     }
 
-    /// Removes the entries below the first subdiagonal.
+    /// Makes T a Hessenberg matrix: rotations remove the entries below its first subdiagonal.
     fn reduce(&mut self) {
         let n = self.t.len();
         for column in 0..n.saturating_sub(2) {
@@ -99,7 +100,7 @@ impl Schur {
         }
     }
 
-    /// Computes G T Gᴴ and Q Gᴴ, with rows and columns k and k + 1.
+    /// Applies a rotation G on rows and columns k and k + 1: computes G T Gᴴ and Q Gᴴ.
     fn turn(&mut self, rotation: &Rotation, k: usize, from: usize, rows: usize) {
         rotation.rows(&mut self.t, k, from);
         rotation.columns(&mut self.t, k, rows);
@@ -107,7 +108,7 @@ impl Schur {
         rotation.columns(&mut self.q, k, n);
     }
 
-    /// Index at which the part that ends with `last` begins: the entry beside it below the diagonal is 0.
+    /// Index at which the part of T that ends with `last` begins: the entry before it below the diagonal is 0.
     fn split(&mut self, last: usize, size: f64) -> usize {
         let t = &mut self.t;
         for k in (1..=last).rev() {
@@ -121,7 +122,7 @@ impl Schur {
         0
     }
 
-    /// Shift of the iteration: the eigenvalue of the last two rows that is nearest to their last entry.
+    /// Shift of a step of the QR iteration: the eigenvalue of the last two rows that is nearest to their last entry.
     fn shift(&self, last: usize, is_unusual: bool) -> Complex {
         let t = &self.t;
         let (a, b, c, d) = (t[last - 1][last - 1], t[last - 1][last], t[last][last - 1], t[last][last]);
@@ -136,7 +137,7 @@ impl Schur {
         if larger.norm() > 0.0 { d - b * c / larger } else { d }
     }
 
-    /// Takes a step of the iteration on the rows from `first` to `last`.
+    /// Makes a step of the QR iteration on the rows from `first` to `last`.
     fn step(&mut self, first: usize, last: usize, shift: Complex) {
         let n = self.t.len();
         let mut rotations = Vec::with_capacity(last - first);
@@ -158,13 +159,13 @@ impl Schur {
         }
     }
 
-    /// The eigenvalues, in the order of the diagonal.
+    /// Eigenvalues of the matrix, in the order of the diagonal of T.
     #[must_use]
     pub fn eigenvalues(&self) -> Vec<Complex> {
         self.t.iter().enumerate().map(|(at, row)| row[at]).collect()
     }
 
-    /// This form, reordered so that the eigenvalues at these places come first.
+    /// Reorders the form so that the eigenvalues with the given indices come first.
     #[must_use]
     pub fn with_first(&self, places: &[usize]) -> Self {
         let mut form = self.clone();

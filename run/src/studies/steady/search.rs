@@ -1,4 +1,4 @@
-//! Rest positions and steady motions near a guess, and from other starts.
+//! Search for rest positions and steady motions near a guess, and from other starts.
 
 use super::Question;
 use super::about::About;
@@ -8,26 +8,26 @@ use std::f64::consts::{PI, TAU};
 use tripos_derive::scene::Asked;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Difference of two states, relative to their size or 1, below which they are one steady motion.
+/// Difference of two states, relative to their size or 1, below which they are the same steady motion.
 const SAME: f64 = 1e-8;
-/// The first primes, in the bases of which starts are spread (J. H. Halton, Numer. Math. 2, 1960).
+/// The first primes: starts are spread by digits in these bases (J. H. Halton, Numer. Math. 2, 1960).
 const PRIMES: [u64; 24] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89];
 
-/// Advice if no steady motion is found.
+/// Advice for the user if no steady motion is found.
 pub(super) const ELSEWHERE: &str =
     "put what may change under [guess], begin from another state, or seek from more starts around it (--starts)";
 
-/// A steady motion that was found, with its linear system if there is one.
+/// Steady motion that a search found, with its linear system if there is one.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// State and velocities of the steady motion.
     pub steady: Steady,
-    /// Linear system near it, or the reason why there is none.
+    /// Linear system near the steady motion, or the reason why there is none.
     pub about: Result<About, Error>,
 }
 
-/// Unknowns of a search: the states that the file guesses. If it guesses none, all coordinates where nothing moves at
-/// the guess, and all states where something does.
+/// Unknowns of a search: the states that the state file guesses. If it guesses none, these are all coordinates if
+/// nothing moves at the guess, otherwise all states.
 #[must_use]
 pub fn unknowns(question: &Question, asked: &Asked) -> Unknowns {
     let n = question.coordinates;
@@ -40,8 +40,8 @@ pub fn unknowns(question: &Question, asked: &Asked) -> Unknowns {
     Unknowns { states, moves }
 }
 
-/// Searches from a guess, in turn until something is found. First comes the request of the file. If that only closes
-/// loops, or is empty, the steady motion near the guess and rest beside it follow.
+/// Searches from a guess, in groups that are tried until something is found. First comes the request of the state file.
+/// If this only closes loops, or is empty, the steady motion near the guess and rest near it follow.
 fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unknowns)>> {
     let n = question.coordinates;
     let mut groups = Vec::new();
@@ -61,11 +61,12 @@ fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unk
     groups
 }
 
-/// Finds rest positions and, if the guess moves, steady motions: the one that Newton's method finds from the guess,
-/// then others that it finds from `starts` starts around it.
+/// Finds rest positions and, if the guess moves, steady motions: first the one that Newton's method finds from the
+/// guess, then others that it finds from `starts` starts around the guess.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived, or if no steady motion is found, with the residuals at the first guess.
+/// [`Error`] if the model cannot be derived, or if no steady motion is found. It states the residuals of the first
+/// search.
 pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<Found>, Error> {
     let mut question = Question::new(model, asked, &[])?;
     let spread = Spread::new(model, asked);
@@ -92,7 +93,7 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     if let (true, Some(first)) = (list.is_empty(), nearest) {
         return Err(question.unbalanced(&first, ELSEWHERE));
     }
-    // The equations do not tell whether a singular state rests: it is given only if there is no other.
+    // The equations do not tell if a singular state is at rest: it is returned only if there is no other.
     let is_regular = |steady: &Steady| question.poles.refuse(&question.parameters, steady).is_ok();
     if list.iter().any(is_regular) {
         list.retain(is_regular);
@@ -108,18 +109,19 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     Ok(found)
 }
 
-/// True if two states are one, angles being equal after whole turns.
+/// True if two states are equal, with angles compared up to whole turns.
 fn is_same(model: &Mechanism, a: &Steady, b: &Steady) -> bool {
     (0..a.x.len()).all(|at| is_near(model, at, a.x[at].hi(), b.x[at].hi()))
 }
 
+/// True if two values of a state are equal to a tolerance, an angle up to whole turns.
 fn is_near(model: &Mechanism, at: usize, a: f64, b: f64) -> bool {
     let turns = model.coordinates.get(at).is_some_and(|c| c.unit.is_plain());
     let difference = if turns { (a - b) - TAU * ((a - b) / TAU).round() } else { a - b };
     difference.abs() <= SAME * a.abs().max(1.0)
 }
 
-/// True if one of them is the other, moved along symmetries: the states that these do not shift are equal.
+/// True if one steady motion is another, moved along symmetries: the states that these do not shift are equal.
 fn is_shifted(model: &Mechanism, known: &Found, new: &Result<About, Error>) -> bool {
     let (Ok(a), Ok(b)) = (&known.about, new) else { return false };
     a.system.kept == b.system.kept
@@ -133,7 +135,7 @@ fn is_shifted(model: &Mechanism, known: &Found, new: &Result<About, Error>) -> b
 
 /// Range of the starts of a search.
 struct Spread {
-    /// Reach of coordinates and speeds to both sides: a half turn for angles, else twice the largest length or speed.
+    /// Largest shift of each state from the guess: a half turn for angles, otherwise twice the largest length or speed.
     reach: Vec<f64>,
 }
 
@@ -149,7 +151,7 @@ impl Spread {
         Self { reach: of_place.chain(speeds.iter().map(|_| 2.0 * most)).collect() }
     }
 
-    /// Start of this number: the guess with the sought states moved, angles anywhere and the rest about the guess.
+    /// Start with the number `start`: the guess with its sought states moved within their reach.
     fn start(&self, guess: &[DoubleDouble], sought: &[usize], start: u64) -> Vec<DoubleDouble> {
         let mut x = guess.to_vec();
         for (place, at) in sought.iter().enumerate() {
@@ -160,7 +162,7 @@ impl Spread {
     }
 }
 
-/// Number from 0 to 1 whose digits in a base are those of `number` in reverse.
+/// Number from 0 to 1 whose digits in a base are the digits of `number` in reverse.
 fn radical_inverse(mut number: u64, base: u64) -> f64 {
     let (mut value, mut digit) = (0.0, 1.0);
     while number > 0 {

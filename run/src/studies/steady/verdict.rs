@@ -9,22 +9,23 @@ use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 /// Stability of a steady motion by its linear system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
-    /// Differences grow exponentially.
+    /// Small differences from the motion grow exponentially.
     Unstable,
-    /// No difference grows exponentially, and some grow like this power of t, by Jordan blocks of eigenvalues on the
-    /// imaginary axis.
+    /// No difference grows exponentially, but at least one grows like this power of t, by Jordan blocks of eigenvalues
+    /// on the imaginary axis.
     Grows(usize),
-    /// All differences die away.
+    /// All small differences from the motion decay.
     Attracting,
-    /// All differences die away except those that lead to other motions of its family, which was found.
+    /// All small differences decay except those that lead to other motions of the family, which was found.
     AttractingInFamily,
-    /// It is at rest at a strict minimum of the energy, and does not leave its neighbourhood (Lagrange, Dirichlet).
+    /// The motion is rest at a strict minimum of the energy, and does not leave its neighbourhood (Lagrange,
+    /// Dirichlet).
     Energy,
-    /// No difference grows to first order, and some do not die away: terms of higher order decide.
+    /// No difference grows to first order, but at least one does not decay: terms of higher order decide.
     FirstOrder,
-    /// An eigenvalue is so near the imaginary axis, or to another one there, that its digits do not tell.
+    /// An eigenvalue is so near the imaginary axis, or to another one there, that its digits do not decide.
     Undecided,
-    /// The state is not steady: eigenvalues do not tell where motions near it go.
+    /// The state is not steady: eigenvalues do not tell how motions near it continue.
     NotSteady,
 }
 
@@ -44,13 +45,13 @@ impl Stability {
         }
     }
 
-    /// Power of t like which differences grow; `None` if they do not grow so.
+    /// Power of t by which differences grow; `None` if they do not grow like a power.
     #[must_use]
     pub const fn power(self) -> Option<usize> {
         if let Self::Grows(power) = self { Some(power) } else { None }
     }
 
-    /// Describes the stability in words.
+    /// Describes the stability in a sentence.
     #[must_use]
     pub fn words(self) -> String {
         let text = match self {
@@ -81,8 +82,8 @@ impl Stability {
 }
 
 impl Question {
-    /// Stability of a motion by its eigenvalues. `family` is the number of parameters of its family, as far as it was
-    /// found.
+    /// Decides the stability of a motion by its eigenvalues. `family` is the number of parameters of its family, as far
+    /// as it was found.
     pub(super) fn stability(&mut self, steady: &Steady, system: &Quotient, modes: &[Mode], family: usize) -> Stability {
         if !steady.is_steady() {
             return Stability::NotSteady;
@@ -104,8 +105,8 @@ impl Question {
         }
     }
 
-    /// True if a mechanism without friction, drive and gyroscopic forces rests at a strict minimum of its potential.
-    /// There, and only there, all of its eigenvalues are imaginary and none is 0.
+    /// True if a mechanism without friction, drive and gyroscopic forces rests at a strict minimum of its potential. In
+    /// that case, and only then, all of its eigenvalues are imaginary and none is 0.
     fn is_least(&mut self, steady: &Steady, system: &Quotient, modes: &[Mode]) -> bool {
         let [_, _, power] = self.flow.energies;
         let power = self.flow.behind(&[power]);

@@ -1,4 +1,4 @@
-//! Blocks of points, each run by one thread.
+//! Blocks of points of a sweep, each run by one thread.
 
 use super::lanes::{self, Request};
 use super::row::{Ended, Row};
@@ -22,9 +22,9 @@ use tripos_traits::InLanes;
 
 /// Data of a sweep that all its points share.
 pub struct Sweep<'a> {
-    /// The mechanism.
+    /// Mechanism that all points share.
     pub model: &'a Mechanism,
-    /// The scene as its file gives it, with the options of the command line.
+    /// Scene as its file gives it, with the options of the command line.
     pub scene: &'a Scene,
     /// Grid of the values that vary.
     pub grid: &'a Grid,
@@ -36,7 +36,7 @@ pub struct Sweep<'a> {
     pub watch: Option<Watch>,
     /// Way in which accelerations are found.
     pub solve: Solve,
-    /// Warnings that hold for every run.
+    /// Warnings that hold for the run of every point.
     pub warnings: Vec<String>,
     /// Check that all moving bodies have mass at a point's parameters.
     inertia: InertiaCheck<'a>,
@@ -44,18 +44,19 @@ pub struct Sweep<'a> {
     pub names: Vec<String>,
     /// Compiled equations that run; all threads share them.
     pub code: Code,
-    /// Equations in all rates, which go on where the speeds of a constrained mechanism fail.
+    /// Equations in the rates of all coordinates, for places where the speeds of a constrained mechanism fail; `None`
+    /// if there are no such places.
     rates: Option<Code>,
     balance: Balance,
     shown: Shown,
-    /// True if a second run of each point tells the number of correct digits.
+    /// True if a second run of each point determines the number of correct digits.
     pub tells_digits: bool,
     /// Flag that is set when no more rows are wanted.
     pub stop: AtomicBool,
 }
 
 impl<'a> Sweep<'a> {
-    /// Sweep of a scene that `how` has changed, over a grid that was read for it.
+    /// Creates the sweep of a scene that `how` has changed, over a grid that was read for the scene.
     ///
     /// # Errors
     /// [`Error`] if no point can be run by these equations with this method.
@@ -104,8 +105,8 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// True if the total energy is constant: no force without a potential works, no constraint is driven, and nothing
-    /// bounces.
+    /// True if the total energy is constant in every run: no force without a potential works, no constraint is driven,
+    /// and the scene has no impacts.
     fn conserves_energy(&self) -> bool {
         !self.code.system().has_power() && !self.model.is_driven() && self.scene.impacts.is_empty()
     }
@@ -123,7 +124,7 @@ impl<'a> Sweep<'a> {
     /// Creates the data that one thread needs of its own.
     ///
     /// # Errors
-    /// [`Error`] if the scene's text cannot be read again.
+    /// [`Error`] if the text of the scene cannot be read again.
     pub fn worker(&'a self) -> Result<Worker<'a>, Error> {
         let family = Family::new(self.scene, self.model, self.grid)?;
         // Assessing digits needs whole runs, so they are not made in lanes.
@@ -133,9 +134,9 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// Makes one step. Refuses a method that cannot run any point; returns warnings that hold for every run.
+/// Makes one step of a run. Refuses a method that cannot run any point; returns warnings that hold for every run.
 fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
-    // The file's own start may be unsuitable for a run while the points are suitable.
+    // The start of the scene file may be unsuitable for a run while the points are suitable.
     let Ok(y0) = problem.start() else { return Ok(Vec::new()) };
     let options = Options { step_limit: 1, ..options_of_ends(problem.scene) };
     match problem.integrate(&y0, &options, &mut []) {
@@ -150,17 +151,17 @@ fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
     }
 }
 
-/// Runs one thread's share of the points.
+/// Worker of one thread, which runs its share of the points.
 pub struct Worker<'a> {
     sweep: &'a Sweep<'a>,
     family: Family<'a>,
-    /// Equations in lanes; `None` where runs cannot share them.
+    /// Equations that compute several runs in lanes; `None` if the runs cannot share lanes.
     lanes: Option<InLanes<'static>>,
 }
 
 impl Worker<'_> {
-    /// Runs the points of a block. Returns a row for each, in order; fewer if the sweep was stopped. `done` is called
-    /// after each point.
+    /// Runs the points of a block. Returns a row for each point, in order, or fewer rows if the sweep was stopped.
+    /// `done` is called after each point.
     ///
     /// Runs of a block may share work, as lanes do, but no results.
     pub fn run_block(&mut self, points: Range<u64>, done: &(impl Fn() + ?Sized)) -> Vec<Row> {
@@ -190,7 +191,7 @@ impl Worker<'_> {
         rows
     }
 
-    /// Solutions of the scenes that can run in lanes; `None` for the others.
+    /// Computes the solutions of the scenes that can run in lanes; `None` for other scenes.
     fn side_by_side<'s>(&self, scenes: impl ExactSizeIterator<Item = Option<&'s Scene>>) -> Vec<Option<Solution>> {
         let mut solutions: Vec<Option<Solution>> = (0..scenes.len()).map(|_| None).collect();
         let Some(equations) = self.lanes else { return solutions };
@@ -203,12 +204,13 @@ impl Worker<'_> {
         solutions
     }
 
+    /// Makes the problem of a point's scene.
     fn problem<'s>(&'s self, scene: &'s Scene) -> Result<Problem<'s>, Error> {
         let Sweep { inertia, model, by, solve, .. } = self.sweep;
         Problem::among(inertia, model, scene, by, &self.sweep.code, Some(*solve))
     }
 
-    /// Runs the scene of a point, unless its solution is given.
+    /// Runs the scene of a point, unless its solution is given, and returns the results for its row.
     fn run(&self, scene: &Scene, solution: Option<Solution>) -> Result<Ended, Error> {
         let problem = self.problem(scene)?;
         if let Some(solution) = solution {
@@ -228,6 +230,7 @@ impl Worker<'_> {
         }
     }
 
+    /// Integration options of a point's run. Samples are kept only if correct digits are determined.
     fn options(&self, scene: &Scene) -> Options {
         if self.sweep.tells_digits { options(scene) } else { options_of_ends(scene) }
     }
@@ -249,6 +252,7 @@ impl Worker<'_> {
         self.ended(problem, &solution, digits.and_then(|digits| digits.end()))
     }
 
+    /// Results of a point's run at its end.
     fn ended(&self, problem: &Problem<'_>, solution: &Solution, digits: Option<f64>) -> Result<Ended, Error> {
         let changes = match &self.sweep.watch {
             Some(watch) => watch.changes(problem, solution),

@@ -2,7 +2,7 @@
 //!
 //! Invariant: results are taken one by one in the order of their blocks. No block begins that is more than a fixed
 //! number ahead of the first block not yet taken, so the number of waiting results is bounded. The cutting into blocks
-//! depends on the clock, but no result may.
+//! depends on the clock, but no result depends on it.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -13,14 +13,15 @@ use std::time::{Duration, Instant};
 
 /// Greatest number of points in a block.
 const LONGEST: u64 = 1024;
-/// Number of points in a block before the first results are in, while their duration is unknown.
+/// Number of points in a block before the first results arrive, while their duration is unknown.
 const FIRST: u64 = 1;
-/// Longest intended duration of a block. It lets rows appear soon, and few are lost when a sweep is interrupted.
+/// Longest intended duration of a block. It is short so that rows appear soon, and few are lost if a sweep is
+/// interrupted.
 const LASTING: Duration = Duration::from_secs(1);
-/// Number of blocks for each thread that may be under way or waiting.
+/// Largest number of blocks for each thread that are under way or waiting.
 const AHEAD: usize = 4;
 
-/// Does `work` on blocks of a range, with one worker per thread, and hands the results to `take` in order. An error of
+/// Calls `work` on blocks of a range, with one worker per thread, and hands the results to `take` in order. An error of
 /// `take` sets `stop`, which `work` should watch, and ends all work.
 ///
 /// # Errors
@@ -45,7 +46,7 @@ pub fn in_order<W: Send, T: Send, E>(
             let (tickets, send) = (&tickets, send.clone());
             scope.spawn(move || {
                 loop {
-                    // The lock is held while waiting: other workers that wait for it have nothing to do either.
+                    // The lock is held while waiting: workers that wait for the lock have nothing to do either.
                     let ticket = tickets.lock().unwrap_or_else(PoisonError::into_inner).recv();
                     let Ok((number, block)) = ticket else { return };
                     let points = block.end - block.start;
@@ -63,7 +64,7 @@ pub fn in_order<W: Send, T: Send, E>(
             while given - next < AHEAD * threads
                 && let Some(block) = cutter.cut()
             {
-                // Workers listen until this end of the channel is dropped.
+                // Workers listen until the sender `give` is dropped.
                 let _ = give.send((given, block));
                 given += 1;
             }
@@ -95,7 +96,7 @@ pub fn in_order<W: Send, T: Send, E>(
     })
 }
 
-/// Reports that a worker panicked. Without it, the others would wait for ever.
+/// Guard that reports a panic of its worker. Without it, the other threads would wait for ever.
 struct Lost<'s, T>(&'s Sender<Option<T>>);
 
 impl<T> Drop for Lost<'_, T> {
@@ -106,17 +107,18 @@ impl<T> Drop for Lost<'_, T> {
     }
 }
 
-/// Cuts the remaining points into blocks.
+/// Remaining points of a range, which are cut into blocks.
 struct Cutter {
     rest: Range<u64>,
     threads: u64,
     begun: Instant,
-    /// Number of points whose results are in.
+    /// Number of points whose results have arrived.
     done: u64,
 }
 
 impl Cutter {
-    /// The next block. Blocks get shorter towards the end, so that no thread works alone for long.
+    /// Cuts off the next block; `None` if no points are left. Blocks get shorter towards the end, so that no thread
+    /// works alone for long.
     fn cut(&mut self) -> Option<Range<u64>> {
         let left = self.rest.end - self.rest.start;
         if left == 0 {

@@ -1,7 +1,7 @@
 //! Runs of a sweep side by side in vector registers.
 //!
-//! Invariant: the choice of lanes for a point depends only on the point and the scene, and its result on nothing else
-//! in its block. So a sweep cut into shards gives the same rows.
+//! Invariant: the choice of lanes for a point depends only on the point and the scene, and its result does not depend
+//! on other points of its block. So a sweep cut into shards gives the same rows.
 
 use crate::code::Code;
 use crate::options::options_of_ends;
@@ -13,8 +13,9 @@ use tripos_sim::batch::{self, Outcome, Plan, Trajectory, Watched};
 use tripos_sim::{Eliminated, Method, Options, Output, Solution};
 use tripos_traits::{CompiledSystem, InLanes};
 
-/// The equations of a sweep in lanes; `None` if its runs cannot share them. They must be compiled and eliminated. The
-/// method must be DOP853 or Taylor's, with steps chosen by the error, and only the equations may move a state.
+/// Finds the equations of a sweep in lanes; `None` if its runs cannot share lanes. They must be compiled and
+/// eliminated. The method must be DOP853 or Taylor's, with steps chosen by the error, and only the equations may move a
+/// state.
 pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Option<InLanes<'static>> {
     let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
     let how = &scene.integration;
@@ -35,7 +36,8 @@ pub struct Request<'s> {
 }
 
 impl<'s> Request<'s> {
-    /// Request for a problem that can start; `None` for others, whose scalar run says why they cannot.
+    /// Makes the request for a problem that can start; `None` for another problem, whose scalar run says why it cannot
+    /// start.
     pub fn new(problem: Problem<'s>) -> Option<Self> {
         let scene: &Scene = problem.scene;
         let Options { method, order, rtol, atol, max_step, step_limit, .. } = options_of_ends(scene);
@@ -49,7 +51,7 @@ impl<'s> Request<'s> {
         Trajectory { parameters: &self.problem.scene.parameters, start: &self.start }
     }
 
-    /// Events of the run, and the equations with their divisors.
+    /// Events of the run, and its equations with their divisors.
     fn watched<'a>(&'a self, balance: &'a Balance) -> Watched<'a> {
         let equations = Eliminated::new(self.problem.system(), &self.problem.scene.parameters);
         let equations = Box::new(equations.expect("only eliminated equations are had in lanes"));
@@ -57,7 +59,7 @@ impl<'s> Request<'s> {
     }
 }
 
-/// Runs the requests; those with equal plans run together. `None` for an invalid plan, whose scalar run says why.
+/// Runs requests in lanes; those with equal plans run together. `None` for an invalid plan, whose scalar run says why.
 pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) -> Vec<Option<Solution>> {
     let mut solutions: Vec<Option<Solution>> = requests.iter().map(|_| None).collect();
     let mut left: Vec<usize> = (0..requests.len()).collect();
@@ -75,7 +77,7 @@ pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) 
     solutions
 }
 
-/// The outcome with its start, in the form of [`Output::Ends`].
+/// Converts the outcome of a run in lanes, with its start, to the form of [`Output::Ends`].
 fn solution(request: &Request<'_>, outcome: Outcome) -> Solution {
     let Outcome { t_end, y_end, stop, steps, rejected, evaluations, events } = outcome;
     debug_assert_eq!(request.plan.options().output, Output::Ends);

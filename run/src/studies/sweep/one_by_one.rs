@@ -1,16 +1,16 @@
-//! Work whose results are taken in order, on the thread that asks for it: where there are no others.
+//! Work on blocks whose results are taken in order, on the calling thread. For programs without other threads.
 
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
-/// Points of a block.
+/// Number of points in a block of a sweep without threads.
 const BLOCK: u64 = 64;
 
-/// Does `work` on blocks of a range by the first of the workers and hands the results to `take` in order, until that
-/// fails.
+/// Calls `work` on blocks of a range with the first of the workers, and hands the results to `take` in order, until
+/// `take` fails.
 ///
 /// # Errors
-/// That of `take`.
+/// The error of `take`.
 pub fn in_order<W: Send, T: Send, E>(
     all: Range<u64>,
     workers: Vec<W>,

@@ -4,46 +4,46 @@
 pub struct Row {
     /// Index of the point in the whole sweep, from 0.
     pub point: u64,
-    /// Values of the swept quantities.
+    /// Values of the swept quantities at the point.
     pub values: Vec<f64>,
-    /// End of its run, or the reason why there is none.
+    /// End of the point's run, or the reason why it has none.
     pub outcome: Result<Ended, String>,
 }
 
 /// End of a run, with its costs and checks.
 pub struct Ended {
-    /// Instant of the end, s.
+    /// Instant at which the run ended, s.
     pub t_end: f64,
-    /// Code of the [`tripos_sim::Stop`].
+    /// Code of the [`tripos_sim::Stop`] that ended the run.
     pub stop: String,
-    /// Reason why the run could not go on, or why its end has no value; `None` if it is valid.
+    /// Reason why the run could not go on, or why its end has no value; `None` if the end is valid.
     pub failure: Option<String>,
-    /// Coordinates and generalized speeds at the end, or the outputs of the scene.
+    /// Coordinates and generalized speeds at the end of the run, then the other outputs of the scene.
     pub shown: Vec<f64>,
-    /// Number of accepted steps.
+    /// Number of accepted steps of the run.
     pub steps: u64,
-    /// Number of rejected steps.
+    /// Number of rejected steps of the run.
     pub rejected: u64,
-    /// Number of evaluations of the equations.
+    /// Number of evaluations of the equations in the run.
     pub evaluations: u64,
-    /// Difference of each first integral between end and start.
+    /// Largest change of each first integral from its start along the run.
     pub changes: Vec<f64>,
-    /// Number of correct digits of every value at the end; `None` if not asked for, or if the run was not assessed to
-    /// its end.
+    /// Number of digits that are correct in every value at the end; `None` if not requested, or if the run was not
+    /// assessed to its end.
     pub digits: Option<f64>,
 }
 
-/// Entry of the column `stop` for a point without a run.
+/// Entry of the column `stop` for a point whose run could not start.
 pub const NO_START: &str = "no-start";
 
 impl Row {
-    /// Code of the way in which the run ended.
+    /// Code of the way in which the run of the point ended.
     #[must_use]
     pub fn stop(&self) -> &str {
         self.outcome.as_ref().map_or(NO_START, |ended| &ended.stop)
     }
 
-    /// Reason why the point has no answer; `None` if it has one.
+    /// Reason why the point has no valid result; `None` if it has one.
     #[must_use]
     pub fn failure(&self) -> Option<&str> {
         match &self.outcome {

@@ -3,12 +3,12 @@
 use crate::error::Error;
 use std::ops::Range;
 
-/// One of the parts that a sweep is cut into: a contiguous range of points.
+/// Part that a sweep is cut into: a contiguous range of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     /// Number of the part, from 1.
     pub part: u64,
-    /// Total number of parts.
+    /// Total number of parts of the sweep.
     pub of: u64,
 }
 
@@ -16,7 +16,7 @@ impl Shard {
     /// Reads a shard from text such as `3/8`.
     ///
     /// # Errors
-    /// [`Error::Request`] unless i and n are whole numbers with 1 ≤ i ≤ n.
+    /// [`Error::Request`] unless the text is i/n with whole numbers 1 ≤ i ≤ n.
     pub fn read(text: &str) -> Result<Self, Error> {
         let number = |text: &str| text.trim().parse::<u64>().ok();
         let numbers = text.split_once('/').and_then(|(part, of)| Some((number(part)?, number(of)?)));
@@ -32,7 +32,7 @@ impl Shard {
         Ok(Self { part, of })
     }
 
-    /// Range of its points out of `count`. The parts follow each other, and differ by at most one point.
+    /// Range of the shard's points out of `count`. The shards follow each other, and differ by at most one point.
     #[must_use]
     pub fn points(self, count: u64) -> Range<u64> {
         let start = |part: u64| {

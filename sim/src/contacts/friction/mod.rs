@@ -1,4 +1,4 @@
-//! Coulomb's law among contacts that push and never pull: the modes in which they stick, slip and open together.
+//! Coulomb's law for contacts that push and never pull: the modes in which they stick, slip and open together.
 //!
 //! A contact with friction has a row along its gap and one along its slip. While it slips, at a velocity of the sign s,
 //! its force along the slip is −μ s λ_n. The force along the gap then stands in both rows of the linear system for all
@@ -18,19 +18,19 @@ use nalgebra::DVector;
 use std::fmt;
 pub(crate) use trial::{Touch, Trial};
 
-/// Motions count as one if they differ by less than this part of the motion without contact forces.
+/// Difference below which two motions count as one, as a fraction of the motion without contact forces.
 const ALIKE: f64 = 1e-6;
 
-/// Behaviour of a contact that is closed.
+/// Behaviour of a closed contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
-    /// It opens, or could: it has no force.
+    /// The contact opens, or could open: it has no force.
     Opens,
-    /// It pushes, without friction of a coefficient, and holds all of its rows.
+    /// The contact pushes and has no friction; it holds all of its rows.
     Pushes,
-    /// It pushes, and friction keeps it from slipping.
+    /// The contact pushes, and friction keeps it from slipping.
     Sticks,
-    /// It pushes, and slips at a velocity of this sign, 1 or −1.
+    /// The contact pushes, and slips at a velocity of this sign, 1 or −1.
     Slips(f64),
 }
 
@@ -41,7 +41,7 @@ impl Mode {
         self != Self::Opens
     }
 
-    /// Freedom of a contact: 0 if it is held, 1 if its slip is free, 2 if all of it is.
+    /// Number of rows along which the contact may move: 0 if it is held, 1 if its slip is free, 2 if it opens.
     fn freedom(self) -> usize {
         match self {
             Self::Pushes | Self::Sticks => 0,
@@ -63,10 +63,10 @@ impl fmt::Display for Mode {
     }
 }
 
-/// Modes that contacts can have together, and their forces, or impulses, along all rows.
+/// Modes that contacts can have together, with their forces, or impulses, along all rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// A mode for each contact.
+    /// Mode of each contact.
     pub modes: Vec<Mode>,
     /// True for each contact that has a force along its gap in addition to the given one.
     pub pushes: Vec<bool>,
@@ -83,10 +83,10 @@ pub enum Undecided {
     Several([Vec<Mode>; 2]),
 }
 
-/// Takes modes that were found, with the motion of the rows, as one motion; sorts them by freedom, the firmest first.
+/// Takes the modes that were found, with the motion of the rows, as one motion; sorts them by freedom, smallest first.
 ///
 /// # Errors
-/// [`Undecided`] if there is none, or more than one.
+/// [`Undecided`] if no modes were found, or if they move differently.
 pub(crate) fn one_motion(found: Vec<(Found, DVector<f64>)>, size: f64) -> Result<Vec<Found>, Undecided> {
     let Some((first, motion)) = found.first() else { return Err(Undecided::Nothing) };
     let differs = |(_, other): &&(Found, DVector<f64>)| (other - motion).amax() > ALIKE * size;

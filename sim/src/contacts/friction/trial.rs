@@ -1,39 +1,40 @@
-//! One set of modes after the other: its forces, and whether these agree with it.
+//! Trial of one set of contact modes after the other: its forces, and whether these agree with the modes.
 
 use super::{Found, Mode};
 use nalgebra::{DMatrix, DVector};
 
-/// Singular values below this part of the largest one are rounding.
+/// Fraction of the largest singular value below which a singular value counts as rounding.
 const DEPENDENT: f64 = 1e-11;
-/// The least part of the largest normal force by which a force along a slip is weighed.
+/// Smallest weight of a force along a slip, as a fraction of the largest.
 const LIGHT: f64 = 1e-6;
-/// Factor on the weight of forces along slips where friction could not bear its share: friction then takes no more than
+/// Factor on the weights of forces along slips if friction could not bear its share: friction then takes no more than
 /// needed.
 const FAINT: f64 = 1e-3;
 
-/// A contact of a trial, in the units of its rows.
+/// A closed contact of a trial, in the units of its rows.
 pub(crate) struct Touch<'t> {
-    /// The row of its gap, then those of its slips; one of these with a coefficient of friction.
+    /// Row of the contact's gap, then rows of its slips: a single one if there is a coefficient of friction.
     pub rows: &'t [usize],
-    /// The coefficient of friction.
+    /// Coefficient of friction of the contact; `None` without friction.
     pub friction: Option<f64>,
-    /// The sign of the velocity at which it slips; nothing if it does not.
+    /// Sign of the velocity at which the contact slips; `None` if it does not slip.
     pub slips: Option<f64>,
-    /// Given force along its gap, in addition to the wanted one.
+    /// Given force along the contact's gap, in addition to the wanted force.
     pub given: f64,
 }
 
-/// Contacts that are closed together. Under forces λ their rows move by G λ + c, without forces by c.
+/// Contacts that are closed together. Their rows move by G λ + c: accelerations under forces λ, or velocities after
+/// impulses λ; c is the motion without them.
 pub(crate) struct Trial<'t> {
-    /// G, in units in which all rows are alike.
+    /// Matrix G of the motion of rows by forces, in units in which all rows are alike.
     pub g: &'t DMatrix<f64>,
     pub touches: Vec<Touch<'t>>,
 }
 
-/// Row of a wanted force; and the row, if any, along which friction adds a force, with the factor of that force.
+/// Row of a wanted force. If friction adds a force with it, also the row of that force and its ratio to the wanted one.
 type Sought = (usize, Option<(usize, f64)>);
 
-/// Mode of a contact, and whether it pushes in addition to the given force.
+/// Mode of a contact, and whether the contact pushes in addition to the given force.
 #[derive(Clone, Copy)]
 struct Choice {
     mode: Mode,
@@ -41,32 +42,32 @@ struct Choice {
 }
 
 impl Touch<'_> {
-    /// True if friction has any force.
+    /// True if the contact has friction above zero.
     fn is_rough(&self) -> bool {
         self.friction.is_some_and(|mu| mu > 0.0)
     }
 
-    /// Lists all choices of the contact.
+    /// Lists all choices of mode and push that the contact has.
     fn choices(&self) -> Vec<Choice> {
         let pushes = |mode| Choice { mode, pushes: true };
         if self.friction.is_none() {
             return vec![Choice { mode: Mode::Opens, pushes: false }, pushes(Mode::Pushes)];
         }
         let grips = match self.slips {
-            // Nothing tells the direction of the slip, and nothing depends on it.
+            // Without friction the direction of the slip is unknown, and does not matter.
             _ if !self.is_rough() => vec![Mode::Slips(1.0)],
             Some(way) => vec![Mode::Slips(way)],
             None => vec![Mode::Sticks, Mode::Slips(1.0), Mode::Slips(-1.0)],
         };
-        // A given force along the gap has its friction, also where no other force is added.
+        // A given force along the gap causes friction, even if no other force is added.
         let idle = if self.given > 0.0 { grips.clone() } else { vec![Mode::Opens] };
         idle.into_iter().map(|mode| Choice { mode, pushes: false }).chain(grips.into_iter().map(pushes)).collect()
     }
 }
 
 impl Trial<'_> {
-    /// Finds all modes that agree with the laws, within `nothing`, with their forces and the motion of the rows.
-    /// Without any friction only the first is found, since all move alike.
+    /// Finds all sets of modes that agree with the laws, within `nothing`, with their forces and the motion of the
+    /// rows. If no contact has friction, only the first set is found, since all sets move alike.
     pub(crate) fn found(&self, c: &DVector<f64>, nothing: f64) -> Vec<(Found, DVector<f64>)> {
         let choices: Vec<Vec<Choice>> = self.touches.iter().map(Touch::choices).collect();
         let is_smooth = self.touches.iter().all(|touch| touch.friction.is_none());
@@ -94,12 +95,12 @@ impl Trial<'_> {
         list
     }
 
-    /// Forces of given modes; `None` if they are not finite.
+    /// Forces of contacts in given modes; `None` if they are not finite.
     pub(crate) fn held(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
         self.forces(c, &chosen(modes))
     }
 
-    /// True if given modes agree with the laws.
+    /// True if given modes agree with the laws of contact and friction, within `nothing`.
     pub(crate) fn holds(&self, c: &DVector<f64>, modes: &[Mode], nothing: f64) -> bool {
         let chosen = chosen(modes);
         let forces = self.forces(c, &chosen);
@@ -109,12 +110,12 @@ impl Trial<'_> {
         })
     }
 
-    /// The determinant of the linear system that forces follow from in given modes.
+    /// Determinant of the linear system for the forces of contacts in given modes.
     pub(crate) fn determinant(&self, modes: &[Mode]) -> f64 {
         self.matrix(&self.unknown(&chosen(modes))).determinant()
     }
 
-    /// True if forces, and the motion of the rows under them, agree with the choices.
+    /// True if the forces, and the motion of the rows under them, agree with the choices, within `nothing`.
     fn agrees(&self, chosen: &[Choice], (forces, after): (&DVector<f64>, &DVector<f64>), nothing: f64) -> bool {
         self.touches.iter().zip(chosen).all(|(touch, choice)| {
             let stays = |row: usize| after[row].abs() <= nothing;
@@ -133,7 +134,7 @@ impl Trial<'_> {
         })
     }
 
-    /// Forces of the choices: G λ + c is 0 along the rows that are held.
+    /// Forces of the choices, by which G λ + c is 0 along the held rows; `None` if they are not finite.
     fn forces(&self, c: &DVector<f64>, chosen: &[Choice]) -> Option<DVector<f64>> {
         let unknown = self.unknown(chosen);
         let mut forces = self.of_given(chosen);
@@ -154,7 +155,7 @@ impl Trial<'_> {
         {
             values = shared(&part, &sides, &weights)?;
             if !self.bear(chosen, (&unknown, &values)) {
-                // A gap alone may hold the motion that a slip holds as well.
+                // A force along a gap alone may hold a motion that a force along a slip can hold too.
                 let mut faint = weights;
                 let along = faint.iter_mut().zip(&unknown).filter(|(_, (row, _))| !self.is_gap(*row));
                 along.for_each(|(weight, _)| *weight *= FAINT);
@@ -170,7 +171,7 @@ impl Trial<'_> {
         Some(forces)
     }
 
-    /// Lists the wanted forces of the choices.
+    /// Lists the wanted forces of the choices: those that the linear system determines.
     fn unknown(&self, chosen: &[Choice]) -> Vec<Sought> {
         let mut list = Vec::new();
         for (touch, choice) in self.touches.iter().zip(chosen) {
@@ -198,7 +199,7 @@ impl Trial<'_> {
         forces
     }
 
-    /// Matrix of the system, with a row and a column for each wanted force.
+    /// Matrix of the linear system, with a row and a column for each wanted force.
     fn matrix(&self, unknown: &[Sought]) -> DMatrix<f64> {
         DMatrix::from_fn(unknown.len(), unknown.len(), |i, j| {
             let (row, (column, follows)) = (unknown[i].0, unknown[j]);
@@ -207,7 +208,7 @@ impl Trial<'_> {
         })
     }
 
-    /// True if a row is along a gap.
+    /// True if a row is that of a contact's gap.
     fn is_gap(&self, row: usize) -> bool {
         self.touches.iter().any(|touch| touch.rows[0] == row)
     }
@@ -220,8 +221,8 @@ impl Trial<'_> {
         sticking.map(|(touch, _)| touch).all(|touch| force(touch.rows[1]).abs() <= bears(touch))
     }
 
-    /// Weights of forces that depend on one another. Those along slips have weights by the force that friction can
-    /// bear, so that no contact slips where others could bear more. `None` if friction bears no force.
+    /// Weights of wanted forces that depend on one another. Forces along slips have weights by the force that friction
+    /// can bear, so that no contact slips while others could bear more. `None` if friction bears no force.
     fn weights(&self, chosen: &[Choice], (unknown, values): (&[Sought], &DVector<f64>)) -> Option<DVector<f64>> {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let mut weights = DVector::from_element(unknown.len(), 1.0);
@@ -237,7 +238,7 @@ impl Trial<'_> {
 }
 
 impl Touch<'_> {
-    /// Force along the slip for a unit of force along the gap.
+    /// Force of friction along the slip for a unit of force along the gap; `way` is the sign of the slip velocity.
     fn slipping(&self, way: f64) -> f64 {
         -self.friction.unwrap_or(0.0) * way
     }
@@ -247,7 +248,7 @@ fn chosen(modes: &[Mode]) -> Vec<Choice> {
     modes.iter().map(|mode| Choice { mode: *mode, pushes: mode.is_held() }).collect()
 }
 
-/// x with A x = b, of which the sum of the squares of x over weights is the least.
+/// Solution x of A x = b with the smallest sum of squares of x over weights; `None` if there is no solution.
 fn shared(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f64>) -> Option<DVector<f64>> {
     let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] * weights[j]);
     let svd = scaled.svd(true, true);

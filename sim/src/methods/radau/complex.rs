@@ -1,4 +1,4 @@
-//! Complex numbers over a scalar: the pair of complex stages of an implicit step is one system of them.
+//! Complex numbers over a scalar: two of the three real stages of an implicit step are one complex stage.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -6,7 +6,7 @@ use tripos_traits::Real;
 
 use crate::linear::lu::Entry;
 
-/// re + i im.
+/// Complex number re + i im.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Complex<S> {
     pub(super) re: S,
@@ -42,8 +42,8 @@ impl<S: Real> Mul for Complex<S> {
     }
 }
 
-/// Divides by R. L. Smith's formula, Comm. ACM 5 (1962) 435. It takes no square of the divisor, which may overflow
-/// where the quotient does not.
+/// Division by R. L. Smith's formula, Comm. ACM 5 (1962) 435. It takes no square of the divisor, which may overflow
+/// while the quotient does not.
 impl<S: Real> Div for Complex<S> {
     type Output = Self;
     fn div(self, other: Self) -> Self {

@@ -6,8 +6,9 @@
 //! control are those of E. Hairer's code RADAU5: E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II.
 //! Stiff and Differential-Algebraic Problems*, 2nd edition (1996), §IV.8.
 //!
-//! Invariant: `z` has the differences of the stages of the step last tried from its start, all components of the first
-//! stage first; `inside` their polynomial. Newton's method and what it keeps from step to step is in [`newton`].
+//! Invariant: `z` has the differences between the stages of the last tried step and its start, all components of the
+//! first stage first; `inside` has their polynomial. Newton's method, and the memory that it keeps from step to step,
+//! is in [`newton`].
 
 mod complex;
 mod newton;
@@ -22,46 +23,47 @@ use crate::tolerance::ErrorTest;
 use newton::{Aim, Newton};
 use scheme::{Scheme, dot};
 
-/// Iterations of Newton's method after which an adaptive step is given up, as in RADAU5.
+/// Number of iterations of Newton's method after which an adaptive step is given up, as in RADAU5.
 const ITERATIONS: u32 = 7;
-/// Iterations for a step of a fixed length, which cannot be shortened and is solved to rounding.
+/// Largest number of iterations for a step of a fixed length, which cannot be shortened and is solved to rounding.
 const FIXED_ITERATIONS: u32 = 30;
 
-/// State of the method between and inside steps.
+/// State of Radau's method between and inside steps.
 pub(crate) struct Radau5<S> {
     scheme: Scheme<S>,
     newton: Newton<S>,
-    /// Largest error estimate over the tolerance: [`leeway`].
+    /// Largest error estimate that is accepted, over the tolerance: see the function [`leeway`].
     leeway: f64,
-    /// The tolerance that steps are mostly decided by.
+    /// Tolerance that decides most steps: the relative one, or the smallest absolute one if it is zero.
     tolerance: f64,
     t: f64,
     t_new: f64,
     y: Vec<S>,
     y_new: Vec<S>,
     z: Vec<S>,
-    /// The transformed differences, and f at the stages.
+    /// Transformed differences W = (T⁻¹ ⊗ I) Z; `f` has f at the stages.
     w: Vec<S>,
     f: Vec<S>,
-    /// Coefficients of θ, θ² and θ³ in u − y, and those of the step before with its length.
+    /// Coefficients of θ, θ² and θ³ in u − y; `before` has those of the step before, and `h_before` its length, s.
     inside: Vec<S>,
     before: Vec<S>,
     h_before: Option<S>,
-    /// f at the ends of the step; the second one only of a step that passed the test.
+    /// Derivative f at the start of the step; `slope_new` is f at its end, known only after a step that passed its
+    /// error test.
     slope: Vec<S>,
     slope_new: Vec<S>,
-    /// The error of the step last tried.
+    /// Error estimate of the last tried step.
     error: Vec<S>,
     point: Vec<S>,
-    /// The largest size of each component so far.
+    /// Largest size of each component so far.
     magnitudes: Vec<f64>,
-    /// True if a step was accepted since the start, and none failed after it.
+    /// True if the last step was accepted; false at the start and after a failed step.
     goes_well: bool,
     evaluations: u64,
 }
 
 impl<S: Real> Radau5<S> {
-    /// The method for `n` equations with these tolerances.
+    /// Creates the method for `n` equations with the tolerances of these options.
     pub(crate) fn new(n: usize, options: &Options) -> Self {
         let zeros = |n: usize| vec![S::int(0); n];
         let tolerance = if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() };
@@ -91,7 +93,7 @@ impl<S: Real> Radau5<S> {
         }
     }
 
-    /// First values of Z: the polynomial of the step before, continued; 0 where there is none.
+    /// Sets the first values of Z: the polynomial of the step before, continued; 0 if there is no step before.
     fn predict(&mut self, h: S) {
         let n = self.y.len();
         let Some(before) = self.h_before else { return self.z.fill(S::int(0)) };
@@ -104,7 +106,7 @@ impl<S: Real> Radau5<S> {
         }
     }
 
-    /// Solves the equations of the step from the predicted values.
+    /// Solves the equations of the step, from the predicted values of Z.
     fn solve<R: RightHandSide<S>>(&mut self, rhs: &mut R, trial: Trial, h: S, aim: &Aim) -> Result<(), Trouble> {
         let n = self.y.len();
         self.newton.prepare(rhs, (self.t, &self.y), &self.scheme, h)?;
@@ -126,10 +128,10 @@ impl<S: Real> Radau5<S> {
         })
     }
 
-    /// Sets the divisors of changes of the components, and returns the size that the quotients must reach.
+    /// Sets the weights of the components, and returns the accuracy to which the equations of a step are solved.
     ///
-    /// With a test: a part of the allowed error, at least some roundings. Without one, the sizes of the components,
-    /// and rounding.
+    /// With an error test, weights are allowed errors, and a small fraction of them must be reached. Without a test,
+    /// weights are sizes of the components, and rounding must be reached.
     fn aim(&mut self, h: S, test: Option<&ErrorTest>) -> Aim {
         let n = self.y.len();
         for i in 0..n {
@@ -138,7 +140,7 @@ impl<S: Real> Radau5<S> {
             self.newton.weights[i] = match test {
                 Some(test) => {
                     let weight = self.leeway * test.weight(i, size);
-                    // A component at 0 without an absolute tolerance is measured by where it goes.
+                    // A component at 0 without an absolute tolerance is measured by its change in the step.
                     if weight > self.leeway * f64::MIN_POSITIVE { weight } else { self.leeway * test.weight(i, moved) }
                 }
                 None => self.magnitudes[i].max(moved),
@@ -159,9 +161,9 @@ impl<S: Real> Radau5<S> {
         Aim { enough: part.max(rounding), rounding: rounding.min(1.0), iterations: ITERATIONS }
     }
 
-    /// The error of the step by the norm of the test: (γ/h − J)⁻¹ (f₀ + Σ eᵢ Zᵢ / h), which is of order h⁴ and bounded
-    /// however stiff the equations are. Where that is too large at a start or after a failure, f₀ is taken at the point
-    /// moved by it, so that the error of what decays at once counts for nothing.
+    /// Computes the error of the step in the norm of the error test: (γ/h − J)⁻¹ (f₀ + Σ eᵢ Zᵢ / h). It is of order h⁴
+    /// and bounded for equations of any stiffness. If it is too large at a start or after a failure, f₀ is taken at the
+    /// point moved by the estimate, so that components that decay at once do not count.
     fn error<R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, test: &ErrorTest) -> f64 {
         let n = self.y.len();
         let defects = |z: &[S], i: usize, weights: &[S; 3]| dot(weights, &[z[i], z[n + i], z[2 * n + i]]) / h;
@@ -188,9 +190,9 @@ impl<S: Real> Radau5<S> {
     }
 }
 
-/// Largest error estimate over the tolerance. The estimate is of order h⁴, and the error at the end of a run, of order
-/// h⁵, is to be about the tolerance: ½ rtol^(4/5) stands for rtol. RADAU5 puts 0.1 rtol^(2/3) there, by which errors
-/// outgrow the tolerance tenfold every six digits.
+/// Largest error estimate of a step that is accepted, over the tolerance. The estimate is of order h⁴, and the error at
+/// the end of a run, of order h⁵, shall be about the tolerance: so ½ rtol^(4/5) replaces rtol. RADAU5 uses 0.1
+/// rtol^(2/3), with which errors outgrow the tolerance tenfold every six digits.
 fn leeway(tolerance: f64) -> f64 {
     0.5 * tolerance.powf(-0.2)
 }
@@ -239,7 +241,8 @@ impl<S: Real> Stepper for Radau5<S> {
         self.restart_at(rhs, t, y)
     }
 
-    /// Keeps the Jacobian, whose age tells when it must go, and the polynomial, which is only continued.
+    /// Goes on from a moved state. The Jacobian is kept, since its age decides when it is replaced, and so is the
+    /// polynomial, which only predicts.
     fn restart<R: RightHandSide<S>>(&mut self, rhs: &mut R, y: &[S]) -> Result<(), Trouble> {
         self.restart_at(rhs, self.t, y)
     }
@@ -270,7 +273,7 @@ impl<S: Real> Stepper for Radau5<S> {
         }
         check_finite(&self.y_new)?;
         let Some(test) = test else {
-            // Nothing but sizes depends on it.
+            // Only the sizes of later changes depend on this slope.
             self.slope_new.copy_from_slice(&self.f[2 * n..]);
             return Ok(0.0);
         };
@@ -283,7 +286,7 @@ impl<S: Real> Stepper for Radau5<S> {
         Ok(error)
     }
 
-    /// Margin of RADAU5: the more iterations a step took, the smaller the part of the allowed size that the next one
+    /// Margin of RADAU5: the more iterations a step took, the smaller a fraction of the allowed size the next step
     /// takes.
     fn margin(&self) -> f64 {
         let (most, taken) = (f64::from(2 * ITERATIONS), f64::from(self.newton.taken));

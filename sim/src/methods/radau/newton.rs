@@ -1,8 +1,8 @@
-//! Newton's method for the stages of a step, with one Jacobian for all three and for as many steps as it serves.
+//! Newton's method for the stages of a Radau step, with one Jacobian for all three stages and for several steps.
 //!
-//! Invariant: `factored` says for which step size the matrices hold their factors; a Jacobian that is evaluated anew
-//! takes them away. What is iterated are the transformed differences W = (T⁻¹ ⊗ I) Z, for which the 3n equations come
-//! apart: (γ/h − J) ΔW₁ and ((α + iβ)/h − J) (ΔW₂ + i ΔW₃). Hairer & Wanner II, §IV.8.
+//! Invariant: `factored` has the step size of the factors that the matrices hold; a new Jacobian invalidates them. The
+//! unknowns of the iteration are the transformed differences W = (T⁻¹ ⊗ I) Z, for which the 3n equations separate: (γ/h
+//! − J) ΔW₁ and ((α + iβ)/h − J) (ΔW₂ + i ΔW₃). Hairer & Wanner II, §IV.8.
 
 use tripos_traits::Real;
 
@@ -13,35 +13,36 @@ use crate::linear::lu::Lu;
 use crate::rhs::RightHandSide;
 use crate::stepper::{Trouble, check_finite};
 
-/// Factors are used for a step whose size is this near to theirs, relatively: equal steps differ by the rounding of t.
+/// Largest relative difference between a step size and that of the factors for which they are used: equal steps differ
+/// by the rounding of t.
 const SAME_SIZE: f64 = 1e-9;
-/// A Jacobian is kept for the next step if Newton's method gains more than three digits in an iteration with it.
+/// Factor by which changes must shrink in an iteration so that the Jacobian is kept for the next step.
 const FAST: f64 = 1e-3;
-/// Iterations that gain less are given up.
+/// Factor by which changes must shrink in an iteration at least, or else the iteration is given up.
 const SLOW: f64 = 0.99;
 
-/// Age of the Jacobian, by the point at which it was evaluated.
+/// Age of the Jacobian: the point at which it was evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Age {
-    /// There is none.
+    /// No Jacobian is known.
     None,
-    /// At an earlier point.
+    /// The Jacobian was evaluated at an earlier point.
     Old,
-    /// At the point itself.
+    /// The Jacobian was evaluated at the current point.
     Here,
 }
 
-/// Accuracy to which the equations of a step are to be solved.
+/// Accuracy to which the equations of a step are solved.
 pub(super) struct Aim {
-    /// The part of the weights that counts as solved.
+    /// Largest remaining error, over the weights, with which the equations count as solved.
     pub(super) enough: f64,
-    /// A change that no longer shrinks is rounding if it is smaller than this.
+    /// Size below which a change that no longer shrinks is rounding, over the weights.
     pub(super) rounding: f64,
-    /// Iterations after which a step is given up.
+    /// Number of iterations after which a step is given up.
     pub(super) iterations: u32,
 }
 
-/// The matrices of an iteration, and how fast it was.
+/// Matrices of Newton's method for a step, and the speed of its convergence.
 pub(super) struct Newton<S> {
     n: usize,
     jacobian: Vec<S>,
@@ -49,21 +50,21 @@ pub(super) struct Newton<S> {
     factored: Option<S>,
     pub(super) real: Lu<S>,
     complex: Lu<Complex<S>>,
-    /// The right-hand sides of both systems.
+    /// Right-hand side of the real system; `pair` is that of the complex system.
     first: Vec<S>,
     pair: Vec<Complex<S>>,
     /// Divisor of the error of each component.
     pub(super) weights: Vec<f64>,
-    /// θ/(1 − θ), θ the factor by which changes shrink: the remaining error, as a part of the last change.
+    /// Ratio θ/(1 − θ) of the remaining error to the last change, with θ the factor by which changes shrink.
     left: f64,
-    /// The last θ; 0 where one iteration was enough.
+    /// Factor θ by which changes shrank last; 0 if one iteration was enough.
     rate: f64,
-    /// Iterations that the step took.
+    /// Number of iterations that the step took.
     pub(super) taken: u32,
     pub(super) jacobians: u64,
 }
 
-/// Writes f at the stages y + Z.
+/// Function that writes f at the stages y + Z.
 type Stages<'a, S> = &'a mut dyn FnMut(&[S], &mut [S]) -> Result<(), Trouble>;
 
 impl<S: Real> Newton<S> {
@@ -86,7 +87,7 @@ impl<S: Real> Newton<S> {
         }
     }
 
-    /// True if another Jacobian might help.
+    /// True if another Jacobian might help, since the current one is from an earlier point.
     pub(super) fn is_old(&self) -> bool {
         self.age == Age::Old
     }
@@ -97,12 +98,12 @@ impl<S: Real> Newton<S> {
         self.left = 1.0;
     }
 
-    /// Leaves the point behind; the Jacobian goes along if it served well.
+    /// Leaves the current point; the Jacobian is kept if Newton's method converged fast with it.
     pub(super) fn leave(&mut self) {
         self.age = if self.rate <= FAST { Age::Old } else { Age::None };
     }
 
-    /// The Jacobian and the factors for a step `h` from (t, y).
+    /// Evaluates the Jacobian, if needed, and factors the matrices for a step `h` from (t, y).
     pub(super) fn prepare<R>(
         &mut self,
         rhs: &mut R,
@@ -156,7 +157,7 @@ impl<S: Real> Newton<S> {
         Ok(())
     }
 
-    /// Solves Z = h (A ⊗ I) f(y + Z) from the Z that it is given; `stages` writes f at the stages.
+    /// Solves Z = h (A ⊗ I) f(y + Z) for Z, from given first values; `stages` writes f at the stages.
     pub(super) fn solve(
         &mut self,
         (scheme, h): (&Scheme<S>, S),
@@ -168,7 +169,7 @@ impl<S: Real> Newton<S> {
         if S::SLOPES == 0 {
             return Ok(());
         }
-        // Slopes are right where values were right before the last iteration: one more, for them alone.
+        // Slopes have converged only as far as the values before the last iteration: slopes take one more.
         let known = w.to_vec();
         stages(z, f)?;
         self.correct((scheme, h), w, f);
@@ -187,7 +188,7 @@ impl<S: Real> Newton<S> {
         stages: Stages<'_, S>,
     ) -> Result<(), Trouble> {
         transform(&scheme.t_inverse, self.n, z, w);
-        // What the steps before told of the rate lets a first change be enough.
+        // The rate of convergence in earlier steps may let a first change be enough.
         self.left = self.left.max(f64::EPSILON).powf(0.8);
         self.rate = 0.0;
         let (mut last, mut ratio) = (f64::INFINITY, 0.0_f64);
@@ -225,7 +226,7 @@ impl<S: Real> Newton<S> {
         if last <= aim.rounding { Ok(()) } else { Err(Trouble::NotConverged { iterations: aim.iterations }) }
     }
 
-    /// Moves W by one iteration, and returns by how much, in the root of the mean square over the weights.
+    /// Changes W by one iteration, and returns the size of the change: the root of the mean square over the weights.
     ///
     /// (h⁻¹ Λ ⊗ I − I ⊗ J) ΔW = (T⁻¹ ⊗ I) F − (h⁻¹ Λ ⊗ I) W
     fn correct(&mut self, (scheme, h): (&Scheme<S>, S), w: &mut [S], f: &[S]) -> f64 {
@@ -244,7 +245,7 @@ impl<S: Real> Newton<S> {
         for (i, weight) in self.weights.iter().enumerate() {
             for (stage, change) in [self.first[i], self.pair[i].re, self.pair[i].im].into_iter().enumerate() {
                 w[stage * n + i] = w[stage * n + i] + change;
-                // What stays where it is needs no weight.
+                // A component that does not change needs no weight.
                 let size = change.to_f64();
                 let part = if crate::stepper::same(size, 0.0) { 0.0 } else { size / weight };
                 sum += part * part;
@@ -254,7 +255,7 @@ impl<S: Real> Newton<S> {
     }
 }
 
-/// to = (M ⊗ I) from.
+/// Writes (M ⊗ I) `from` to `to`.
 fn transform<S: Real>(matrix: &super::scheme::Matrix<S>, n: usize, from: &[S], to: &mut [S]) {
     for i in 0..n {
         let at = [from[i], from[n + i], from[2 * n + i]];

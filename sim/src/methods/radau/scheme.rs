@@ -1,7 +1,7 @@
-//! The numbers of Radau IIA with three stages, in any scalar: none is typed but those of the published formulae.
+//! Coefficients of Radau IIA with three stages, in any scalar: all follow from the published formulae.
 //!
-//! B = A⁻¹ has one real eigenvalue γ and the pair α ± iβ; T⁻¹ B T = \[γ; (α, −β; β, α)\] takes the 3n equations of a
-//! step apart into n real and n complex ones. E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II*, 2nd
+//! B = A⁻¹ has one real eigenvalue γ and the pair α ± iβ; T⁻¹ B T = \[γ; (α, −β; β, α)\] separates the 3n equations of
+//! a step into n real and n complex ones. E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II*, 2nd
 //! edition (1996), §IV.5 (the method), §IV.8 (the transformation and the error).
 
 use tripos_traits::Real;
@@ -12,21 +12,21 @@ use crate::linear::lu::Entry;
 /// A matrix of order 3, row by row.
 pub(super) type Matrix<E> = [[E; 3]; 3];
 
-/// Nodes, eigenvalues and transformations.
+/// Nodes, eigenvalues and transformations of Radau IIA with three stages.
 pub(super) struct Scheme<S> {
-    /// The zeros of Radau's polynomial: (4 − √6)/10, (4 + √6)/10, 1.
+    /// Nodes, the zeros of Radau's polynomial: (4 − √6)/10, (4 + √6)/10, 1.
     pub(super) c: [S; 3],
-    /// γ, the real eigenvalue of A⁻¹.
+    /// Real eigenvalue γ of A⁻¹.
     pub(super) real: S,
-    /// α + iβ, that of the pair with the positive imaginary part.
+    /// Complex eigenvalue α + iβ of A⁻¹ with a positive imaginary part.
     pub(super) pair: Complex<S>,
-    /// T, whose columns are eigenvectors; the last entry of each is 1.
+    /// Transformation T, whose columns are eigenvectors; the last entry of each is 1.
     pub(super) t: Matrix<S>,
-    /// Inverse of T.
+    /// Inverse of the transformation T.
     pub(super) t_inverse: Matrix<S>,
-    /// Takes values at the nodes to the coefficients of θ, θ² and θ³ of the polynomial that is 0 at 0.
+    /// Matrix that takes values at the nodes to the coefficients of θ, θ² and θ³ of the polynomial that is 0 at 0.
     pub(super) powers: Matrix<S>,
-    /// The weights of the stages in the error.
+    /// Weights of the stages in the error estimate.
     pub(super) error: [S; 3],
 }
 
@@ -41,7 +41,7 @@ impl<S: Real> Scheme<S> {
         let alpha = (S::int(9) - real) / S::int(2);
         let pair = Complex { re: alpha, im: (real * (real - S::int(9)) + S::int(36) - alpha * alpha).sqrt() };
         let first = eigenvector(&b, real);
-        // That of α − iβ: its parts are the second and third column.
+        // The eigenvector of α − iβ: its real and imaginary parts are the second and third column.
         let wide = b.map(|row| row.map(|re| Complex { re, im: S::int(0) }));
         let second = eigenvector(&wide, Complex { re: pair.re, im: -pair.im });
         let t = [0, 1, 2].map(|i| [first[i], second[i].re, second[i].im]);
@@ -59,7 +59,7 @@ impl<S: Real> Scheme<S> {
     }
 }
 
-/// The matrix A of the method.
+/// Matrix A of Radau IIA with three stages.
 pub(super) fn stages<S: Real>() -> Matrix<S> {
     let root = S::int(6).sqrt();
     let entry = |whole: i64, roots: i64, over: i64| (S::int(whole) + S::int(roots) * root) / S::int(over);
@@ -70,7 +70,7 @@ pub(super) fn stages<S: Real>() -> Matrix<S> {
     ]
 }
 
-/// The root of z³ + a₂ z² + a₁ z + a₀ next to an `f64` that is one to rounding: each step doubles the digits.
+/// Root of z³ + a₂ z² + a₁ z + a₀ next to `z`, an `f64` that is a root to rounding: each step doubles the digits.
 fn root_of<S: Real>([a0, a1, a2]: [S; 3], mut z: S) -> S {
     for _ in 0..3 {
         let value = ((z + a2) * z + a1) * z + a0;
@@ -80,7 +80,7 @@ fn root_of<S: Real>([a0, a1, a2]: [S; 3], mut z: S) -> S {
     z
 }
 
-/// The vector with the last entry 1 that is orthogonal to the first two rows of B − λ.
+/// Eigenvector with the last entry 1: it is orthogonal to the first two rows of B − λ.
 fn eigenvector<E: Entry>(b: &Matrix<E>, eigenvalue: E) -> [E; 3] {
     let (mut first, mut second) = (b[0], b[1]);
     first[0] = first[0] - eigenvalue;
@@ -93,7 +93,7 @@ fn cross<E: Entry>(a: &[E; 3], b: &[E; 3]) -> [E; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// Computes the inverse by the cross products of the columns.
+/// Computes the inverse of a matrix of order 3 by the cross products of its columns.
 fn inverse<S: Real>(m: &Matrix<S>) -> Matrix<S> {
     let column = |j: usize| [m[0][j], m[1][j], m[2][j]];
     let rows = [cross(&column(1), &column(2)), cross(&column(2), &column(0)), cross(&column(0), &column(1))];
@@ -101,7 +101,7 @@ fn inverse<S: Real>(m: &Matrix<S>) -> Matrix<S> {
     rows.map(|row| row.map(|x| x / determinant))
 }
 
-/// Computes Σ aᵢ bᵢ.
+/// Computes the sum of products Σ aᵢ bᵢ.
 pub(super) fn dot<S: Real>(a: &[S; 3], b: &[S; 3]) -> S {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

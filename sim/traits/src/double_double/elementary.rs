@@ -1,6 +1,6 @@
-//! Elementary functions: argument reduction, a table, a short Taylor series.
+//! Elementary functions of `DoubleDouble`: argument reduction, a table, a short Taylor series.
 //!
-//! Series terms that are below 2⁻⁵³ of the result are summed in f64: their rounding is below that of the result.
+//! Series terms below 2⁻⁵³ of the result are summed in f64: their rounding is below that of the result.
 //! Inverse functions start from the f64 result and correct it by one step of Newton's method, whose
 //! error is the square of 2⁻⁵³.
 
@@ -9,16 +9,16 @@ use super::error_free::two_product;
 use super::tables::{EXP_M1, HALF_PI, INVERSE_FACTORIAL, LN_2, SIN_COS};
 use crate::Scalar;
 
-/// Beyond it the nearest quarter turn is no longer found surely from the leading part.
+/// Largest angle, rad, whose nearest quarter turn is surely found from its leading part.
 const LARGEST_ANGLE: f64 = 1_099_511_627_776.0; // 2⁴⁰
-/// Beyond it eˣ overflows.
+/// Largest x for which eˣ does not overflow.
 const LARGEST_EXPONENT: f64 = 709.79;
-/// Below it eˣ is 0.
+/// Smallest x for which eˣ is not 0.
 const SMALLEST_EXPONENT: f64 = -745.2;
 
 pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
     let estimate = libm::sqrt(x.hi);
-    // 0, infinity and what has no root.
+    // x is 0, infinite or negative, or not a number.
     if estimate == 0.0 || !estimate.is_finite() {
         return estimate.into();
     }
@@ -49,7 +49,7 @@ pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     }
 }
 
-/// x = k π/2 + r with |r| ≤ π/4: (k mod 4, r).
+/// Reduces an angle to r with x = k π/2 + r and |r| ≤ π/4: returns (k mod 4, r).
 #[inline]
 #[allow(clippy::cast_possible_truncation, reason = "whole numbers up to 2⁴⁰")]
 fn quarter_turns(x: DoubleDouble) -> (i64, DoubleDouble) {
@@ -65,7 +65,7 @@ fn quarter_turns(x: DoubleDouble) -> (i64, DoubleDouble) {
     ((k as i64) & 3, rest.plus(-k * HALF_PI[3]))
 }
 
-/// (sin x, cos x) for |x| ≤ π/4, and a little more.
+/// Computes (sin x, cos x) for |x| ≤ π/4, and a little more.
 #[inline]
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 ≤ j ≤ 8")]
 fn sin_cos_within_eighth(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
@@ -82,7 +82,7 @@ fn sin_cos_within_eighth(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     (if x.hi < 0.0 { -sin } else { sin }, cos)
 }
 
-/// (sin t, cos t − 1) for |t| ≤ π/64 = 0.049, where 8 terms leave 2⁻¹¹⁴.
+/// Computes (sin t, cos t − 1) for |t| ≤ π/64 = 0.049, where a remainder of 2⁻¹¹⁴ is left by 8 terms of the series.
 #[inline]
 fn sin_and_cos_less_1(t: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let t_2 = t.squared();
@@ -91,7 +91,7 @@ fn sin_and_cos_less_1(t: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     (t - sin, -cos)
 }
 
-/// 1/n! − t²/(n+2)! + … to the largest n listed, by Horner's scheme; `low` in f64.
+/// Sum 1/n! − t²/(n+2)! + … up to the largest n listed, by Horner's scheme; the terms of `low` are summed in f64.
 #[inline]
 fn alternating_series<const A: usize, const B: usize>(
     t_2: DoubleDouble,
@@ -102,14 +102,14 @@ fn alternating_series<const A: usize, const B: usize>(
     high.iter().fold(tail.into(), |sum, &n| DoubleDouble::from_parts(INVERSE_FACTORIAL[n]) - sum * t_2)
 }
 
-/// To 16 digits: libm reduces an f64 of any size, and the low part is another angle.
+/// Sine and cosine of a large angle to 16 digits. `libm` reduces an f64 of any size; the low part is a second angle.
 fn sin_cos_of_large(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let (sin_hi, cos_hi) = libm::sincos(x.hi);
     let (sin_lo, cos_lo) = libm::sincos(x.lo);
     ((sin_hi * cos_lo + cos_hi * sin_lo).into(), (cos_hi * cos_lo - sin_hi * sin_lo).into())
 }
 
-/// The angle of the point (x, y) from the axis of x, in (−π, π]; x and y not both 0 and of comparable scale.
+/// Angle of the point (x, y) from the axis of x, in (−π, π], rad; x and y are not both 0 and of comparable scale.
 fn angle(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     let estimate = libm::atan2(y.hi, x.hi);
     let (sin, cos) = sin_cos(estimate.into());
@@ -134,7 +134,7 @@ pub(super) fn acos(x: DoubleDouble) -> DoubleDouble {
     if x == DoubleDouble::ONE { DoubleDouble::ZERO } else { angle(other_leg(x), x) }
 }
 
-/// √(1 − x²), without cancellation near |x| = 1. Not a number beyond.
+/// Computes √(1 − x²) without cancellation near |x| = 1; not a number for |x| > 1.
 fn other_leg(x: DoubleDouble) -> DoubleDouble {
     ((DoubleDouble::ONE - x) * (DoubleDouble::ONE + x)).sqrt()
 }
@@ -143,7 +143,7 @@ pub(super) fn exp(x: DoubleDouble) -> DoubleDouble {
     exp_scaled(x, 0)
 }
 
-/// eˣ 2ⁿ, which may be in range where eˣ is not.
+/// Computes eˣ 2ⁿ, which may be in range where eˣ is not.
 #[allow(clippy::cast_possible_truncation, reason = "|k| ≤ 1075")]
 fn exp_scaled(x: DoubleDouble, n: i32) -> DoubleDouble {
     if x.hi.is_nan() {
@@ -161,24 +161,24 @@ fn exp_scaled(x: DoubleDouble, n: i32) -> DoubleDouble {
     exp_less_1_reduced(rest).plus(1.0).shifted(k as i32 + n)
 }
 
-/// k (ln 2 − its first part); the first part times k is exact in f64.
+/// Product of k and (ln 2 − its first part); the product of k and the first part is exact in f64.
 #[inline]
 fn times_rest_of_ln_2(k: f64) -> DoubleDouble {
     DoubleDouble::product(k, LN_2[1]).plus(k * LN_2[2])
 }
 
-/// eˣ − 1, relative to itself.
+/// Computes eˣ − 1 with a small error relative to the result, also next to x = 0.
 fn exp_less_1(x: DoubleDouble) -> DoubleDouble {
     if x.hi.abs() < 0.34 { exp_less_1_reduced(x) } else { exp(x).plus(-1.0) }
 }
 
-/// eˣ − 1 for |x| ≤ ½ ln 2.
+/// Computes eˣ − 1 for |x| ≤ ½ ln 2.
 #[inline]
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "|j| ≤ 11")]
 fn exp_less_1_reduced(x: DoubleDouble) -> DoubleDouble {
     let j = libm::rint(x.hi * 32.0).clamp(-11.0, 11.0);
     let t = x.plus(-j / 32.0);
-    // |t| ≤ 1/64: terms to 1/13! leave 2⁻¹¹⁴ of t.
+    // |t| ≤ 1/64: the terms up to 1/13! leave an error of 2⁻¹¹⁴ of t.
     let tail = (8..=13).rev().fold(0.0, |sum, n| INVERSE_FACTORIAL[n][0] + sum * t.hi);
     let series =
         (2..=7).rev().fold(DoubleDouble::from(tail), |sum, n| DoubleDouble::from_parts(INVERSE_FACTORIAL[n]) + sum * t);
@@ -199,7 +199,7 @@ pub(super) fn ln(x: DoubleDouble) -> DoubleDouble {
     DoubleDouble::from(k * LN_2[0]) + (times_rest_of_ln_2(k) + of_f)
 }
 
-/// ln f for f within a factor √2 of 1, relative to itself.
+/// Computes ln f for f within a factor √2 of 1, with a small error relative to the result.
 fn ln_near_1(f: DoubleDouble) -> DoubleDouble {
     let estimate = libm::log(f.hi);
     // d = f e^(−estimate) − 1 = y + m + y m  with  y = f − 1,  m = e^(−estimate) − 1; then ln f = estimate + ln(1 + d).

@@ -1,4 +1,4 @@
-//! Constants of [`DoubleDouble`](super::DoubleDouble) functions, each as the f64 values whose sum it is.
+//! Constants of [`DoubleDouble`](super::DoubleDouble) functions, each a sum of several f64.
 //!
 //! Computed by mpmath at 400 bits: `hi = float(x)`, `lo = float(x - hi)`, and so on; the first part of ln 2 is
 //! cut to 42 bits. The tests of `elementary` check every entry against another library.
@@ -6,12 +6,13 @@
 #![allow(clippy::excessive_precision, clippy::unreadable_literal, reason = "as printed by what computed them")]
 #![allow(clippy::approx_constant, reason = "these are the constants")]
 
-/// π/2 to 213 bits.
+/// Number π/2 to 213 bits, as a sum of four f64.
 pub(super) const HALF_PI: [f64; 4] =
     [1.5707963267948966, 6.123233995736766e-17, -1.4973849048591698e-33, 5.562271104316826e-50];
-/// ln 2 to 148 bits; the first part has 42 bits, so that its products with exponents are exact.
+/// Number ln 2 to 148 bits, as a sum of three f64; the first has 42 bits, so that its products with exponents are
+/// exact.
 pub(super) const LN_2: [f64; 3] = [0.6931471805598903, 5.497923018708371e-14, 1.94704509238075e-31];
-/// (sin, cos) of jπ/32 for j = 0…8.
+/// Values (sin, cos) of jπ/32 for j = 0…8, each as a sum of two f64.
 #[rustfmt::skip]
 pub(super) const SIN_COS: [([f64; 2], [f64; 2]); 9] = [
     ([0.0, 0.0], [1.0, 0.0]),
@@ -24,7 +25,7 @@ pub(super) const SIN_COS: [([f64; 2], [f64; 2]); 9] = [
     ([0.6343932841636455, 1.0420901929280035e-17], [0.773010453362737, -3.256590703364977e-17]),
     ([0.7071067811865476, -4.833646656726457e-17], [0.7071067811865476, -4.833646656726457e-17]),
 ];
-/// e^(j/32) − 1 for j = −11…11.
+/// Values e^(j/32) − 1 for j = −11…11, each as a sum of two f64.
 #[rustfmt::skip]
 pub(super) const EXP_M1: [[f64; 2]; 23] = [
     [-0.2908938175626016, -1.2868055655346304e-17],
@@ -51,7 +52,7 @@ pub(super) const EXP_M1: [[f64; 2]; 23] = [
     [0.36683794117379637, -4.061704634846282e-18],
     [0.4102260349257107, 1.3752340957573633e-17],
 ];
-/// 1/n! for n = 0…18.
+/// Values 1/n! for n = 0…18, each as a sum of two f64.
 #[rustfmt::skip]
 pub(super) const INVERSE_FACTORIAL: [[f64; 2]; 19] = [
     [1.0, 0.0],

@@ -1,18 +1,18 @@
-//! Decimal notation, read and written.
+//! Decimal notation of `DoubleDouble`, read and written.
 
 use super::DoubleDouble;
 use core::fmt::{self, Display, Formatter, Write};
 
-/// 10⁴⁵ is the largest power of ten that two f64 hold exactly.
+/// Exponent of 10⁴⁵, the largest power of ten that two f64 hold exactly.
 const LARGEST_EXACT_POWER: i32 = 45;
-/// Number of digits that a u128 takes.
+/// Number of decimal digits that are read: as many as a u128 holds.
 const DIGITS_READ: u32 = 38;
-/// Beyond the exponents of f64, with room for the digits.
+/// Size at which exponents of ten are cut off: beyond the exponents of f64, with room for the digits.
 const EXPONENT_LIMIT: i32 = 800;
 
-/// The number that `text` writes, in any notation that f64 takes; not a number if it writes none.
+/// Reads a number in any notation that f64 takes; not a number if `text` has another form.
 pub(super) fn parsed(text: &str) -> DoubleDouble {
-    // What is a number at all, and whether it is within range, is decided as for f64.
+    // As for f64 it is decided if the text is a number at all, and if it is within range.
     let nearest: f64 = text.parse().unwrap_or(f64::NAN);
     if nearest == 0.0 || !nearest.is_finite() {
         return nearest.into();
@@ -25,7 +25,7 @@ pub(super) fn parsed(text: &str) -> DoubleDouble {
     if nearest < 0.0 { -size } else { size }
 }
 
-/// The first 38 digits of "-12.345" as a whole number, and the power of ten to divide it by.
+/// First 38 digits of a mantissa such as "-12.345" as a whole number, and the power of ten to divide it by.
 fn leading_digits(mantissa: &str) -> (i128, i32) {
     let (mut digits, mut taken, mut places, mut after_point) = (0_i128, 0, 0_i32, false);
     for character in mantissa.chars() {
@@ -44,7 +44,7 @@ fn leading_digits(mantissa: &str) -> (i128, i32) {
     (digits, places)
 }
 
-/// x 10ⁿ; one rounding for each 45 powers.
+/// Computes x 10ⁿ, with one rounding for each 45 powers of ten.
 fn times_power_of_ten(x: DoubleDouble, n: i32) -> DoubleDouble {
     let n = n.clamp(-EXPONENT_LIMIT, EXPONENT_LIMIT);
     let mut left = n.abs();
@@ -58,7 +58,7 @@ fn times_power_of_ten(x: DoubleDouble, n: i32) -> DoubleDouble {
     result
 }
 
-/// 10ⁿ for 0 ≤ n ≤ 45, exactly.
+/// Power 10ⁿ for 0 ≤ n ≤ 45, exactly.
 fn power_of_ten(n: i32) -> DoubleDouble {
     let mut power = DoubleDouble::ONE;
     for _ in 0..n {
@@ -67,7 +67,7 @@ fn power_of_ten(n: i32) -> DoubleDouble {
     power
 }
 
-/// Scientific notation with 32 digits, or as many after the point as the precision asks for, at most 32.
+/// Scientific notation with 32 digits. A precision sets the number of digits after the point, at most 32.
 impl Display for DoubleDouble {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         if self.hi == 0.0 || !self.is_finite() {
@@ -90,7 +90,7 @@ impl Display for DoubleDouble {
     }
 }
 
-/// |x| ≈ d₀.d₁d₂… 10ᵉ rounded to `count` ≤ 33 digits: (d, e). The digits after them are 0.
+/// Rounds |x| ≈ d₀.d₁d₂… 10ᵉ to `count` ≤ 33 digits and returns (d, e). The digits after them are 0.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "exponents of f64, digits 0 to 9")]
 fn rounded_digits(x: DoubleDouble, count: usize) -> ([u8; 34], i32) {
     let size = if x.hi < 0.0 { -x } else { x };
@@ -111,7 +111,7 @@ fn rounded_digits(x: DoubleDouble, count: usize) -> ([u8; 34], i32) {
     (digits, exponent + i32::from(carried))
 }
 
-/// ⌊x⌋ for 0 ≤ x < 10, kept in 0…9 whatever rounding made of x.
+/// Whole part ⌊x⌋ of 0 ≤ x < 10, kept in 0…9 even if x was rounded out of that range.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0…9")]
 #[allow(clippy::float_cmp, reason = "asks whether hi is a whole number")]
 fn whole_part(x: DoubleDouble) -> u8 {
@@ -121,7 +121,7 @@ fn whole_part(x: DoubleDouble) -> u8 {
     (if below { floor - 1.0 } else { floor }).clamp(0.0, 9.0) as u8
 }
 
-/// Rounds at `count` by the digit there and removes it; says whether a carry left the first digit.
+/// Rounds the digits by the one at `count`, and sets that one to 0; true if a carry left the first digit.
 fn round_last(digits: &mut [u8; 34], count: usize) -> bool {
     let up = digits[count] >= 5;
     digits[count] = 0;

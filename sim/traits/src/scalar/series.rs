@@ -1,30 +1,29 @@
-//! Sums of products of Taylor coefficients: the part of the recurrences that grows with the order.
+//! Sums of products of Taylor coefficients: the part of Taylor's recurrences whose cost grows with the order.
 //!
 //! Every operation that is not linear is a convolution Σ left_j right_{k−j}: of the factors of a product, of divisor
-//! and quotient, of j·a_j and cos a for sin a. Its terms with 0 < j < k have coefficients of lower orders only, so that
-//! those of all operations are summed at once, for two orders together, which halves what is read. The sums of one
-//! order stand side by side: there is no short loop and no sum across a vector register.
+//! and quotient, of j·a_j and cos a for sin a. Its terms with 0 < j < k have coefficients of lower orders only. So
+//! those of all operations are summed at once, for two orders together, which halves the reads from memory. The sums of
+//! one order stand side by side: there is no short loop and no sum across a vector register.
 
 use crate::Scalar;
 
-/// Left and right factors of one order of every convolution, `W` of them; a multiple of [`LANES`], padded with
-/// anything finite.
+/// Left and right factors of all convolutions at one order. `W` is their number, rounded up to a multiple of [`LANES`];
+/// the padding may be anything finite.
 pub type Factors<S, const W: usize> = [[S; W]; 2];
 
-/// Sums of two successive orders.
+/// Sums of all convolutions at two successive orders.
 pub type Pair<S, const W: usize> = [[S; W]; 2];
 
-/// Number of which the count of convolutions is padded to a multiple.
+/// Unit of the number of convolutions, which is padded to a multiple of it.
 pub const LANES: usize = 8;
 
-/// Bytes that a row of factors begins at a multiple of: a line of the cache, so that no vector register is filled from
-/// two.
+/// Alignment of a row of factors, in bytes: a line of the cache, so that no vector register is filled from two lines.
 const LINE: usize = 64;
 
 /// Entries that [`rows`] may skip to find the beginning of a line.
 pub const SLACK: usize = LINE / 4;
 
-/// Working space as rows of factors, from the beginning of a line of the cache on if `work` begins at a multiple of the
+/// Views the working space as rows of factors. They begin at a line of the cache if `work` begins at a multiple of the
 /// size of its entries.
 #[must_use]
 pub fn rows<S, const W: usize>(work: &mut [S]) -> &mut [Factors<S, W>] {
@@ -33,7 +32,7 @@ pub fn rows<S, const W: usize>(work: &mut [S]) -> &mut [Factors<S, W>] {
     work[skip..].as_chunks_mut().0.as_chunks_mut().0
 }
 
-/// A row that begins with these values; the rest is zero.
+/// Makes a row that begins with these values; the rest is zero.
 #[inline(always)]
 #[must_use]
 #[expect(clippy::inline_always, reason = "a row is built where it is stored")]
@@ -43,8 +42,9 @@ pub fn padded<S: Scalar, const N: usize, const W: usize>(values: [S; N]) -> [S; 
     row
 }
 
-/// For k the length of the history, where `history[j]` holds the factors of order j: Σ left_j right_{k−j} over 0 < j <
-/// k, and Σ left_j right_{k+1−j} over 1 < j < k, for each convolution. The factors of order 0 are not read.
+/// Sums of products for each convolution at the orders k and k + 1, where k is the length of the history and
+/// `history[j]` holds the factors of order j: Σ left_j right_{k−j} over 0 < j < k, and Σ left_j right_{k+1−j} over 1 <
+/// j < k. The factors of order 0 are not read.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "as above")]
 #[must_use]
@@ -52,8 +52,8 @@ pub fn pair_sums<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S
     S::pair_sums(history)
 }
 
-/// [`pair_sums`], `BLOCK` sums at a time: as many as fit in registers twice, with as many factors. It is compiled for
-/// the vector instructions of its caller.
+/// Computes [`pair_sums`] in blocks of `BLOCK` sums: as many as fit in registers twice, with as many factors. It is
+/// compiled for the vector instructions of its caller.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a function that is called is compiled for what every processor has")]
 pub(crate) fn sums<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
@@ -79,8 +79,8 @@ pub(crate) fn sums<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Fac
     sums
 }
 
-/// [`pair_sums`], `BLOCK` sums at a time, of numbers that fill a vector register each. Factors that order k has read
-/// one term earlier are read again, since a register that is kept would be put together from its parts.
+/// Computes [`pair_sums`] in blocks of `BLOCK` sums, for numbers that fill a vector register each. The factors for
+/// order k + 1 are read twice, since a register that is kept would be put together from its parts.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "as above")]
 pub(crate) fn read_twice<S: Scalar, const W: usize, const BLOCK: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
@@ -107,7 +107,7 @@ pub(crate) fn read_twice<S: Scalar, const W: usize, const BLOCK: usize>(history:
     sums
 }
 
-/// The sums from `at` on, `N` of them.
+/// Adds up `N` of the [`pair_sums`], from sum number `at` on.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "as above")]
 fn block<S: Scalar, const W: usize, const N: usize>(history: &[Factors<S, W>], at: usize, sums: &mut Pair<S, W>) {
@@ -129,8 +129,8 @@ fn block<S: Scalar, const W: usize, const N: usize>(history: &[Factors<S, W>], a
     sums[1][at..at + N].copy_from_slice(&next);
 }
 
-/// Sums compiled for the widest vector registers that the processor has. The numbers are those of any processor: wider
-/// registers hold more of them, and nothing is fused that was not.
+/// Computes [`pair_sums`] with the widest vector registers that the processor has. The numbers are those of any
+/// processor: wider registers hold more of them, and no product is fused that was not.
 #[inline]
 pub(crate) fn widest<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
@@ -138,9 +138,9 @@ pub(crate) fn widest<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pa
         use crate::dispatch::{Level, level};
         #[allow(unsafe_code, reason = "called only where the processor has what it is compiled for")]
         match level() {
-            // SAFETY: the level says that the features are there.
+            // SAFETY: the level says that the processor has AVX-512.
             Level::Avx512 => return unsafe { with_avx512(history) },
-            // SAFETY: as above.
+            // SAFETY: the level says that the processor has AVX2.
             Level::Avx2 => return unsafe { with_avx2(history) },
             Level::Baseline => {}
         }
@@ -148,14 +148,14 @@ pub(crate) fn widest<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pa
     sums::<S, W, LANES>(history)
 }
 
-/// 32 registers of 8 doubles.
+/// Computes [`pair_sums`] with AVX-512: 32 registers of 8 doubles.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx512f")]
 fn with_avx512<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {
     sums::<S, W, { 4 * LANES }>(history)
 }
 
-/// 16 registers of 4 doubles.
+/// Computes [`pair_sums`] with AVX2: 16 registers of 4 doubles.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx2")]
 fn with_avx2<S: Scalar, const W: usize>(history: &[Factors<S, W>]) -> Pair<S, W> {

@@ -1,8 +1,8 @@
-//! Sines and cosines of sums of angles, from those of their parts where these are there anyway.
+//! Sines and cosines of sums of angles, from those of the parts where the parts' sines and cosines are computed anyway.
 //!
 //! A sine and a cosine cost as much as thirty operations, an addition theorem six. Absent on purpose: any claim about
-//! small angles: the sine of a difference that is nearly zero is then exact to the last digit of 1, not of itself, as
-//! it is in every program that multiplies such products out.
+//! small angles. The sine of a difference that is nearly zero is then exact to the last digit of 1, not of itself. The
+//! same holds in every program that multiplies such products out.
 
 use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::term::steps::Definition;
@@ -10,12 +10,11 @@ use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Function, Node};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Addition theorems that are multiplied out at once: opened one in another, their coefficients grow to as many bits as
-/// there are of them, and so many are never shorter.
+/// Largest number of addition theorems that are multiplied out together. Nested theorems give coefficients of as many
+/// bits as there are theorems, and the result is then never shorter.
 const MOST_OPENED: usize = 48;
 
-/// Composition of one angle from two others, which gives its sine and cosine: angle = first + second, or first −
-/// second.
+/// Composition of an angle from two others, which gives its sine and cosine: angle = first + second, or first − second.
 struct Addition {
     angle: Expr,
     first: Expr,
@@ -25,13 +24,13 @@ struct Addition {
 
 /// Replacement for the sines and cosines of composed angles.
 pub(super) enum Composed {
-    /// A symbol of its own, defined by a step.
+    /// Symbol of its own, defined by a new step.
     Named,
-    /// Its addition theorem, to be multiplied out.
+    /// Right-hand side of the addition theorem, to be multiplied out.
     Open,
 }
 
-/// Rewrites steps and values so that fewer sines and cosines are computed; `None` if that is not possible.
+/// Rewrites steps and values so that fewer sines and cosines are computed; `None` if no angle can be composed.
 pub(super) fn compose(
     arena: &mut Arena,
     how: &Composed,
@@ -69,8 +68,8 @@ pub(super) fn compose(
     Some((new_steps, values.iter().map(|e| value(*e)).collect()))
 }
 
-/// Angles that are sums or differences of two others. Angles with fewest parts come first. If the angles left over need
-/// more sines and cosines than all their parts would, those of the parts are computed instead.
+/// Angles that are sums or differences of two others, those with fewest parts first. If the remaining angles need more
+/// sines and cosines than all their parts would, the sines and cosines of the parts are computed instead.
 fn additions(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
     let mut angles: Vec<Expr> = Vec::new();
     for part in parts {
@@ -80,7 +79,7 @@ fn additions(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
             angles.push(*angle);
         }
     }
-    // Where one divides by the sine of a difference, its digits count next to zero.
+    // A divisor such as the sine of a difference must be accurate next to zero too: it is computed directly.
     let divides = |angle: &Expr| {
         parts.iter().any(|part| match arena.node(*part) {
             Node::Product(factors) => factors.iter().any(|(base, n)| {
@@ -109,7 +108,8 @@ fn is_atom(arena: &Arena, angle: Expr) -> bool {
     matches!(arena.node(angle), Node::Symbol(_))
 }
 
-/// The angles that are sums or differences of two known ones, and the number of angles that are neither known nor such.
+/// Angles that are sums or differences of two known angles, and the number of angles that are neither known nor
+/// composed.
 fn composed_of(arena: &mut Arena, angles: &[Expr], there: &[Expr]) -> (Vec<Addition>, usize) {
     let mut list: Vec<Expr> = there.to_vec();
     let mut known: FxHashSet<Expr> = there.iter().copied().collect();
@@ -136,13 +136,14 @@ fn composed_of(arena: &mut Arena, angles: &[Expr], there: &[Expr]) -> (Vec<Addit
     (additions, alone)
 }
 
-/// Terms and what stands for them.
+/// Rewritten terms, by the terms that they replace.
 struct Rewriting {
     of: FxHashMap<Expr, Expr>,
 }
 
 impl Rewriting {
-    /// sin (a ± b) = sin a cos b ± cos a sin b, cos (a ± b) = cos a cos b ∓ sin a sin b.
+    /// Sine and cosine of a composed angle: sin (a ± b) = sin a cos b ± cos a sin b, cos (a ± b) = cos a cos b ∓ sin a
+    /// sin b.
     fn theorem(&self, arena: &mut Arena, addition: &Addition) -> [Expr; 2] {
         let value = |arena: &mut Arena, f: Function, angle: Expr| {
             let e = arena.apply(f, angle);
@@ -154,7 +155,7 @@ impl Rewriting {
         if addition.minus { [arena.sub(sc, cs), arena.add(cc, ss)] } else { [arena.add(sc, cs), arena.sub(cc, ss)] }
     }
 
-    /// Builds a term again from what stands for its operands, which were rewritten before it.
+    /// Rebuilds a term from its rewritten operands, which must be rewritten before it.
     fn rewrite(&mut self, arena: &mut Arena, e: Expr) {
         if self.of.contains_key(&e) || !arena.operands(e).any(|o| self.of.contains_key(&o)) {
             return;

@@ -1,4 +1,4 @@
-//! Common divisors of all sums, taken out one at a time, the one that saves most operations first.
+//! Common divisors of all sums of a network, taken out one at a time, the one that saves most operations first.
 
 use super::network::{Atom, Factors, Network, Term, Value, is_unit};
 use crate::algebra::Rational;
@@ -6,23 +6,23 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Terms in one sum above which its pairs of terms are not looked at: they grow with the square.
+/// Number of terms of a sum above which its pairs of terms are not examined: pairs grow with the square.
 const LONGEST: usize = 300;
-/// Places of sums of two terms that are looked at; what comes later shares products only.
+/// Largest number of places of two-term sums that are examined. Later sums share products only.
 const MOST_PLACES: usize = 100_000;
 
-/// Factors of terms that are weighed in pairs, each pair with all factors of its term; what comes later shares no
+/// Largest number of factors that are weighed in pairs, each pair with all factors of its term. Later terms share no
 /// products. A product of n factors would take n⁴ of them: n³ at once, and again for each pair that is taken out.
 const MOST_WEIGHED: usize = 20_000_000;
 
 /// A divisor that several terms may have in common.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Divisor {
-    /// first + second with whole coprime coefficients, the first positive, and no factor in common.
+    /// A sum of two terms with coprime integer coefficients, the first positive, and without a common factor.
     Sum(Box<[Term; 2]>),
-    /// A product of two atoms, which may be one.
+    /// A product of two atoms, which may be equal.
     Product(Atom, Atom),
-    /// A number, not 1 and positive, times an atom.
+    /// An atom times a positive number other than 1.
     Scaled(Rational, Atom),
 }
 
@@ -33,36 +33,38 @@ impl std::hash::Hash for Term {
     }
 }
 
-/// Place at which a divisor may be taken out: a sum, and the places of one or two of its terms.
+/// Place at which a divisor may be taken out: a sum, and the positions of two of its terms, equal if only one term is
+/// meant.
 type Place = (Atom, usize, usize);
 
 #[derive(Default)]
 struct Candidate {
     places: Vec<Place>,
-    /// Operations saved at these places, were all of them still there.
+    /// Upper bound of the operations saved: the sum over all places, also those that are gone.
     most: usize,
-    /// Operations of the divisor itself.
+    /// Number of operations that compute the divisor itself.
     cost: usize,
-    /// The atom that holds it already.
+    /// Atom that holds the divisor; `None` until it is taken out.
     defined: Option<Atom>,
-    /// Savings with which the candidate stands in the queue, 0 if it is not there. Entries with other savings are
+    /// Savings with which the candidate stands in the queue, 0 if it is not there. Queue entries with other savings are
     /// outdated.
     queued: usize,
 }
 
-/// Divisors of a network, kept up to date while they are taken out.
+/// Common divisors of a network, kept up to date while they are taken out.
 pub(super) struct Extraction {
     network: Network,
     index: FxHashMap<Divisor, usize>,
     divisors: Vec<Divisor>,
     candidates: Vec<Candidate>,
-    /// Places of sums of two terms so far.
+    /// Number of places of two-term sums examined so far.
     pairs: usize,
-    /// Factors weighed in pairs so far.
+    /// Number of factors weighed in pairs so far.
     weighed: usize,
-    /// The divisor that a sum is the definition of.
+    /// Number of the divisor that each defining sum computes.
     definition_of: FxHashMap<Atom, usize>,
-    /// (operations saved, the oldest first); bounds from above, which are weighed again when they come up.
+    /// Candidates as (upper bound of the operations saved, number), the largest and then the oldest first. A bound is
+    /// computed again when its entry comes up.
     queue: BinaryHeap<(usize, Reverse<usize>)>,
 }
 
@@ -88,7 +90,7 @@ impl Extraction {
         new
     }
 
-    /// Takes divisors out until none saves an operation.
+    /// Takes common divisors out of the network until no divisor saves an operation.
     pub fn run(mut self) -> Network {
         while let Some((saved, Reverse(id))) = self.queue.pop() {
             if self.candidates[id].queued != saved {
@@ -105,7 +107,8 @@ impl Extraction {
         self.network
     }
 
-    /// Enters what a new term has in common with others. The pairs that make up the sum `own` are its own definition.
+    /// Enters the common divisors of a new term and the `others` of its sum. `own` is the divisor that the sum defines,
+    /// which is not entered.
     fn register(&mut self, sum: Atom, at: usize, others: &[usize], own: Option<usize>) {
         let term = self.term(sum, at).clone();
         self.register_products(&term, (sum, at, at), own);
@@ -118,7 +121,7 @@ impl Extraction {
         }
     }
 
-    /// Enters the products of two factors that a term at a place holds.
+    /// Enters the products of two factors that occur in a term at a place.
     fn register_products(&mut self, term: &Term, place: Place, own: Option<usize>) {
         let count = term.factors.len();
         self.weighed = self.weighed.saturating_add(count.saturating_pow(3) / 2);
@@ -165,7 +168,7 @@ impl Extraction {
         self.enqueue(id, most);
     }
 
-    /// Enters what a divisor saves at most.
+    /// Puts a divisor into the queue with an upper bound of its savings, if that exceeds its present entry.
     fn enqueue(&mut self, id: usize, most: usize) {
         if most > self.candidates[id].queued {
             self.candidates[id].queued = most;
@@ -187,7 +190,7 @@ impl Extraction {
         }
     }
 
-    /// Places that are still there and do not overlap.
+    /// Places of a divisor that still exist and do not overlap.
     fn places(&self, id: usize) -> Vec<Place> {
         let mut list: Vec<Place> = Vec::new();
         let mut taken: FxHashSet<(Atom, usize)> = FxHashSet::default();
@@ -201,7 +204,7 @@ impl Extraction {
         list
     }
 
-    /// A place where the divisor is the whole sum: then that sum holds it.
+    /// Place where the divisor is a whole sum, which can then serve as its definition; `None` if there is none.
     fn whole(&self, id: usize, places: &[Place]) -> Option<Place> {
         places.iter().copied().find(|(sum, i, j)| {
             let terms = self.network.terms(*sum).count();
@@ -211,7 +214,7 @@ impl Extraction {
         })
     }
 
-    /// Remainder of the terms at a place when the divisor is taken out.
+    /// Cofactor that remains at a place when the divisor is taken out.
     fn without(&self, id: usize, (sum, i, j): Place) -> Term {
         let first = self.term(sum, i);
         match &self.divisors[id] {
@@ -232,7 +235,7 @@ impl Extraction {
         }
     }
 
-    /// Number of times that the divisor goes into the terms at a place.
+    /// Number of times that a divisor divides the terms at a place.
     fn times(&self, id: usize, (sum, i, _): Place) -> u32 {
         match &self.divisors[id] {
             Divisor::Product(a, b) => fits(&self.term(sum, i).factors, *a, *b),
@@ -240,7 +243,8 @@ impl Extraction {
         }
     }
 
-    /// Operations that one place loses when the divisor is taken out there, its own not counted.
+    /// Number of operations saved at one place when the divisor is taken out there, without the cost of the divisor
+    /// itself.
     fn gain(&self, id: usize, place: Place) -> usize {
         let (sum, i, j) = place;
         let mut before = self.term(sum, i).multiplications();
@@ -253,7 +257,7 @@ impl Extraction {
         before.saturating_sub(after)
     }
 
-    /// Operations that are saved by taking a divisor out wherever it fits.
+    /// Number of operations saved by taking a divisor out wherever it fits, less the cost of the divisor itself.
     fn saving(&self, id: usize) -> usize {
         let total: usize = self.places(id).iter().map(|place| self.gain(id, *place)).sum();
         let candidate = &self.candidates[id];
@@ -284,7 +288,8 @@ impl Extraction {
         self.candidates[id].places.clear();
     }
 
-    /// The atom that holds a divisor, and the place that is its definition.
+    /// Atom that holds a divisor, created if needed. The place is that of an existing sum that became the definition,
+    /// if one did.
     fn holder(&mut self, id: usize, places: &[Place]) -> (Atom, Option<Place>) {
         if let Some(atom) = self.candidates[id].defined {
             return (atom, None);
@@ -319,7 +324,7 @@ fn magnitude(k: &Rational) -> Rational {
     if k.is_negative() { k.neg() } else { k.clone() }
 }
 
-/// Number of times that a·b goes into a product.
+/// Number of times that a·b divides a product.
 fn fits(factors: &Factors, a: Atom, b: Atom) -> u32 {
     let exponent = |atom: Atom| factors.iter().find(|(e, _)| *e == atom).map_or(0, |(_, n)| *n);
     if a == b { exponent(a) / 2 } else { exponent(a).min(exponent(b)) }
@@ -341,7 +346,7 @@ fn insert(factors: &mut Factors, atom: Atom, times: u32) {
     }
 }
 
-/// Two terms as divisor · rest.
+/// Splits the sum of two terms into divisor · cofactor.
 fn split(a: &Term, b: &Term) -> (Divisor, Term) {
     let mut common = Factors::new();
     for (atom, n) in &a.factors {

@@ -1,19 +1,19 @@
-//! Values as sums of monomials over numbered atoms.
+//! Network of steps and values as sums of monomials over numbered atoms.
 //!
-//! Apart from `polynomial`: terms keep their places while divisors are taken out of many sums at once, and atoms are
-//! sums themselves; sorted terms would come out in another order, at other counts.
+//! These sums are separate from those of `polynomial`. Here terms keep their places while divisors are taken out of
+//! many sums at once, and atoms are sums themselves. Sorted terms would come out in another order, at other counts.
 
 use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashMap;
 
-/// A position in [`Network::atoms`].
+/// Number of an atom: its position in [`Network::atoms`].
 pub(super) type Atom = u32;
 
-/// Π atom^exponent, sorted by atom, exponents positive.
+/// Product Π atom^exponent, sorted by atom, with positive exponents.
 pub(super) type Factors = Vec<(Atom, u32)>;
 
-/// k · Π atom^exponent.
+/// Term of a sum, k · Π atom^exponent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Term {
     pub k: Rational,
@@ -21,7 +21,7 @@ pub(super) struct Term {
 }
 
 impl Term {
-    /// Multiplications: between the factors, and by the number.
+    /// Number of multiplications in the term, between its factors and by k.
     pub fn multiplications(&self) -> usize {
         let degree: u32 = self.factors.iter().map(|(_, n)| *n).sum();
         (degree as usize + usize::from(!is_unit(&self.k))).saturating_sub(1)
@@ -36,11 +36,11 @@ pub(super) fn is_unit(k: &Rational) -> bool {
 /// Value of an atom: a leaf, the inverse of another atom, or a sum.
 #[derive(Clone, Debug)]
 pub(super) enum Value {
-    /// A symbol, π, or a function of something.
+    /// A symbol, π, or a function value.
     Leaf(Expr),
-    /// One over another atom.
+    /// The inverse 1/a of another atom a.
     Inverse(Atom),
-    /// A sum; a term that was taken out leaves its place empty.
+    /// A sum of terms; a term that was taken out leaves its place empty.
     Sum(Vec<Option<Term>>),
 }
 
@@ -51,23 +51,23 @@ pub(super) struct Member {
     pub symbol: Option<Expr>,
 }
 
-/// Everything that is to be computed.
+/// Steps and outputs to compute, as sums over numbered atoms.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Network {
     pub atoms: Vec<Member>,
-    /// The steps, in order.
+    /// Atoms of the steps, in the given order.
     pub steps: Vec<Atom>,
-    /// The outputs, in order.
+    /// Atoms of the outputs, in the given order.
     pub values: Vec<Atom>,
-    /// Steps whose symbols stand inside a leaf, as in √(…) of one.
+    /// Steps whose symbols occur inside each leaf, such as inside a square root.
     pub inside: FxHashMap<Atom, Vec<Atom>>,
-    /// Terms that are atoms.
+    /// Atoms by the term that they stand for.
     known: FxHashMap<Expr, Atom>,
     inverses: FxHashMap<Atom, Atom>,
 }
 
 impl Network {
-    /// Reads steps and values.
+    /// Builds the network of steps and values.
     pub fn new(arena: &Arena, steps: &[Definition], values: &[Expr]) -> Self {
         let mut network = Self::default();
         for step in steps {
@@ -86,13 +86,13 @@ impl Network {
         network
     }
 
-    /// A new atom.
+    /// Adds an atom with this value and returns its number.
     pub fn push(&mut self, value: Value) -> Atom {
         self.atoms.push(Member { value, symbol: None });
         Atom::try_from(self.atoms.len() - 1).expect("fewer atoms than terms fit in memory")
     }
 
-    /// The terms of a sum that are still there.
+    /// Remaining terms of a sum with their places.
     pub fn terms(&self, sum: Atom) -> impl Iterator<Item = (usize, &Term)> {
         let list: &[Option<Term>] = match &self.atoms[sum as usize].value {
             Value::Sum(terms) => terms,
@@ -103,7 +103,7 @@ impl Network {
 
     /// A new sum atom that holds the terms of `e`.
     fn sum(&mut self, arena: &Arena, e: Expr) -> Atom {
-        // Operands have smaller handles, so sums inside are read before what they stand in.
+        // Operands have smaller handles, so inner sums are read before the terms that contain them.
         for part in arena.reachable(&[e]) {
             if let Node::Product(factors) = arena.node(part) {
                 for (base, _) in factors {

@@ -1,16 +1,16 @@
-//! Sums of monomials back to terms of the store, each after what it needs.
+//! Conversion of a network back to terms of the arena, each step after the steps that it uses.
 
 use super::network::{Atom, Network, Term, Value, is_unit};
 use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr, PowerError, Rational};
 use rustc_hash::FxHashSet;
 
-/// Steps and values rewritten.
+/// Steps and values after sharing.
 #[derive(Clone, Debug)]
 pub struct Shared {
-    /// The steps given, with the new symbols among them, each after what it needs.
+    /// Given steps and new steps, each after the steps that it uses.
     pub steps: Vec<Definition>,
-    /// The values, in the order given.
+    /// Given values, rewritten in the symbols of the steps, in the given order.
     pub values: Vec<Expr>,
 }
 
@@ -20,9 +20,8 @@ pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
     arena.symbol_name(symbol).is_some_and(|name| name.starts_with('#'))
 }
 
-/// The steps and values of a network: what is used more than once, and what cannot stand inside another term, gets a
-/// symbol of its own.
-/// `None` if a term has an exponent that the store cannot hold.
+/// Converts a network to steps and values. A sum or inverse that is used more than once, or that cannot stand inside
+/// another term, gets a symbol of its own. `None` if a term has an exponent that the arena cannot hold.
 pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
     let mut builder = Builder {
         arena,
@@ -33,7 +32,7 @@ pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
         too_large: false,
         steps: Vec::new(),
     };
-    // What sharing put among the steps is computed if something needs it.
+    // A step that sharing introduced is computed only if another term uses it.
     for step in &network.steps {
         let symbol = network.atoms[*step as usize].symbol;
         if symbol.is_none_or(|symbol| !is_shared_symbol(builder.arena, symbol)) {
@@ -44,7 +43,7 @@ pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
     (!builder.too_large).then_some(Shared { steps: builder.steps, values })
 }
 
-/// Number of uses of each atom, in other atoms and as an output. A power counts as often as its exponent says.
+/// Number of uses of each atom, in other atoms and as an output. A power counts as many times as its exponent.
 fn uses(network: &Network) -> Vec<usize> {
     let mut uses = vec![0; network.atoms.len()];
     let mut seen = FxHashSet::default();
@@ -80,16 +79,16 @@ struct Builder<'a> {
     uses: Vec<usize>,
     /// Term that replaces each atom in others; `None` until it is built.
     built: Vec<Option<Expr>>,
-    /// Symbols given out.
+    /// Number of new symbols so far.
     named: usize,
-    /// True if an exponent was larger than the store allows.
+    /// True if an exponent was larger than the arena allows.
     too_large: bool,
     steps: Vec<Definition>,
 }
 
 impl Builder<'_> {
-    /// Returns the term that stands for an atom, and defines everything that it needs first. No recursion: chains of
-    /// steps are long.
+    /// Returns the term that stands for an atom, and defines all steps that it uses first. It is not recursive, since
+    /// chains of steps are long.
     fn define(&mut self, atom: Atom) -> Expr {
         let mut stack = vec![(atom, false)];
         while let Some((atom, ready)) = stack.pop() {
@@ -154,7 +153,8 @@ impl Builder<'_> {
         self.arena.linear_combination(&terms)
     }
 
-    /// The factors of a term; a sum that would dissolve in the one around it gets a symbol.
+    /// Product of the factors of a term. A single factor that is a sum, and would merge into the surrounding sum, gets
+    /// a symbol.
     fn product(&mut self, term: &Term, several: bool) -> Expr {
         if let [(only, 1)] = term.factors.as_slice()
             && (several || !is_unit(&term.k))

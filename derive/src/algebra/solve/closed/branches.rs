@@ -1,4 +1,4 @@
-//! The search for solutions: products split, unknowns solved for, what is found put back.
+//! Search for solutions: it splits products, solves rows for unknowns, and puts the solutions into the other rows.
 
 use super::factors::Factors;
 use super::relation::{Isolated, Kind, Need, Relation};
@@ -7,21 +7,21 @@ use super::{MOST_BRANCHES, MOST_STEPS, Solutions};
 use crate::algebra::form::ring::Poly;
 use crate::algebra::{Expr, Function, Node, Rational};
 
-/// A system on the way to its solutions.
+/// Partly solved system of a search.
 #[derive(Clone, Default)]
 pub(super) struct Case {
     rows: Vec<Expr>,
     pub(super) relations: Vec<Relation>,
     pub(super) needs: Vec<Need>,
     pub(super) divided: Vec<Expr>,
-    /// Factors that are not 0: they were split off, or divided by.
+    /// Factors that are not 0 in this case, since they were split off or divided by.
     excluded: Vec<Expr>,
 }
 
-/// A row of a case, without what is not 0.
+/// Row of a case, without factors that cannot be 0.
 pub(super) struct Row {
     pub(super) whole: Expr,
-    /// Factors with unknowns; none where the row has no form in factors.
+    /// Factors of the row that contain unknowns; empty if the row could not be factored.
     factors: Vec<Expr>,
 }
 
@@ -29,12 +29,12 @@ pub(super) struct Row {
 struct Choice {
     row: usize,
     isolated: Isolated,
-    /// Factors of the divisor that contain unknowns.
+    /// Factors of the divisor that contain unknowns and may be 0.
     open: Vec<Expr>,
 }
 
-/// Order of preference among ways to solve a row; the least is best. In turn: false if the unknown is among those asked
-/// for; true if the divisor may be 0; degree of the roots; place of the unknown; size of the row.
+/// Order of preference among ways to solve a row; the least is best. In turn: false if the caller prefers the unknown;
+/// true if the divisor may be 0; degree of the roots; position of the unknown; size of the row.
 type Rank = (bool, bool, u8, usize, usize);
 
 pub struct Search<'w, 'a> {
@@ -63,7 +63,7 @@ impl<'w, 'a> Search<'w, 'a> {
         search
     }
 
-    /// All branches.
+    /// Runs the search and returns all branches that it finds.
     pub fn run(mut self) -> Solutions {
         self.reduce();
         self.found.equations = self.rows.clone().into_iter().map(|row| self.shown(row)).collect();
@@ -88,7 +88,7 @@ impl<'w, 'a> Search<'w, 'a> {
         self.found
     }
 
-    /// Rows less multiples of others, where that leaves fewer terms.
+    /// Subtracts multiples of rows from other rows if that leaves fewer terms.
     fn reduce(&mut self) {
         let mut forms: Vec<Option<Poly>> =
             self.rows.clone().into_iter().map(|row| self.work.fraction(row).map(|f| f.0)).collect();
@@ -114,7 +114,7 @@ impl<'w, 'a> Search<'w, 'a> {
         self.rows.retain(|row| *row != Expr::ZERO);
     }
 
-    /// a − k b, where it has fewer terms than a.
+    /// Difference a − k b with fewer terms than a, for a number k; `None` if there is none.
     fn less(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
         for (powers, k) in &b.terms {
             let Some((_, c)) = a.terms.iter().find(|(other, _)| other == powers) else { continue };
@@ -127,7 +127,7 @@ impl<'w, 'a> Search<'w, 'a> {
         None
     }
 
-    /// A row in factors, each in short form.
+    /// Row as a product of factors, each in short form, for the reader.
     pub(super) fn shown(&mut self, row: Expr) -> Expr {
         let Some(factors) = self.work.factors(row) else { return row };
         let mut list = Vec::new();
@@ -139,7 +139,7 @@ impl<'w, 'a> Search<'w, 'a> {
         self.work.arena.try_product(&list).unwrap_or(row)
     }
 
-    /// The factors of terms that mention unknowns, each once.
+    /// Factors with unknowns of the given terms, each factor once.
     fn open_factors(&mut self, terms: &[Expr]) -> Vec<Expr> {
         let mut list = Vec::new();
         for term in terms {
@@ -186,7 +186,8 @@ impl<'w, 'a> Search<'w, 'a> {
         }
     }
 
-    /// The rows of a case in factors, without those that vanish and what is not 0; nothing if one cannot vanish.
+    /// Rows of a case in factors, without rows that vanish and without factors that cannot be 0. `None` if a row cannot
+    /// vanish or an excluded factor is 0.
     fn rows_of(&mut self, case: &mut Case) -> Option<Vec<Row>> {
         let mut excluded = Vec::new();
         for e in &case.excluded {
@@ -216,7 +217,7 @@ impl<'w, 'a> Search<'w, 'a> {
             }
             let left: Vec<Expr> =
                 factors.unknown.iter().map(|(e, _)| *e).filter(|e| !case.excluded.contains(e)).collect();
-            // What has one sign wherever it has a value is no factor that vanishes.
+            // A factor of known strict sign cannot vanish.
             let left: Vec<Expr> = left.into_iter().filter(|e| !self.work.sign(*e).is_strict()).collect();
             if left.is_empty() {
                 return None;
@@ -230,7 +231,8 @@ impl<'w, 'a> Search<'w, 'a> {
         Some(rows)
     }
 
-    /// The rows with one of them rid of a root; what does not solve it is found when solutions are put back.
+    /// Rows of a case with a square root removed from one of them; `None` if no row has such a root. Solutions that
+    /// this adds are found when they are put into the given equations.
     fn without_root(&mut self, rows: &[Row]) -> Option<Vec<Expr>> {
         let (at, norm) = rows.iter().enumerate().find_map(|(at, row)| {
             let [factor] = row.factors.as_slice() else { return None };
@@ -239,7 +241,7 @@ impl<'w, 'a> Search<'w, 'a> {
         Some(rows.iter().enumerate().map(|(k, row)| if k == at { norm } else { row.whole }).collect())
     }
 
-    /// The factor that most rows have that are products; of those the shortest.
+    /// Factor of a product that most rows contain; among equals the shortest. `None` if no row is a product.
     fn most_shared(&mut self, rows: &[Row]) -> Option<Expr> {
         let products = rows.iter().filter(|row| row.factors.len() > 1);
         let factors: Vec<Expr> = products.flat_map(|row| row.factors.iter().copied()).collect();
@@ -248,7 +250,7 @@ impl<'w, 'a> Search<'w, 'a> {
         factors.into_iter().min_by_key(|e| (std::cmp::Reverse(count(e)), size(e), *e))
     }
 
-    /// The best way to solve one of the rows that are no products.
+    /// Best way to solve a row that is no product for an unknown; `None` if there is none.
     fn choice(&mut self, case: &Case, rows: &[Row]) -> Option<Choice> {
         let mut best: Option<(Rank, Choice)> = None;
         for (at, row) in rows.iter().enumerate() {
@@ -266,12 +268,13 @@ impl<'w, 'a> Search<'w, 'a> {
                 let open: Vec<Expr> =
                     self.open_factors(&divisor).into_iter().filter(|e| !case.excluded.contains(e)).collect();
                 let open: Vec<Expr> = open.into_iter().filter(|e| !self.work.sign(*e).is_strict()).collect();
-                // In what is left of an unknown that is told already, nothing is told of another.
+                // A value must not depend on an unknown of which a relation already gives the square, sine, cosine or
+                // tangent.
                 let is_told = |e: Expr| case.relations.iter().any(|r| self.work.arena.mentions(e, r.unknown));
                 if isolated.solutions.iter().flat_map(|s| &s.relations).any(|r| is_told(r.value)) {
                     continue;
                 }
-                // What is divided by is 0 here.
+                // A row whose factors are all factors of the divisor would make the divisor 0.
                 let is_zero = |r: &Row| !r.factors.is_empty() && r.factors.iter().all(|e| open.contains(e));
                 if rows.iter().any(is_zero) {
                     continue;
@@ -303,7 +306,7 @@ impl<'w, 'a> Search<'w, 'a> {
         })
     }
 
-    /// The cases that solving a row gives: one a solution, and one where what is divided by is 0.
+    /// Cases that follow from solving a row: one for each solution, and one in which the divisor is 0.
     fn solved(&mut self, case: &Case, rows: &[Row], choice: Choice) -> Vec<Case> {
         let mut list = Vec::new();
         for solution in choice.isolated.solutions {

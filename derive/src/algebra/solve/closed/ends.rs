@@ -1,4 +1,4 @@
-//! Ends of a search: what was found is put back into the equations as they were given.
+//! Ends of a search: the solutions found are put into the given equations.
 
 use super::branches::{Case, Row, Search};
 use super::relation::{Branch, Kind, Need, Relation};
@@ -6,7 +6,7 @@ use super::work::Work;
 use crate::algebra::Expr;
 
 impl Search<'_, '_> {
-    /// A case that nothing more is solved of, put back into the equations as they were given.
+    /// Puts a case that cannot be solved further into the given equations, and adds its branch to the solutions.
     pub(super) fn leaf(&mut self, case: &Case, rows: &[Row]) {
         if self.work.normalizer.ring().budget == 0 {
             self.found.is_cut = true;
@@ -46,7 +46,7 @@ impl Search<'_, '_> {
         if plus { Some(Need::NotNegative(p)) } else { minus.then(|| Need::NotNegative(self.work.arena.neg(p))) }
     }
 
-    /// True if the numerator of a term is a multiple of that of one that must vanish.
+    /// True if the numerator of a term is a multiple of the numerator of a term in `left`, which must vanish.
     fn follows(&mut self, value: Expr, left: &[Expr]) -> bool {
         let Some((value, _)) = self.work.fraction(value) else { return false };
         left.iter().any(|e| {
@@ -90,7 +90,7 @@ impl Search<'_, '_> {
         Some(branch)
     }
 
-    /// Leaves out branches that others hold already.
+    /// Removes branches that are special cases of other branches.
     pub(super) fn without_special_cases(&mut self) {
         let all = std::mem::take(&mut self.found.branches);
         let mut kept = vec![true; all.len()];

@@ -1,14 +1,14 @@
-//! Numerators in factors, as far as they are found by trial.
+//! Factors of numerators, as far as trial division finds them.
 
 use super::work::Work;
 use crate::algebra::form::ring::{GENERATORS, Poly, Powers, Ring};
 use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Expr, Function, Node, Rational};
 
-/// Terms above a fraction bar up to which they are shown in factors.
+/// Largest number of terms of a numerator that is shown in factors.
 const NEAT: usize = 60;
 
-/// Terms up to which other factors than single ones are looked for.
+/// Largest number of terms of a polynomial in which factors other than single generators are looked for.
 const MOST_FACTORED: usize = 80;
 
 /// A numerator in factors.
@@ -22,16 +22,16 @@ pub struct Factors {
 
 /// Result of splitting a polynomial.
 enum Split {
-    /// It is a product of these.
+    /// The polynomial is the product of these two.
     Product([Poly; 2]),
-    /// No factor was found.
+    /// No factor of the polynomial was found.
     Whole,
-    /// The budget ended.
+    /// The budget ended before a factor was found.
     Stopped,
 }
 
 impl Work<'_> {
-    /// The numerator of a term in factors; nothing beyond the budget, no factors for 0.
+    /// Numerator of a term in factors; `None` beyond the budget, no factors for 0.
     pub fn factors(&mut self, e: Expr) -> Option<Factors> {
         let (above, _) = self.fraction(e)?;
         if above.is_zero() {
@@ -61,7 +61,7 @@ impl Work<'_> {
         Some(factors)
     }
 
-    /// A primitive polynomial as a product of two, if one is found.
+    /// Splits a primitive polynomial into a product of two, if one is found.
     fn split(&mut self, p: &Poly) -> Split {
         let ring = self.normalizer.ring();
         let common = p.common_powers();
@@ -121,7 +121,7 @@ impl Work<'_> {
             let shortest = coefficients.values().min_by_key(|c| c.terms.len()).filter(|_| coefficients.len() > 1);
             let Some(shortest) = shortest else { continue };
             let mut part = shortest.split_content().1;
-            // Without what is a factor of this one alone.
+            // Without generators that divide this coefficient alone.
             let common = part.common_powers();
             for other in 0..self.normalizer.ring().size() {
                 for _ in 0..common.of(other) {
@@ -138,8 +138,8 @@ impl Work<'_> {
         list
     }
 
-    /// A term over one denominator, above and below in factors, each in short form; a short form where that is too
-    /// large.
+    /// Writes a term as a fraction with numerator and denominator in factors, each in short form. If that is too large,
+    /// only the simplifier is applied.
     pub fn neat(&mut self, e: Expr) -> Expr {
         let short = self.short(e);
         let Some((above, below)) = self.fraction(e).filter(|(above, _)| above.terms.len() <= NEAT) else {

@@ -1,4 +1,4 @@
-//! One factor of an equation solved for one unknown.
+//! Solution of one factor of an equation for one unknown.
 
 use super::relation::{Isolated, Kind, Need, Relation, Solution};
 use super::work::{Role, Work};
@@ -6,7 +6,8 @@ use crate::algebra::form::ring::Poly;
 use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Expr, Function, Rational};
 
-/// y with a y² + b y + d = 0, or b y + d = 0 where a is 0; what is divided by, and what must not be negative.
+/// Roots y of a y² + b y + d = 0, or of b y + d = 0 if a is 0. `divisor` is the coefficient that they divide by; `root`
+/// is the term under their square root, which must not be negative.
 struct Roots {
     values: Vec<Expr>,
     divisor: Expr,
@@ -15,7 +16,7 @@ struct Roots {
 }
 
 impl Work<'_> {
-    /// A factor, a polynomial, solved for an unknown, if it is of a kind that is.
+    /// Solves a polynomial factor of an equation for an unknown; `None` if it is of no kind that can be solved.
     pub fn isolated(&mut self, factor: Expr, x: Expr) -> Option<Isolated> {
         let (p, _) = self.fraction(factor)?;
         if let Some(found) = self.by_waves(&p, x) {
@@ -39,8 +40,8 @@ impl Work<'_> {
         }
     }
 
-    /// The coefficients of a polynomial in a generator, that of power 0 first, and the step between powers: 2 where
-    /// only even powers occur, else 1. `None` if the degree is above 2 steps.
+    /// Coefficients of a polynomial in a generator, that of power 0 first, and the step between powers. The step is 2
+    /// if only even powers occur, else 1. `None` if the degree is above 2 steps.
     fn powers(&mut self, p: &Poly, at: usize) -> Option<(Vec<Expr>, usize)> {
         let list = Self::coefficients(p, &[at]);
         let powers: Vec<usize> = list.keys().map(|powers| usize::from(powers.of(at))).collect();
@@ -56,7 +57,8 @@ impl Work<'_> {
         Some((coefficients, step))
     }
 
-    /// The roots of a polynomial of degree 2 at most.
+    /// Roots of a polynomial of degree 2 at most, from its coefficients, the constant first; `None` if it has no
+    /// divisor.
     fn roots(&mut self, coefficients: &[Expr]) -> Option<Roots> {
         let [d, b, a] = *coefficients else { return None };
         if a == Expr::ZERO {
@@ -89,7 +91,7 @@ impl Work<'_> {
 
     fn plain(&mut self, p: &Poly, at: usize, x: Expr) -> Option<Isolated> {
         let (coefficients, step) = self.powers(p, at)?;
-        // Of a x² + d the square is told, not two roots.
+        // For a x² + d the relation gives the square, not two roots.
         if step == 2 {
             let Roots { values, divisor, root, degree } = self.roots(&coefficients)?;
             let solutions = values.into_iter().filter_map(|value| {
@@ -109,7 +111,7 @@ impl Work<'_> {
         Some(Isolated { solutions: solutions.collect(), divisor: Some(divisor), degree })
     }
 
-    /// A polynomial in the sine alone, or the cosine alone.
+    /// Solves a polynomial in the sine alone, or in the cosine alone, for the angle.
     fn circular(&mut self, p: &Poly, at: usize, (x, angle): (Expr, Expr), kind: Kind) -> Option<Isolated> {
         let list = Self::coefficients(p, &[at]);
         let mut coefficients = vec![Expr::ZERO; 3];
@@ -145,7 +147,7 @@ impl Work<'_> {
         Some(Isolated { solutions, divisor: Some(divisor), degree })
     }
 
-    /// The angles, in quarters of a turn, where a sine or a cosine is −1, 0 or 1.
+    /// Angles, in units of π/2, where a sine or a cosine is −1, 0 or 1; `None` for other values.
     fn quarter_turns(kind: Kind, value: Expr) -> Option<&'static [i64]> {
         match (kind, value) {
             (Kind::Sine, Expr::ZERO) => Some(&[0, 2]),
@@ -158,7 +160,7 @@ impl Work<'_> {
         }
     }
 
-    /// b sin + a cos + d = 0, or b sin + A₂ cos² + A₀ = 0.
+    /// Solves b sin + a cos + d = 0, or b sin + A₂ cos² + A₀ = 0, for the angle of both functions.
     fn both(&mut self, p: &Poly, [sine, cosine]: [usize; 2], of: (Expr, Expr)) -> Option<Isolated> {
         let [mut a, mut b, mut d, mut square] = [Expr::ZERO; 4];
         for (powers, c) in Self::coefficients(p, &[sine, cosine]) {
@@ -202,13 +204,13 @@ impl Work<'_> {
         Some(Isolated { solutions, divisor: Some(length), degree: 2 })
     }
 
-    /// A solution without what is needed anyway; none if what it needs cannot be.
+    /// Removes needs that always hold from a solution; `None` if one can never hold.
     fn possible(&mut self, solution: Solution) -> Option<Solution> {
         let needs = self.needed(&solution.needs)?;
         Some(Solution { needs, ..solution })
     }
 
-    /// Those of these needs that do not always hold; `None` if one can never hold.
+    /// Needs that do not always hold; `None` if one can never hold.
     pub fn needed(&mut self, needs: &[Need]) -> Option<Vec<Need>> {
         let mut list: Vec<Need> = Vec::new();
         for need in needs {

@@ -7,9 +7,9 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Function, Node, Rational};
 
 impl Work<'_> {
-    /// A term with a relation put in, as far as the relation determines it. The sign of a square root, or of the cosine
-    /// beside a sine, stays open: the unknown or the function remains to the power 1. `None` if something is then
-    /// divided by 0, or beyond the budget.
+    /// Puts a relation into a term, as far as the relation determines it. The sign of a square root, or of the cosine
+    /// beside a sine, stays open: the unknown or the function remains to the power 1. `None` if a divisor becomes 0, or
+    /// beyond the budget.
     pub fn put(&mut self, relation: &Relation, e: Expr) -> Option<Expr> {
         if !self.arena.mentions(e, relation.unknown) {
             return Some(e);
@@ -30,7 +30,7 @@ impl Work<'_> {
         self.arena.try_product(&factors).ok()
     }
 
-    /// A polynomial with a relation put into each of its terms.
+    /// Puts a relation into each term of a polynomial; `None` if a divisor becomes 0, or beyond the budget.
     fn rewritten(&mut self, relation: &Relation, p: &Polynomial) -> Option<Expr> {
         let Relation { kind, angle, value, .. } = *relation;
         let square = self.arena.square(value);
@@ -63,8 +63,8 @@ impl Work<'_> {
         Some(self.arena.linear_combination(&terms))
     }
 
-    /// A function value with a relation put into its argument, such as the root of a square that the relation gives;
-    /// other atoms are returned unchanged.
+    /// Puts a relation into the argument of a function value, such as the root of a square that the relation gives.
+    /// Other atoms are returned unchanged.
     fn inside(&mut self, relation: &Relation, atom: Expr) -> Option<Expr> {
         let Node::Apply(f, argument) = *self.arena.node(atom) else { return Some(atom) };
         if !self.arena.mentions(argument, relation.unknown) || matches!(f, Function::Sin | Function::Cos) {
@@ -74,7 +74,7 @@ impl Work<'_> {
         Some(self.arena.apply(f, argument))
     }
 
-    /// A term with several relations put in, one after the other.
+    /// Puts several relations into a term, one after the other; `None` if a divisor becomes 0, or beyond the budget.
     pub fn put_all(&mut self, relations: &[Relation], e: Expr) -> Option<Expr> {
         relations.iter().try_fold(e, |e, relation| self.put(relation, e))
     }

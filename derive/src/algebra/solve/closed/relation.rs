@@ -5,33 +5,33 @@ use crate::algebra::Expr;
 /// Function of an unknown that a relation gives: the unknown itself, its square, or a sine, cosine or tangent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// The unknown.
+    /// The unknown itself.
     Value,
-    /// Its square.
+    /// Square of the unknown.
     Square,
-    /// The sine of an angle that is proportional to it.
+    /// Sine of an angle that is proportional to the unknown.
     Sine,
-    /// The cosine of such an angle.
+    /// Cosine of an angle that is proportional to the unknown.
     Cosine,
-    /// The tangent of such an angle.
+    /// Tangent of an angle that is proportional to the unknown.
     Tangent,
 }
 
 /// A relation for one unknown: its value, its square, or a sine, cosine or tangent of an angle proportional to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Relation {
-    /// The unknown.
+    /// Unknown that the relation gives.
     pub unknown: Expr,
     /// Function of the unknown that the relation gives.
     pub kind: Kind,
-    /// The angle whose sine, cosine or tangent is given; else the unknown.
+    /// Angle whose sine, cosine or tangent is given; the unknown itself for other kinds.
     pub angle: Expr,
-    /// Value of that function.
+    /// Value of the function of the unknown.
     pub value: Expr,
 }
 
 impl Relation {
-    /// An unknown with its value.
+    /// Creates the relation unknown = value.
     pub(super) const fn value(unknown: Expr, value: Expr) -> Self {
         Self { unknown, kind: Kind::Value, angle: unknown, value }
     }
@@ -47,7 +47,7 @@ pub enum Need {
 }
 
 impl Need {
-    /// The term.
+    /// Term on which the condition is.
     #[must_use]
     pub const fn term(self) -> Expr {
         match self {
@@ -63,10 +63,10 @@ impl Need {
     }
 }
 
-/// Solutions of a system that are told by formulas.
+/// Branch of solutions of a system: formulas for the unknowns, and their conditions.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Branch {
-    /// Relations for the unknowns that were solved for, each in terms of the free ones.
+    /// Relations for the unknowns that were solved for, each in terms of the free unknowns.
     pub solved: Vec<Relation>,
     /// Conditions for the solution to be real.
     pub needs: Vec<Need>,
@@ -76,10 +76,10 @@ pub struct Branch {
     pub left: Vec<Expr>,
 }
 
-/// An unknown, with what that needs.
+/// Solution for one unknown, with its conditions.
 #[derive(Clone, Debug, Default)]
 pub struct Solution {
-    /// One relation, or two where both sine and cosine are given.
+    /// Relations for the unknown: one, or two if both sine and cosine are given.
     pub relations: Vec<Relation>,
     /// Conditions for the solution to be real.
     pub needs: Vec<Need>,
@@ -88,10 +88,11 @@ pub struct Solution {
 /// Solutions of a factor of an equation for one unknown.
 #[derive(Clone, Debug, Default)]
 pub struct Isolated {
-    /// The solutions; none if no real number solves it.
+    /// Solutions for the unknown; empty if no real number solves the factor.
     pub solutions: Vec<Solution>,
     /// Divisor of the solutions, if they divide by a term.
     pub divisor: Option<Expr>,
-    /// 0 if it is linear, 1 if it has a square root, 2 if both sine and cosine have one.
+    /// Complexity of the solutions: 0 if the factor is linear, 1 with one square root, 2 with roots in both sine and
+    /// cosine.
     pub degree: u8,
 }

@@ -1,4 +1,4 @@
-//! Square roots: of what is a square, and equations rid of one.
+//! Square roots of squares, and removal of square roots from equations.
 
 use super::work::Work;
 use crate::algebra::form::ring::Poly;
@@ -6,7 +6,8 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Function, Node};
 
 impl Work<'_> {
-    /// The norm of a factor over its roots of what mentions unknowns: what must vanish too, without one of them.
+    /// Removes a square root whose argument contains unknowns from a factor. The result is a norm, which vanishes
+    /// wherever the factor does. `None` if there is no such root.
     pub fn without_root(&mut self, factor: Expr) -> Option<Expr> {
         let (p, _) = self.fraction(factor)?;
         let root = (0..self.normalizer.ring().size()).rev().find(|at| {
@@ -21,7 +22,7 @@ impl Work<'_> {
         Some(self.term(&norm))
     }
 
-    /// √e, without the root where e is a square: then of either sign.
+    /// Square root of `e`. If `e` is the square of a rational term, the result is that term, of either sign.
     pub fn root_of(&mut self, e: Expr) -> Expr {
         match self.rational_root(e) {
             Some(root) => root,
@@ -29,7 +30,7 @@ impl Work<'_> {
         }
     }
 
-    /// p with p² = e, of either sign.
+    /// Rational term p with p² = e, of either sign; `None` if none is found.
     fn rational_root(&mut self, e: Expr) -> Option<Expr> {
         let (above, below) = self.fraction(e)?;
         let above = self.normalizer.ring().square_root(&above)?;
@@ -41,7 +42,8 @@ impl Work<'_> {
         self.arena.try_product(&factors).ok()
     }
 
-    /// A term that has a root √p², and the same with p and with −p instead.
+    /// Finds a root √p² in a term. Returns p, and the term with p and with −p in place of the root. `None` if there is
+    /// no such root.
     pub fn split_root(&mut self, e: Expr) -> Option<(Expr, [Expr; 2])> {
         let parts = self.arena.reachable(&[e]);
         let mut roots = parts.into_iter().filter_map(|part| match *self.arena.node(part) {

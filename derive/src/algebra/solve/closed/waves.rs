@@ -7,17 +7,18 @@ use crate::algebra::form::ring::Poly;
 use crate::algebra::{Expr, Function, Node, Rational};
 use std::collections::BTreeMap;
 
-/// Terms of a polynomial, and waves, up to which it is looked at.
+/// Largest number of terms of a polynomial, and of waves, that are examined.
 const MOST_TERMS: usize = 12;
 
-/// A wave: true if it is a sine, false for a cosine; and the angle Σ n · unknown, with the first n above 0.
+/// Sine or cosine wave: true for a sine, false for a cosine; and the angle Σ n · unknown, with the first n above 0.
 type Wave = (bool, BTreeMap<Expr, i64>);
 
-/// Angle = half turns · π.
+/// Linear equation angle = half turns · π, with the angle Σ n · unknown.
 type Line = (BTreeMap<Expr, i64>, Rational);
 
 impl Work<'_> {
-    /// A factor of angles alone solved for an unknown: the last of those that occur in each solution once.
+    /// Solves a factor that depends on angles alone for the unknown `x`. `x` must be the last unknown that has the
+    /// factor 1 or −1 in each solution; otherwise the result is `None`.
     pub fn by_waves(&mut self, p: &Poly, x: Expr) -> Option<Isolated> {
         let waves = self.waves(p)?;
         let lines = lines(&waves)?;
@@ -37,7 +38,8 @@ impl Work<'_> {
         Some(Isolated { solutions, divisor: None, degree: 0 })
     }
 
-    /// A polynomial with numbers as coefficients as a sum of waves, by products that become sums.
+    /// Writes a polynomial with numbers as coefficients as a sum of waves: products of waves become sums. `None` if it
+    /// contains other atoms or is too long.
     fn waves(&mut self, p: &Poly) -> Option<Vec<(Wave, Rational)>> {
         if p.terms.len() > MOST_TERMS {
             return None;
@@ -72,7 +74,7 @@ impl Work<'_> {
     }
 }
 
-/// A wave times sin or cos of an angle: two of half its size.
+/// Product of a wave and the sine or cosine of an angle, as two waves of half the amplitude.
 fn times(((is_sine, angle), k): (Wave, Rational), by_sine: bool, x: Expr, half: &Rational) -> [(Wave, Rational); 2] {
     let turned = |by: i64| {
         let mut angle = angle.clone();
@@ -96,7 +98,7 @@ fn times(((is_sine, angle), k): (Wave, Rational), by_sine: bool, x: Expr, half: 
     })
 }
 
-/// Equations for angles under which one wave, or the sum of two of equal amplitude, is 0. `None` for other sums.
+/// Equations for the angles where one wave, or the sum of two waves of equal amplitude, is 0. `None` for other sums.
 fn lines(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
     let [zero, half, one] = [Rational::ZERO, Rational::fraction(1, 2)?, Rational::ONE];
     let combined = |a: &Wave, b: &Wave, sign: i64| {
@@ -123,6 +125,6 @@ fn lines(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
         }
         _ => return None,
     };
-    // Of an equal pair of angles one line says nothing: it is no pair then.
+    // If the angles of a pair are equal, one equation is empty: then it is no pair.
     lines.iter().all(|(angle, _)| !angle.is_empty()).then_some(lines)
 }

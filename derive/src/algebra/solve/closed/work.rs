@@ -1,4 +1,4 @@
-//! Terms in normal form: their numerators, factors, and coefficients by an unknown.
+//! Tools of the closed-form search: numerators, factors, coefficients and signs of terms in normal form.
 
 use super::BUDGET;
 use crate::algebra::form::normal::Normalizer;
@@ -12,17 +12,17 @@ use std::collections::BTreeMap;
 /// Dependence of a generator on an unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// It is the unknown.
+    /// The generator is the unknown itself.
     Plain,
-    /// Sine of the unknown times what does not depend on unknowns: the angle.
+    /// The generator is the sine of this angle: the unknown times a term without unknowns.
     Sine(Expr),
-    /// Cosine of such an angle.
+    /// The generator is the cosine of this angle: the unknown times a term without unknowns.
     Cosine(Expr),
-    /// Anything else.
+    /// The generator depends on the unknown in another way.
     Mixed,
 }
 
-/// The terms of a system and what computes with them.
+/// Arena, engines and unknowns with which one system is solved.
 pub struct Work<'a> {
     pub arena: &'a mut Arena,
     pub normalizer: Normalizer,
@@ -30,7 +30,7 @@ pub struct Work<'a> {
     pub comparer: Comparer,
     pub unknowns: Vec<Expr>,
     pub asked: usize,
-    /// True if a tangent may be given in terms of angles that are still open, while other rows mention its unknown.
+    /// True if a tangent may be given in terms of unknown angles while other rows mention its unknown.
     pub keeps_tangents: bool,
 }
 
@@ -41,13 +41,13 @@ impl<'a> Work<'a> {
         Self { arena, normalizer, simplifier, comparer, unknowns: unknowns.to_vec(), asked, keeps_tangents: true }
     }
 
-    /// The unknowns that a term mentions.
+    /// Unknowns of the system that a term mentions.
     pub fn unknowns_in(&self, e: Expr) -> Vec<Expr> {
         let parts = self.arena.reachable(&[e]);
         self.unknowns.iter().copied().filter(|x| parts.binary_search(x).is_ok()).collect()
     }
 
-    /// Numerator, and factors of the denominator, in normal form; nothing beyond the budget.
+    /// Numerator and factors of the denominator of a term in normal form; `None` beyond the budget.
     pub fn fraction(&mut self, e: Expr) -> Option<(Poly, Vec<(Poly, u32)>)> {
         let form = self.normalizer.fraction(self.arena, e)?;
         Some((form.numerator.clone(), form.denominator.clone()))
@@ -58,12 +58,12 @@ impl<'a> Work<'a> {
         self.normalizer.polynomial(p).expand(self.arena)
     }
 
-    /// A short form of a term.
+    /// Simplifies a term to its short form.
     pub fn short(&mut self, e: Expr) -> Expr {
         self.simplifier.simplify(self.arena, e)
     }
 
-    /// The quotient, simplified; nothing if the divisor is the literal 0.
+    /// Quotient a / b, simplified; `None` if the divisor is the literal 0.
     pub fn quotient(&mut self, a: Expr, b: Expr) -> Option<Expr> {
         let quotient = self.arena.div(a, b)?;
         Some(self.short(quotient))
@@ -90,25 +90,25 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// The generators of a polynomial that mention an unknown.
+    /// Numbers of the generators in a polynomial that mention the unknown `x`.
     pub fn generators_of(&mut self, p: &Poly, x: Expr) -> Vec<usize> {
         let size = self.normalizer.ring().size();
         let used = (0..size).filter(|at| p.terms.iter().any(|(powers, _)| powers.of(*at) > 0));
         used.filter(|at| self.arena.mentions(self.normalizer.expression_of(*at), x)).collect()
     }
 
-    /// The coefficients of a polynomial by powers of some generators.
+    /// Coefficients of a polynomial by the powers of some generators.
     pub fn coefficients(p: &Poly, generators: &[usize]) -> BTreeMap<Powers, Poly> {
         let mut list: BTreeMap<Powers, Poly> = BTreeMap::new();
         for (powers, k) in &p.terms {
             let (inside, outside) = powers.split(generators);
             list.entry(inside).or_default().terms.push((outside, k.clone()));
         }
-        // The order of terms stays falling: what is left out of each is the same.
+        // The order of terms stays falling: the terms of one coefficient lack the same powers.
         list
     }
 
-    /// The sign of a term, as far as it shows: from symbols that are positive, even powers and roots.
+    /// Sign of a term, as far as it follows from positive symbols, even powers and roots.
     pub fn sign(&mut self, e: Expr) -> Sign {
         let Some((above, below)) = self.fraction(e) else { return Sign::Unknown };
         let mut sign = self.sign_of(&above);

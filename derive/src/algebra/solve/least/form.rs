@@ -1,4 +1,4 @@
-//! The form while it is carried back through the names: its entries, and the removal of one of its terms.
+//! Quadratic form while it is carried back through the names: its entries, and the removal of a term.
 //!
 //! Invariant: an entry stands in the rows of both of its terms.
 
@@ -11,16 +11,16 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// Terms of an entry up to which a shorter form is looked for.
+/// Largest number of terms of an entry that is simplified.
 const MOST_SHORTENED: usize = 20;
 
-/// Σ coefficient · end + rest.
+/// Linear form Σ coefficient · end + rest; an end is an unknown or a name.
 pub(super) struct Part {
     pub(super) terms: Vec<(Expr, Expr)>,
     pub(super) rest: Expr,
 }
 
-/// An unknown, and the name that is solved for in its place: name = sign · unknown + what else its part has.
+/// An unknown, and the name that is solved for in its place: name = sign · unknown + other terms.
 pub(super) struct Replaced {
     pub(super) unknown: Expr,
     pub(super) by: Expr,
@@ -28,18 +28,19 @@ pub(super) struct Replaced {
     pub(super) sign: Expr,
 }
 
-/// Two terms that are two others turned by an angle, and known rests: z₁ = c x + s y + r₁ and z₂ = c y − s x + r₂.
+/// Two terms z that are two ends x, y turned by an angle, plus known rests: z₁ = c x + s y + r₁ and z₂ = c y − s x +
+/// r₂.
 pub(super) struct Turn {
     x: Expr,
     y: Expr,
     sine: Expr,
     cosine: Expr,
-    /// (r₁, r₂).
+    /// Known rests (r₁, r₂) of the two terms.
     rests: (Expr, Expr),
 }
 
-/// The rotation that relates two terms to two others, by the sine and the cosine of one angle, so that c² + s² = 1;
-/// `None` if they are not so related.
+/// Rotation that relates two terms to two ends, by the sine and the cosine of one angle, so that c² + s² = 1; `None` if
+/// they are not so related.
 pub(super) fn turn(arena: &mut Arena, one: &Part, other: &Part) -> Option<Turn> {
     let ([(x, c), (y, s)], [(x2, minus_s), (y2, c2)]) = (one.terms.as_slice(), other.terms.as_slice()) else {
         return None;
@@ -58,7 +59,7 @@ pub(super) fn turn(arena: &mut Arena, one: &Part, other: &Part) -> Option<Turn> 
     })
 }
 
-/// The function and the angle of a term that is a sine, a cosine or the negative of one; `None` for other terms.
+/// Function and angle of a term that is a sine, a cosine or the negative of one; `None` for other terms.
 fn circular(arena: &Arena, e: Expr) -> Option<(Function, Expr)> {
     let inner = match arena.node(e) {
         Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 && terms[0].1 == Rational::integer(-1) => {
@@ -72,7 +73,7 @@ fn circular(arena: &Arena, e: Expr) -> Option<(Function, Expr)> {
     }
 }
 
-/// The form while it is carried back: entries as terms that are added up when they are read.
+/// Quadratic form while it is carried back. An entry is a list of terms, which are added when the entry is read.
 pub(super) struct Form<'a> {
     pub(super) arena: &'a mut Arena,
     pub(super) simplifier: &'a mut Simplifier,
@@ -80,13 +81,13 @@ pub(super) struct Form<'a> {
     pub(super) at_zero: Substitution,
     pub(super) varying: FxHashSet<Expr>,
     pub(super) ends: Vec<Expr>,
-    /// Symmetric: each entry stands in the rows of both.
+    /// Entries of the symmetric matrix by their two ends: each entry stands in the rows of both.
     pub(super) rows: BTreeMap<Expr, BTreeMap<Expr, Vec<Expr>>>,
     pub(super) linear: FxHashMap<Expr, Vec<Expr>>,
 }
 
 impl Form<'_> {
-    /// A term as a linear form; `None` if it is none.
+    /// Reads a term as a linear form in the ends; `None` if it is not linear.
     pub(super) fn part(&mut self, e: Expr) -> Option<Part> {
         let slopes = self.gradient.apply(self.arena, e);
         let terms: Vec<(Expr, Expr)> = slopes.iter().map(|(at, slope)| (self.ends[*at], *slope)).collect();
@@ -97,7 +98,7 @@ impl Form<'_> {
         Some(Part { terms, rest: self.at_zero.apply(self.arena, e) })
     }
 
-    /// The unknowns that stand in one name alone, and by themselves nowhere in the quadratic part.
+    /// Unknowns that occur in one name only, and nowhere by themselves in the quadratic part, each with that name.
     pub(super) fn replaced(&self, named: &[Expr], parts: &FxHashMap<Expr, Part>, unknowns: &[Expr]) -> Vec<Replaced> {
         let mut list: Vec<Replaced> = Vec::new();
         for unknown in unknowns.iter().filter(|unknown| !self.rows.contains_key(unknown)) {
@@ -113,7 +114,7 @@ impl Form<'_> {
         list
     }
 
-    /// Puts a name in the place of an unknown, which then follows from it.
+    /// Puts a name in the place of an unknown, and returns the step by which the unknown follows from the name.
     pub(super) fn replace(&mut self, unknown: Expr, by: Expr, sign: Expr, part: &Part) -> Definition {
         let others = || part.terms.iter().filter(|(of, _)| *of != unknown);
         for term in self.linear.remove(&unknown).unwrap_or_default() {
@@ -157,7 +158,7 @@ impl Form<'_> {
                     let to_rest = self.arena.product(&[k, *by_a, other.rest]);
                     self.add_linear(*a, to_rest);
                     for (b, by_b) in other.terms.iter().filter(|(b, _)| a <= b) {
-                        // Of two ends both orders come by.
+                        // Each pair of ends occurs in both orders, of which one is kept.
                         let entry = self.arena.product(&[k, *by_a, *by_b]);
                         self.add(*a, *b, entry);
                     }
@@ -171,17 +172,17 @@ impl Form<'_> {
         Some(())
     }
 
-    /// The place of what is to be taken out next: an unknown, else what is farthest from the unknowns, with the fewest
-    /// terms beside it.
+    /// Position in `ready` of the end to take out next; `None` if `ready` is empty. Unknowns go first, then the names
+    /// farthest from the unknowns; among equals, the end with the fewest entries.
     pub(super) fn next(&self, ready: &[Expr], depth: impl Fn(&Expr) -> Option<Depth>) -> Option<usize> {
         let key = |e: &Expr| (depth(e).map(Reverse), self.rows.get(e).map_or(0, BTreeMap::len), Reverse(*e));
         (0..ready.len()).min_by_key(|at| key(&ready[*at]))
     }
 
-    /// The sum of terms, short, by a name where it has several.
+    /// Sum of terms in short form; a sum of several terms gets a name.
     fn read(&mut self, terms: &[Expr], wanted: &str) -> Expr {
         let sum = self.arena.sum(terms);
-        // Of many terms an order gathers that will lose to the other.
+        // Only an order of elimination that will lose to another gathers so many terms.
         let sum = if terms.len() > MOST_SHORTENED { sum } else { self.simplifier.simplify(self.arena, sum) };
         if matches!(self.arena.node(sum), Node::Sum(..)) { self.arena.name(sum, wanted) } else { sum }
     }
@@ -191,7 +192,7 @@ impl Form<'_> {
         name.replace("''", "_ddot").replace('\'', "_dot")
     }
 
-    /// Takes a row out of the form: (its own entry, its entries with others, its linear entry).
+    /// Removes the row of end `z` from the form. Returns (diagonal entry, entries with other ends, linear entry).
     fn take(&mut self, z: Expr) -> (Expr, Vec<(Expr, Expr)>, Expr) {
         let row = self.rows.remove(&z).unwrap_or_default();
         let linear = self.linear.remove(&z).unwrap_or_default();
@@ -214,7 +215,7 @@ impl Form<'_> {
         (own, others, linear)
     }
 
-    /// Puts what a term is made of in its place.
+    /// Replaces a name `z` in the form by the linear form that it is made of.
     pub(super) fn substitute(&mut self, z: Expr, part: &Part) {
         let (own, others, linear) = self.take(z);
         for (y, entry) in &others {
@@ -277,12 +278,13 @@ impl Form<'_> {
         let across = self.arena.add(ct, k12);
         let across = self.arena.neg(across);
         self.add(x, y, across);
-        // Both keep a row, so that they are substituted for what else stands beside them.
+        // Both keep a row, so that their entries with other ends are substituted later.
         self.rows.entry(one).or_default();
         self.rows.entry(other).or_default();
     }
 
-    /// The unknown at which the form is least, with all others as they are.
+    /// Eliminates an unknown: returns the value at which the form is least for given other ends. `None` if the pivot is
+    /// 0.
     pub(super) fn eliminate(&mut self, unknown: Expr) -> Option<Definition> {
         let (own, others, linear) = self.take(unknown);
         let name = self.called(unknown);

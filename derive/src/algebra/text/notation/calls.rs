@@ -44,7 +44,7 @@ const FORMS: [Form; 8] = [
     },
 ];
 
-/// The parentheses that are open, with what their commas and ends stand for.
+/// Open parentheses, each with the tokens that replace its commas and its end.
 #[derive(Default)]
 pub(super) struct Calls(Vec<Call>);
 
@@ -66,7 +66,7 @@ impl Calls {
         self.0.push(Call { form: None, commas: 0, place: place.clone() });
     }
 
-    /// Opens a call that is written otherwise here; false if the word is none.
+    /// Opens a call that model files write otherwise, such as `pow(x, 2)`; false if the word is no such function.
     pub(super) fn rewritten(&mut self, out: &mut Plain, word: &str, notation: Notation, place: &Range<usize>) -> bool {
         let Some(form) = FORMS.iter().find(|form| form.name == word && form.of.contains(&notation)) else {
             return false;

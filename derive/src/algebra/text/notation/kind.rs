@@ -1,6 +1,6 @@
 //! The notations that formulas may be written in.
 
-/// A way to write formulas.
+/// Notation in which formulas are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Notation {
     /// The language of model files.
@@ -8,7 +8,7 @@ pub enum Notation {
     Tripos,
     /// LaTeX in math mode.
     Latex,
-    /// Python, and what `SymPy` prints.
+    /// Python, and the output of `SymPy`.
     Python,
     /// MATLAB and Octave.
     Matlab,
@@ -17,10 +17,10 @@ pub enum Notation {
 }
 
 impl Notation {
-    /// All, in the order in which they are always listed.
+    /// All notations, in the order of every list of them.
     pub const ALL: [Self; 5] = [Self::Tripos, Self::Latex, Self::Python, Self::Matlab, Self::C];
 
-    /// Its name in files.
+    /// Name of the notation in files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -32,7 +32,7 @@ impl Notation {
         }
     }
 
-    /// The notation of this name; `sympy` is Python.
+    /// Notation of this name; `sympy` is Python. `None` for an unknown name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let name = if name == "sympy" { "python" } else { name };

@@ -3,7 +3,7 @@
 use super::kind::Notation;
 use crate::algebra::text::parse::is_reserved;
 
-/// Commands of LaTeX that are functions.
+/// Commands of LaTeX that are functions, each with its name in model files.
 const LATEX: [(&str, &str); 17] = [
     ("sin", "sin"),
     ("cos", "cos"),
@@ -71,7 +71,7 @@ const LETTERS: [&str; 43] = [
     "hbar",
 ];
 
-/// Functions of programs that are called otherwise here.
+/// Functions of programs that have another name in model files: (name in programs, name in model files).
 const RENAMED: [(&str, &str); 13] = [
     ("fabs", "abs"),
     ("Abs", "abs"),
@@ -88,10 +88,10 @@ const RENAMED: [(&str, &str); 13] = [
     ("minimum", "min"),
 ];
 
-/// Modules and namespaces in front of functions.
+/// Modules and namespaces in front of functions in programs.
 const MODULES: [&str; 8] = ["sp", "sympy", "sm", "np", "numpy", "math", "std", "me"];
 
-/// The function that a command of LaTeX is.
+/// Name in model files of the function that a command of LaTeX stands for; `None` if it is no function.
 pub(super) fn latex_function(command: &str) -> Option<&'static str> {
     LATEX.iter().find(|(name, _)| *name == command).map(|(_, function)| *function)
 }
@@ -101,14 +101,15 @@ pub(super) fn is_letter(command: &str) -> bool {
     LETTERS.contains(&command)
 }
 
-/// The function that a word, in roman type or in a program, is.
+/// Name in model files of the function that a word stands for, in roman type or in a program; `None` if it is no
+/// function.
 pub(super) fn function(word: &str) -> Option<&str> {
     let renamed = RENAMED.iter().find(|(name, _)| *name == word).map_or(word, |(_, function)| *function);
     let is_function = is_reserved(renamed) && renamed != "pi";
     (is_function || ["min", "max", "atan2"].contains(&renamed)).then_some(renamed)
 }
 
-/// The word without the module in front of it.
+/// Word without a known module or namespace in front of it.
 pub(super) fn without_module(word: &str) -> &str {
     let split = word.split_once("::").or_else(|| word.split_once('.'));
     split.filter(|(module, _)| MODULES.contains(module)).map_or(word, |(_, name)| name)

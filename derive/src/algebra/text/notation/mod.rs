@@ -1,12 +1,12 @@
-//! Formulas as people have them, in LaTeX and in programs, as formulas of the language of model files.
+//! Translation of formulas in LaTeX and in programs into the language of model files.
 //!
-//! Each notation is read token by token into tokens of that language, which [`super::parse`] then reads: one grammar,
-//! one set of limits. Every token keeps its place in the original text. So an error of either stage points at the place
-//! where the text is wrong.
+//! Each notation is translated token by token, and [`super::parse`] then reads the result: one grammar, one set of
+//! limits. Every token keeps its place in the original text. So an error of either stage points at the place where the
+//! text is wrong.
 //!
 //! Invariant: nothing is guessed. A text that two people may read differently, such as `\sin q u` or `a/2 b`, is
-//! refused with both ways to write it. Marks keep the meaning that they have in their language: `1/2` is 0 in C. The
-//! name of a symbol in the language of model files is asked of a [`Spell`]er. Absent on purpose: statements, vectors,
+//! refused with both ways to write it. Marks keep the meaning that they have in their language: `1/2` is 0 in C. A
+//! [`Spell`]er gives the name of each symbol in the language of model files. Absent on purpose: statements, vectors,
 //! and derivatives of anything but symbols.
 
 mod calls;
@@ -29,10 +29,10 @@ pub use symbol::Symbol;
 
 use super::parse::ParseError;
 
-/// A formula in the language of model files, each token with its place in the text.
+/// Translates a formula into the language of model files; each token keeps its place in the original text.
 ///
 /// # Errors
-/// The first [`ParseError`] in the text that is the notation's own; others are found when the result is read.
+/// The first [`ParseError`] that belongs to the notation itself; other errors are found when the result is read.
 pub fn translate(text: &str, notation: Notation, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
     match notation {
         Notation::Tripos => Ok(Plain::same(text)),

@@ -1,20 +1,20 @@
-//! Tokens of the language of model files with the places that they are from.
+//! Tokens of the language of model files, with their places in the original text of another notation.
 
 use std::ops::Range;
 
-/// A formula in the language of model files, made of another notation.
+/// A formula in the language of model files, translated from another notation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plain {
-    /// The tokens, a space between them.
+    /// Tokens of the formula, with a space between them.
     text: String,
-    /// Each token's place in the text, and where it is from; empty for a text that is its own source.
+    /// Place of each token in `text`, and in the original text, in bytes; empty if `text` is the original text.
     places: Vec<(Range<usize>, Range<usize>)>,
-    /// True if the text is the original one, unchanged.
+    /// True if `text` is the original text, unchanged.
     is_same: bool,
 }
 
 impl Plain {
-    /// A text that is in the language already.
+    /// Takes a text that is in the language of model files already.
     pub(super) fn same(text: &str) -> Self {
         Self { text: text.to_owned(), places: Vec::new(), is_same: true }
     }
@@ -23,7 +23,7 @@ impl Plain {
         Self { text: String::new(), places: Vec::new(), is_same: false }
     }
 
-    /// Appends a token.
+    /// Appends a token that comes from the place `from` of the original text.
     pub(super) fn push(&mut self, token: &str, from: Range<usize>) {
         if !self.text.is_empty() {
             self.text.push(' ');
@@ -33,25 +33,25 @@ impl Plain {
         self.places.push((start..self.text.len(), from));
     }
 
-    /// Appends tokens that one mark stands for.
+    /// Appends tokens that all come from the place `from` of the original text.
     pub(super) fn push_all(&mut self, tokens: &[&str], from: &Range<usize>) {
         for token in tokens {
             self.push(token, from.clone());
         }
     }
 
-    /// The tokens, with the places that they are from.
+    /// Tokens of the formula, with their places in the original text.
     pub(super) fn tokens(&self) -> impl DoubleEndedIterator<Item = (&str, &Range<usize>)> + Clone {
         self.places.iter().map(|(at, from)| (&self.text[at.clone()], from))
     }
 
-    /// The text, for the parser.
+    /// Formula as text for the parser.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Range of the source that a part of the text comes from.
+    /// Place in the original text that a part of `text` comes from, in bytes.
     #[must_use]
     pub fn source(&self, part: Range<usize>) -> Range<usize> {
         if self.is_same {
@@ -59,7 +59,7 @@ impl Plain {
         }
         let last = self.places.last().map_or(0, |(_, from)| from.end);
         let inside = |at: &Range<usize>| at.end > part.start && at.start < part.end.max(part.start + 1);
-        // Parentheses that a mark such as \frac stands for are where that is: what they are around says more.
+        // Parentheses that come from a mark such as \frac have the place of that mark: their content says more.
         let is_parenthesis = |at: &Range<usize>| matches!(&self.text[at.clone()], "(" | ")");
         let union = |skip: bool| {
             let touched = self.places.iter().filter(|(at, _)| inside(at) && !(skip && is_parenthesis(at)));

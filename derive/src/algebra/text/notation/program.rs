@@ -1,4 +1,4 @@
-//! Formulas of programs: Python with what `SymPy` prints, MATLAB, C.
+//! Translation of formulas of programs: Python with the output of `SymPy`, MATLAB, C.
 
 use super::calls::Calls;
 use super::kind::Notation;
@@ -10,24 +10,24 @@ use super::spell::Spell;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// Characters in which the index of a variable ends.
+/// Number of characters within which the index of a variable must end.
 const LONGEST_INDEX: usize = 40;
 
-/// A formula of a program in the language of model files.
+/// Translates a formula of a program into the language of model files.
 pub(super) fn translate(text: &str, notation: Notation, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
     let program =
         Program { text, notation, at: 0, out: Plain::new(), calls: Calls::default(), power: vec![false], spell };
     program.whole()
 }
 
-/// A formula, read from its left to its right.
+/// State of reading a formula of a program, from left to right.
 pub(super) struct Program<'a, 's> {
     pub(super) text: &'a str,
     pub(super) notation: Notation,
     pub(super) at: usize,
     pub(super) out: Plain,
     pub(super) calls: Calls,
-    /// For each open parenthesis, and outside of all: whether an exponent is being read.
+    /// True while an exponent is being read: one entry outside all parentheses, and one for each open parenthesis.
     power: Vec<bool>,
     pub(super) spell: &'s mut dyn Spell,
 }
@@ -58,12 +58,12 @@ impl Program<'_, '_> {
         Ok(self.out)
     }
 
-    /// The text from so many bytes on.
+    /// Rest of the text, from so many bytes behind the present place on.
     pub(super) fn rest(&self, from: usize) -> &str {
         self.text.get(self.at + from..).unwrap_or_default()
     }
 
-    /// Goes over space, comments and the marks of lines that go on.
+    /// Skips space, comments and the marks of lines that go on.
     pub(super) fn skip(&mut self) {
         loop {
             let rest = self.rest(0);
@@ -111,7 +111,7 @@ impl Program<'_, '_> {
         self.out.push(&self.text[start..end], start..self.at);
     }
 
-    /// A name with what belongs to it: modules, members, indices.
+    /// Reads a name with its modules and members, such as `p.m`; returns it with its place.
     pub(super) fn word(&mut self) -> (String, Range<usize>) {
         let start = self.at;
         loop {
@@ -153,7 +153,7 @@ impl Program<'_, '_> {
         Ok(())
     }
 
-    /// A name with the indices that follow it: z(6) of MATLAB, z[5] of others.
+    /// Reads the indices behind a name, `z(6)` in MATLAB and `z[5]` elsewhere, and returns the name with them.
     fn indexed(&mut self, word: String) -> String {
         let (open, close) = if self.notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
         let near = self.rest(0).get(..LONGEST_INDEX).unwrap_or(self.rest(0));
@@ -223,7 +223,8 @@ impl Program<'_, '_> {
         last.is_some_and(|token| !matches!(token, "+" | "-" | "*" | "/" | "^" | "(" | ","))
     }
 
-    /// MATLAB reads powers of powers from the left, others from the right.
+    /// Notes a power; refuses a power of a power in MATLAB, which reads it from the left and other languages from the
+    /// right.
     fn one_power(&mut self, place: &Range<usize>) -> Result<(), ParseError> {
         let Some(power) = self.power.last_mut() else { return Ok(()) };
         if std::mem::replace(power, true) && self.notation == Notation::Matlab {
@@ -233,7 +234,7 @@ impl Program<'_, '_> {
         Ok(())
     }
 
-    /// A character that has no place in a formula of this notation.
+    /// Error for a character that has no place in a formula of this notation.
     fn odd(&self, c: char) -> ParseError {
         let (mut shown, mut span) = found(self.text, self.at);
         let help = match (self.notation, c) {
@@ -256,7 +257,7 @@ impl Program<'_, '_> {
         wrong(span, format!("unexpected `{shown}`"), help)
     }
 
-    /// Opens a function, whose parenthesis is next; false if the word is none.
+    /// Opens the call of a function, whose parenthesis is next; false if the word is no function.
     fn call(&mut self, word: &str, place: &Range<usize>) -> Result<bool, ParseError> {
         if self.notation == Notation::C && word == "abs" {
             let help = "in C this rounds to a whole number: fabs(x)";

@@ -12,11 +12,11 @@ struct Level {
     is_real: bool,
     /// True if the current term is whole so far; `None` if it has not begun.
     term: Option<bool>,
-    /// The slash that the next operand is below.
+    /// Place of the slash in front of the next operand; `None` without a slash.
     slash: Option<Range<usize>>,
 }
 
-/// Refuses a quotient of which both parts are whole numbers: `1/2` is 0.
+/// Refuses a quotient of two whole numbers, as C computes it: `1/2` is 0.
 pub(super) fn refuse_whole_quotients(plain: &Plain) -> Result<(), ParseError> {
     let mut levels = vec![Level::default()];
     for (token, place) in plain.tokens() {
@@ -29,7 +29,7 @@ pub(super) fn refuse_whole_quotients(plain: &Plain) -> Result<(), ParseError> {
                 operand(outer, !inner.is_real && inner.term != Some(false))?;
             }
             "/" => level.slash = Some(place.clone()),
-            // Powers and what has several arguments are real.
+            // Powers and functions of several arguments are real.
             "^" => level.term = Some(false),
             "," => *level = Level { is_real: true, ..Level::default() },
             "+" | "-" => {

@@ -1,11 +1,11 @@
-//! Names of the symbols that a notation meets.
+//! Names, in the language of model files, of the symbols in formulas of other notations.
 
 use super::symbol::Symbol;
 
-/// Why a symbol stands for nothing: (message, help).
+/// Reason why a symbol has no name: (message, help).
 pub type Unknown = (String, Option<String>);
 
-/// Names, in the language of model files, of the symbols of a text, primes for derivatives included.
+/// Source of the names, in the language of model files, of the symbols in a text, primes for derivatives included.
 pub trait Spell {
     /// True if a symbol of LaTeX, its dots aside, has a name.
     fn knows(&self, symbol: &Symbol) -> bool;
@@ -15,12 +15,12 @@ pub trait Spell {
     /// `run` is the word that the symbol forms with the letters around it, empty if they form none.
     ///
     /// # Errors
-    /// Why it has none.
+    /// Reason why the symbol has no name.
     fn latex(&mut self, symbol: &Symbol, run: &str) -> Result<String, Unknown>;
 
     /// The name of a variable of a program, such as `q1`, `p.m`, `z(6)` or `z[5]`.
     ///
     /// # Errors
-    /// Why it has none.
+    /// Reason why the variable has no name.
     fn variable(&mut self, name: &str) -> Result<String, Unknown>;
 }

@@ -1,15 +1,15 @@
-//! A symbol of LaTeX, apart from how it is written.
+//! Symbols of LaTeX in one form, however they are written.
 
-/// A symbol in one form, however it is written: `\dot{q}_1`, `\dot q_{1}` and `\dot{q_1}` are one.
+/// A symbol of LaTeX in one form, however it is written: `\dot{q}_1`, `\dot q_{1}` and `\dot{q_1}` are equal.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Symbol {
-    /// The letter or word, with accents other than dots.
+    /// Letter or word of the symbol, with accents other than dots.
     pub base: String,
-    /// Subscript, without braces and type faces.
+    /// Subscript of the symbol, without braces and type faces; may be empty.
     pub subscript: String,
-    /// Superscript that is not a power, such as the `B` of `I^B`.
+    /// Superscript that is not a power, such as the `B` of `I^B`; may be empty.
     pub mark: String,
-    /// Dots and primes: derivatives by time.
+    /// Number of dots and primes: the order of the derivative by time.
     pub dots: usize,
 }
 

@@ -7,7 +7,8 @@ use super::refusal::{unknown, wrong};
 use crate::algebra::text::parse::ParseError;
 
 impl Program<'_, '_> {
-    /// `Derivative(q(t), t)` and `Derivative(q(t), (t, 2))` of `SymPy`, whose parenthesis is next, as q' and q''.
+    /// Reads `Derivative(q(t), t)` and `Derivative(q(t), (t, 2))` of `SymPy`, whose parenthesis is next, as q' and q''.
+    /// `None` if the word is no derivative.
     pub(super) fn derivative(&mut self, word: &str) -> Result<Option<String>, ParseError> {
         if self.notation != Notation::Python || !matches!(word, "Derivative" | "diff") {
             return Ok(None);
@@ -22,7 +23,8 @@ impl Program<'_, '_> {
         Ok(Some(name + &"'".repeat(primes)))
     }
 
-    /// A name with what `SymPy` appends: the time that a symbol depends on, and `.diff(t)`.
+    /// Reads what `SymPy` appends to a name: the time that a symbol depends on, and `.diff(t)`. Returns the name with
+    /// primes.
     pub(super) fn differentiated(&mut self, name: String) -> Result<String, ParseError> {
         if self.notation != Notation::Python {
             return Ok(name);
@@ -45,7 +47,7 @@ impl Program<'_, '_> {
         Ok(name + &"'".repeat(primes))
     }
 
-    /// Goes over `(t)`.
+    /// Skips the argument `(t)` of a function of time.
     fn of_time(&mut self) {
         for written in ["(t)", "( t )"] {
             if self.rest(0).starts_with(written) {
@@ -54,7 +56,7 @@ impl Program<'_, '_> {
         }
     }
 
-    /// `, t)`, `, t, t)`, `, t, 2)` or `, (t, 2))`: how often by time.
+    /// Reads the end of a derivative, `, t)`, `, t, t)`, `, t, 2)` or `, (t, 2))`, and returns its order.
     fn times(&mut self) -> Result<usize, ParseError> {
         let begin = self.at;
         // No parenthesis is open in it but that around (t, 2).

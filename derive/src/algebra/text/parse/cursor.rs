@@ -1,12 +1,12 @@
-//! Reading names of quantities word by word: `v(P of disk) @ A [1]`.
+//! Reader of names of quantities, word by word: `v(P of disk) @ A [1]`.
 
 use super::error::{ParseError, error};
 use std::ops::Range;
 
-/// A word of the text and its place.
+/// A word of the text and its place, in bytes.
 pub type Word<'a> = (&'a str, Range<usize>);
 
-/// A place in a text, and what should stand there.
+/// Place in a text, and the form of the quantity that should stand there.
 pub struct Cursor<'a> {
     pub text: &'a str,
     pub at: usize,
@@ -24,7 +24,7 @@ impl<'a> Cursor<'a> {
         self.text[self.at..].starts_with(mark)
     }
 
-    /// Goes on behind this word if it comes next.
+    /// Skips this word if it comes next; true if it did.
     pub fn takes(&mut self, word: &str) -> bool {
         let is_next = self.text[self.at..].strip_prefix(word).is_some_and(|rest| rest.starts_with(char::is_whitespace));
         if is_next {
@@ -65,7 +65,7 @@ impl<'a> Cursor<'a> {
         self.word(what)
     }
 
-    /// `@ FRAME [COMPONENT]`, from its `@` on: the frame and the axis, 0, 1 or 2.
+    /// Reads `@ FRAME [COMPONENT]`, from its `@` on. Returns the frame and the axis, 0, 1 or 2.
     pub fn component(&mut self) -> Result<(Word<'a>, usize), ParseError> {
         let frame = self.after('@', "a frame")?;
         let (axis, place) = self.after('[', "a component")?;

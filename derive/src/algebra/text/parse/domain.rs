@@ -22,7 +22,7 @@ pub(super) fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
             _ => size > Rational::ONE,
         };
     }
-    // What mentions a symbol may have any value.
+    // An argument that mentions a symbol may have any value.
     let Ok(tape) = Tape::new(arena, &[], &[argument]) else { return false };
     let value = tape.evaluate(&[])[0];
     match f {

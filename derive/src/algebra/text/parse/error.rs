@@ -1,12 +1,12 @@
-//! Errors in an expression: their place, their description, and advice.
+//! Errors in the text of an expression: place, description and advice.
 
 use crate::algebra::{Arena, PowerError};
 use std::ops::Range;
 
-/// A place in the text, what is wrong there, and what to do about it.
+/// Error in the text of an expression: place, description and advice.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
-    /// Byte range in the text.
+    /// Place of the error, as a byte range of the text.
     pub span: Range<usize>,
     /// Description of the error.
     pub message: String,
@@ -56,7 +56,7 @@ impl ParseError {
         error(span, format!("unexpected `{found}`"), Some(help))
     }
 
-    /// A power that cannot be built.
+    /// Error for a power that cannot be built.
     pub(super) fn power(span: Range<usize>, kind: PowerError) -> Self {
         match kind {
             PowerError::DivisionByZero => error(span, "division by zero", Some("this divisor is zero")),
@@ -69,7 +69,7 @@ impl ParseError {
     }
 }
 
-/// An error with a help that is known beforehand.
+/// Creates an error with a fixed help text, if any.
 pub(super) fn error(span: Range<usize>, message: impl Into<String>, help: Option<&str>) -> ParseError {
     ParseError { span, message: message.into(), help: help.map(str::to_owned) }
 }

@@ -1,23 +1,24 @@
-//! A component of the force or torque that one body exerts on another through the elements that connect them, as it is
-//! written: `force(base on arm) @ N [1]`, `torque(base on arm) @ arm_frame [3]`, `torque(base on arm about P) @ N [3]`.
+//! Components of the force or torque that one body exerts on another through the elements that connect them. They are
+//! written `force(base on arm) @ N [1]`, `torque(base on arm) @ arm_frame [3]` or
+//! `torque(base on arm about P) @ N [3]`.
 
 use super::cursor::{Cursor, Word};
 use super::error::ParseError;
 
-/// A component of a force or of a torque between two bodies, by names that the algebra knows nothing of.
+/// Name of a component of a force or torque between two bodies. The algebra does not interpret the names in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InteractionName<'a> {
     /// True for a torque, false for a force.
     pub is_torque: bool,
-    /// The body that exerts it.
+    /// Body that exerts the force or torque.
     pub by: Word<'a>,
-    /// The body that feels it.
+    /// Body that the force or torque acts on.
     pub on: Word<'a>,
-    /// The point about which a torque is meant, if it is named.
+    /// Point about which the torque is taken; `None` if the text names none.
     pub about: Option<Word<'a>>,
-    /// The frame of the component.
+    /// Frame along whose axis the component is taken.
     pub frame: Word<'a>,
-    /// The axis of the component: 0, 1 or 2.
+    /// Axis of the frame along which the component is taken: 0, 1 or 2.
     pub axis: usize,
 }
 
@@ -25,13 +26,13 @@ pub struct InteractionName<'a> {
 const FORM: &str =
     "write force(BODY on BODY) @ FRAME [1], or torque(BODY on BODY about POINT) @ FRAME [1]; `ground` is a body here";
 
-/// True if an interaction is written with this word in front of its parenthesis.
+/// True if this word, in front of a parenthesis, begins a force or torque between bodies.
 pub(super) fn is_interaction(word: &str) -> bool {
     ["force", "torque"].contains(&word)
 }
 
 impl<'a> InteractionName<'a> {
-    /// Reads what follows the `word` of an interaction, from its parenthesis on; returns with it where it ends.
+    /// Reads an interaction behind its `word`, from its parenthesis on. Returns the name and the place where it ends.
     pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
         let mut cursor = Cursor { text, at, form: FORM };
         let is_torque = word == "torque";
@@ -47,7 +48,7 @@ impl<'a> InteractionName<'a> {
         Ok((Self { is_torque, by, on, about, frame, axis }, cursor.at))
     }
 
-    /// The name in one form, however it was written.
+    /// Canonical text of the name, however it was written.
     #[must_use]
     pub fn text(&self) -> String {
         let what = if self.is_torque { "torque" } else { "force" };

@@ -3,10 +3,10 @@
 use super::error::{ParseError, error};
 use crate::algebra::Rational;
 
-/// The most digits that a number is written with.
+/// Largest number of digits of a written number.
 const MAX_DIGITS: usize = 4000;
 
-/// Reads the number that begins at `start`, exactly; returns with it where it ends.
+/// Reads the number that begins at byte `start`. Returns its exact value and the place where it ends.
 pub(super) fn decimal(text: &str, start: usize) -> Result<(Rational, usize), ParseError> {
     let bytes = text.as_bytes();
     let digits = |mut at: usize| {

@@ -1,4 +1,4 @@
-//! Length of the numbers in front of terms, which determines the cost of exact arithmetic with them.
+//! Size of the numbers in front of terms, which determines the cost of exact arithmetic with them.
 
 use crate::algebra::{Arena, Expr, Node, Rational};
 

@@ -1,31 +1,31 @@
-//! A component of a velocity or a position as it is written: `v(P) @ A [1]` for a point, `v(disk, P) @ A [1]` for the
+//! Components of velocities and positions. They are written `v(P) @ A [1]` for a point, `v(disk, P) @ A [1]` for the
 //! material of a body at a point, `omega(B) @ A [3]` for a body or a frame that turns, and `p(P) @ A [1]` for a
 //! position.
 
 use super::cursor::{Cursor, Word};
 use super::error::ParseError;
 
-/// Object of a velocity or a position.
+/// Object of a velocity or a position, with its kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum VelocityOf<N> {
     /// Velocity of a point.
     Point(N),
-    /// The material of a body that is at a point: the body, then the point.
+    /// Velocity of the material of a body at a point: the body, then the point.
     Material(N, N),
     /// Angular velocity of a body or a frame.
     Turning(N),
-    /// A point, whose position from the origin is meant.
+    /// Position of a point, from the origin.
     Place(N),
 }
 
-/// A component of a velocity, by names that the algebra knows nothing of.
+/// Name of a component of a velocity or position. The algebra does not interpret the names in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VelocityName<'a> {
     /// Object whose velocity or position is meant.
     pub of: VelocityOf<Word<'a>>,
-    /// The frame of the component.
+    /// Frame along whose axis the component is taken.
     pub frame: Word<'a>,
-    /// The axis of the component: 0, 1 or 2.
+    /// Axis of the frame along which the component is taken: 0, 1 or 2.
     pub axis: usize,
 }
 
@@ -33,13 +33,14 @@ pub struct VelocityName<'a> {
 const FORM: &str = "write v(POINT) @ FRAME [1], v(BODY, POINT) @ FRAME [1] for the material of a body, omega(BODY) @ FRAME [1], or \
                     p(POINT) @ FRAME [1] for a position";
 
-/// True if a velocity or a position is written with this word in front of its parenthesis.
+/// True if this word, in front of a parenthesis, begins a velocity or a position.
 pub(super) fn is_velocity(word: &str) -> bool {
     ["v", "omega", "p"].contains(&word)
 }
 
 impl<'a> VelocityName<'a> {
-    /// Reads what follows the `word` of a velocity, from its parenthesis on; returns with it where it ends.
+    /// Reads a velocity or position behind its `word`, from its parenthesis on. Returns the name and the place where it
+    /// ends.
     pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
         let mut cursor = Cursor { text, at, form: FORM };
         cursor.mark('(')?;
@@ -75,7 +76,7 @@ impl<'a> VelocityName<'a> {
         Ok(([0, 1, 2].map(|axis| [place(&first, axis), place(&second, axis)]), cursor.at))
     }
 
-    /// The name in one form, however it was written.
+    /// Canonical text of the name, however it was written.
     #[must_use]
     pub fn text(&self) -> String {
         let of = match &self.of {
@@ -88,7 +89,7 @@ impl<'a> VelocityName<'a> {
     }
 }
 
-/// The name of a component of a velocity: `v(disk, P) @ A [1]`.
+/// Canonical name of a component of a velocity or position, such as `v(disk, P) @ A [1]`.
 #[must_use]
 pub fn canonical(of: &VelocityOf<&str>, frame: &str, axis: usize) -> String {
     let of = match of {

@@ -1,4 +1,4 @@
-//! LaTeX, for math mode.
+//! Printing of formulas in LaTeX, for math mode.
 
 use super::name::{GREEK, split_name};
 use crate::algebra::text::view::View;
@@ -17,7 +17,7 @@ pub fn latex_name(name: &str) -> String {
     if subscript.is_empty() { dotted } else { format!("{dotted}_{{{}}}", subscript.replace('_', "\\_")) }
 }
 
-/// A symbol's name as one word.
+/// A symbol's name in LaTeX as one word, without a subscript.
 fn latex_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     dotted(format!("\\mathrm{{{}}}", stem.replace('_', "\\_")), name.len() - stem.len())
@@ -31,7 +31,7 @@ fn dotted(letters: String, dots: usize) -> String {
     }
 }
 
-/// Appends an expression.
+/// Appends a formula in LaTeX.
 pub(super) fn write_latex(view: &View, out: &mut String) {
     match view {
         View::Number(text) | View::Shared(text) => out.push_str(text),

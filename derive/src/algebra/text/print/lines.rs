@@ -1,4 +1,5 @@
-//! Formulas in lines that a page can hold: they break at their signs, also within parentheses, alike in every language.
+//! Formulas in lines that a page can hold. They break at their signs, also within parentheses, at the same places in
+//! LaTeX, Typst and `MathML`.
 //!
 //! Invariant: the lines joined are the formula, wherever they are broken. Widths are estimates, in tenths of an em. A
 //! root, and the argument of a function, are never broken.
@@ -11,19 +12,20 @@ use crate::algebra::text::view::View;
 /// Spelling, in one language, of the marks near which lines break.
 struct Marks {
     write: fn(&View, &mut String),
-    /// A sign that begins a formula, or the content of parentheses.
+    /// Minus sign that begins a formula, or the content of parentheses.
     negative: &'static str,
-    /// Signs between terms, which a line may begin with.
+    /// Plus sign between terms, with which a line may begin.
     plus: &'static str,
+    /// Minus sign between terms, with which a line may begin.
     minus: &'static str,
     /// Mark between two factors, given the second.
     times: fn(&View) -> &'static str,
-    /// Parentheses around content on one line, which have its height.
+    /// Parentheses around content on one line, as high as the content.
     whole: [&'static str; 2],
-    /// Parentheses that need not be on one line, of one height.
+    /// Parentheses around content that may break over lines, of fixed height.
     broken: [&'static str; 2],
     power: fn(i32) -> String,
-    /// Mark between the parts of a fraction that is broken; without it n a/b becomes (n/b) a.
+    /// Mark between the parts of a fraction that is broken. `None` in a language in which n a/b becomes (n/b) a.
     slash: Option<&'static str>,
 }
 
@@ -39,7 +41,7 @@ const LATEX: Marks = Marks {
     slash: None,
 };
 
-/// Escaped parentheses are marks like any other: Typst lets no line break between those that it pairs.
+/// Marks of Typst. Its parentheses are escaped, since Typst breaks no line between parentheses that it pairs.
 const TYPST: Marks = Marks {
     write: write_typst,
     negative: "-",
@@ -52,7 +54,7 @@ const TYPST: Marks = Marks {
     slash: None,
 };
 
-/// Each piece is an element `math` of its own, where nothing stretches to what is in another.
+/// Marks of `MathML`. Each piece is an element `math` of its own, so nothing stretches to the height of another piece.
 const MATHML: Marks = Marks {
     write: write_mathml,
     negative: "<mo form=\"prefix\">−</mo>",
@@ -65,7 +67,7 @@ const MATHML: Marks = Marks {
     slash: Some("<mo>/</mo>"),
 };
 
-/// A part of a formula that no line breaks.
+/// Part of a formula within which no line breaks.
 struct Piece {
     text: String,
     width: usize,
@@ -73,13 +75,13 @@ struct Piece {
     breaks: bool,
 }
 
-/// The lines of a formula in LaTeX that are each about so wide, in tenths of an em.
+/// Breaks a formula into lines of LaTeX, each about `widest` tenths of an em wide.
 #[must_use]
 pub fn latex_lines(view: &View, widest: usize) -> Vec<String> {
     Breaking { marks: &LATEX, widest }.lines(view)
 }
 
-/// The lines of a formula in Typst that are each about so wide, in tenths of an em.
+/// Breaks a formula into lines of Typst, each about `widest` tenths of an em wide.
 #[must_use]
 pub fn typst_lines(view: &View, widest: usize) -> Vec<String> {
     Breaking { marks: &TYPST, widest }.lines(view)
@@ -101,15 +103,15 @@ pub fn mathml_pieces(view: &View, widest: usize) -> Vec<String> {
     list
 }
 
-/// A formula that is being broken.
+/// Language and line width for breaking a formula.
 struct Breaking {
     marks: &'static Marks,
-    /// The width of a line, in tenths of an em.
+    /// Width of a line, in tenths of an em.
     widest: usize,
 }
 
 impl Breaking {
-    /// The lines.
+    /// Lines of a formula, each about as wide as allowed.
     fn lines(&self, view: &View) -> Vec<String> {
         let mut pieces = Vec::new();
         self.flatten(view, &mut pieces);
@@ -127,13 +129,13 @@ impl Breaking {
         lines
     }
 
-    /// Appends a formula in pieces, whole if it fits.
+    /// Appends a formula to `out`: as one piece if it fits on a line, else in pieces.
     fn flatten(&self, view: &View, out: &mut Vec<Piece>) {
         let width = formula_width(view);
         if width <= self.widest { self.push(out, view, width) } else { self.split(view, out) }
     }
 
-    /// Appends a formula in pieces.
+    /// Appends a formula to `out` in pieces that break at its signs.
     fn split(&self, view: &View, out: &mut Vec<Piece>) {
         match view {
             View::Sum(terms) => {
@@ -147,7 +149,7 @@ impl Breaking {
                     out.push(Piece { text: sign.to_owned(), width: 0, breaks: at > 0 });
                     let first = out.len();
                     self.factor(term, out);
-                    // The sign goes with what it stands in front of.
+                    // The sign and the piece behind it stay together.
                     if let [sign, next, ..] = &mut out[first - 1..] {
                         sign.width = 15 + next.width;
                         next.width = 0;
@@ -213,7 +215,7 @@ impl Breaking {
         out.push(Piece { text, width, breaks: false });
     }
 
-    /// Appends a formula in parentheses of one size, term by term.
+    /// Appends a formula in parentheses of fixed height, in pieces that break at its signs.
     fn enclosed(&self, view: &View, out: &mut Vec<Piece>) {
         let [open, close] = self.marks.broken;
         out.push(Piece { text: open.to_owned(), width: 5, breaks: false });
@@ -239,7 +241,7 @@ fn has_signs(view: &View) -> bool {
     }
 }
 
-/// The number in front of a product, 1 if there is none, and the rest.
+/// Splits a product into the number in front of it, 1 if there is none, and the rest.
 fn without_number(view: &View) -> (String, View) {
     match view {
         View::Product(factors) => match factors.split_first() {
@@ -251,7 +253,7 @@ fn without_number(view: &View) -> (String, View) {
     }
 }
 
-/// About how wide a formula is, in tenths of an em.
+/// Estimated width of a formula, in tenths of an em.
 #[must_use]
 pub fn formula_width(view: &View) -> usize {
     match view {
@@ -269,7 +271,7 @@ pub fn formula_width(view: &View) -> usize {
     }
 }
 
-/// A letter or word with its subscript.
+/// Estimated width of a symbol with its subscript, in tenths of an em.
 fn name_width(name: &str) -> usize {
     let (letters, subscript, _) = super::name::split_name(name);
     let letters = if super::name::GREEK.iter().any(|(greek, _)| *greek == letters) { 6 } else { 6 * letters.len() };

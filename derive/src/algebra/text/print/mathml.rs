@@ -1,4 +1,4 @@
-//! Presentation `MathML`.
+//! Printing of formulas in presentation `MathML`.
 
 use super::name::{GREEK, split_name};
 use crate::algebra::text::view::View;
@@ -10,7 +10,7 @@ pub fn mathml_name(name: &str) -> String {
     mathml_symbol(name, None)
 }
 
-/// A symbol and its power; subscript and exponent stand above each other.
+/// A symbol and its power in `MathML`; subscript and exponent stand above each other.
 fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     let (letters, subscript, primes) = split_name(name);
     let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
@@ -25,7 +25,7 @@ fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     }
 }
 
-/// A symbol's name as one word.
+/// A symbol's name in `MathML` as one word, without a subscript.
 fn mathml_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     dotted(format!("<mi>{stem}</mi>"), name.len() - stem.len())
@@ -39,7 +39,7 @@ fn dotted(letters: String, dots: usize) -> String {
     }
 }
 
-/// Appends an expression.
+/// Appends a formula in `MathML`.
 pub(super) fn write_mathml(view: &View, out: &mut String) {
     match view {
         View::Number(text) => {
@@ -115,7 +115,7 @@ fn mathml_factor(view: &View, out: &mut String) {
     }
 }
 
-/// The application of a function, an operator that is not seen, and the argument.
+/// Appends the argument of a function, behind the invisible operator of function application.
 fn mathml_argument(view: &View, out: &mut String) {
     if matches!(view, View::Name(_) | View::Word(_)) {
         // Browsers leave no space between a function and an argument without parentheses.

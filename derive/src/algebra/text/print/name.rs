@@ -1,6 +1,6 @@
 //! Names of symbols in parts: letters, subscript, dots.
 
-/// A name split into (letters, subscript, number of primes): `q12'` is (q, 12, 1), `m_p` (m, p, 0).
+/// Splits a name into (letters, subscript, number of primes): `q12'` is (q, 12, 1), `m_p` (m, p, 0).
 pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
     // `v(my_disk, P) @ A [1]`: the words of a quantity, none of which is a subscript.
     if name.contains('(') {
@@ -32,7 +32,7 @@ pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
     (letters, "", primes)
 }
 
-/// The name without an underscore that has the same letters and subscript, as `l1` of `l_1`; nothing if there is none.
+/// Name without an underscore that has the same letters and subscript, such as `l1` for `l_1`; `None` if there is none.
 pub(super) fn twin(name: &str) -> Option<String> {
     let (letters, subscript, _) = split_name(name);
     let other = format!("{letters}{subscript}");
@@ -40,7 +40,7 @@ pub(super) fn twin(name: &str) -> Option<String> {
     (is_split && split_name(&other) == (letters, subscript, 0)).then_some(other)
 }
 
-/// Greek letters as they are written out.
+/// Greek letters: name and character.
 pub(super) const GREEK: [(&str, &str); 29] = [
     ("alpha", "α"),
     ("beta", "β"),
@@ -73,7 +73,8 @@ pub(super) const GREEK: [(&str, &str); 29] = [
     ("Omega", "Ω"),
 ];
 
-/// A symbol's name in parts: its letters, a Greek one as such, its subscript, and the number of its dots.
+/// Splits a symbol's name into its letters, with a Greek letter as its character, its subscript, and the number of its
+/// dots.
 ///
 /// ```
 /// use tripos_derive::algebra::text::print::name_parts;

@@ -1,10 +1,10 @@
-//! Parts of formulas that are too long to be written out: each stands by a name in the formulas that it is part of.
+//! Parts of formulas that are too long to be written out. Each part has a name in the formulas that contain it.
 
 use super::BUDGET;
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
 
-/// Nodes of a part, whose own parts count as one each.
+/// Number of nodes above which a sum or product is a part; parts within it count as one node each.
 const PART: usize = 500;
 
 /// The parts that formulas of more than [`BUDGET`] nodes must share by name to be short, each after the parts that it
@@ -18,8 +18,8 @@ pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
     shown.into_iter().filter(|e| sizes[e].1).collect()
 }
 
-/// Number of nodes of each term, operands first, and true if it is a part. A sum or product of more than `part` nodes
-/// is one, and counts as one node in other terms.
+/// Number of nodes of each term, operands first, and true if the term is a part. A sum or product of more than `part`
+/// nodes is a part, and counts as one node in other terms.
 fn sizes(arena: &Arena, terms: &[Expr], part: usize) -> FxHashMap<Expr, (usize, bool)> {
     let mut known: FxHashMap<Expr, (usize, bool)> = FxHashMap::default();
     for e in terms {

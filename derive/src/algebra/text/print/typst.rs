@@ -1,4 +1,4 @@
-//! Typst, for math mode.
+//! Printing of formulas in Typst, for math mode.
 
 use super::name::{GREEK, split_name};
 use crate::algebra::text::view::View;
@@ -17,7 +17,7 @@ pub fn typst_name(name: &str) -> String {
     }
 }
 
-/// A symbol's name as one word.
+/// A symbol's name in Typst as one word, without a subscript.
 fn typst_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     dotted(upright(stem), name.len() - stem.len())
@@ -31,13 +31,13 @@ fn dotted(letters: String, dots: usize) -> String {
     }
 }
 
-/// A letter as it is; a word between quotes, since Typst would look it up.
+/// Letter or word in Typst: a letter stays as it is, a word gets quotes, since Typst would look it up.
 fn upright(word: &str) -> String {
     if word.len() == 1 { word.to_owned() } else { format!("\"{}\"", word.replace('\\', "\\\\").replace('"', "\\\"")) }
 }
 
-/// Appends an expression. Spaces separate adjacent marks: Typst reads `f(x)` as a call, and letters without spaces as a
-/// word.
+/// Appends a formula in Typst. Spaces separate adjacent marks: Typst reads `f(x)` as a call, and letters without spaces
+/// as a word.
 pub(super) fn write_typst(view: &View, out: &mut String) {
     match view {
         View::Number(text) | View::Shared(text) => out.push_str(text),
@@ -96,14 +96,14 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
     }
 }
 
-/// A part of an expression, in parentheses if it needs them.
+/// Appends a part of a formula, in parentheses if it needs them.
 fn typst_part(view: &View, needs_parentheses: bool, out: &mut String) {
     out.push_str(if needs_parentheses { "(" } else { "" });
     write_typst(view, out);
     out.push_str(if needs_parentheses { ")" } else { "" });
 }
 
-/// A function of Typst, which draws what is around its argument.
+/// Appends a call of a Typst function that draws bars or a root around its argument.
 fn typst_call(name: &str, argument: &View, out: &mut String) {
     let _ = write!(out, "{name}(");
     write_typst(argument, out);

@@ -1,17 +1,16 @@
 //! A tape run backwards: the derivatives of a weighted sum of its outputs by all its inputs, in one pass.
 //!
-//! The values of the tape are computed first. Then, from the last operation to the first, the contribution of each to
-//! the sum is computed. The cost is that of a few evaluations, whatever the number of inputs. A. Griewank & A. Walther,
-//! *Evaluating Derivatives*, 2nd edition (2008), §3.2.
+//! The values of the tape are computed first. Then, from the last operation to the first, the contribution of each
+//! operation to the sum is computed. The cost is that of a few evaluations, whatever the number of inputs. A. Griewank
+//! & A. Walther, *Evaluating Derivatives*, 2nd edition (2008), §3.2.
 //!
-//! Slopes are those of numbers with slopes ([`tripos_traits::Tangent`]): the slope of |x| is the sign of x, whose own
-//! slope is 0. An operation that contributes 0 is not followed, so that an undefined slope counts only where the sum
-//! depends on it.
+//! Slopes are the same as in [`tripos_traits::Tangent`]: the slope of |x| is the sign of x, whose own slope is 0. An
+//! operation that contributes 0 is not followed, so that an undefined slope counts only where the sum depends on it.
 
 use super::{Op, Tape};
 use crate::algebra::Function;
 
-/// Room for the values of a tape, and for what each of them adds.
+/// Working space of a backward pass: the values of a tape, and the derivative of the weighted sum by each value.
 #[derive(Clone, Debug, Default)]
 pub struct Backwards {
     values: Vec<f64>,
@@ -79,7 +78,7 @@ fn slope_of_power(x: f64, n: i32) -> f64 {
     }
 }
 
-/// f′(x), where `value` is f(x).
+/// Derivative f′(x), where `value` is f(x).
 fn slope(f: Function, x: f64, value: f64) -> f64 {
     let leg = || (1.0 - x * x).sqrt();
     match f {

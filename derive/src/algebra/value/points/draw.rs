@@ -10,7 +10,7 @@ use crate::algebra::value::field::{Field, Generator};
 use crate::algebra::{Arena, Expr, Function, Node};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Nodes that are evaluated for one point, at most.
+/// Largest number of nodes that are evaluated for one point.
 const MOST_WORK: usize = 4_000_000;
 
 /// A square root that must exist at a point.
@@ -18,12 +18,12 @@ const MOST_WORK: usize = 4_000_000;
 enum Root {
     /// The root √x of a term.
     Of(Expr),
-    /// √(1 − x²), in the slopes of arc sines and arc cosines.
+    /// The root √(1 − x²), in the slopes of arc sines and arc cosines.
     Complement(Expr),
 }
 
 impl Root {
-    /// The root of a term, if it is one.
+    /// Root that a term needs to have a residue; `None` if it needs none.
     fn new(arena: &Arena, term: Expr, with_slopes: bool) -> Option<Self> {
         match arena.node(term) {
             Node::Apply(Function::Sqrt, x) => Some(Self::Of(*x)),
@@ -47,13 +47,13 @@ impl Root {
     }
 }
 
-/// Symbols that are drawn together, and the roots that need them and none that is drawn later.
+/// Symbols that are drawn together, and the roots that need these symbols and none that is drawn later.
 struct Group {
     symbols: Vec<Expr>,
     roots: Vec<(Root, Needed)>,
 }
 
-/// The search for random points at which terms have residues.
+/// Search for random points at which terms have residues.
 pub(crate) struct Draw<'a> {
     arena: &'a Arena,
     needed: Needed,
@@ -63,12 +63,12 @@ pub(crate) struct Draw<'a> {
 }
 
 impl<'a> Draw<'a> {
-    /// For residues of terms.
+    /// Creates a search for points at which terms have residues.
     pub fn new(arena: &'a Arena, terms: &[Expr]) -> Self {
         Self::prepared(arena, terms, false)
     }
 
-    /// For residues of terms and of their slopes.
+    /// Creates a search for points at which terms and their slopes have residues.
     pub fn with_slopes(arena: &'a Arena, terms: &[Expr]) -> Self {
         Self::prepared(arena, terms, true)
     }
@@ -81,7 +81,7 @@ impl<'a> Draw<'a> {
         Self { arena, needed, denominators, generator, groups }
     }
 
-    /// The next point at which all square roots exist, each point modulo another prime; nothing if none was found.
+    /// Next point at which all square roots exist, each point modulo another prime; `None` if none was found.
     pub fn point(&mut self) -> Option<Point> {
         let (arena, denominators, generator) = (self.arena, &self.denominators, &mut self.generator);
         let mut work = MOST_WORK;
@@ -94,25 +94,25 @@ impl<'a> Draw<'a> {
         None
     }
 
-    /// The rules for residues at a point.
+    /// Rules for the residues of the terms at a point.
     pub fn residues(&self, point: Point) -> Residues<'_> {
         Residues::new(self.arena, &self.denominators, point)
     }
 
-    /// All that the terms are built from.
+    /// The terms, and all terms that they are built from.
     pub fn needed(&self) -> &Needed {
         &self.needed
     }
 
-    /// The residues of the terms, and of all that they are built from, at a point; nothing where one has none.
+    /// Residues of the terms, and of all terms that they are built from, at a point; `None` if a term has none.
     pub fn values(&self, point: &Point) -> Option<Values<'_, u64>> {
         self.needed.fold(self.arena, &mut self.residues(point.clone()))
     }
 }
 
 impl Group {
-    /// Draws the symbols until the roots exist. False if the remaining work does not suffice, or if roots of numbers do
-    /// not exist in this field.
+    /// Draws the symbols of the group until its roots exist. False if the remaining work does not suffice, or if roots
+    /// of numbers do not exist in this field.
     fn draw(
         &self,
         arena: &Arena,
@@ -136,7 +136,7 @@ impl Group {
     }
 }
 
-/// The roots of all terms in groups, those of few symbols first.
+/// Groups of the roots in all terms, those with few symbols first.
 fn groups(arena: &Arena, needed: &Needed, with_slopes: bool) -> Vec<Group> {
     let roots: FxHashSet<Root> = needed.nodes().iter().filter_map(|e| Root::new(arena, *e, with_slopes)).collect();
     if roots.is_empty() {
@@ -152,7 +152,7 @@ fn groups(arena: &Arena, needed: &Needed, with_slopes: bool) -> Vec<Group> {
             (symbols, root, inside)
         })
         .collect();
-    // By what they mean and not by their handles, so that builds repeat. What stands inside a root has fewer nodes.
+    // Sorted by structure and not by handles, so that builds repeat. A root inside another root has fewer nodes.
     left.sort_by_key(|(_, root, inside)| (inside.nodes().len(), hash(root.argument())));
     let mut groups = Vec::new();
     while let Some((next, ..)) = left.iter().min_by_key(|(symbols, ..)| symbols.len()) {

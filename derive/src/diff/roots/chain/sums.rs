@@ -8,7 +8,7 @@ use crate::geometry::Components;
 use crate::mechanics::{Energy, Quantities, QuantityKind, Row, VectorName};
 
 impl Chain {
-    /// The frame in which sums over bodies are formed: that of the first printed component.
+    /// Frame in which sums over bodies are formed: the frame of the first printed component, or the inertial frame.
     fn frame(&self) -> usize {
         let frame = self.put.iter().find_map(|(kind, _)| match *kind {
             QuantityKind::Component { frame, .. }
@@ -19,7 +19,8 @@ impl Chain {
         frame.unwrap_or(0)
     }
 
-    /// F*_r = Σ ∂v_C/∂u_r·R* + ∂ω/∂u_r·T*, of the bodies that are reached anew.
+    /// Generalized inertia force F*_r = Σ ∂v_C/∂u_r·R* + ∂ω/∂u_r·T*. Bodies whose terms depend on no printed value
+    /// count as derived.
     pub(super) fn inertia_force(&mut self, quantities: &mut Quantities<'_>, speed: usize) -> Option<Expr> {
         let mut changes = Vec::new();
         for (at, body) in quantities.model.bodies.iter().enumerate() {
@@ -32,7 +33,7 @@ impl Chain {
         changed(quantities, &QuantityKind::Row(Row::InertiaForce, speed), &changes)
     }
 
-    /// The change of ∂v/∂u_r · load.
+    /// Change of the power ∂v/∂u_r · load by printed values; `None` if both factors depend on no printed value.
     fn power_change(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -56,7 +57,8 @@ impl Chain {
         Some(arena.sub(value, right))
     }
 
-    /// F_r = Σ ∂v_C/∂u_r·F + ∂ω/∂u_r·M; of partial velocities that are printed the part of the weight is known.
+    /// Generalized active force F_r = Σ ∂v_C/∂u_r·F + ∂ω/∂u_r·M. If only partial velocities are printed, the part of
+    /// the weight changes.
     pub(super) fn active_force(&mut self, quantities: &mut Quantities<'_>, speed: usize) -> Option<Expr> {
         let mut changes = Vec::new();
         for (at, body) in quantities.model.bodies.iter().enumerate() {
@@ -71,7 +73,7 @@ impl Chain {
         changed(quantities, &QuantityKind::Row(Row::ActiveForce, speed), &changes)
     }
 
-    /// M_rs = −∂F*_r/∂u̇_s.
+    /// Entry M_rs = −∂F*_r/∂u̇_s of the mass matrix.
     pub(super) fn mass(&mut self, quantities: &mut Quantities<'_>, row: usize, column: usize) -> Option<Expr> {
         let force = self.value(quantities, &QuantityKind::Row(Row::InertiaForce, row))?;
         let rate = quantities.model.speeds[column].rate;
@@ -80,7 +82,7 @@ impl Chain {
         Some(arena.neg(slope))
     }
 
-    /// f_r = F_r + F*_r at u̇ = 0.
+    /// Forcing f_r = F_r + F*_r at u̇ = 0.
     pub(super) fn forcing(&mut self, quantities: &mut Quantities<'_>, row: usize) -> Option<Expr> {
         let active = self.change(quantities, &QuantityKind::Row(Row::ActiveForce, row));
         let inertia = self.change(quantities, &QuantityKind::Row(Row::InertiaForce, row));
@@ -110,7 +112,8 @@ impl Chain {
         }
     }
 
-    /// Σ ½ m v·v, or Σ ½ ω·H, of the bodies that are reached anew.
+    /// Energy Σ ½ m v·v of translation or Σ ½ ω·H of rotation. Bodies whose terms depend on no printed value count as
+    /// derived.
     fn part_of_kinetic(&mut self, quantities: &mut Quantities<'_>, energy: Energy) -> Option<Expr> {
         let half = Rational::fraction(1, 2).expect("not zero");
         let mut changes = Vec::new();
@@ -128,7 +131,7 @@ impl Chain {
         changed(quantities, &QuantityKind::Energy(energy), &changes)
     }
 
-    /// (v, m v) of a body that is reached, then as derived.
+    /// Pair (v, m v) of a body from printed values, then as derived; `None` if v depends on no printed value.
     fn moving_pairs(&mut self, quantities: &mut Quantities<'_>, body: usize) -> Option<[(Components, Components); 2]> {
         let (centre, mass) = (quantities.model.bodies[body].centre, quantities.model.bodies[body].mass);
         let frame = self.frame();
@@ -138,7 +141,7 @@ impl Chain {
         Some([v, right].map(|v| (v, v.map(|e| arena.mul(mass, e)))))
     }
 
-    /// (ω, H) of a body that is reached, then as derived.
+    /// Pair (ω, H) of a body from printed values, then as derived; `None` if both depend on no printed value.
     fn turning_pairs(&mut self, quantities: &mut Quantities<'_>, body: usize) -> Option<[(Components, Components); 2]> {
         let carrier = quantities.model.bodies[body].rigid.as_ref()?.0;
         let frame = self.frame();
@@ -153,7 +156,7 @@ impl Chain {
     }
 }
 
-/// The derived value with these changes; none without any.
+/// Derived value of a quantity plus these changes; `None` without changes.
 fn changed(quantities: &mut Quantities<'_>, kind: &QuantityKind, changes: &[Expr]) -> Option<Expr> {
     if changes.is_empty() {
         return None;

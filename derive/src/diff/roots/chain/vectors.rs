@@ -55,7 +55,8 @@ impl Chain {
         Some(v.map(|e| arena_of(quantities).neg(e)))
     }
 
-    /// dp/dt, or v_O + ω × p_OP + (dp_OP/dt in the frame) for a point whose place is stated from O.
+    /// Velocity of a point: dp/dt of a printed position, or v_O + ω × p_OP + (dp_OP/dt in the frame) if the point is
+    /// placed from O.
     fn velocity(&mut self, quantities: &mut Quantities<'_>, of: usize, frame: usize) -> Option<Components> {
         if self.stated_frame(VectorName::Position, of, frame).is_some() {
             return self.rate(quantities, VectorName::Position, of, frame);
@@ -75,7 +76,7 @@ impl Chain {
         Some(sum(arena_of(quantities), &right, &change?))
     }
 
-    /// The time derivative of a vector in the inertial frame: that in `frame`, and ω of it × the vector.
+    /// Time derivative of a vector in the inertial frame: its derivative in `frame` plus ω of `frame` × the vector.
     fn rate(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -96,7 +97,7 @@ impl Chain {
         Some(sum(arena, &own, &carried))
     }
 
-    /// I · ω, or I · α, of a body, and whether a printed value reaches it.
+    /// Product I · ω or I · α of a body; true if it depends on a printed value.
     fn momentum(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -117,7 +118,7 @@ impl Chain {
         Some((apply_tensor(arena_of(quantities), &tensor, &turning), is_reached))
     }
 
-    /// −T* or dH/dt where one of them is printed; else Euler's I·α + ω × I·ω.
+    /// Rate of the angular momentum: −T* or dH/dt from printed T* or H, else Euler's I·α + ω × I·ω.
     fn momentum_rate(&mut self, quantities: &mut Quantities<'_>, body: usize, frame: usize) -> Option<Components> {
         if self.stated_frame(VectorName::InertiaTorque, body, frame).is_some() {
             return self.negative(quantities, VectorName::InertiaTorque, body, frame);
@@ -150,7 +151,7 @@ impl Chain {
         Some(difference(arena_of(quantities), &value, &right))
     }
 
-    /// A partial velocity: printed, or the derivative of a velocity that is reached.
+    /// Partial velocity: printed, or the derivative of a velocity that depends on printed values; else `None`.
     pub(super) fn partial(
         &mut self,
         quantities: &mut Quantities<'_>,

@@ -1,4 +1,4 @@
-//! From the text `v(Cstar) @ B [1]` to a [`Quantity`] of a model, every name resolved.
+//! Reads the text of a quantity, such as `v(Cstar) @ B [1]`, as a [`Quantity`] of a model, every name resolved.
 
 use crate::diagnostic::{nearest, shown};
 use crate::mechanics::quantity::{Energy, Owner, Quantity, QuantityKind, Row, VectorName};
@@ -8,22 +8,22 @@ use std::ops::Range;
 /// Error in the name of a quantity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct QuantityError {
-    /// Message of the error, in one line.
+    /// Message of the error, one line.
     pub message: String,
     /// Advice for correcting the name.
     pub help: String,
-    /// The place, as a byte range of the text.
+    /// Place of the error, as a byte range of the text.
     pub range: Range<usize>,
 }
 
-/// The names that are neither vectors, rows nor energies.
+/// Names of quantities that are neither vectors, rows nor energies.
 const OTHER_NAMES: [&str; 5] = ["rotation", "d", "I", "M", "E"];
 
 impl Quantity {
-    /// Reads the name of a quantity; `docs/publication.md` lists them all.
+    /// Reads the name of a quantity; `docs/publication.md` lists all names.
     ///
     /// # Errors
-    /// The first [`QuantityError`] in the text: its form is wrong, or the model has no such point, frame, body, speed,
+    /// First [`QuantityError`] in the text: its form is wrong, or the model has no such point, frame, body, speed,
     /// coordinate or component.
     pub fn parse(text: &str, model: &Model) -> Result<Self, QuantityError> {
         let mut cursor = Cursor { text, at: 0, model, form: String::new() };
@@ -37,7 +37,7 @@ impl Quantity {
     }
 }
 
-/// A word of the text with its place.
+/// Word of the text with its byte range.
 type Word<'a> = (&'a str, Range<usize>);
 
 struct Cursor<'a> {
@@ -77,7 +77,7 @@ impl<'a> Cursor<'a> {
         Ok(())
     }
 
-    /// Letters, digits and `_`, then primes.
+    /// Reads a word: letters, digits and `_`, then primes. `what` names the expected word in the error.
     fn word(&mut self, what: &str) -> Result<Word<'a>, QuantityError> {
         let rest = &self.text[self.at..];
         let plain = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
@@ -110,7 +110,7 @@ impl<'a> Cursor<'a> {
         if let Some((energy, _)) = Energy::ALL.iter().find(|(_, n)| *n == head) {
             return Ok(QuantityKind::Energy(*energy));
         }
-        // Speeds may have names such as `v`: only `v(` begins a velocity.
+        // Speeds may have names such as `v`, so only `v(` begins a velocity.
         let begins = self.next_is('(') || self.next_is('[') || head == "d" && self.at < self.text.len();
         if !begins && let Some(at) = model.speeds.iter().position(|s| s.name == head) {
             return Ok(QuantityKind::Speed(at));
@@ -151,13 +151,13 @@ impl<'a> Cursor<'a> {
         QuantityError { message, help: nearest(head, known), range }
     }
 
-    /// `(OWNER) @ FRAME [COMPONENT]`
+    /// Reads `(OWNER) @ FRAME [COMPONENT]` as indices of owner, frame and axis.
     fn component(&mut self, vector: VectorName) -> Result<(usize, usize, usize), QuantityError> {
         self.mark('(')?;
         self.component_after(vector)
     }
 
-    /// `OWNER) @ FRAME [COMPONENT]`
+    /// Reads `OWNER) @ FRAME [COMPONENT]` as indices of owner, frame and axis.
     fn component_after(&mut self, vector: VectorName) -> Result<(usize, usize, usize), QuantityError> {
         let of = self.owner(vector.owner())?;
         self.mark(')')?;
@@ -169,12 +169,12 @@ impl<'a> Cursor<'a> {
         Ok((of, frame, axis))
     }
 
-    /// True if two names stand in the parentheses that begin here.
+    /// True if the parentheses that begin here contain two names.
     fn names_two(&self) -> bool {
         self.text[self.at..].split(')').next().is_some_and(|inside| inside.contains(','))
     }
 
-    /// `(BODY, POINT) @ FRAME [COMPONENT]`
+    /// Reads `(BODY, POINT) @ FRAME [COMPONENT]` after `v`.
     fn material_velocity(&mut self) -> Result<QuantityKind, QuantityError> {
         "v(BODY, POINT) @ FRAME [COMPONENT]".clone_into(&mut self.form);
         self.mark('(')?;
@@ -244,7 +244,7 @@ impl<'a> Cursor<'a> {
         Ok(if kane { QuantityKind::MassMatrix(row, column) } else { QuantityKind::LagrangeMatrix(row, column) })
     }
 
-    /// `[ROW,COLUMN]` of a tensor.
+    /// Reads `[ROW,COLUMN]` of a tensor.
     fn entry(&mut self) -> Result<(usize, usize), QuantityError> {
         self.mark('[')?;
         let row = self.axis()?;
@@ -275,7 +275,7 @@ impl<'a> Cursor<'a> {
         self.numbered("coordinate", &names)
     }
 
-    /// One of a list, by its name or its number from 1.
+    /// Reads an item of a list, by its name or its number from 1; returns its index from 0.
     fn numbered(&mut self, noun: &str, names: &[&str]) -> Result<usize, QuantityError> {
         let (text, range) = self.word(&format!("a {noun}"))?;
         if let Some(at) = names.iter().position(|n| *n == text) {
@@ -294,7 +294,7 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// A point, frame or body by its name.
+    /// Reads a point, frame or body by its name; returns its index.
     fn owner(&mut self, owner: Owner) -> Result<usize, QuantityError> {
         let model = self.model;
         let (noun, names): (&str, Vec<&str>) = match owner {

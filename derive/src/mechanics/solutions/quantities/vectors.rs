@@ -1,4 +1,4 @@
-//! The vectors among the quantities: motion, momentum and loads, each remembered.
+//! Vectors among the quantities: motion, momentum and loads. Each is computed once and kept.
 
 use super::Quantities;
 use crate::geometry::{Components, Vector};
@@ -8,7 +8,7 @@ use crate::mechanics::quantity::VectorName;
 use crate::model::Body;
 
 impl Quantities<'_> {
-    /// A vector in one frame, simplified.
+    /// Components of a vector in one frame, simplified.
     pub(super) fn component(&mut self, name: VectorName, of: usize, frame: usize) -> Components {
         if let Some(done) = self.components.get(&(name, of, frame)) {
             return *done;
@@ -20,7 +20,7 @@ impl Quantities<'_> {
         components
     }
 
-    /// A vector of the table; every other is built from those before it.
+    /// Vector of a point, frame or body with this index; a vector may be built from earlier variants of [`VectorName`].
     pub(super) fn vector(&mut self, name: VectorName, of: usize) -> Vector {
         if let Some(done) = self.vectors.get(&(name, of)) {
             return done.clone();
@@ -64,7 +64,7 @@ impl Quantities<'_> {
         Vector::in_frame(gravity.frame, gravity.acceleration).scale(arena, body.mass)
     }
 
-    /// Weight, applied forces and reactions on a body.
+    /// Sum of the weight, applied forces and stated reactions on a body, N.
     fn force(&mut self, body: usize) -> Vector {
         let mut total = self.vector(VectorName::Weight, body);
         let kinematics = &mut self.derivations.kinematics;
@@ -74,7 +74,7 @@ impl Quantities<'_> {
         total
     }
 
-    /// Σ p_CP × F + Σ T about the mass centre C, where the weight has no arm.
+    /// Moment Σ p_CP × F + Σ T of the loads on a body about its mass centre C, N m. The weight has no moment about C.
     fn moment(&mut self, body: usize) -> Vector {
         let kinematics = &mut self.derivations.kinematics;
         let mut total = Vector::default();

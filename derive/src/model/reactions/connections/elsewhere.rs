@@ -1,9 +1,9 @@
 //! Reactions that no connection of the file states: where equations tie coordinates, and along lines and directions
 //! that belong to no frame.
 //!
-//! Loops and contacts are visited pair by pair, and massless rods between two points. A reaction is kept if it does no
-//! work, is felt, and is independent of those kept before. The search ends when there are as many as the equations of
-//! all bodies leave over.
+//! Loops and contacts are visited pair by pair of bodies, then massless rods between two points. A reaction is kept if
+//! it does no work, is felt, and is independent of those kept before. The search ends when there are as many reactions
+//! as the equations of all bodies need.
 
 use super::held::works_alone;
 use super::search::{Along, Found, Search};
@@ -12,9 +12,9 @@ use crate::model::reactions::relative_motion::Holder;
 use crate::model::{Place, ReactionKind};
 
 impl Search<'_> {
-    /// Chooses the reactions that are still missing.
+    /// Chooses the reactions that no connection of the model file carries and that are still missing.
     pub fn elsewhere(&mut self) {
-        // Points where bodies hold fast come first: a force where they slide along it is tried last.
+        // Points where bodies hold fast come first. A force at a point where they slide is tried last.
         for holds in [true, false] {
             self.contacts(holds);
             if !holds {
@@ -36,7 +36,7 @@ impl Search<'_> {
         }
     }
 
-    /// Keeps the reactions of a kind along axes that do no work on these velocities, which are along each speed.
+    /// Keeps the reactions of a kind along axes that do no work at these velocities, one velocity for each speed.
     fn along_wanted_axes(&mut self, kind: ReactionKind, velocities: &[Triple], (body, holder): (usize, Holder)) {
         if self.missing == 0 {
             return;
@@ -87,7 +87,7 @@ impl Search<'_> {
     }
 
     /// Chooses forces and torques where bodies rest that each do work, and together hold directions that no axis holds.
-    /// Each brings an unknown. They bring as many equations as their powers along the speeds have independent ones.
+    /// Each of them adds an unknown. They add as many equations as their powers along the speeds are independent.
     fn shared(&mut self) {
         let all: Vec<_> = self.rests.iter().flat_map(|rest| self.relative.working(rest.body, rest.holder)).collect();
         let powers: Vec<Vec<u64>> = all.iter().map(|(_, power)| power.clone()).collect();
@@ -100,7 +100,7 @@ impl Search<'_> {
         }
     }
 
-    /// Forces where bodies touch at a point, without slip or with it.
+    /// Chooses forces where bodies touch at a point: without slip if `holds`, otherwise with slip too.
     fn contacts(&mut self, holds: bool) {
         for (body, holder) in self.relative.pairs() {
             for point in 0..self.relative.model.points.len() {
@@ -113,7 +113,7 @@ impl Search<'_> {
         }
     }
 
-    /// Torques that hold bodies from turning against the ground, then against one another.
+    /// Chooses torques that keep bodies from turning against the ground, then against one another.
     fn spins(&mut self) {
         for (body, holder) in self.relative.pairs() {
             if self.missing > 0 && self.relative.is_rigid(Some(body)) && self.relative.is_rigid(holder) {
@@ -123,7 +123,8 @@ impl Search<'_> {
         }
     }
 
-    /// Forces between points that loops hold together.
+    /// Chooses forces between points of two bodies that loops hold together: without slip if `holds`, otherwise with
+    /// slip too.
     fn loops(&mut self, holds: bool) {
         for (body, holder) in self.relative.pairs() {
             let Some(other) = holder else { continue };
@@ -137,7 +138,7 @@ impl Search<'_> {
         }
     }
 
-    /// Forces where two bodies meet, without slip or with it.
+    /// Chooses forces where two bodies meet, at a point of each: without slip if `holds`, otherwise with slip too.
     fn meeting(&mut self, body: usize, holder: Holder, (point, opposite): (usize, usize), holds: bool) {
         if self.missing == 0 {
             return;

@@ -1,11 +1,11 @@
-//! Reactions that the connections of the file carry, in order.
+//! Reactions that the connections of the model file carry, in this order.
 //!
 //! 1. Reactions that the file names, and joints that close loops.
 //! 2. Contacts without slip, along the directions that are stated.
-//! 3. Joints, and bodies from whose points or in whose frames others are placed.
-//! 4. Contacts without slip that follow from how bodies are placed: a wheel presses on the ground, not the car.
-//! 5. The ground, under bodies that rest on nothing else; under those last that touch another body.
-//! 6. Bodies that the file says to touch: all reactions between them, beside those stated for the contact.
+//! 3. Joints, and bodies from whose points or in whose frames other bodies are placed.
+//! 4. Contacts without slip that follow from the placement of bodies: a wheel presses on the ground, not the car.
+//! 5. The ground, under bodies that rest on nothing else; last under bodies that touch another body.
+//! 6. Bodies that the file states to touch: all reactions between them, in addition to those of the contact.
 
 use super::search::{Along, Found, Search};
 use crate::algebra::value::field::Field;
@@ -15,16 +15,16 @@ use crate::model::reactions::relative_motion::{Holder, Relative};
 use crate::model::reactions::supports::{Reason, Rest};
 use crate::model::{MotionConstraint, Place, ReactionKind, Rolled, Tie};
 
-/// Motions of a mechanism if loops were open and nothing rolled, where these differ from its own motions.
+/// Bases of the motions that a mechanism would have if loops were open and nothing rolled; `None` for its own motions.
 struct Ways {
-    /// With the file's other equations between velocities.
+    /// Motions in which the model file's other equations between velocities hold.
     open: Option<Vec<Vec<u64>>>,
-    /// Without them.
+    /// Motions in which the model file's other equations between velocities do not hold.
     free: Option<Vec<Vec<u64>>>,
 }
 
 impl Search<'_> {
-    /// Chooses the reactions that the connections of the file carry.
+    /// Chooses the reactions that the connections of the model file carry.
     pub fn held(&mut self) {
         let model = self.relative.model;
         let touches = self.relative.touches(&self.relative.freedoms());
@@ -43,7 +43,7 @@ impl Search<'_> {
             _ => None,
         });
         let tied: Vec<Rolled> = tied.collect();
-        // What a body rests on presses along the axes of that connection.
+        // A body that rests on another presses along the axes of that connection.
         let rests_there =
             |rolled: &Rolled| self.rests.iter().any(|rest| (rest.body, rest.holder) == (rolled.body, rolled.against));
         let built_in = model.repeated.iter().filter_map(|repeated| repeated.rolled);
@@ -58,7 +58,7 @@ impl Search<'_> {
     }
 
     /// Chooses the forces where bodies roll, along the directions without slip. Other axes, such as those of a gear,
-    /// come to lie across these directions.
+    /// may lie across these directions.
     fn rolled(&mut self, components: &[Rolled], place: usize) {
         for &Rolled { body, against, point, frame, axis, .. } in components {
             let on = Place { body, point };
@@ -71,7 +71,7 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses the reactions between bodies and their holders where they are joined, whatever else ties them.
+    /// Chooses the reactions between bodies and their holders where they are joined, regardless of other connections.
     fn connections(&mut self, rests: &[Rest], ways: &Ways) {
         self.relative.ways_if_open.clone_from(&ways.open);
         for rest in rests {
@@ -85,7 +85,7 @@ impl Search<'_> {
         self.relative.ways_if_open = None;
     }
 
-    /// Chooses reactions along axes of frames that do no work by themselves: as many as are independent.
+    /// Chooses independent reactions along axes of frames that each do no work.
     fn along_axes(&mut self, kind: ReactionKind, velocities: &[Triple], rest: &Rest) {
         let field = self.relative.drawn.space.0;
         let mut open = 3 - rank(field, velocities.iter().map(|velocity| velocity.to_vec()));
@@ -105,7 +105,7 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses the forces and torques of a connection that do no work together only, as those of a screw.
+    /// Chooses the forces and torques of a connection that do no work only together, as those of a screw.
     fn together(&mut self, body: usize, holder: Holder, ways: &Ways) {
         let field = self.relative.drawn.space.0;
         self.relative.ways_if_open.clone_from(&ways.free);
@@ -130,8 +130,8 @@ impl Search<'_> {
 }
 
 impl Relative<'_> {
-    /// Motions of the mechanism if loops were open and nothing rolled. Equations of the file between velocities hold if
-    /// `are_held`. `None` if these are its own motions.
+    /// Motions that the mechanism would have if loops were open and nothing rolled. Equations of the model file between
+    /// velocities hold if `are_held`. `None` if these are the mechanism's own motions.
     fn open(&self, are_held: bool) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let holds = |constraint: &MotionConstraint| match constraint.tie {
@@ -144,7 +144,8 @@ impl Relative<'_> {
         is_open.then(|| self.open_ways(&mut model.arena.clone(), &holds)).flatten()
     }
 
-    /// The component along the first axis of the bodies' own frames that has its direction, if one has.
+    /// Same component of rolling, along the first axis of the bodies' own frames that has its direction, if such an
+    /// axis exists.
     fn along_own_axis(&self, rolled: Rolled) -> Rolled {
         let direction = |frame: usize, axis: usize| self.drawn.frames[frame].axes[axis];
         let wanted = direction(rolled.frame, rolled.axis);
@@ -153,8 +154,8 @@ impl Relative<'_> {
         same.map_or(rolled, |(frame, axis)| Rolled { frame, axis, ..rolled })
     }
 
-    /// Force and torque between a body and its holder where they move least, each with the velocities at which it does
-    /// work.
+    /// Force and torque between a body and its holder, at the point where they move least relative to one another. Each
+    /// has the velocities at which it does work.
     pub fn between(&self, body: usize, holder: Holder) -> Vec<(ReactionKind, Vec<Triple>)> {
         let point = self.least_moving_point(body, holder);
         let against = holder.map(|body| Place { body, point });
@@ -166,7 +167,8 @@ impl Relative<'_> {
         kinds
     }
 
-    /// Those of them that work, along axes of one frame, with the power of each along every way to move.
+    /// Forces and torques between a body and its holder that do work, along axes of one frame. Each has its power along
+    /// every way to move.
     pub fn working(&self, body: usize, holder: Holder) -> Vec<(Found, Vec<u64>)> {
         let frame = self.frames(body, holder)[0];
         let mut list = Vec::new();
@@ -182,7 +184,7 @@ impl Relative<'_> {
         list
     }
 
-    /// The direction of a reaction along an axis of a frame.
+    /// Direction of a reaction along an axis of a frame, as a vector of residues; `None` for a reaction along a line.
     pub fn direction(&self, found: &Found) -> Option<Triple> {
         match found.along {
             Along::Axis(frame, axis) => Some(self.drawn.frames[frame].axes[axis]),
@@ -190,14 +192,15 @@ impl Relative<'_> {
         }
     }
 
-    /// The axes of frames along which a body and its holder may act on one another, those of their own frames first.
+    /// Axes (frame, axis 0, 1 or 2) along which a body and its holder may act on one another, those of their own frames
+    /// first.
     pub fn axes_between(&self, body: usize, holder: Holder) -> Vec<(usize, usize)> {
         let frames = self.frames(body, holder).into_iter();
         frames.flat_map(|frame| (0..3).map(move |axis| (frame, axis))).collect()
     }
 }
 
-/// Number of independent rows.
+/// Number of independent rows, modulo a prime.
 fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
     let mut basis = Basis::new(field);
     rows.for_each(|row| {
@@ -206,8 +209,8 @@ fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
     basis.len()
 }
 
-/// True if the power of one reaction is independent of the powers of all others. It can then only be zero, since no
-/// other balances it.
+/// True if the power of one reaction is independent of the powers of all other reactions. It must then be zero, since
+/// no other reaction balances it.
 pub fn works_alone(field: Field, powers: &[Vec<u64>], at: usize) -> bool {
     let mut others = Basis::new(field);
     for (_, power) in powers.iter().enumerate().filter(|(other, _)| *other != at) {

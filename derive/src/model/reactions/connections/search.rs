@@ -1,5 +1,5 @@
-//! Search for reactions in one random pose: those chosen, the balances in which bodies feel them, and the number still
-//! missing.
+//! Search for reactions in one random pose: the reactions chosen, the balances in which bodies feel them, and the
+//! number of reactions still missing.
 
 use crate::algebra::value::rank::Basis;
 use crate::algebra::{Arena, Expr};
@@ -11,13 +11,13 @@ use crate::model::{Model, ReactionKind};
 /// Direction along which a reaction acts.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Along {
-    /// An axis of a frame.
+    /// Direction along an axis, 0, 1 or 2, of a frame: frame, axis.
     Axis(usize, usize),
-    /// From one point to another.
+    /// Direction from one point to another: indices of the points.
     Line(usize, usize),
 }
 
-/// A reaction that was found.
+/// A reaction that was found, before it has a name.
 #[derive(Clone, Copy)]
 pub struct Found {
     pub kind: ReactionKind,
@@ -31,33 +31,33 @@ impl Found {
         Self { kind, along: Along::Axis(frame, axis), is_shared: false }
     }
 
-    /// True if both are the same component between the same bodies.
+    /// True if both reactions are the same component between the same bodies.
     pub fn is_same(&self, other: &Self) -> bool {
         self.kind == other.kind && self.along == other.along
     }
 }
 
-/// A reaction that was chosen: one of the file, or one that was found.
+/// A reaction that was chosen: one that the model file names, or one that was found.
 struct Chosen {
     /// Contribution of the reaction to all balances.
     action: Vec<u64>,
-    /// Its power along each speed; none if it does no work by itself.
+    /// Power of the reaction along each speed; empty if it does no work by itself.
     power: Vec<u64>,
-    /// Reaction that was found, after its place in the list of reactions; `None` for one of the file.
+    /// Reaction that was found, after its place in the list of reactions; `None` for one that the model file names.
     found: Option<(usize, Found)>,
     /// True if bodies feel the reaction: it acts in a balance that is not 0 = 0.
     is_felt: bool,
 }
 
-/// The search in one pose.
+/// State of the search for reactions in one random pose.
 pub struct Search<'m> {
     pub relative: Relative<'m>,
-    /// Each body with its holder, from the outside in.
+    /// Each body with its holder, outermost bodies first.
     pub rests: Vec<Rest>,
-    /// Reactions that are still to be found.
+    /// Number of reactions that are still missing.
     pub missing: usize,
-    /// Balances that are not 0 = 0 without reactions, six for each body, in the frame of its inertia. `felt` has those
-    /// that are not 0 = 0 with the chosen reactions.
+    /// True for each balance that is not 0 = 0 without reactions: six for each body. `felt` is true for each balance
+    /// that is not 0 = 0 with the chosen reactions.
     moved: Vec<bool>,
     felt: Vec<bool>,
     chosen: Vec<Chosen>,
@@ -66,7 +66,8 @@ pub struct Search<'m> {
 }
 
 impl<'m> Search<'m> {
-    /// Starts the search from the stated reactions; `None` if they leave nothing to be found.
+    /// Starts the search from the stated reactions; `None` if no reaction is missing, or the stated reactions are not
+    /// independent.
     pub fn new(model: &'m Model) -> Option<Self> {
         let arena = &mut model.arena.clone();
         let drawn = DrawnModel::new(model, arena)?;
@@ -84,7 +85,7 @@ impl<'m> Search<'m> {
         (search.missing > 0).then_some(search)
     }
 
-    /// Contributions of the stated reactions to the balances.
+    /// Contributions of the stated reactions to the balances of all bodies.
     fn stated(&self, arena: &mut Arena) -> Option<Vec<Vec<u64>>> {
         let directions: Vec<Expr> = self.relative.model.reactions.iter().flat_map(|r| r.direction).collect();
         let mut values = self.relative.drawn.values(self.relative.model, arena, &directions)?;
@@ -101,23 +102,23 @@ impl<'m> Search<'m> {
         self.relative.drawn.action(self.relative.model, kind, direction)
     }
 
-    /// The place of a body's reactions in the list: bodies stand in it from the outside in.
+    /// Place of a body's reactions in the list of reactions: outermost bodies come first.
     pub fn place_of(&self, body: usize) -> usize {
         1 + self.rests.iter().position(|rest| rest.body == body).unwrap_or(self.rests.len())
     }
 
-    /// The place of reactions that come after those of all bodies.
+    /// Place in the list of reactions after those of all bodies.
     pub fn last_place(&self) -> usize {
         2 + self.rests.len()
     }
 
-    /// True if reactions are missing, and one in this direction acts in a balance that bodies feel.
+    /// True if reactions are missing, and a reaction in this direction acts in a balance that bodies feel.
     pub fn is_wanted(&self, kind: ReactionKind, direction: Triple) -> bool {
         self.missing > 0 && self.action(kind, direction).iter().zip(&self.felt).any(|(x, felt)| *x != 0 && *felt)
     }
 
-    /// Chooses a reaction in this direction, at this place of the list, unless those already chosen carry the same
-    /// load. Returns true if it is chosen.
+    /// Chooses a reaction in this direction, at this place of the list, unless the reactions already chosen carry the
+    /// same load. Returns true if it is chosen.
     pub fn choose(&mut self, place: usize, found: Found, direction: Triple, power: Vec<u64>) -> bool {
         let action = self.action(found.kind, direction);
         let is_new = self.basis.take(action.clone()).is_some();
@@ -128,7 +129,7 @@ impl<'m> Search<'m> {
         is_new
     }
 
-    /// Finds the chosen reactions that bodies feel, and counts the missing ones: each equation needs an unknown.
+    /// Marks the chosen reactions that bodies feel, and counts the missing ones: each equation needs an unknown.
     fn feel(&mut self) {
         while let Some(at) = self.chosen.iter().position(|chosen| !chosen.is_felt && self.acts(chosen)) {
             self.chosen[at].is_felt = true;
@@ -150,7 +151,7 @@ impl<'m> Search<'m> {
         self.missing = equations.saturating_sub(unknowns);
     }
 
-    /// True if a reaction acts in a balance that is felt, or shares its power with a reaction that does.
+    /// True if a reaction acts in a balance that bodies feel, or shares its power with a reaction that bodies feel.
     fn acts(&self, one: &Chosen) -> bool {
         let meets = |a: &[u64], b: &[u64]| a.iter().zip(b).any(|(x, y)| *x != 0 && *y != 0);
         let felt = self.chosen.iter().filter(|chosen| chosen.is_felt);
@@ -158,8 +159,8 @@ impl<'m> Search<'m> {
             || felt.into_iter().any(|other| meets(&one.action, &other.action) || meets(&one.power, &other.power))
     }
 
-    /// Reactions that were found and that bodies feel, in the order of their places. Also the bodies under which the
-    /// ground, or the body they touch, is left out, because it carries nothing except what the file names.
+    /// Reactions that were found and that bodies feel, in the order of their places. Also the bodies on which the
+    /// ground, or the body they touch, exerts only the forces that the model file names.
     pub fn results(mut self) -> (Vec<Found>, Vec<usize>) {
         self.chosen.retain(|chosen| chosen.is_felt);
         self.leave_out_zeros();
@@ -172,13 +173,13 @@ impl<'m> Search<'m> {
         (found, idle)
     }
 
-    /// Leaves out reactions that are 0, being alone in a balance in which nothing moves and no load acts.
+    /// Leaves out reactions that are 0, since each is alone in a balance in which nothing moves and no load acts.
     fn leave_out_zeros(&mut self) {
         while let Some(zero) = (0..self.moved.len()).filter(|row| !self.moved[*row]).find_map(|row| {
             let mut acting = (0..self.chosen.len()).filter(|at| self.chosen[*at].action[row] != 0);
             let only = acting.next()?;
             let chosen = &self.chosen[only];
-            // What is shared holds something elsewhere.
+            // A shared reaction holds a direction elsewhere.
             (acting.next().is_none() && chosen.found.is_some_and(|(_, found)| !found.is_shared)).then_some(only)
         }) {
             self.chosen.remove(zero);

@@ -1,4 +1,4 @@
-//! Impacts and changes of contacts in a backward sweep.
+//! Impacts and changes of contacts in the backward sweep that computes a gradient.
 
 use super::stepped::Part;
 use crate::preparation::impacts::{Contacts, Crossing, Kept};
@@ -11,23 +11,23 @@ use crate::studies::sensitivity::forces::Varied;
 use crate::studies::sensitivity::way::Ending;
 use tripos_sim::{Corner, Pulled};
 
-/// Contacts of a problem, and the data that differentiate crossings of them.
+/// Contacts of a problem, and the data for derivatives across their changes.
 pub struct Crossings<'a> {
     pub problem: &'a Problem<'a>,
     pub contacts: &'a Contacts<'a>,
-    /// The contacts in 32 digits.
+    /// Contacts of the problem in 32 digits.
     pub wide: Wide<'a>,
-    /// Equations with slopes.
+    /// Equations of the problem that compute with slopes.
     pub equations: &'a Equations,
-    /// Corners of the equations, among them the instants at which the drive jumps.
+    /// Instants at which the equations jump or bend, such as jumps of the drive.
     pub corners: &'a [Corner],
 }
 
 impl Crossings<'_> {
-    /// Applies `of` to a crossing that is prepared for differentiation.
+    /// Prepares a crossing for differentiation and applies `of` to it.
     ///
     /// # Errors
-    /// [`Ending`] with the reason, where there is no derivative.
+    /// [`Ending`] with the reason if there is no derivative.
     pub fn at<T>(
         &self,
         crossing: &Crossing<'_>,
@@ -42,11 +42,12 @@ impl Crossings<'_> {
         known.map_err(|why| Ending { t: crossing.t, why })
     }
 
-    /// Goes back across the crossing that a part begins with: replaces weights of the state after it by those of the
-    /// state before. Returns true if numbers must be checked one by one for a derivative.
+    /// Goes back across the crossing with which a part begins: replaces the weights of the state after the crossing by
+    /// those of the state before. Adds the shares of the parameters. Returns true if numbers must be checked one by one
+    /// for a derivative.
     ///
     /// # Errors
-    /// [`Ending`] with the reason, where there is no derivative by anything.
+    /// [`Ending`] with the reason if there is no derivative by any number.
     pub fn back(&self, part: &Part, (state, parameters): Pulled<'_>) -> Result<bool, Ending> {
         let Some(crossing) = part.crossing() else { return Ok(false) };
         self.at(&crossing, |crossed| {

@@ -1,11 +1,12 @@
-//! Equations with the forces of held contacts, and their transposed slopes.
+//! Equations with the forces of held contacts, and products with their transposed slopes.
 //!
-//! Forces give the motion variables the rates B a, where B is the slopes of these variables in speeds. M a = Wᵀ Λ, and
-//! W a + c = 0 along the held rows: c = S ẏ without forces, where S is the slopes of the velocities along the rows. Let
-//! w be weights of these rates, b = Bᵀ w, and A = W M⁻¹ Wᵀ E, where E holds the friction of slipping contacts. The
-//! derivative of w·B a is that of the residuals with a and Λ held fixed: z₁·∂(M a − Wᵀ Λ) + z₂·∂(W a + c) + w·∂(B a),
-//! where Aᵀ z₂ = −Eᵀ W M⁻¹ b and z₁ = −M⁻¹ (b + Wᵀ z₂). Each term is one of the tapes run backwards: M x·z of the
-//! kinetic energy, a quadratic form, B x of the motion variables, and W and S of the velocities along the rows.
+//! Forces Λ add the rates B a to the motion variables, where B holds the slopes of these variables by the speeds. M a =
+//! Wᵀ Λ, and W a + c = 0 along the held rows. Here c = S ẏ without forces, where S holds the slopes of the velocities
+//! along the rows. Let w be weights of the added rates, and b = Bᵀ w. Let A = W M⁻¹ Wᵀ E, where E holds the friction of
+//! slipping contacts. The derivative of w·B a is that of the residuals with a and Λ held fixed: z₁·∂(M a − Wᵀ Λ) +
+//! z₂·∂(W a + c) + w·∂(B a), where Aᵀ z₂ = −Eᵀ W M⁻¹ b and z₁ = −M⁻¹ (b + Wᵀ z₂). Each term is computed by running a
+//! tape backwards: M x·z by the tape of the kinetic energy, a quadratic form, B x by that of the motion variables, W
+//! and S by that of the velocities along the rows.
 
 use super::products::{Products, Tapes};
 use crate::error::{Error, refused};
@@ -16,21 +17,24 @@ use nalgebra::DVector;
 use tripos_derive::algebra::value::evaluate::{Backwards, Tape};
 use tripos_sim::{Failure, Pulled, RightHandSide, Transposed};
 
-/// Equations of a motion, with the forces of contacts that are held, if any.
+/// Equations of motion for a backward sweep, with the forces of contacts that are held, if any.
 pub struct Motion<'a> {
+    /// Equations without forces of contacts.
     free: Products<'a>,
+    /// Held contacts; `None` if no contact is held.
     held: Option<Holding<'a>>,
+    /// Number of parameters and of coefficients of contacts.
     parameters: usize,
 }
 
-/// Contacts that are held, with the data of their transposed slopes.
+/// Contacts that are held, with the data for products with their transposed slopes.
 struct Holding<'a> {
     held: Held<'a>,
     grip: Grip,
     weights: Weights<'a>,
 }
 
-/// Adds up slopes of weighted sums of tape outputs.
+/// Adds up slopes of weighted sums of tape outputs, by running tapes backwards.
 struct Weights<'a> {
     tapes: &'a Tapes,
     parameters: &'a [f64],
@@ -39,8 +43,8 @@ struct Weights<'a> {
 }
 
 impl<'a> Motion<'a> {
-    /// Prepares the equations of a problem while these contacts are held. The parameters are followed by the
-    /// restitutions of the contacts and their coefficients of friction.
+    /// Prepares the equations of a problem while contacts are held. In the slopes by parameters, the restitutions of
+    /// the contacts and their coefficients of friction follow the parameters.
     ///
     /// # Errors
     /// [`Error::Request`] for equations that were not solved for their accelerations.
@@ -119,8 +123,8 @@ impl Transposed for Motion<'_> {
 }
 
 impl Holding<'_> {
-    /// Adds the effect of the forces for these weights of the rates, and returns the weights of the rates without
-    /// forces.
+    /// Adds the slopes of the rates' part that forces of contacts cause, for given weights of the rates. Returns the
+    /// weights of the rates without forces.
     fn pull(
         &mut self,
         (t, y): (f64, &[f64]),
@@ -155,7 +159,7 @@ impl Holding<'_> {
         for row in 0..contacts.count {
             let own = &mut of_contacts[contacts.count + row * y.len()..][..y.len()];
             for (j, own) in own.iter_mut().enumerate() {
-                // S of c = S ẏ, then W of −z₁·Wᵀ Λ and of z₂·W a.
+                // First S of c = S ẏ, then W of −z₁·Wᵀ Λ and of z₂·W a.
                 *own = z2[row] * free.rates[j];
                 left[j] += z2[row] * slopes[(row, j)];
                 if let Some(j) = j.checked_sub(n) {
@@ -166,7 +170,7 @@ impl Holding<'_> {
         let of_v = slopes.columns(n, basis.nrows());
         let of_motions = [(&a, of_rates + of_v.transpose() * &z2), (&z1, -(of_v.transpose() * &forces))];
         for slip in &self.grip.slips {
-            // M a − Wᵀ Λ, by a coefficient of friction: s Λₙ times the row of the slip.
+            // Slope of M a − Wᵀ Λ by a coefficient of friction: s Λₙ times the row of the slip.
             let first = parameters.len() - contacts.impacts.len();
             parameters[first + slip.contact] +=
                 z1.dot(&of_u.row(slip.along).transpose()) * slip.way * forces[slip.normal];
@@ -183,12 +187,14 @@ impl Holding<'_> {
 }
 
 impl Weights<'_> {
-    /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs. `add` also returns the slopes
-    /// by the tape's other inputs.
+    /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs. The tape reads parameters and
+    /// state.
     fn pull(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): Pulled<'_>) {
         self.add(tape, (y, &[]), weights, (state, parameters));
     }
 
+    /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs. Returns its slopes by the
+    /// inputs `more`, which the tape reads last.
     fn add(
         &mut self,
         tape: &Tape,
@@ -207,7 +213,7 @@ impl Weights<'_> {
         rest.to_vec()
     }
 
-    /// Adds the slopes of w·B x: motion variables of the speeds x minus those of zero speeds.
+    /// Adds the slopes of w·B x by parameters and state: motion variables of the speeds x minus those of zero speeds.
     fn pull_motion(&mut self, q: &[f64], (x, w): (&DVector<f64>, &DVector<f64>), (state, parameters): Pulled<'_>) {
         let tapes = self.tapes;
         let still = vec![0.0; x.len()];
@@ -215,7 +221,7 @@ impl Weights<'_> {
         self.add(&tapes.motions, (q, &still), (-w).as_slice(), (state, parameters));
     }
 
-    /// Adds the slopes of z·M x = T(x + z) − T(x) − T(z) + T(0), with speeds of one size.
+    /// Adds the slopes of z·M x = T(x + z) − T(x) − T(z) + T(0) by parameters and state. z is scaled to the size of x.
     fn pull_inertia(&mut self, q: &[f64], (x, z): (&DVector<f64>, &DVector<f64>), (state, parameters): Pulled<'_>) {
         let (size, own) = (x.norm(), z.norm());
         if !(size > 0.0 && own > 0.0) {

@@ -1,16 +1,16 @@
 //! Gradient of a quantity that a run shows at its end: its derivatives by all parameters and all numbers of the start
 //! at once, by one backward sweep.
 //!
-//! The run equals the run without a gradient. Then its steps are taken once more, backwards, each transposed
-//! ([`tripos_sim::adjoint`]). Rates are those of the code that runs; products with their transposed slopes are tapes
-//! run backwards. The start and the quantity at the end are differentiated as for forward derivatives. So the result
-//! equals theirs along the same steps, but its cost does not grow with the count of numbers. A second run with other
-//! steps, swept likewise, gives the errors that steps leave.
+//! The run equals the run without a gradient. Then its steps are repeated backwards, each transposed
+//! ([`tripos_sim::adjoint`]). The code that runs computes the rates; tapes run backwards give products with their
+//! transposed slopes. The start and the quantity at the end are differentiated as for forward derivatives. So the
+//! result equals forward derivatives along the same steps, but its cost does not grow with the count of numbers. A
+//! second run with other steps, also swept backwards, gives the errors that steps leave.
 //!
 //! Impacts and changes of contacts are crossed by the transpose of the map that takes slopes across them (`crossing`).
-//! While contacts are held, the transpose of the map of their forces is used (`held`).
+//! While contacts are held, the transpose of the map to their forces is used (`held`).
 //!
-//! Absent on purpose: implicit methods and Taylor's. DOP853 runs in their place.
+//! Implicit methods and Taylor's are left out on purpose. DOP853 replaces them.
 
 mod crossings;
 mod held;
@@ -44,46 +44,46 @@ use tripos_sim::adjoint::has_adjoint;
 use tripos_sim::{Method, Options, Second, Stop, seconds};
 use tripos_traits::larger;
 
-/// A run with the gradient of one quantity that it shows at its end.
+/// A run of a scene with the gradient of one quantity at its end.
 pub struct Gradient {
-    /// The run, equal bit by bit to the run without a gradient.
+    /// The run itself, equal bit by bit to the run without a gradient.
     pub run: Run,
-    /// The scene as it was run: by DOP853 if its own method cannot be swept backwards.
+    /// The scene as it was run. Its method is DOP853 if its own method cannot be swept backwards.
     pub scene: Scene,
     /// Name of the differentiated quantity: an output, a coordinate, a generalized speed, an energy, or `t`, the
     /// instant at which an event ends the run.
     pub of: String,
-    /// True if an event ends the run: the derivatives are then total ones, as its instant moves. Otherwise they are
-    /// those at a fixed instant.
+    /// True if an event ends the run: the derivatives are then total ones, which include the shift of the end.
+    /// Otherwise they are derivatives at a fixed instant.
     pub is_total: bool,
-    /// Derivatives by each parameter and each number that the start states.
+    /// Derivatives of the quantity by each parameter and each number that the start states.
     pub slopes: Vec<Slope>,
-    /// Description of the second run; `None` if none came to the same end.
+    /// Description of the second run, which gave the errors; `None` if no second run came to the same end.
     pub assessed_by: Option<String>,
-    /// Largest number of states that were kept at once to go backwards.
+    /// Largest number of states that the backward sweep kept at once.
     pub states: usize,
 }
 
-/// Derivative of the quantity by one number.
+/// Derivative of a quantity at the end of a run by one number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slope {
     /// Name of the number.
     pub by: String,
     /// Unit of the derivative; `None` if the unit of the quantity is not known.
     pub unit: Option<String>,
-    /// Value of the derivative; NaN if there is none.
+    /// Value of the derivative; NaN if it does not exist.
     pub value: f64,
-    /// Estimated error of the derivative; `None` if a second run does not come to the same end.
+    /// Estimated error of the derivative; `None` if no second run came to the same end.
     pub error: Option<f64>,
-    /// Reason why there is no derivative; `None` if there is one.
+    /// Reason why the derivative does not exist; `None` if it exists.
     pub missing: Option<String>,
 }
 
 impl Gradient {
-    /// Derivative by the number of this name.
+    /// Finds the derivative by the number with the given name.
     ///
     /// # Errors
-    /// [`Error::Request`] if there is no such number.
+    /// [`Error::Request`] if there is no number of this name.
     pub fn by(&self, name: &str) -> Result<&Slope, Error> {
         let found = self.slopes.iter().find(|slope| slope.by == name);
         found.ok_or_else(|| {
@@ -92,7 +92,8 @@ impl Gradient {
         })
     }
 
-    /// Describes the first derivative that has no value though there should be one; `None` if all have one.
+    /// Describes the first derivative that has no value though it should exist, or says that none exists; `None` if all
+    /// have a value.
     #[must_use]
     pub fn missing(&self) -> Option<String> {
         let first = self.slopes.first().filter(|_| self.slopes.iter().all(|slope| slope.missing.is_some()));
@@ -105,11 +106,11 @@ impl Gradient {
 }
 
 /// Runs a scene by whole equations, with the gradient of the quantity that it shows at its end under the name `of`.
-/// `set` holds the numbers whose values differ from the file of the scene.
+/// `set` holds the numbers that were set and differ from the scene file.
 ///
 /// # Errors
 /// [`Error::Request`] for a name that the scene does not show, and for equations or a method that cannot be
-/// differentiated; otherwise those of [`crate::simulate`].
+/// differentiated. Otherwise the errors of [`crate::simulate`].
 pub fn gradient(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -171,7 +172,7 @@ pub fn gradient(
     Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by, states, scene })
 }
 
-/// Gradient, by differences for each number, of a run that changes its speeds on the way.
+/// Computes the gradient of a run that changes its speeds on the way, by differences of runs for each number.
 fn by_differences(
     mechanism: &Mechanism,
     scene: Scene,
@@ -206,7 +207,7 @@ fn by_differences(
     Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by: Some(WORDS.to_owned()), states: 0, scene })
 }
 
-/// Scene with a method that can be swept backwards, at the same tolerances.
+/// Changes the method of a scene to one that can be swept backwards, at the same tolerances.
 fn steppable(scene: &Scene, own: Method) -> Scene {
     let mut scene = scene.clone();
     if !has_adjoint(own) {
@@ -215,11 +216,12 @@ fn steppable(scene: &Scene, own: Method) -> Scene {
     scene
 }
 
+/// Advice that names the known name nearest to an unknown one.
 fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
     tripos_derive::diagnostic::nearest(name, known)
 }
 
-/// Finds the target that a name means at the end of a run.
+/// Finds the quantity that a name means at the end of a run.
 fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Error> {
     if of == TIME {
         return Ok(Target::End);
@@ -231,6 +233,7 @@ fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Er
     })
 }
 
+/// Unit of the target; `None` if it is not known.
 fn unit(parts: &Parts<'_>) -> Option<Unit> {
     match parts.target {
         Target::End => Some(Unit::new(0, 0, 1)),
@@ -238,7 +241,7 @@ fn unit(parts: &Parts<'_>) -> Option<Unit> {
     }
 }
 
-/// Notes on the derivatives for the reader of a run.
+/// Notes to the user on the derivatives of a run.
 fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
@@ -273,31 +276,32 @@ fn without(numbers: &[Number], missing: &[Option<String>]) -> Vec<String> {
     list.into_iter().map(said).collect()
 }
 
-/// Data from which a gradient is computed.
+/// Data from which the gradient of a target is computed.
 struct Parts<'a> {
     through: Through<'a>,
     target: Target,
 }
 
-/// A gradient, its errors, and the run that gave the errors.
+/// A gradient, its errors, and a description of the run that gave the errors.
 struct Assessed {
     own: Swept,
     errors: Option<Vec<f64>>,
     by: Option<String>,
-    /// Reason why there is no derivative by each number; `None` where there is one.
+    /// Reason why there is no derivative by each number; `None` if there is one.
     missing: Vec<Option<String>>,
 }
 
-/// Least error of a derivative, relative to the size of the terms of its sum: eight roundings.
+/// Least error of a derivative, relative to the size of the terms of its sum. It allows for eight roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl Parts<'_> {
+    /// Sweeps the target backwards through the steps of a run.
     fn sweep(&self, problem: &Problem<'_>, from: (&Options, &Stepped)) -> Result<Swept, Error> {
         sweep(problem, &self.through, self.target, from)
     }
 
-    /// Reason why there is no derivative by each number; `None` where there is one. Where contacts that meet together
-    /// leave a derivative by some numbers only, slopes carried forwards tell which.
+    /// Reason why there is no derivative by each number; `None` if there is one. If contacts that meet together leave
+    /// derivatives by some numbers only, slopes carried forwards tell which.
     fn missing(&self, problem: &Problem<'_>, y0: &[f64], own: &Swept) -> Result<Vec<Option<String>>, Error> {
         let numbers = self.through.numbers;
         let mut list: Vec<Option<String>> = (0..numbers.len()).map(|at| own.missing(at)).collect();
@@ -319,8 +323,7 @@ impl Parts<'_> {
         Ok(list)
     }
 
-    /// Computes the gradient of a run, and its errors by a second run: one with other steps, from numbers one rounding
-    /// away.
+    /// Computes the gradient of a run, and its errors by a second run with other steps, from numbers one rounding away.
     fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
         let how = options_of_ends(problem.scene);
         let y0 = problem.start()?;
@@ -347,8 +350,8 @@ impl Parts<'_> {
         Ok(Assessed { own, errors: None, by: None, missing })
     }
 
-    /// Errors of a gradient, from its differences to a second one. Each entry has at least the median relative
-    /// difference as its error: two motions that swing about each other may meet in one entry.
+    /// Estimates the errors of a gradient from its differences to a second gradient. Each entry has at least the median
+    /// relative difference as its error: two motions that oscillate about each other may agree in one entry.
     fn errors(&self, own: &Swept, other: &Swept, part: f64) -> Vec<f64> {
         let numbers = self.through.numbers.iter().enumerate();
         let pairs: Vec<_> = numbers.map(|(at, number)| (own.by(at, number), other.by(at, number).0)).collect();

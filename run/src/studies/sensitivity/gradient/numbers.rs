@@ -11,13 +11,14 @@ use tripos_sim::Options;
 use tripos_sim::adjoint::Moved;
 use tripos_traits::Tangent;
 
-/// A number of a scene: the derivatives of a run's start by it, or the reason why there are none.
+/// A number of a scene, with the derivatives of a run's start by it, or the reason why there are none.
 pub struct Number {
     pub name: String,
+    /// Derivatives of the parameters and the start by the number, or the reason why there are none.
     pub seed: Result<Seed, String>,
 }
 
-/// All numbers of the scene of a problem. `set` holds those whose values differ from its file.
+/// Lists all numbers of the scene of a problem. `set` holds the numbers that were set and differ from the scene file.
 pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) -> Vec<Number> {
     let number = |name: String| {
         let seed = Seed::new(problem, set, &name);
@@ -30,7 +31,7 @@ pub fn numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) 
 }
 
 /// Names of the parameters in the order of the model, of the coordinates, and of the rates or speeds that the start
-/// states. Names that follow from others are left out.
+/// states. Names of numbers that follow from others are left out.
 pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
     let coordinates = || model.coordinates.iter().map(|c| c.name.clone()).filter(|name| name != TIME);
     let motion: Vec<String> = match &scene.exact.motion {
@@ -44,7 +45,7 @@ pub fn names(model: &Model, scene: &Scene) -> Vec<String> {
     model.parameters.iter().map(|p| p.name.clone()).chain(start).collect()
 }
 
-/// Derivatives of the instants at which the equations jump, by each parameter.
+/// Instants at which the equations of a problem jump, each with its derivatives by all parameters.
 pub fn moved(problem: &Problem<'_>) -> Vec<Moved> {
     let parameters = &problem.scene.parameters;
     let mut list: Vec<Moved> = Vec::new();

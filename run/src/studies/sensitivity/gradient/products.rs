@@ -1,4 +1,5 @@
-//! Equations with their transposed slopes: rates by the code that runs, products by its tapes, run backwards.
+//! Equations with products of their transposed slopes. The code that runs computes the rates, and its tapes, run
+//! backwards, the products.
 
 use crate::code::{Code, derivation, stepwise};
 use crate::error::Error;
@@ -10,17 +11,24 @@ use tripos_derive::algebra::value::evaluate::{Backwards, Tape};
 use tripos_derive::mechanics::{By, Derivation, Distance, Solved, in_distance};
 use tripos_sim::{Eliminated, Failure, Pulled, RightHandSide, Transposed};
 
-/// Tapes of rates, constraints and kinetic energy in parameters, coordinates and motion variables, and of the motion
-/// variables in speeds.
+/// Tapes that a gradient runs backwards: rates, constraints, kinetic energy and motion variables.
+///
+/// Rates, constraints and energy read parameters, coordinates and motion variables. The motion variables read
+/// parameters, coordinates and speeds.
 pub struct Tapes {
+    /// Tape of q̇ and v̇.
     rates: Tape,
+    /// Tape of the constraints onto which a run is kept; `None` if there are none.
     constraints: Option<Tape>,
+    /// Tape of the kinetic energy.
     pub energy: Tape,
+    /// Tape of the motion variables, from generalized speeds.
     pub motions: Tape,
 }
 
 impl Tapes {
-    /// Tapes of these equations: interpreted equations have them, for compiled ones they are made.
+    /// Makes the tapes of a set of equations. Those of interpreted equations are copied; for compiled equations they
+    /// are made.
     ///
     /// # Errors
     /// [`Error`] if the equations cannot be solved for their accelerations.
@@ -56,7 +64,7 @@ impl Tapes {
     }
 }
 
-/// Equations at the parameters of a problem, with their transposed slopes.
+/// Equations at the parameters of a problem, with products of their transposed slopes.
 pub struct Products<'a> {
     rhs: Eliminated<'a>,
     tapes: &'a Tapes,
@@ -67,7 +75,7 @@ pub struct Products<'a> {
 }
 
 impl<'a> Products<'a> {
-    /// Prepares the equations of a problem.
+    /// Prepares the equations of a problem for products with their transposed slopes.
     ///
     /// # Errors
     /// [`Error::Request`] for equations that were not solved for their accelerations.
@@ -79,6 +87,7 @@ impl<'a> Products<'a> {
         Ok(Self { rhs, tapes, parameters, inputs, slopes, room: Backwards::default() })
     }
 
+    /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs.
     fn pull_by(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): Pulled<'_>) {
         self.inputs.clear();
         self.inputs.extend_from_slice(self.parameters);

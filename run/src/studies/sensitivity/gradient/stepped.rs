@@ -1,4 +1,4 @@
-//! A run with its steps, from impact to impact.
+//! A run with a record of its steps, from impact to impact.
 
 use crate::error::{Error, refused};
 use crate::preparation::impacts::{After, Approach, Carrier, Crossing, Doubles, Happening, Kept, NONE};
@@ -8,12 +8,12 @@ use crate::trust::power::accounted;
 use std::cell::{Cell, RefCell};
 use tripos_sim::{Accompanied, Event, Lent, Options, RightHandSide, SimError, Solution, Stop, integrate};
 
-/// A run, and the parts that it consists of.
+/// A run, with the parts that it consists of and their steps.
 pub struct Stepped {
     pub solution: Solution,
-    /// Parts of the run, one after the other: a run without contacts has one.
+    /// Parts of the run in their order: a run without contacts has one part.
     pub parts: Vec<Part>,
-    /// True if a contact is nearly touched on the way.
+    /// True if a gap comes close to zero during the run without closing.
     pub is_near: bool,
 }
 
@@ -23,13 +23,13 @@ pub struct Part {
     pub t: f64,
     /// State at the beginning of the part.
     pub y: Vec<f64>,
-    /// Crossing with which the part begins; `None` where there are no contacts.
+    /// Crossing with which the part begins; `None` in a scene without contacts.
     pub begun: Option<Begun>,
     /// Instants at which the steps of the part end, s.
     pub ends: Vec<f64>,
 }
 
-/// Copy of the crossing with which a part begins.
+/// Copy of the crossing, or of the start, with which a part of a run begins.
 pub struct Begun {
     happening: Option<Happening>,
     /// State before the crossing.
@@ -44,14 +44,15 @@ impl Part {
         self.begun.as_ref().map_or(&NONE, |begun| &begun.after.kept)
     }
 
-    /// Crossing with which the part begins; `None` where no contacts meet.
+    /// Crossing with which the part begins; `None` if no contact is closed there.
     pub fn crossing(&self) -> Option<Crossing<'_>> {
         let Begun { happening, before, kept, after } = self.begun.as_ref()?;
         let crossing = Crossing { t: self.t, happening: *happening, before, kept, after };
         (!after.closed.is_empty()).then_some(crossing)
     }
 
-    /// Adds the end of the last step, which is not reported. It ends the part, at its end or, by an event, inside.
+    /// Adds the end `t` of the last step, s, which the integrator does not report. It ends the part, at the end of the
+    /// span or at an event.
     fn ends_at(&mut self, t: f64) {
         let last = self.ends.last().unwrap_or(&self.t);
         if last.total_cmp(&t).is_ne() {
@@ -60,7 +61,7 @@ impl Part {
     }
 }
 
-/// Carrier of plain doubles that notes steps and crossings.
+/// Carrier of plain doubles that records steps and crossings.
 struct Noting<'a> {
     doubles: Doubles<'a>,
     parts: RefCell<Vec<Part>>,
@@ -105,11 +106,11 @@ impl Carrier<f64> for Noting<'_> {
 }
 
 impl Stepped {
-    /// Makes the run of a problem from the integrated state `y0` as [`Problem::solve`] makes it. The ends of steps are
-    /// noted when it is asked after each step whether another run takes over.
+    /// Makes the run of a problem from the integrated state `y0` as [`Problem::solve`] makes it, and records the ends
+    /// of its steps. The integrator calls a function after each step, which records its end.
     ///
     /// # Errors
-    /// [`Error::Request`] if the question makes no sense.
+    /// [`Error::Request`] if the run cannot begin.
     pub fn new(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
         let options = problem.options(options);
         let mut run = if problem.scene.impacts.is_empty() {
@@ -123,6 +124,7 @@ impl Stepped {
         Ok(run)
     }
 
+    /// Makes the run of a scene without contacts, which has one part.
     fn smooth(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
         let refuse = |error| refused(problem.scene, &error);
         let mut rhs = problem.right_hand_side().map_err(refuse)?;
@@ -144,6 +146,7 @@ impl Stepped {
         Ok(Self { solution, parts: vec![part], is_near: false })
     }
 
+    /// Makes the run of a scene with contacts, which has a part for each change of contacts.
     fn bouncing(problem: &Problem<'_>, y0: &[f64], options: &Options, events: &mut [Event<'_>]) -> Result<Self, Error> {
         let contacts = problem.contacts();
         let equations = || problem.right_hand_side();
@@ -156,7 +159,7 @@ impl Stepped {
         Ok(Self { solution, parts: noting.parts.into_inner(), is_near: noting.is_near.get() })
     }
 
-    /// Index of the event that ended the run.
+    /// Index of the event that ended the run; `None` if no event ended it.
     pub fn event(&self) -> Option<usize> {
         let is_event = matches!(self.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
         let last = self.solution.events.iter().rfind(|event| event.terminal);

@@ -1,4 +1,4 @@
-//! One backward sweep through the steps of a run, and across the changes of contacts between its parts.
+//! Backward sweep through the steps of a run, and across the changes of contacts between its parts.
 
 use super::crossings::Crossings;
 use super::held::Motion;
@@ -15,42 +15,44 @@ use crate::studies::sensitivity::way::Ending;
 use tripos_sim::adjoint::{Adjoint, Course, Unswept, segments};
 use tripos_sim::{Options, RightHandSide};
 
-/// Quantity whose gradient is taken.
+/// Quantity at the end of a run whose gradient is taken.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Target {
-    /// The instant at which an event ends the run.
+    /// Instant at which an event ends the run.
     End,
-    /// One of [`Quantities::names`] at the end.
+    /// Shown quantity at the end, by its index in [`Quantities::names`].
     Shown(usize),
 }
 
-/// Tapes, quantities and numbers that a sweep uses.
+/// Tapes, quantities and numbers that a backward sweep uses.
 pub struct Through<'a> {
     pub tapes: &'a Tapes,
     pub quantities: &'a Quantities,
     pub numbers: &'a [Number],
-    /// Equations with slopes, for scenes with contacts.
+    /// Equations that compute with slopes; `None` for scenes without contacts.
     pub equations: Option<&'a Equations>,
 }
 
-/// Derivatives of a target by the integrated state at the start and by each parameter, and the number of states kept
-/// for them.
+/// Derivatives of a target by the integrated state at the start of a run and by each parameter.
 pub struct Swept {
-    /// Derivatives by the state after the changes at the start.
+    /// Derivatives of the target by the state at the start, after contacts have changed there.
     state: Vec<f64>,
-    /// Derivatives by each parameter, then by each restitution and each coefficient of friction of the contacts.
+    /// Derivatives of the target by each parameter, then by each restitution and each coefficient of friction of the
+    /// contacts.
     parameters: Vec<f64>,
+    /// Largest number of states that the sweep kept at once.
     pub states: usize,
     /// Derivatives of the state at the start by each number, or the reason why there are none.
     starts: Vec<Result<Vec<f64>, String>>,
-    /// Place on the way at which derivatives by all numbers end; `None` if there is none.
+    /// Instant and reason of the end of the derivatives by all numbers; `None` if they reach the start.
     pub ended: Option<Ending>,
-    /// True if only some numbers may have derivatives, so that they must be checked one by one.
+    /// True if possibly only some numbers have derivatives, so that each must be checked.
     pub asks: bool,
 }
 
 impl Swept {
-    /// Derivative by the number of this index, and the size of the terms of its sum. Both are NaN where there is none.
+    /// Derivative of the target by the number with the index `at`, and the size of the terms of its sum. Both are NaN
+    /// if there is no derivative.
     pub fn by(&self, at: usize, number: &Number) -> (f64, f64) {
         let (Ok(seed), Ok(start), None) = (&number.seed, &self.starts[at], &self.ended) else {
             return (f64::NAN, f64::NAN);
@@ -62,7 +64,7 @@ impl Swept {
         terms.fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()))
     }
 
-    /// Reason why there is no derivative by the number of this index; `None` if none is known.
+    /// Reason why there is no derivative by the number with the index `at`; `None` if no reason is known.
     pub fn missing(&self, at: usize) -> Option<String> {
         self.starts[at].as_ref().err().cloned().or_else(|| self.ended.as_ref().map(Ending::to_string))
     }
@@ -70,10 +72,10 @@ impl Swept {
 
 /// Sweeps a target backwards through the parts of a run.
 ///
-/// Where an event ended a part, its last step is repeated with its actual length, by the method itself.
+/// If an event ended a part, the last step of the part is repeated with its actual length, by the method itself.
 ///
 /// # Errors
-/// [`Error::Interrupted`] if whoever follows ends it; [`Error::Stopped`] where a value does not exist.
+/// [`Error::Interrupted`] if the observer ends the work; [`Error::Stopped`] if a value does not exist.
 pub fn sweep(
     problem: &Problem<'_>,
     through: &Through<'_>,
@@ -119,7 +121,7 @@ pub fn sweep(
 }
 
 impl Swept {
-    /// Begins a sweep of a run: derivatives of its start by each number.
+    /// Begins a sweep of a run with the derivatives of its start by each number.
     fn new(numbers: &[Number], crossings: Option<&Crossings<'_>>, run: &Stepped) -> Self {
         let mut asks = false;
         let begins = crossings.zip(run.parts.first().and_then(Part::crossing));
@@ -136,7 +138,7 @@ impl Swept {
         Self { state: Vec::new(), parameters: Vec::new(), states: 0, starts, ended: None, asks }
     }
 
-    /// Adds the gradient of a part before which there are `before` others.
+    /// Adds the gradient of a part of the run; `before` is the number of parts before it.
     fn add(&mut self, part: tripos_sim::adjoint::Gradient, before: usize) {
         self.state = part.state;
         self.states = self.states.max(part.states + before);
@@ -146,6 +148,7 @@ impl Swept {
     }
 }
 
+/// Error for a sweep that did not come to its end.
 fn stopped(why: Unswept) -> Error {
     match why {
         Unswept::Interrupted => Error::Interrupted,
@@ -153,8 +156,8 @@ fn stopped(why: Unswept) -> Error {
     }
 }
 
-/// Derivatives of a target by the state at the end of a run, and directly by parameters. They are total ones where an
-/// event g = 0 ends it, as its instant moves by dt = −(g_y dy + g_p dp)/(g_y f).
+/// Derivatives of a target by the state at the end of a run, and directly by parameters. They are total ones if an
+/// event g = 0 ends the run, as its instant moves by dt = −(g_y dy + g_p dp)/(g_y f).
 fn weights(
     problem: &Problem<'_>,
     quantities: &Quantities,

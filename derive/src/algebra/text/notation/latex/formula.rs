@@ -10,10 +10,10 @@ use crate::algebra::text::notation::symbol::Symbol;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// Letters on either side of one within which a word is looked for that they make.
+/// Number of letters on either side of a letter within which the word around it is looked for.
 const LONGEST_WORD: usize = 60;
 
-/// A formula, read from its left to its right.
+/// State of reading a formula of LaTeX, from left to right.
 pub(super) struct Formula<'a, 's> {
     pub(super) cursor: Cursor<'a>,
     pub(super) spell: &'s mut dyn Spell,
@@ -48,7 +48,7 @@ impl Formula<'_, '_> {
         Err(wrong(span, format!("unexpected `{what}`"), help))
     }
 
-    /// The next mark as it is written.
+    /// Text of the next mark, as it is written; empty at the end.
     fn name_of_mark(&self) -> String {
         match self.cursor.peek() {
             Some(Mark::Number(text)) => text.clone(),
@@ -58,7 +58,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Everything up to what is not part of a sum.
+    /// Reads a sum, up to the first mark that does not belong to it.
     pub(super) fn sum(&mut self) -> Result<(), ParseError> {
         self.cursor.enter()?;
         let (mut before, mut slash) = (Before::Nothing, false);
@@ -82,7 +82,7 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// The operator that is next.
+    /// Operator that the next mark stands for; `None` if it is no operator.
     fn operator(&self) -> Option<&'static str> {
         match self.cursor.peek()? {
             Mark::Char('+') => Some("+"),
@@ -98,7 +98,8 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// An operand with its power, and the sign of the product in front of it; false if none begins here.
+    /// Reads an operand with its power, and writes the product sign in front of it if needed; false if no operand
+    /// begins here.
     fn operand(&mut self, before: Before) -> Result<bool, ParseError> {
         let place = self.cursor.here();
         match self.cursor.peek() {
@@ -133,7 +134,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// One factor without its power.
+    /// Reads one factor without its power.
     pub(super) fn factor(&mut self) -> Result<(), ParseError> {
         self.cursor.enter()?;
         self.one_factor()?;
@@ -211,7 +212,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// The name of a symbol whose first mark has this number.
+    /// Writes the name of a symbol whose first mark has the number `first`.
     fn name(&mut self, symbol: &Symbol, place: Range<usize>, first: usize) -> Result<(), ParseError> {
         if symbol.base == "\\pi" && symbol.still() == "\\pi" && symbol.dots == 0 && !self.spell.knows(symbol) {
             self.out.push("pi", place);
@@ -223,7 +224,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// The letters and digits around the mark of this number, if they are several: `den` is d e n.
+    /// Letters and digits that touch the mark with the number `first`, such as `den` for d e n; empty if there is only
+    /// one.
     fn run(&self, first: usize) -> String {
         let part = |at: usize| match &self.cursor.list[at].mark {
             Mark::Letter(c) => Some(c.to_string()),
@@ -243,7 +245,7 @@ impl Formula<'_, '_> {
         if run.len() > 1 { run } else { String::new() }
     }
 
-    /// The power of what was read last, if one follows.
+    /// Reads the power of the last factor, if one follows.
     fn power(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         if !self.cursor.takes('^') {
@@ -275,7 +277,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// The rest of a group whose brace was at `open`.
+    /// Reads the rest of a group whose brace was at `open`, up to its closing brace.
     fn braced(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
         self.sum()?;
         if self.cursor.takes('}') {
@@ -288,7 +290,7 @@ impl Formula<'_, '_> {
         Err(wrong(open.clone(), "this `{` is never closed", "add `}`"))
     }
 
-    /// A group that is a factor.
+    /// Reads the rest of a group in braces that is a factor, and writes it in parentheses.
     fn group(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
         self.out.push("(", open.clone());
         self.braced(open)?;
@@ -296,7 +298,7 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// A sum between what opens, which is next, and what closes.
+    /// Reads sums between an opening parenthesis, which is next, and its closing mark `end`.
     pub(super) fn parenthesized(&mut self, end: char) -> Result<(), ParseError> {
         let open = self.cursor.here();
         self.cursor.at += 1;
@@ -327,7 +329,7 @@ impl Formula<'_, '_> {
         Err(wrong(open, message, &format!("add `{end}`")))
     }
 
-    /// |…|, whose first bar is next.
+    /// Reads an absolute value |…|, whose first bar is next.
     fn absolute(&mut self, is_left: bool) -> Result<(), ParseError> {
         let open = self.cursor.here();
         self.cursor.at += 1;
@@ -336,7 +338,7 @@ impl Formula<'_, '_> {
         let end = self
             .closing_bar(first, is_left)
             .ok_or_else(|| wrong(open.clone(), "this bar is never closed", "write \\left| … \\right|"))?;
-        // What stands between the bars is a formula of its own.
+        // The text between the bars is a formula of its own.
         let list = &self.cursor.list[first..end];
         let limit = self.cursor.list[end].span.start;
         let inner = Cursor { list, at: 0, depth: self.cursor.depth, end: limit };
@@ -352,7 +354,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// The bar that closes: of \left and \right the one of the same depth, of plain bars the next.
+    /// Number of the closing bar: for \left and \right that of the same depth, for plain bars the next; `None` if there
+    /// is none.
     fn closing_bar(&self, first: usize, is_left: bool) -> Option<usize> {
         let mut open = 0_usize;
         for (at, placed) in self.cursor.list.iter().enumerate().skip(first) {

@@ -1,4 +1,4 @@
-//! Fractions, roots and functions of LaTeX, and where the argument of a function without parentheses ends.
+//! Fractions, roots and functions of LaTeX, and the end of a function's argument that has no parentheses.
 
 use super::formula::Formula;
 use super::marks::Mark;
@@ -8,7 +8,7 @@ use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
 impl Formula<'_, '_> {
-    /// \frac, which is next.
+    /// Reads a fraction whose command \frac is next.
     pub(super) fn fraction(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
@@ -32,7 +32,7 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// \sqrt, which is next.
+    /// Reads a square root whose command \sqrt is next.
     pub(super) fn root(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
@@ -45,7 +45,7 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// A function in roman type, such as \operatorname{sgn}, which is next.
+    /// Reads a function in roman type, such as \operatorname{sgn}, which is next.
     pub(super) fn roman_function(&mut self, name: &str) -> Result<(), ParseError> {
         let first = self.cursor.at;
         self.cursor.symbol(&|_| false)?;
@@ -53,14 +53,14 @@ impl Formula<'_, '_> {
         self.applied(name, &place)
     }
 
-    /// A function that is a command, which is next.
+    /// Reads a function that is a command, such as \sin, which is next.
     pub(super) fn function(&mut self, name: &str) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
         self.applied(name, &place)
     }
 
-    /// A function that has been read, with its power and its argument, which are next.
+    /// Reads the power and the argument of a function, which are next, and writes its call.
     fn applied(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
         let power = self.power_of_function()?;
         self.out.push(name, place.clone());
@@ -82,7 +82,7 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// The power between a function and its argument: a whole number.
+    /// Reads the power between a function and its argument, a whole number; `None` if there is no power.
     fn power_of_function(&mut self) -> Result<Option<(String, Range<usize>)>, ParseError> {
         let first = self.cursor.at;
         if !self.cursor.takes('^') {
@@ -107,7 +107,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// An argument without parentheses: numbers, then one symbol, root or fraction.
+    /// Reads an argument without parentheses: numbers, then one symbol, root or fraction.
     fn bare_argument(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
         let first = self.cursor.at;
         let is_number = |mark: Option<&Mark>| matches!(mark, Some(Mark::Number(_)));
@@ -141,7 +141,7 @@ impl Formula<'_, '_> {
         self.end_of_argument(name, only_numbers)
     }
 
-    /// True if a symbol comes next; the name of a function is none.
+    /// True if a symbol comes next; the name of a function is no symbol.
     fn begins_symbol(&mut self) -> bool {
         let before = self.cursor.clone();
         let found = self.cursor.symbol(&|_| false);
@@ -149,7 +149,7 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if symbol.base.len() == 1 || function(&symbol.base).is_none())
     }
 
-    /// Refuses what could belong to the argument or not.
+    /// Refuses a next mark of which it is unclear if it belongs to the argument of a function.
     fn end_of_argument(&mut self, name: &str, only_numbers: bool) -> Result<(), ParseError> {
         let apart = self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart);
         let open = match self.cursor.peek() {

@@ -1,15 +1,16 @@
-//! A text of LaTeX as marks: numbers, letters, commands and single characters; what only spaces or aligns is dropped.
+//! A text of LaTeX as marks: numbers, letters, commands and single characters. Marks that only space or align are
+//! dropped.
 
 use crate::algebra::text::notation::refusal::{found, wrong};
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// A mark of a formula.
+/// Mark of a formula in LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Mark {
-    /// Digits, perhaps with a point.
+    /// Digits of a number, perhaps with a point.
     Number(String),
-    /// A letter.
+    /// A Latin letter.
     Letter(char),
     /// A command without its backslash.
     Command(String),
@@ -17,7 +18,7 @@ pub(super) enum Mark {
     Char(char),
 }
 
-/// A mark and where it stands.
+/// A mark and its place in the text, in bytes.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
     pub(super) mark: Mark,
@@ -26,9 +27,9 @@ pub(super) struct Placed {
     pub(super) apart: bool,
 }
 
-/// Commands that only make space that is printed.
+/// Commands that only print space.
 const SPACES: [&str; 8] = [",", ";", ":", " ", "quad", "qquad", "thinspace", "medspace"];
-/// Commands that change the look, and what surrounds whole formulas.
+/// Commands that only change the look, and commands around whole formulas.
 const LOOKS: [&str; 24] = [
     "!",
     "\\",
@@ -56,7 +57,7 @@ const LOOKS: [&str; 24] = [
     ")",
 ];
 
-/// The marks of a text.
+/// Splits a text of LaTeX into marks.
 pub(super) fn marks(text: &str) -> Result<Vec<Placed>, ParseError> {
     let (mut list, mut at, mut apart, mut side) = (Vec::new(), 0, false, None);
     while let Some(c) = text[at..].chars().next() {
@@ -118,7 +119,7 @@ pub(super) fn marks(text: &str) -> Result<Vec<Placed>, ParseError> {
     Ok(without_supports(list))
 }
 
-/// The name of the command behind a backslash: letters, or one character.
+/// Name of the command behind a backslash: letters, or one character.
 fn command(text: &str, at: usize) -> &str {
     let rest = &text[at..];
     let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
@@ -136,7 +137,7 @@ fn number(text: &str) -> usize {
     text.find(inside).unwrap_or(text.len())
 }
 
-/// The marks without `{}` in front of a sign: it only makes room.
+/// Removes `{}` in front of signs, which only makes room.
 fn without_supports(list: Vec<Placed>) -> Vec<Placed> {
     let is = |at: usize, c: char| list.get(at).is_some_and(|placed| placed.mark == Mark::Char(c));
     let is_support = |at: usize| is(at, '{') && is(at + 1, '}') && (is(at + 2, '+') || is(at + 2, '-'));
@@ -144,7 +145,7 @@ fn without_supports(list: Vec<Placed>) -> Vec<Placed> {
     list.into_iter().zip(dropped).filter(|(_, dropped)| !dropped).map(|(placed, _)| placed).collect()
 }
 
-/// A formula of a text ends in the text's punctuation.
+/// Removes the punctuation of the surrounding text at the end of a formula.
 fn without_stop(list: &mut Vec<Placed>) {
     let Some(last) = list.last_mut() else { return };
     match &mut last.mark {

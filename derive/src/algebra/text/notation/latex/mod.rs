@@ -1,4 +1,4 @@
-//! Formulas in LaTeX.
+//! Translation of formulas in LaTeX into the language of model files.
 
 mod formula;
 mod function;
@@ -11,7 +11,7 @@ use super::plain::Plain;
 use super::spell::Spell;
 use crate::algebra::text::parse::ParseError;
 
-/// A formula of LaTeX's math mode in the language of model files.
+/// Translates a formula of LaTeX's math mode into the language of model files.
 pub(super) fn translate(text: &str, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
     let list = marks::marks(text)?;
     let cursor = symbol::Cursor { list: &list, at: 0, depth: 0, end: text.len() };

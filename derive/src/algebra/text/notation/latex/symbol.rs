@@ -1,4 +1,4 @@
-//! Symbols of LaTeX: a letter with its subscript, what it bears on top, and its dots.
+//! Symbols of LaTeX: a letter with its accents, subscript, superscript and dots.
 
 use super::marks::{Mark, Placed, marks};
 use crate::algebra::text::notation::lexicon::is_letter;
@@ -7,7 +7,7 @@ use crate::algebra::text::notation::symbol::Symbol;
 use crate::algebra::text::parse::{MAX_DEPTH, ParseError};
 use std::ops::Range;
 
-/// The symbol that a whole text is, if it is one: a mark on top belongs to it.
+/// Reads a text that is one symbol; a superscript belongs to it. `None` if the text is anything else.
 #[must_use]
 pub fn read_symbol(text: &str) -> Option<Symbol> {
     let list = marks(text).ok()?;
@@ -37,16 +37,16 @@ const ACCENTS: [&str; 15] = [
     "check",
     "breve",
 ];
-/// Commands that differentiate, with how often.
+/// Commands for time derivatives, each with the order of the derivative.
 const DOTS: [(&str, usize); 3] = [("dot", 1), ("ddot", 2), ("dddot", 3)];
 
-/// A place among marks.
+/// Position in a list of marks.
 #[derive(Clone)]
 pub(super) struct Cursor<'a> {
     pub(super) list: &'a [Placed],
     pub(super) at: usize,
     pub(super) depth: usize,
-    /// Place where the text ends, in bytes.
+    /// Length of the text, in bytes.
     pub(super) end: usize,
 }
 
@@ -55,12 +55,12 @@ impl<'a> Cursor<'a> {
         self.list.get(self.at).map(|placed| &placed.mark)
     }
 
-    /// The place of the next mark, or the end of the text.
+    /// Place of the next mark, or the end of the text, in bytes.
     pub(super) fn here(&self) -> Range<usize> {
         self.list.get(self.at).map_or(self.end..self.end, |placed| placed.span.clone())
     }
 
-    /// From the mark with this number to the one before the next.
+    /// Place from the mark with the number `first` to the last mark that was read, in bytes.
     pub(super) fn since(&self, first: usize) -> Range<usize> {
         let start = self.list.get(first).map_or(self.end, |placed| placed.span.start);
         let last = self.list[..self.at.min(self.list.len())].last().map_or(start, |placed| placed.span.end);
@@ -81,7 +81,8 @@ impl<'a> Cursor<'a> {
         Ok(())
     }
 
-    /// A symbol if one begins here, with its place; a mark on top belongs to it if `knows` says so.
+    /// Reads a symbol, with its place; `None` if none begins here. A superscript belongs to the symbol if `knows`
+    /// accepts it.
     pub(super) fn symbol(
         &mut self,
         knows: &dyn Fn(&Symbol) -> bool,
@@ -111,7 +112,7 @@ impl<'a> Cursor<'a> {
                     let primes = text.matches("\\prime").count();
                     let primes_only = primes > 0 && text.len() == primes * "\\prime".len();
                     let mut marked = Symbol { mark: text, ..symbol.clone() };
-                    // I^B_{11}: what stands below belongs to the symbol that is asked for.
+                    // I^B_{11}: the subscript belongs to the symbol that `knows` is asked about.
                     if !primes_only && marked.subscript.is_empty() && self.takes('_') {
                         marked.subscript = self.script()?;
                     }
@@ -130,7 +131,7 @@ impl<'a> Cursor<'a> {
         Ok(Some((symbol, self.since(first))))
     }
 
-    /// The letter of a symbol, in whatever braces, accents and dots.
+    /// Reads the letter of a symbol, in any braces, accents and dots; `None` if none begins here.
     fn base(&mut self, knows: &dyn Fn(&Symbol) -> bool) -> Result<Option<Symbol>, ParseError> {
         let Some(mark) = self.peek() else { return Ok(None) };
         self.at += 1;
@@ -188,7 +189,7 @@ impl<'a> Cursor<'a> {
                 let place = self.since(first.saturating_sub(1));
                 return Err(wrong(place, "this script never ends", "write it in braces, as in q_{12}"));
             };
-            // Unbraced, one digit only is below or above.
+            // Without braces, only one digit belongs to a subscript or superscript.
             if let (Mark::Number(digits), 0) = (mark, open)
                 && digits.len() > 1
             {
