@@ -9,7 +9,8 @@ use tripos_derive::algebra::text::definitions::glossary;
 use tripos_derive::algebra::text::print::{text, whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Paragraph that defines every name in the shown formulas, each line by those before it; empty without names.
+/// Paragraph that defines every name in the formulas `shown`, each line by names of earlier lines. It is empty if the
+/// formulas have no names.
 pub fn names_text(arena: &Arena, shown: &[Expr]) -> String {
     let names = glossary(arena, shown);
     if names.is_empty() {

@@ -123,7 +123,7 @@ impl Rows {
         Ok(Draft::resume(path, existing)?.map(Self))
     }
 
-    /// Reader over the rows that an earlier command has left, from their beginning.
+    /// Reader over the rows that an earlier command has left, from the first row.
     pub fn left(&self) -> impl Read + '_ {
         self.0.left()
     }

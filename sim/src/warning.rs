@@ -41,7 +41,7 @@ pub enum Warning {
     /// The equations have no value at a point that only the solution inside a step needs: events and output in that
     /// step are those of a cubic through its ends.
     CoarseInside {
-        /// Start of the first such step, s.
+        /// Start of the first step that needed a point without a value, s.
         t: f64,
     },
     /// It is not known if an event happened that would have ended the run.

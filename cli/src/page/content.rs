@@ -36,7 +36,7 @@ pub struct Drawing {
 
 /// Motion of a scene for the page's moving figure.
 pub struct Moving {
-    /// Index of the scene whose motion it is.
+    /// Index of the scene whose motion the figure shows.
     pub scene: usize,
     /// Moving figure, or the reason why there is none.
     pub viewer: Result<Viewer, String>,
@@ -146,7 +146,7 @@ pub enum Standing {
     Loose {
         /// Method of integration and its tolerances, in words.
         how: String,
-        /// Largest |e| / (1 + |value|) at the end of the run, or the reason why it is unknown.
+        /// Error at the end of the run, the largest |e| / (1 + |value|), or the reason why it is unknown.
         error: Result<f64, String>,
     },
     /// Right equations whose run could not go on.

@@ -107,7 +107,7 @@ impl Path<'_> {
         }
     }
 
-    /// Adds a move to the first place, then a step to each of the others.
+    /// Adds a move to the first of `places` to the path, then a step to each further place.
     fn line(&mut self, places: &[Place]) {
         self.data.push('m');
         for (count, place) in places.iter().enumerate() {

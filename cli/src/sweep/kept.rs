@@ -13,7 +13,7 @@ use std::ops::Range;
 pub struct Kept {
     /// Number of whole rows that are kept.
     pub rows: u64,
-    /// Number of bytes that are kept, the header among them; 0 if not even the header was whole.
+    /// Number of bytes of the table that are kept, with its header; 0 if not even the header was whole.
     pub bytes: u64,
     /// Counts of the outcomes of the kept rows.
     pub tally: Tally,

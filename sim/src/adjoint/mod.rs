@@ -29,7 +29,7 @@ use tripos_traits::Method;
 /// Steps of a run, with its start and its options.
 #[derive(Clone, Copy, Debug)]
 pub struct Course<'a> {
-    /// First and last instant that the run was asked for, s.
+    /// First and last instant of the span that the run was asked to cover, s.
     pub span: (f64, f64),
     /// State at the start of the run.
     pub y0: &'a [f64],
@@ -108,7 +108,8 @@ impl std::error::Error for Unswept {}
 struct Stretch {
     first: usize,
     sides: Sides,
-    /// Jump before the first step, by its place in [`Course::moved`]; `None` if no instant that moves lies there.
+    /// Jump before the first step, by its place in [`Course::moved`]; `None` if the step does not begin at an instant
+    /// that moves.
     jump: Option<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! One step of an explicit Runge–Kutta method, and its transpose.
+//! Step of an explicit Runge–Kutta method, and its transpose.
 //!
 //! The step is kᵢ = f(t + cᵢ h, Yᵢ) with Yᵢ = y + h Σⱼ aᵢⱼ kⱼ, and y⁺ = y + h Σᵢ bᵢ kᵢ. Weights λ of y⁺ give those of
 //! kᵢ, from the last stage to the first: wᵢ = h bᵢ λ + h Σⱼ aⱼᵢ zⱼ with zᵢ = f_yᵀ wᵢ. The weights of y are λ + Σᵢ zᵢ;

@@ -58,7 +58,7 @@ pub struct Standing {
     /// Smallest singular value of the speeds on the motions that the constraints allow: from 0, where the choice of
     /// speeds fails, to 1. Each row of J is divided by its largest length so far.
     pub speeds: f64,
-    /// Remainder of the constraint that is nearest to depending on others, over the largest length of its row so far.
+    /// Smallest remainder of a constraint's row beside the other rows, over the largest length of that row so far.
     /// It is 0 in a singular pose, where rows depend on one another or vanish.
     pub constraints: f64,
 }

@@ -12,7 +12,8 @@
 use super::friction::{Found, Mode, Touch, Trial, Undecided, one_motion};
 use nalgebra::{DMatrix, DVector};
 
-/// Fraction of the largest number of its kind below which a number counts as zero.
+/// Fraction of the largest velocity or acceleration of a row without contact forces, in scaled units, up to which a
+/// number counts as zero.
 const NOTHING: f64 = 1e-10;
 
 /// Record of an impact: its impulses, and the energy that it took.
@@ -87,9 +88,9 @@ impl Closed {
         Ok(both + first(more))
     }
 
-    /// Finds Λ with Λ ≥ 0 and G Λ + c ≥ 0 along gaps, one of them 0 at each contact. Along the slips of contacts that
-    /// push, G Λ + c = 0; with friction Coulomb's law holds for the slip G Λ + c. If c are accelerations in place of
-    /// velocities, Λ are forces of contacts that do not slip yet.
+    /// Finds the impulses Λ of the contacts: Λ ≥ 0 and G Λ + c ≥ 0 along gaps, and Λ or G Λ + c is 0 at each contact.
+    /// Along the slips of contacts that push, G Λ + c = 0; with friction Coulomb's law holds for the slip G Λ + c. If c
+    /// are accelerations in place of velocities, Λ are forces of contacts that do not slip yet.
     ///
     /// # Errors
     /// [`Undecided`] if there are no such Λ, or several that move differently.

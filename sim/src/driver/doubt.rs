@@ -9,7 +9,7 @@ use crate::stepper::Stepper;
 use crate::tolerance::ErrorTest;
 use crate::warning::Warning;
 
-/// Number of attempted steps that must show a sign before there is a warning: fewer do no harm.
+/// Number of attempted steps that must show a sign of trouble before there is a warning: fewer do no harm.
 const ENOUGH: u64 = 20;
 /// Number of attempts per fruitless retry below which such retries are a sign of a function that is not smooth. Noise
 /// of the size of the tolerance makes a retry of 20 to 40 attempts fruitless, jumps of f one of 5 to 20. Smooth

@@ -56,7 +56,7 @@ struct Adaptive {
     smallest: f64,
     /// Size of the next step, s.
     size: f64,
-    /// Size that the step would have, s, if it did not have to end at a corner; `None` if it does not.
+    /// Size that the step would have without a corner, s; `None` if the step does not have to end at a corner.
     cut: Option<f64>,
 }
 

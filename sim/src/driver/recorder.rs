@@ -58,7 +58,7 @@ impl<'a, S: Real> Recorder<'a, S> {
         self.push(t, y, work);
     }
 
-    /// Records a point of a step, unless it is one of the points that are left out.
+    /// Records the point of a step at its fraction `theta`, unless the point is left out to bound the number of points.
     fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, sampled: &mut Sampled<'_, S>) {
         self.passed += 1;
         if self.passed < self.every {
@@ -110,7 +110,7 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// Gives the samples at `t` the slopes that they have from this instant on.
+    /// Gives the samples at `t` the slopes of `y`, which hold from `t` on.
     pub(crate) fn turned(&mut self, t: f64, y: &[S]) {
         if S::SLOPES == 0 {
             return;

@@ -109,7 +109,7 @@ impl<M: Stepper> Run<'_, M> {
         None
     }
 
-    /// Steps until there is a reason to stop, which is returned with the last time of the solution, s.
+    /// Takes steps until there is a reason to stop. Returns this reason and the last time of the solution, s.
     fn walk<R>(
         &mut self,
         rhs: &mut Between<'_, R, M::Real>,

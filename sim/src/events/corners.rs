@@ -42,7 +42,7 @@ pub(crate) struct Sides {
     pub(crate) slopes: (f64, f64),
 }
 
-/// Corners of a run, and the number of those that it has passed.
+/// Corners of a run, and the number of corners that it has passed.
 #[derive(Clone, Default)]
 pub(crate) struct Corners {
     /// Corners in the order in which the run comes to them.

@@ -20,9 +20,10 @@ const ENOUGH: u32 = 128;
 /// Known behaviour of an event function on a part of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Known {
-    /// The function is on this side of zero everywhere.
+    /// The function has this sign on the whole part.
     Clear(Sign),
-    /// The function is finite and rises or falls: one zero if its signs at the ends differ, none if they agree.
+    /// The function is finite, and only rises or only falls. It has one zero if its signs at the ends differ, else
+    /// none.
     Monotone,
     /// The behaviour is unknown, and no narrower part would decide it.
     Unknown,
@@ -60,7 +61,8 @@ impl Ranges<'_, '_> {
     }
 }
 
-/// Parts of a step in order, and the fraction at which the function first had no value; no part begins there or later.
+/// Parts of a step in order, and the fraction at which the function first had no value; no part begins at this
+/// fraction or later.
 pub(crate) struct Isolation {
     pub(crate) parts: Vec<Part>,
     pub(crate) cut: Option<f64>,
@@ -122,7 +124,7 @@ struct Search<'s, 'p, 'r, 'q, 'f> {
     spent: u32,
     /// First fraction of the step at which the function has no value; infinite if it has one everywhere.
     cut: f64,
-    /// True once it was checked if the function stays at zero.
+    /// True once the search has checked if the function stays at zero.
     steady: bool,
 }
 
@@ -180,7 +182,8 @@ impl Search<'_, '_, '_, '_, '_> {
         finer
     }
 
-    /// True if further ranges are not worth their cost.
+    /// True if the search is to stop: it has computed the largest number of ranges, or the event function is zero
+    /// within rounding at all open parts.
     fn gives_up(&mut self, parts: &[Part]) -> bool {
         if self.spent >= ENOUGH && !self.steady {
             self.steady = true;

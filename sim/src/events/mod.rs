@@ -67,7 +67,7 @@ pub type RangeFunction<'a> = Box<dyn FnMut(Enclosure, &[Enclosure]) -> Enclosure
 pub struct InRanges<'a> {
     /// Event function over ranges of time and state.
     pub function: RangeFunction<'a>,
-    /// Components of the state that the function depends on, and the only ones that it is given; `None` gives all.
+    /// Components of the state that the function depends on: it gets only their ranges. With `None` it gets all ranges.
     pub components: Option<Vec<usize>>,
 }
 

@@ -6,8 +6,8 @@ use super::root::NotANumber;
 use super::samples::{Node, Probe, hidden_extrema, may_dip, sign};
 use super::walk::{Doubt, Findings, Found, LADDER, Memory, walk};
 
-/// Fraction of a step over which the slope at its ends is taken: the root of ε, below which a smooth function cannot
-/// turn by more than rounding.
+/// Fraction of a step over which the slope of an event function at the step's ends is taken: the root of ε, below which
+/// a smooth function cannot turn by more than rounding.
 const DELTA: f64 = 1.0 / 67_108_864.0;
 /// Number of evenly spaced intervals between the samples of a step.
 const INTERVALS: u32 = 8;
@@ -54,7 +54,8 @@ fn doubt_of(known: Known) -> Doubt {
     }
 }
 
-/// Reports the open parts as one undecided place, at their smallest sample, except parts that begin and end at zero.
+/// Reports the open parts of a step as one undecided event, at their smallest sample. Parts that begin and end at zero
+/// are not reported.
 fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Found> {
     let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
     let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
@@ -93,14 +94,15 @@ fn gather(probe: &mut Probe<'_>, memory: &Memory, findings: &mut Findings) -> Ve
     nodes
 }
 
-/// True if the function stays 4 times as far from zero as it varies: a shortcut for the common case.
+/// True if all samples have one sign, and are more than 4 times as far from zero as they vary: a shortcut for the
+/// common case.
 fn is_far(nodes: &[Node]) -> bool {
     let low = nodes.iter().map(|n| n.g).fold(f64::INFINITY, f64::min);
     let high = nodes.iter().map(|n| n.g).fold(f64::NEG_INFINITY, f64::max);
     low.max(-high) > 4.0 * (high - low)
 }
 
-/// Takes samples at these fractions of the step, until one is not a number.
+/// Adds samples of the event function at the fractions `thetas` of the step, until a value is not a number.
 fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut Vec<Node>, findings: &mut Findings) {
     for theta in thetas {
         let g = probe.at(theta);

@@ -47,7 +47,7 @@ pub struct HeavyTop<S> {
 }
 
 impl<S: Real> HeavyTop<S> {
-    /// Motion of the top `top` from its start `start`.
+    /// Exact motion of the top `top` from its state `start` at t = 0.
     #[must_use]
     pub fn new(top: Top<S>, start: TopStart<S>) -> Self {
         let ratio = top.axial / top.transverse;

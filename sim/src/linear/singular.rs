@@ -28,7 +28,7 @@ pub(crate) fn least_singular_value(vectors: &mut [f64], length: usize) -> f64 {
     sizes.fold(f64::INFINITY, |least, size| if size < least || size.is_nan() { size } else { least })
 }
 
-/// Turns two vectors in their plane until they are at right angles; false if they were so before.
+/// Turns two vectors in their plane until they are at right angles; false if they already were at right angles.
 fn turn(a: &mut [f64], b: &mut [f64]) -> bool {
     let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
     let bound = f64::EPSILON * (aa * bb).sqrt();

@@ -85,7 +85,8 @@ pub(crate) struct Control {
     tolerance: f64,
     /// True if the step that is tried failed before.
     failed: bool,
-    /// Error of the step before in Hairer's rules, at least 1e-4, or 1e-2 if it predicts; `previous_size` is its size.
+    /// Error of the step before in Hairer's rules, at least 1e-4, or 1e-2 for [`Earlier::Predicts`]; `previous_size` is
+    /// the size of that step.
     previous: f64,
     previous_size: Option<f64>,
     /// Fraction of the size that the error allows, at most 1, in Hairer's rules.

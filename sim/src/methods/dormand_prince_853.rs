@@ -18,7 +18,7 @@ pub struct Decimal {
 }
 
 impl Decimal {
-    /// Returns the coefficient, as exactly as the scalar can hold it.
+    /// Returns the coefficient in the scalar `S`, as exactly as `S` can hold it.
     #[must_use]
     pub fn to<S: Real>(&self) -> S {
         if S::EPSILON < f64::EPSILON { S::decimal(self.text) } else { S::from_f64(self.value) }

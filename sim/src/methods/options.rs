@@ -125,7 +125,7 @@ impl fmt::Debug for Poll {
     }
 }
 
-/// Followers are equal if both ask one and the same function.
+/// Polls are equal if both call one and the same function.
 impl PartialEq for Poll {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)

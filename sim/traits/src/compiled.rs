@@ -32,7 +32,7 @@ pub struct CompiledScene {
     pub system: CompiledSystem,
 }
 
-/// One set of compiled equations, ready for each kind of number that runs are made in.
+/// Compiled equations of one formulation, ready for each kind of number in which runs are made.
 pub struct CompiledSystem {
     /// Name of the equations, as `kane`; behind an `@` the distance that replaces a coordinate, as in `kane@q2-90deg`.
     pub name: &'static str,

@@ -184,7 +184,7 @@ fn widest(arena: &Arena, equations: &Equations) -> usize {
     WIDE.into_iter().find(fits).unwrap_or(WIDE[2])
 }
 
-/// MathML of matrix · unknowns = forcing, and the entries that are too long for it as (name, value).
+/// MathML of the linear system matrix · unknowns = forcing, and the entries that are too long for it as (name, value).
 fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
     let wide = widest(arena, equations);
     let mut named = Vec::new();
@@ -235,7 +235,7 @@ fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
     out + "</tbody>\n</table>\n"
 }
 
-/// Tree of the sum of these terms, in their order.
+/// Tree of the sum of `terms`, in the order of the slice.
 fn joined(arena: &Arena, terms: &[Expr]) -> View {
     let terms = terms.iter().flat_map(|term| match view_of(arena, *term) {
         View::Sum(terms) => terms,

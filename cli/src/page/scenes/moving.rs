@@ -25,7 +25,7 @@ pub fn section(page: &Page, moving: &Moving) -> String {
     out + &others(page, moving) + "</section>\n"
 }
 
-/// HTML of the commands that show the motions of the other scenes; empty if there are none.
+/// HTML of the commands that show the motions of scenes without a moving figure on the page; empty if all have one.
 fn others(page: &Page, moving: &Moving) -> String {
     let shown = moving.viewer.is_ok().then_some(moving.scene);
     let list: Vec<&SceneSection> =

@@ -68,7 +68,7 @@ impl fmt::Display for Mode {
 pub struct Found {
     /// Mode of each contact.
     pub modes: Vec<Mode>,
-    /// True for each contact that has a force along its gap in addition to the given one.
+    /// True for each contact that has a force along its gap in addition to the given force.
     pub pushes: Vec<bool>,
     /// Forces along all rows, in N where the gap is in m, or impulses in N s.
     pub forces: DVector<f64>,

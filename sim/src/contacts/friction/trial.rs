@@ -7,13 +7,13 @@ use nalgebra::{DMatrix, DVector};
 const DEPENDENT: f64 = 1e-11;
 /// Smallest weight of a force along a slip, as a fraction of the largest.
 const LIGHT: f64 = 1e-6;
-/// Factor on the weights of forces along slips if friction could not bear its share: friction then takes no more than
-/// needed.
+/// Factor on the weights of forces along slips if friction could not bear its share of the forces. Friction then takes
+/// no more than needed.
 const FAINT: f64 = 1e-3;
 
 /// A closed contact of a trial, in the units of its rows.
 pub(crate) struct Touch<'t> {
-    /// Row of the contact's gap, then rows of its slips: a single one if there is a coefficient of friction.
+    /// Row of the contact's gap, then rows of its slips: a single slip if there is a coefficient of friction.
     pub rows: &'t [usize],
     /// Coefficient of friction of the contact; `None` without friction.
     pub friction: Option<f64>,
@@ -66,8 +66,8 @@ impl Touch<'_> {
 }
 
 impl Trial<'_> {
-    /// Finds all sets of modes that agree with the laws, within `nothing`, with their forces and the motion of the
-    /// rows. If no contact has friction, only the first set is found, since all sets move alike.
+    /// Finds all sets of modes that agree with the laws of contact, within `nothing`, with their forces and the motion
+    /// of the rows. If no contact has friction, only the first set is found, since all sets move alike.
     pub(crate) fn found(&self, c: &DVector<f64>, nothing: f64) -> Vec<(Found, DVector<f64>)> {
         let choices: Vec<Vec<Choice>> = self.touches.iter().map(Touch::choices).collect();
         let is_smooth = self.touches.iter().all(|touch| touch.friction.is_none());
