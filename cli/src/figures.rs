@@ -145,19 +145,7 @@ pub fn energy(curves: &[Curve]) -> Panel {
     }
 }
 
-<<<<<<< HEAD
-/// Panels of a scene's outputs, one each: a curve for each run, with its values sample by sample.
-=======
-/// Unit of an angle as text: a plain unit, 1, becomes rad.
-pub fn radians(unit: &str) -> String {
-    match unit {
-        "1" => "rad".to_owned(),
-        other => other.strip_prefix("1/").map_or(other.to_owned(), |rest| format!("rad/{rest}")),
-    }
-}
-
 /// Panels of a scene's outputs, one for each output: a curve for each run, from its values sample by sample.
->>>>>>> comments
 pub fn outputs(model: &Model, scene: &Scene, curves: &[(Curve, Vec<Vec<f64>>)]) -> Vec<Panel> {
     let unit = |output: &SceneOutput| match model.unit_label(&model.arena, output.value) {
         Some(unit) => unit,

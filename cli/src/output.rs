@@ -35,7 +35,6 @@ pub fn table<H: AsRef<str>>(
     Ok(draft.finish()?)
 }
 
-<<<<<<< HEAD
 /// Endings of files in formats that are not text, and that nothing here writes.
 const NOT_TEXT: [&str; 11] = ["parquet", "feather", "arrow", "xlsx", "xls", "ods", "mat", "h5", "hdf5", "npy", "npz"];
 
@@ -52,10 +51,7 @@ pub fn csv_name(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A text as a file, in the place of one that is there.
-=======
 /// Writes a text as a file, and replaces an existing one.
->>>>>>> comments
 ///
 /// # Errors
 /// [`Failure`] if the text cannot be written.

@@ -32,7 +32,6 @@ pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
     Ok(Mechanism::read(&path)?.with(MODELS).followed(follow()))
 }
 
-<<<<<<< HEAD
 /// Refuses a scene where a model is asked for, with the model that it belongs to.
 fn not_a_model(path: &Path) -> Option<Failure> {
     let source = Source::read(path).ok().filter(|source| is_scene(source) && !is_model(source))?;
@@ -43,10 +42,7 @@ fn not_a_model(path: &Path) -> Option<Failure> {
     Some(Failure::request(what, help))
 }
 
-/// The short name of a model: its folder, or the file's own name if it is not called `model.toml`.
-=======
 /// Short name of a model: that of its folder, or of its file if it is not called `model.toml`.
->>>>>>> comments
 pub fn short_name(model: &Model) -> String {
     let path = &model.source.path;
     let stem = path.file_stem().map_or("model".into(), |s| s.to_string_lossy().into_owned());

@@ -15,11 +15,7 @@ use tripos_derive::model::is_model;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, load_bound, load_state};
 
-<<<<<<< HEAD
-/// Kinds of sketches, by the ends of their names.
-=======
-/// Kind of picture file, by the ending of its name.
->>>>>>> comments
+/// Kind of a sketch, by the ending of its file name.
 #[derive(Clone, Copy)]
 enum Kind {
     /// A figure, drawn as SVG.

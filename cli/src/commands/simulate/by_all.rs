@@ -11,8 +11,7 @@ use tripos::studies::sensitivity::gradient::Slope;
 use tripos::{Gradient, Mechanism, gradient};
 use tripos_derive::scene::Scene;
 
-<<<<<<< HEAD
-/// Runs the scene and prints how it ended, and the derivatives of one number there by all others.
+/// Runs a scene and prints its end, with the derivatives of one number there by all parameters and start values.
 pub fn simulate(
     request: &Simulate,
     model: &Mechanism,
@@ -20,10 +19,6 @@ pub fn simulate(
     set: &[(String, f64)],
     of: &str,
 ) -> Result<u8, Failure> {
-=======
-/// Runs a scene and prints its end, with the derivatives of one number there by all parameters and start values.
-pub fn simulate(request: &Simulate, (model, scene): (&Mechanism, &Scene), of: &str) -> Result<u8, Failure> {
->>>>>>> comments
     check(request)?;
     follow::listen();
     follow::show(scene.span);
