@@ -29,15 +29,25 @@ pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
     Ok((model, scene))
 }
 
-/// Reads a scene with other values for some of its numbers, each as `NAME=VALUE`, and returns these values as well.
+/// A scene with other values for some of its numbers, and the model that it belongs to.
+pub struct VariedScene {
+    /// The model.
+    pub model: Mechanism,
+    /// The scene with these values.
+    pub scene: Scene,
+    /// Names of the numbers, each with its value.
+    pub set: Vec<(String, f64)>,
+}
+
+/// Reads a scene with other values for some of its numbers, each as `NAME=VALUE`.
 ///
 /// # Errors
 /// [`Failure`] as for [`read_scene`]; for a name that is neither a parameter nor a number of the start, and for values
 /// that the scene cannot have.
-pub fn read_scene_with(path: &Path, set: &[String]) -> Result<(Mechanism, Scene, Vec<(String, f64)>), Failure> {
+pub fn read_scene_with(path: &Path, set: &[String]) -> Result<VariedScene, Failure> {
     let (mut model, scene) = read_scene(path)?;
     if set.is_empty() {
-        return Ok((model, scene, Vec::new()));
+        return Ok(VariedScene { model, scene, set: Vec::new() });
     }
     if let Some(text) = set.iter().find(|text| !text.contains('=')) {
         return Err(Failure::request(
@@ -53,9 +63,9 @@ pub fn read_scene_with(path: &Path, set: &[String]) -> Result<(Mechanism, Scene,
     grid.hints(&model).iter().for_each(|hint| warn(hint));
     let names = grid.names().into_iter().map(str::to_owned);
     let (values, member) = Family::new(&scene, &model, &grid)?.point(0);
-    let given = names.zip(values).collect();
+    let set = names.zip(values).collect();
     let scene = Scene { ladder: scene.ladder.clone(), ..member? };
-    Ok((model, scene, given))
+    Ok(VariedScene { model, scene, set })
 }
 
 /// The text of a scene file.

@@ -6,7 +6,7 @@ use crate::follow;
 use crate::output::{keep_inputs, table};
 use crate::picture::{self, Kind};
 use crate::plot::{Panel, Scale, Series, draw, pretty};
-use crate::scene_file::read_scene_with;
+use crate::scene_file::{VariedScene, read_scene_with};
 use std::path::{Path, PathBuf};
 use tripos::code::by_or_first;
 use tripos::{Error, Mechanism, Overrides, Run, Watch, simulate};
@@ -162,7 +162,7 @@ fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
 
 impl Curve {
     fn new(path: &Path, way: &Overrides, words: &str, wanted: &Wanted, request: &Plot) -> Result<Self, Failure> {
-        let (mut model, mut scene, _) = read_scene_with(path, &request.set.set)?;
+        let VariedScene { mut model, mut scene, .. } = read_scene_with(path, &request.set.set)?;
         let quantities = wanted.quantities();
         if !quantities.is_empty() {
             let own = std::mem::take(&mut scene.outputs);

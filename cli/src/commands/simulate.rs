@@ -7,7 +7,7 @@ use crate::arguments::Simulate;
 use crate::failure::{Failure, print, print_json, say, status, warn};
 use crate::follow;
 use crate::output::{csv_name, keep_inputs, table};
-use crate::scene_file::read_scene_with;
+use crate::scene_file::{VariedScene, read_scene_with};
 use crate::workspace::short_name;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -24,9 +24,11 @@ use tripos_sim::{EventRecord, ImpactRecord, Stop};
 
 /// Runs a scene and prints its end, errors and events. Returns the exit status.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
-    let (model, mut scene, set) = read_scene_with(&request.scene, &request.set.set)?;
+    let VariedScene { model, mut scene, set } = read_scene_with(&request.scene, &request.set.set)?;
     request.how.overrides()?.change(&mut scene)?;
-    set.iter().for_each(|(name, value)| say(&format!("note: {name} = {value}, not the value of the scene")));
+    for (name, value) in &set {
+        say(&format!("note: {name} = {value}, not the value of the scene"));
+    }
     if let Some(of) = &request.gradient {
         return by_all::simulate(request, &model, &scene, &set, of);
     }

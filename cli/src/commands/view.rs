@@ -4,7 +4,7 @@ use crate::arguments::View as Request;
 use crate::failure::{Failure, print, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, text};
-use crate::scene_file::read_scene_with;
+use crate::scene_file::{VariedScene, read_scene_with};
 use crate::view::{Home, Live, Seen, document, turns_truly};
 use tripos::Mechanism;
 use tripos::pictures::view::{Motion, View};
@@ -13,7 +13,7 @@ use tripos_derive::scene::Scene;
 
 /// Runs the scene and the motions for comparison, and writes the view. Returns the exit status.
 pub fn view(request: &Request) -> Result<u8, Failure> {
-    let (mechanism, mut scene, _) = read_scene_with(&request.scene, &request.set.set)?;
+    let VariedScene { model: mechanism, mut scene, .. } = read_scene_with(&request.scene, &request.set.set)?;
     request.how.overrides()?.change(&mut scene)?;
     keep_inputs(&mechanism, Some(&scene), [request.out.as_path()])?;
     follow::listen();
@@ -49,7 +49,7 @@ fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &s
     if !path.is_file() {
         return Ok(Motion::of_scene(mechanism, scene, Some(against))?);
     }
-    let (other, mut own, _) = read_scene_with(path, &request.set.set)?;
+    let VariedScene { model: other, scene: mut own, .. } = read_scene_with(path, &request.set.set)?;
     if other.source.text != mechanism.source.text {
         let what =
             format!("`{}` is a scene of another model than `{}`", path_in_line(path), path_in_line(&request.scene));

@@ -85,13 +85,12 @@ fn sum(terms: impl Iterator<Item = (Kind, Rational)>) -> Kind {
     for (kind, factor) in terms {
         found = match (found, kind) {
             (found, Kind::Constant) => found,
-            (_, Kind::Other) | (Kind::Other, _) => return Kind::Other,
             (Kind::Constant, Kind::Angle(measure, own)) => Kind::Angle(measure, own.mul(&factor)),
             (Kind::Angle(measure, first), Kind::Angle(other, own)) if measure == other => {
                 let is_same = own.mul(&factor) == first;
                 Kind::Angle(measure, if is_same { first } else { Rational::ONE })
             }
-            (Kind::Angle(..), Kind::Angle(..)) => return Kind::Other,
+            _ => return Kind::Other,
         };
     }
     found
