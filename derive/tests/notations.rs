@@ -262,8 +262,8 @@ fn verdicts(path: &Path) -> Vec<String> {
     list
 }
 
-/// Goal: a publication is judged by its content, however it is typed. Method: the publication on the disk once more, its
-/// formulas in LaTeX, its listings in MATLAB, its symbols the paper's own.
+/// Goal: a publication is judged by its content, however it is typed. Method: the publication on the disk once more,
+/// its formulas in LaTeX, its listings in MATLAB, its symbols the paper's own.
 #[test]
 fn the_report_on_the_disk_in_latex_has_the_same_verdicts() {
     let (plain, typeset) =

@@ -249,8 +249,8 @@ fn against_differences(scene: &Scene, numbers: &[(&str, f64)], step: f64, by: Op
     worst
 }
 
-/// Goal: the disk of the publication over its ten seconds, in which it comes near lying flat five times. Derivatives are by
-/// its radius, which its start does not mention, and by the rate of its lean.
+/// Goal: the disk of the course report over its ten seconds, in which it comes near lying flat five times. Derivatives
+/// are by its radius, which its start does not mention, and by the rate of its lean.
 ///
 /// On the way the derivatives of the contact point reach some 1e8, of which doubles leave a millionth at the end. The
 /// error is compared with the stated one. The lean is differentiated to nine digits.

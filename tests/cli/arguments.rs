@@ -15,8 +15,8 @@ fn refused(folder: &Path, arguments: &[&str]) -> String {
     said
 }
 
-/// Goal: `--set` is the scene with another value. Method: the cart twice as heavy, on the command line and in the scene,
-/// to the last bit; names and forms that mean nothing are refused.
+/// Goal: `--set` is the scene with another value. Method: the cart twice as heavy, on the command line and in the
+/// scene, to the last bit; names and forms that mean nothing are refused.
 #[test]
 fn a_value_that_is_set_is_that_of_the_scene() {
     let folder = tempfile::tempdir().unwrap();

@@ -10,7 +10,7 @@ const NAMED: [([i64; 3], &str); 3] = [([1, 1, -2], "N"), ([2, 1, -2], "N*m"), ([
 /// Measure of an angle, or of its rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Measure {
-    /// Radians.
+    /// An angle in radians.
     Radians,
     /// An angle in radians over π. With the factor 180 it is in degrees.
     HalfTurns,
@@ -28,9 +28,9 @@ enum Kind {
 }
 
 impl Model {
-    /// Unit of a term for an axis or a column: `rad`, `rad/s`, `°`, `m`, `N`, … Angles are told from other plain numbers:
-    /// a multiple of an angle is in radians, and q·180/π is in degrees; sin q is a plain number. `None` if units do not
-    /// fit or are not known.
+    /// Unit of a term for an axis or a column: `rad`, `rad/s`, `°`, `m`, `N`, … Angles are told from other plain
+    /// numbers: a multiple of an angle is in radians, and q·180/π is in degrees; sin q is a plain number. `None` if
+    /// units do not fit or are not known.
     #[must_use]
     pub fn unit_label(&self, arena: &Arena, e: Expr) -> Option<String> {
         let unit = self.unit_of(arena, e)?;

@@ -52,8 +52,8 @@ fn outline(difference: &Difference) -> String {
     out
 }
 
-/// Truth by hand: the publication takes ω(B) for ω(C) in ω × H and carries it into Kane's second row, Euler's rows and the
-/// program that solves them; its Lagrangian system has three wrong entries, which its program repeats.
+/// Truth by hand: the publication takes ω(B) for ω(C) in ω × H and carries it into Kane's second row, Euler's rows and
+/// the program that solves them; its Lagrangian system has three wrong entries, which its program repeats.
 #[test]
 fn the_errors_of_the_course_report_come_of_few_mistakes() {
     let difference = disk("../models/disk/publication.toml");
