@@ -1,6 +1,7 @@
 //! The library as a program uses it.
 
 mod conditions;
+mod contacts_apart;
 mod dead_points;
 mod driven;
 mod energy;

@@ -11,9 +11,19 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use tripos::method_words;
 use tripos::studies::sweep::Sweep;
+use tripos_derive::Model;
 use tripos_derive::model::text_hash;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::publication::hash_beside;
+
+/// Hash of the formulas that a scene gives to inputs, those of its tables among them; empty without inputs.
+fn signals(model: &Model) -> String {
+    if model.bindings.is_empty() {
+        return String::new();
+    }
+    let lines: Vec<String> = model.bindings.iter().map(|b| format!("{} = {}\n", b.input, b.formula)).collect();
+    text_hash(&lines.concat())
+}
 
 /// Record of all settings that determine the rows of a sweep, by name.
 pub struct Record(Vec<(&'static str, String)>);
@@ -26,6 +36,7 @@ impl Record {
             ("version of tripos", env!("CARGO_PKG_VERSION").to_owned()),
             ("text of the model", text_hash(&model.source.text)),
             ("text of the scene", text_hash(&scene.source.text)),
+            ("signals of the inputs", signals(model)),
             ("text of the publication", hash_beside(&model.source.path)),
             ("values", over.join(" ")),
             ("part of the points", shard.to_owned()),

@@ -260,7 +260,7 @@ impl<'r> Passage<'r> {
         for y in leg.y.iter_mut().chain([&mut leg.y_end]).chain(leg.events.iter_mut().map(|event| &mut event.y)) {
             *y = to_rates(y);
         }
-        leg.projection = leg.projection.map(|publication| widened(&publication, self.rates));
+        leg.projection = leg.projection.map(|report| widened(&report, self.rates));
         // The next part lasts at least as long as the step whose failure ended this part.
         let beyond = (beyond - leg.t_end).abs();
         self.dwell = if leg.t_end.total_cmp(&span.0).is_eq() { beyond.max(2.0 * self.lasted) } else { beyond };

@@ -22,7 +22,10 @@ impl Bouncing<'_> {
             OVERLAP * sizes.fold(0.0, f64::max) + velocity * self.least
         };
         let free = (0..self.contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
-        let below = free.into_iter().find(|contact| gap(*contact) < 0.0 && gap(*contact) < -least(*contact))?;
+        // A contact that opened at the start of the part may have begun with the rounding of its gap.
+        let begun = |contact: usize| part.y.first().map_or(0.0, |y| self.contacts.gap(contact, &values(y)).min(0.0));
+        let is_below = |contact: &usize| gap(*contact) < (2.0 * begun(*contact)).min(-least(*contact));
+        let below = free.into_iter().find(|contact| gap(*contact) < 0.0 && is_below(contact))?;
         let message = format!(
             "the gap of the contact `{}` is {:e}, and that it closed was not seen: give a shorter `max_step`",
             self.contacts.impacts[below].name,

@@ -31,7 +31,7 @@ pub struct Free {
 }
 
 /// Forces below this fraction of [`Free::force_of_size`] count as rounding.
-const ROUNDED: f64 = 1e-12;
+pub(super) const ROUNDED: f64 = 1e-12;
 
 impl Free {
     /// Force that would cancel all terms of the acceleration along a row if the terms had one sign.
@@ -61,8 +61,16 @@ impl Held<'_> {
     /// # Errors
     /// [`Failure`] where the forces are not finite.
     pub fn forces(&self, free: &Free) -> Result<DVector<f64>, Failure> {
-        let (closed, rows) = self.contacts.closed(&free.response, &self.kept.which);
-        let some = closed.hold(&free.accelerations.select_rows(&rows), &self.kept.modes).ok_or_else(|| Failure {
+        self.forces_of(free, self.kept)
+    }
+
+    /// The forces along all rows if these contacts are held.
+    ///
+    /// # Errors
+    /// [`Failure`] where the forces are not finite.
+    pub fn forces_of(&self, free: &Free, kept: &Kept) -> Result<DVector<f64>, Failure> {
+        let (closed, rows) = self.contacts.closed(&free.response, &kept.which);
+        let some = closed.hold(&free.accelerations.select_rows(&rows), &kept.modes).ok_or_else(|| Failure {
             code: "not-finite",
             message: "the forces of contacts that are held are not finite".to_owned(),
         })?;

@@ -37,6 +37,14 @@ impl Kept {
         self.modes.push(mode);
     }
 
+    /// Removes a contact.
+    pub fn remove(&mut self, contact: usize) {
+        if let Some(at) = self.which.iter().position(|held| *held == contact) {
+            self.which.remove(at);
+            self.modes.remove(at);
+        }
+    }
+
     /// Iterates over the held contacts that slip, each with the sign of its slip velocity.
     pub fn slipping(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.iter().filter_map(|(at, mode)| match mode {

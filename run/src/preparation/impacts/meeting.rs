@@ -3,7 +3,7 @@
 use super::checked::NEARLY;
 use super::contacts::Response;
 use super::happening::Happening;
-use super::held::Held;
+use super::held::{Held, ROUNDED};
 use super::kept::{Kept, NONE};
 use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
@@ -30,14 +30,23 @@ impl Meeting<'_> {
 /// A meeting of contacts after its impact, if there was one.
 pub struct Met<'m> {
     pub meeting: &'m Meeting<'m>,
-    /// True if at least one impact occurred.
-    pub is_hit: bool,
+    /// Change of the velocity along each row of contacts by the impacts; `None` without an impact.
+    pub changes: Option<&'m DVector<f64>>,
     /// Reference speed of each row of contacts: a velocity far below it counts as zero.
     pub scale: &'m DVector<f64>,
+    /// Velocity along each row of contacts that accelerations remove within the shortest flight.
+    pub slowest: &'m DVector<f64>,
     /// Accelerations along the rows of contacts before the meeting.
     pub before: &'m DVector<f64>,
     /// True if the forces of slipping contacts were about to grow without bound before the meeting.
     pub is_jamming: bool,
+}
+
+impl Met<'_> {
+    /// True if an impact changed the motion of a contact with these rows. An impact elsewhere changes nothing here.
+    pub fn is_hit(&self, rows: &[usize]) -> bool {
+        self.changes.is_some_and(|changes| rows.iter().any(|row| changes[*row] != 0.0))
+    }
 }
 
 /// Contacts that are held after a meeting, and contacts whose next flight would be too short.
@@ -86,6 +95,8 @@ struct Hit {
     /// Reference speed of each row of contacts: the sizes of its parts before the impact, plus the sizes of its changes
     /// by each impulse.
     scale: DVector<f64>,
+    /// Change of the velocity along each row of contacts by all impulses.
+    changes: DVector<f64>,
 }
 
 /// Impulses along all rows together, and their effects.
@@ -119,14 +130,17 @@ impl Bouncing<'_> {
         (t, y): (f64, &[f64]),
         meeting: &Meeting<'_>,
     ) -> Result<After, Failure> {
-        let Hit { mut blow, hits, scale } = self.hit((t, y), meeting)?;
+        // Accelerations remove a slower velocity within the shortest flight.
+        let slowest = free.free(t, y)?.sizes * self.least;
+        let Hit { mut blow, hits, scale, changes } = self.hit((t, y), meeting, &slowest)?;
         let is_hit = !hits.is_empty();
         let (mut is_impact, mut rested) = (is_hit, Kept::default());
         let scale = scale.zip_map(&self.speeds(&blow.y)?, f64::max);
         let before = self.approach(held, (t, y))?;
         let slips = meeting.opens().is_some() && meeting.kept.slipping().next().is_some();
         let is_jamming = slips && held.determinant(y).abs() < NEARLY;
-        let met = Met { meeting, is_hit, scale: &scale, before: &before, is_jamming };
+        let changes = is_hit.then_some(&changes);
+        let met = Met { meeting, changes, scale: &scale, slowest: &slowest, before: &before, is_jamming };
         let Settled { mut kept, short, more } = self.settle(free, (t, &blow.y), &met)?;
         let mut all = kept.clone();
         more.iter().for_each(|(at, mode)| all.push(at, mode));
@@ -141,11 +155,36 @@ impl Bouncing<'_> {
             kept = self.settle(free, (t, &blow.y), &met)?.kept;
             rested = all;
         }
+        let kept = self.pushing(free, t, &blow.y, kept)?;
         let normal = |contact: &usize| (*contact, blow.impulses[self.contacts.rows[*contact][0]]);
         let impulses = meeting.closed.iter().map(normal).filter(|(_, impulse)| *impulse != 0.0).collect();
         let record = ImpactRecord { t, impulses, before: y.to_vec(), loss: blow.loss, work: blow.work, held: short };
         let (record, closed) = (is_impact.then_some(record), meeting.closed.to_vec());
         Ok(After { y: blow.y, record, kept, closed, hits, rested })
+    }
+
+    /// Removes the contacts whose forces do not push from an instant on. The event of an opening is a force that falls to
+    /// zero. A force that is zero already, as where two contacts open at one instant, gives no event, and the contact
+    /// would pull. So the forces are computed at two instants shortly after: where one pulls there, ever harder, the
+    /// contact opens now.
+    fn pushing(&self, free: &mut Held<'_>, t: f64, y: &[f64], mut kept: Kept) -> Result<Kept, Failure> {
+        while !kept.is_empty() {
+            let now = free.free(t, y)?;
+            let forces = free.forces_of(&now, &kept)?;
+            let mut shortly = |times: f64| {
+                let (ahead, later) = self.ahead(t, y, &now, &forces, times);
+                free.free(ahead, &later).and_then(|then| free.forces_of(&then, &kept))
+            };
+            // A state without forces shortly after is met by the run itself.
+            let (Ok(soon), Ok(later)) = (shortly(1.0), shortly(2.0)) else { break };
+            let row = |contact: usize| self.contacts.rows[contact][0];
+            let least = |at: usize| ROUNDED * forces.amax().max(now.force_of_size(row(at)));
+            let pulls = |at: &usize| soon[row(*at)] < -least(*at) && later[row(*at)] < 1.5 * soon[row(*at)];
+            let pulling = kept.which.iter().copied().filter(pulls);
+            let Some(opens) = pulling.min_by(|a, b| soon[row(*a)].total_cmp(&soon[row(*b)])) else { break };
+            kept.remove(opens);
+        }
+        Ok(kept)
     }
 
     /// Failure that reports an impact that would create energy.
@@ -165,7 +204,7 @@ impl Bouncing<'_> {
     ///
     /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact closes such a
     /// contact, another impact follows at the same instant.
-    fn hit(&self, (t, y): (f64, &[f64]), meeting: &Meeting<'_>) -> Result<Hit, Failure> {
+    fn hit(&self, (t, y): (f64, &[f64]), meeting: &Meeting<'_>, slowest: &DVector<f64>) -> Result<Hit, Failure> {
         let rates = self.contacts.rates(y);
         let response = self.contacts.response(y, &rates)?;
         let mut scale = self.speeds(y)?;
@@ -185,7 +224,9 @@ impl Bouncing<'_> {
         while meeting.opens().is_none() {
             let now = &response.velocities + &response.compliance * &all;
             let is_new = |at: &usize| !hits.is_empty() || meeting.kept.mode(*at).is_none();
-            let closes = |at: &usize| now[normal(at)] < -NOTHING * scale[normal(at)];
+            // The velocity of a contact that was held is rounding, also where nothing else moves it.
+            let held = |at: &usize| if meeting.kept.mode(*at).is_some() { slowest[normal(at)] } else { 0.0 };
+            let closes = |at: &usize| now[normal(at)] < -(NOTHING * scale[normal(at)]).max(held(at));
             if !closed.iter().any(|at| is_new(at) && closes(at)) {
                 break;
             }
@@ -203,8 +244,9 @@ impl Bouncing<'_> {
             hits.push(hit);
         }
         let told = told(&response, &all, &scale);
+        let changes = &response.compliance * &all;
         let blow = struck(y, &response, all);
-        if blow.loss < -told { Err(self.gains(t, meeting, -blow.loss)) } else { Ok(Hit { blow, hits, scale }) }
+        if blow.loss < -told { Err(self.gains(t, meeting, -blow.loss)) } else { Ok(Hit { blow, hits, scale, changes }) }
     }
 
     /// Failure that reports impacts of closed contacts that follow one another without end.
@@ -225,7 +267,7 @@ impl Bouncing<'_> {
         let normal = |contact: &usize| self.contacts.rows[*contact][0];
         let velocity = |contact: &usize| now.response.velocities[normal(contact)];
         let is_still = |at: &usize| {
-            let rests = !met.is_hit && meeting.kept.mode(*at).is_some();
+            let rests = !met.is_hit(&self.contacts.rows[*at]) && meeting.kept.mode(*at).is_some();
             rests || velocity(at).abs() <= NOTHING * scale[normal(at)]
         };
         // Largest velocity of a gap whose flight is too short.
@@ -279,7 +321,7 @@ impl Bouncing<'_> {
         }
         let (closed, rows) = self.contacts.closed(&response, &kept.which);
         let left = response.velocities.select_rows(&rows);
-        let held_before = |at: usize| !met.is_hit && met.meeting.kept.mode(at).is_some();
+        let held_before = |at: usize| !met.is_hit(&self.contacts.rows[at]) && met.meeting.kept.mode(at).is_some();
         let mut slips = kept
             .iter()
             .filter(|(at, mode)| *mode == Mode::Pushes && !held_before(*at))

@@ -46,6 +46,9 @@ type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 /// Duration of the shortest flight, 2⁻³⁸, relative to the time scale, which is the later of the ends of the span.
 /// Instants are known to some 2⁻⁵⁰ of the time scale.
 pub const LEAST: f64 = 1.0 / 274_877_906_944.0;
+/// Duration of a flight, relative to the rest of the span, below which the run begins with a shorter step. The
+/// height of a flight is then above the rounding of the solution inside the step.
+const SHORT: f64 = 1e-3;
 /// Ratio to its reference value up to which a velocity or an acceleration along a contact counts as zero.
 const NOTHING: f64 = 1e-10;
 /// Time after the opening of a gap within which a minimum counts as rounding, over the larger of the instant and 1 s.
@@ -219,10 +222,16 @@ impl Bouncing<'_> {
             over: Some(&mut stepped),
             yields: None,
         };
-        // Long steps on a smooth solution would hide a flight that is far shorter.
-        if options.method == Method::Taylor && options.step.is_none() {
+        // Long steps on a smooth solution would hide a flight that is far shorter: of any method in the rounding of the
+        // solution inside the step, of Taylor's method between the places at which it is looked at.
+        if options.step.is_none() {
             let flight = self.first_flight(&mut anew()?, span.0, &values(y));
-            options.initial_step = options.initial_step.into_iter().chain(flight).reduce(f64::min);
+            let first = flight.and_then(|flight| match options.method {
+                Method::Taylor => Some(flight),
+                // The flight ends inside the second step.
+                _ => (flight < SHORT * (span.1 - span.0)).then_some(0.7 * flight),
+            });
+            options.initial_step = options.initial_step.into_iter().chain(first).reduce(f64::min);
         }
         let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<S>), span, y, &options, &mut watched)?;
         drop(watched);
@@ -296,14 +305,14 @@ impl Bouncing<'_> {
         if let Some(failure) = failure {
             part.stop = Stop::Failed(failure);
         }
-        if let Some(mut publication) = part.projection.take() {
-            if !kept.is_empty() && publication.singular + publication.not_converged > 0 && !part.stop.is_failure() {
+        if let Some(mut report) = part.projection.take() {
+            if !kept.is_empty() && report.singular + report.not_converged > 0 && !part.stop.is_failure() {
                 let message = "the state could not be kept on the contacts that are held".to_owned();
                 part.stop = Stop::Failed(Failure { code: "contact", message });
             }
-            publication.removed.truncate(own);
-            publication.largest.truncate(own);
-            part.projection = (own > 0).then_some(publication);
+            report.removed.truncate(own);
+            report.largest.truncate(own);
+            part.projection = (own > 0).then_some(report);
         }
     }
 

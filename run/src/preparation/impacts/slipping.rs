@@ -28,12 +28,12 @@ impl Bouncing<'_> {
         self.contacts.friction(contact)?;
         let row = self.contacts.rows[contact][1];
         let velocity = velocities[row];
-        let rests = !met.is_hit
+        let rests = !met.is_hit(&self.contacts.rows[contact])
             && (met.meeting.happening == Some(Happening::Sticks(contact))
                 || met.meeting.kept.mode(contact) == Some(Mode::Sticks)
                 // Contacts that came to rest at this instant as well.
                 || velocity.abs() <= met.before[row].abs() * self.least);
-        let is_still = rests || velocity.abs() <= NOTHING * met.scale[row];
+        let is_still = rests || velocity.abs() <= (NOTHING * met.scale[row]).max(met.slowest[row]);
         (!is_still).then(|| velocity.signum())
     }
 
@@ -67,6 +67,17 @@ impl Bouncing<'_> {
         Ok((one.modes, self.contacts.spread(&one.forces, &rows)))
     }
 
+    /// Instant shortly after another, by this many times the shortest interval that can be told from rounding, and the
+    /// state there under forces along all rows, to first order.
+    pub(super) fn ahead(&self, t: f64, y: &[f64], now: &Free, forces: &DVector<f64>, times: f64) -> (f64, Vec<f64>) {
+        let changes = &now.response.changes * forces;
+        let mut rates = now.rates.clone();
+        let first = rates.len() - changes.len();
+        rates[first..].iter_mut().zip(changes.iter()).for_each(|(rate, change)| *rate += change);
+        let ahead = self.least * AHEAD * times;
+        (t + ahead, y.iter().zip(&rates).map(|(y, rate)| y + ahead * rate).collect())
+    }
+
     /// Index of the first combination of modes that still satisfies the laws of contact shortly after the instant.
     /// Zero, the firmest combination, if none does.
     fn lasting(
@@ -78,13 +89,8 @@ impl Bouncing<'_> {
         found: &[Found],
     ) -> usize {
         let (_, rows) = self.contacts.closed(&now.response, rest);
-        let changes = &now.response.changes * self.contacts.spread(&found[0].forces, &rows);
-        let mut rates = now.rates.clone();
-        let first = rates.len() - changes.len();
-        rates[first..].iter_mut().zip(changes.iter()).for_each(|(rate, change)| *rate += change);
-        let ahead = self.least * AHEAD;
-        let later: Vec<f64> = y.iter().zip(&rates).map(|(y, rate)| y + ahead * rate).collect();
-        let Ok(then) = free.free(t + ahead, &later) else { return 0 };
+        let (ahead, later) = self.ahead(t, y, now, &self.contacts.spread(&found[0].forces, &rows), 1.0);
+        let Ok(then) = free.free(ahead, &later) else { return 0 };
         let (system, rows) = self.contacts.closed(&then.response, rest);
         let accelerations = then.accelerations.select_rows(&rows);
         found.iter().position(|found| system.allows(&accelerations, slips, &found.modes)).unwrap_or(0)
