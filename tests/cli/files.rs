@@ -145,7 +145,7 @@ fn a_full_disk_leaves_the_old_file() {
     };
     let lines = [
         ("a.csv", "simulate run.toml --csv a.csv"),
-        ("out/index.html", "report . --out out"),
+        ("out/index.html", "page . --out out"),
         ("emitted/mod.rs", "emit . --out emitted"),
     ];
     for (file, line) in lines {
