@@ -129,7 +129,7 @@ fn states_are_drawn_and_what_is_no_state_or_picture_is_refused() {
     let other = write("other.toml", "[state]\nx = 1\n");
     refused(&["sketch", pendulum, "--at", &other], "the model has no coordinate or speed `x`");
     refused(&["sketch", pendulum, "--out", "p.gif"], "`p.gif` names no kind of figure");
-    refused(&["sketch", pendulum, "--out", "p"], "give a file that ends in .svg, or in .tex for LaTeX");
+    refused(&["sketch", pendulum, "--out", "p"], "give a file that ends in .svg, .png or .pdf, or in .tex for LaTeX");
     refused(&["sketch", "nowhere"], "there is no model at `nowhere`");
     assert!(!folder.path().join("sketch.svg").exists());
     let own = write("model.svg", SLIDER);

@@ -173,3 +173,44 @@ fn an_interrupted_sweep_says_how_it_goes_on() {
         format!("the first {} of 1000000000 rows are in {}; --resume goes on from there", rows() - 1, part.display());
     assert!(said.contains(&told) && std::fs::read(&part).unwrap().ends_with(b"\n"), "{said}");
 }
+
+/// Goal: rows of two drives never stand in one file. Method: the table of an input is changed while a sweep is
+/// interrupted.
+#[test]
+fn a_sweep_whose_input_has_another_table_does_not_go_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = r#"
+name = "Driven mass"
+[parameters]
+m = "2 kg"
+[inputs]
+F = { unit = "N", value = 0, about = "drive" }
+[coordinates]
+x = { unit = "m" }
+[speeds]
+v = "x'"
+[inertial]
+frame = "N"
+origin = "O"
+[points]
+P = { from = "O", frame = "N", position = ["x", 0, 0] }
+[particles]
+body = { point = "P", mass = "m" }
+[forces.drive]
+on = "body"
+frame = "N"
+vector = ["F", 0, 0]
+"#;
+    std::fs::write(folder.path().join("model.toml"), model).unwrap();
+    let table = folder.path().join("drive.csv");
+    std::fs::write(&table, "t,F\n0,0\n1,1\n2,0\n3,1\n500,0\n").unwrap();
+    let scene = folder.path().join("scene.toml");
+    let text = "model = \"model.toml\"\nspan = [0, 500]\n[inputs]\nF = { table = \"drive.csv\", column = \"F\" }\n\
+                [start]\nx = 0.5\nv = 0\n[integration]\nmethod = \"rk4\"\nstep = 1e-4\nstep_limit = 100000000\n";
+    std::fs::write(&scene, text).unwrap();
+    let (name, grid) = (scene.to_str().unwrap(), ["--over", "x=0.1:1:1000"]);
+    let killed = Killed::new(name, &grid);
+    std::fs::write(&table, "t,F\n0,0\n1,1\n2,0\n3,2\n500,0\n").unwrap();
+    let (status, said) = killed.resume(name, &grid);
+    assert!(status == 2 && said.contains("signals of the inputs: "), "{said}");
+}
