@@ -229,6 +229,8 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "cli/src/commands/page.rs",
             "cli/src/commands/page/drawn.rs",
             "cli/src/commands/simulate.rs",
+            "cli/src/commands/sketch.rs",
+            "cli/src/scene_file.rs",
             "cli/src/workspace.rs",
         ],
     ),

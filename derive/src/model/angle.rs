@@ -37,15 +37,16 @@ impl Model {
         if let Some((_, name)) = NAMED.iter().find(|([m, kg, s], _)| unit == Unit::new(*m, *kg, *s)) {
             return Some((*name).to_owned());
         }
-        let unit = unit.to_string();
-        let rest = unit.strip_prefix('1').filter(|rest| rest.is_empty() || rest.starts_with('/'));
-        let Some(rest) = rest else { return Some(unit) };
+        if !unit.is_of_time() {
+            return Some(unit.to_string());
+        }
         let word = match self.kind(arena, e) {
             Kind::Angle(Measure::Radians, _) => "rad",
             Kind::Angle(Measure::HalfTurns, factor) if factor == Rational::integer(180) => "°",
-            _ => "1",
+            _ => return Some(unit.to_string()),
         };
-        Some(format!("{word}{rest}"))
+        // A plain number in the place of 1.
+        Some(unit.to_string().replacen('1', word, 1))
     }
 
     /// The kind of a term, from its operands upwards.

@@ -223,6 +223,12 @@ impl Unit {
         *self == Self::default()
     }
 
+    /// True if the unit is 1 or a power of a second: that of a plain number, of a frequency, or of a time.
+    #[must_use]
+    pub(in crate::model) fn is_of_time(&self) -> bool {
+        self.exponents[..2].iter().all(Rational::is_zero)
+    }
+
     /// True if the unit is that of a length.
     #[must_use]
     pub fn is_length(&self) -> bool {
