@@ -6,6 +6,7 @@ mod cases;
 mod certificates;
 #[path = "common/chain.rs"]
 mod chain;
+mod chained_constraints;
 mod chains;
 mod check_loads;
 mod check_poses;
