@@ -82,3 +82,26 @@ fn a_solution_without_a_value_is_refused() {
     let errors = read(text).err().map(|e| e.to_string()).expect("e has no value");
     assert!(errors.contains("divides by zero wherever the constraints hold"), "{errors}");
 }
+
+/// Goal: an equation of a joint that no motion can change is refused with its value, and counts of such models do not
+/// fail. Method: a planar joint whose plane lies 0.1 m beside the point that a ball is to hold; beside it by rounding;
+/// in it.
+#[test]
+fn a_loop_that_no_coordinate_closes_is_refused() {
+    let text = |offset: &str| {
+        format!(
+            "name = \"planar ball\"\n[parameters]\nm = \"1 kg\"\nd = \"{offset}\"\nk = \"0.1 m\"\nJ = \"1 kg*m^2\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n\
+             [bodies]\na = {{ mass = \"m\", inertia = {{ diagonal = [\"J\", \"J\", \"J\"] }} }}\n[joints]\nJa = {{ \
+             kind = \"planar\", body = \"a\", axis = [1, 2, 2] }}\nL = {{ kind = \"ball\", body = \"a\", at = [\"2*d/3\", \"-d/3\", \"d\"], \
+             body_at = [\"3*k\", \"2*k\", \"-7*k/2\"] }}\n"
+        )
+    };
+    for offset in ["0.3 m", "1e-17 m"] {
+        let said = read(&text(offset)).err().map(|e| e.to_string()).expect("no pose closes");
+        assert!(said.contains("the loop does not close: no coordinate changes `L_"), "{said}");
+        assert!(said.contains("write the parameters as formulas of one another"), "{said}");
+    }
+    let inside = text("0 m").replace("[\"2*d/3\", \"-d/3\", \"d\"]", "[0, 0, 0]");
+    let model = read(&inside).unwrap_or_else(|e| panic!("{e}"));
+    assert!(model.count().contains("0 nonholonomic constraints, 1 generalized speed"), "{}", model.count());
+}

@@ -448,12 +448,13 @@ impl Model {
     pub fn count(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
         let clock = usize::from(self.time().is_some());
+        let nonholonomic = |c: &&MotionConstraint| matches!(c.tie, Tie::Stated | Tie::Rolling(_));
         let count = format!(
             "{}, {}, {}, {}, {}",
             plural(self.configuration_variables, "configuration variable"),
             plural(self.constraints.len() + self.loops.len() + self.closed.len(), "holonomic constraint"),
             plural(self.coordinates.len() - clock, "generalized coordinate"),
-            plural(self.motion_constraints.len() - self.loops.len() - clock, "nonholonomic constraint"),
+            plural(self.motion_constraints.iter().filter(nonholonomic).count(), "nonholonomic constraint"),
             plural(self.speeds.len(), "generalized speed"),
         );
         if clock == 0 { count } else { count + ", time" }
