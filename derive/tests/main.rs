@@ -36,6 +36,7 @@ mod material_points;
 mod named;
 mod near_points;
 mod notations;
+mod oblique_axes;
 mod potentials;
 mod proofs;
 mod properties;
