@@ -256,6 +256,10 @@ pub struct Reaction {
     /// True if the reaction does work by itself, while the powers of all such reactions along every speed add up to
     /// zero. Such reactions hold directions that lie along no axis of a frame.
     pub is_shared: bool,
+    /// Index of the body whose connection to its holder has a law of its own, such as that of a screw: the shared
+    /// reactions of this connection do no work together even in open loops. `None` if only all shared reactions
+    /// together do no work.
+    pub law: Option<usize>,
 }
 
 /// A condition of the domain in which the model holds.
