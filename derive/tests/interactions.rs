@@ -496,3 +496,67 @@ fn a_cart_presses_on_the_ground_by_its_wheels() {
         assert!(said.contains("equilibrium does not determine"), "{said}");
     }
 }
+
+/// Screws about axis 3, one on another, and a slider that guides the last body: a loop. Leads are 0.3 m, 0.2 m, 0.45 m.
+fn screws(count: usize) -> Model {
+    let names = ["a", "b", "c"];
+    let mut text = "name = \"screws\"\n[parameters]\nm = \"1 kg\"\nJ = \"1 kg*m^2\"\nF = \"10 N\"\np = \"0.1 m\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n"
+        .to_owned();
+    for (at, name) in names[..count].iter().enumerate() {
+        let (to, lead) = (if at == 0 { "" } else { names[at - 1] }, ["3*p", "2*p", "9*p/2"][at]);
+        let to = if to.is_empty() { String::new() } else { format!("to = \"{to}\"\n") };
+        let _ = writeln!(
+            text,
+            "[bodies.{name}]\nmass = \"m\"\ninertia = {{ diagonal = [\"J\", \"J\", \"J\"] }}\n[joints.J{name}]\nkind = \"screw\"\nbody = \"{name}\"\n{to}axis = 3\nlead = \
+             \"{lead}\"\ncoordinates = [\"q{name}\"]"
+        );
+    }
+    let last = names[count - 1];
+    let _ = writeln!(
+        text,
+        "[joints.L]\nkind = \"slider\"\nbody = \"{last}\"\naxis = 3\n[forces.push]\non = \"{last}\"\nframe = \"N\"\nvector = [0, 0, \"F\"]"
+    );
+    loaded(&text)
+}
+
+/// Goal: a differential screw obeys the laws of both screws. Method: z = h₁ q of the nut a, (h₁ − h₂) q of the body b,
+/// which does not turn: q″ = F (h₁ − h₂)/(m h₁² + m (h₁ − h₂)² + J), forces by Newton, and torque = −h force of each
+/// frictionless screw.
+#[test]
+fn two_screws_in_a_loop_keep_their_laws() {
+    let mut model = screws(2);
+    proved(&model, "differential screw");
+    let turn = 2.0 * std::f64::consts::PI;
+    let (h1, h2) = (0.3 / turn, 0.2 / turn);
+    let rate = 10.0 * (h1 - h2) / (h1 * h1 + (h1 - h2) * (h1 - h2) + 1.0);
+    let on_b = (h1 - h2) * rate - 10.0;
+    let on_a = h1 * rate + on_b;
+    let expected = [
+        ("force(ground on a) @ N [3]", on_a),
+        ("torque(ground on a) @ N [3]", -h1 * on_a),
+        ("force(a on b) @ N [3]", on_b),
+        ("torque(a on b) @ N [3]", -h2 * on_b),
+        ("torque(ground on b) @ N [3]", h2 * on_b),
+    ];
+    let state = vec![0.0; model.coordinates.len() + model.speeds.len()];
+    for (text, right) in expected {
+        let found = at(&mut model, text, &state);
+        assert!((found - right).abs() < 1e-12, "{text}: {found}, not {right}");
+    }
+}
+
+/// Goal: each screw of a loop keeps its law, however many there are. Method: three screws; torque = −h force of each,
+/// along its axis, at a state with other angles.
+#[test]
+fn three_screws_in_a_loop_keep_their_laws() {
+    let mut model = screws(3);
+    proved(&model, "three screws");
+    assert_eq!((model.coordinates.len(), model.speeds.len()), (3, 2));
+    let state = [0.4, 0.3, -0.7, 1.1, -0.6];
+    for (pair, lead) in [("ground on a", 0.3), ("a on b", 0.2), ("b on c", 0.45)] {
+        let force = at(&mut model, &format!("force({pair}) @ N [3]"), &state);
+        let torque = at(&mut model, &format!("torque({pair}) @ N [3]"), &state);
+        let law = torque + lead / (2.0 * std::f64::consts::PI) * force;
+        assert!(law.abs() < 1e-12 && force.abs() > 1.0, "{pair}: {force} N, {torque} N m");
+    }
+}

@@ -6,6 +6,7 @@ mod cases;
 mod certificates;
 #[path = "common/chain.rs"]
 mod chain;
+mod chained_constraints;
 mod chains;
 mod check_loads;
 mod check_poses;
@@ -35,6 +36,7 @@ mod material_points;
 mod named;
 mod near_points;
 mod notations;
+mod oblique_axes;
 mod potentials;
 mod proofs;
 mod properties;

@@ -189,7 +189,7 @@ pub(crate) fn derive_with(
 /// Error for a matrix that is singular in every configuration because this row depends on the rows before it.
 fn singular(model: &Model, row: &RowName) -> DeriveError {
     match row {
-        RowName::Balance(_) | RowName::Power(_) => DeriveError::ReactionsDependent,
+        RowName::Balance(_) | RowName::Power(_) | RowName::Law { .. } => DeriveError::ReactionsDependent,
         RowName::Coordinate(_) => DeriveError::NoInertia { speed: format!("{}'", row.text(model)) },
         _ => DeriveError::NoInertia { speed: row.text(model) },
     }

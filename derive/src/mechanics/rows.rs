@@ -52,6 +52,14 @@ pub enum RowName {
     Balance(BalanceName),
     /// Condition that the shared reactions together do no work along a speed.
     Power(usize),
+    /// Condition that the shared reactions between a body and its holder together do no work along the rate of a
+    /// coordinate, as the law of a screw says.
+    Law {
+        /// Index of the body.
+        body: usize,
+        /// Index of the coordinate.
+        coordinate: usize,
+    },
     /// Row of a motion variable of a scene's reduced equations, with the name of the variable.
     Along(String),
     /// Row of a published system, with its index.
@@ -84,6 +92,10 @@ impl RowName {
                 format!("{} {frame}{}", self.subject(model), axis + 1)
             }
             Self::Power(speed) => format!("power of shared reactions along {}", model.speeds[*speed].name),
+            Self::Law { body, coordinate } => format!(
+                "power of shared reactions on {} along {}'",
+                model.bodies[*body].name, model.coordinates[*coordinate].name
+            ),
             Self::Along(variable) => format!("along {variable}"),
             Self::Printed(at) => format!("row {}", at + 1),
         }

@@ -256,6 +256,10 @@ pub struct Reaction {
     /// True if the reaction does work by itself, while the powers of all such reactions along every speed add up to
     /// zero. Such reactions hold directions that lie along no axis of a frame.
     pub is_shared: bool,
+    /// Index of the body whose connection to its holder has a law of its own, such as that of a screw: the shared
+    /// reactions of this connection do no work together even in open loops. `None` if only all shared reactions
+    /// together do no work.
+    pub law: Option<usize>,
 }
 
 /// A condition of the domain in which the model holds.
@@ -448,12 +452,13 @@ impl Model {
     pub fn count(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
         let clock = usize::from(self.time().is_some());
+        let nonholonomic = |c: &&MotionConstraint| matches!(c.tie, Tie::Stated | Tie::Rolling(_));
         let count = format!(
             "{}, {}, {}, {}, {}",
             plural(self.configuration_variables, "configuration variable"),
             plural(self.constraints.len() + self.loops.len() + self.closed.len(), "holonomic constraint"),
             plural(self.coordinates.len() - clock, "generalized coordinate"),
-            plural(self.motion_constraints.len() - self.loops.len() - clock, "nonholonomic constraint"),
+            plural(self.motion_constraints.iter().filter(nonholonomic).count(), "nonholonomic constraint"),
             plural(self.speeds.len(), "generalized speed"),
         );
         if clock == 0 { count } else { count + ", time" }

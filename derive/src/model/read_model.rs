@@ -177,8 +177,9 @@ impl<'a> Loading<'a> {
         let before_constraints = self.reader.errors.len();
         let Connections { velocities, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
-        let Solved { constraints, replacements, kept, repeated: said, prescribing } =
+        let Solved { constraints, replacements, kept, repeated: said, prescribing, undefined } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, &elements.potentials, configuration);
+        self.report_undefined(undefined);
         motion_errors += self.reader.errors.len() - before_constraints;
         let mut domain = self.domain(table);
         signals.put_in(&mut self.arena, &mut elements, &mut domain);

@@ -199,7 +199,8 @@ fn multipliers_and_balances(
         pairs.push((*value, in_speeds.forcing[at]));
     }
     // The power of shared reactions along a speed is cancelled by the rows that set their total power to zero.
-    let powers = balances.rows.iter().position(|row| matches!(row, RowName::Power(_))).unwrap_or(balances.rows.len());
+    let is_power = |row: &RowName| matches!(row, RowName::Power(_) | RowName::Law { .. });
+    let powers = balances.rows.iter().position(is_power).unwrap_or(balances.rows.len());
     for (column, multipliers) in transposed(&maps.w).into_iter().zip(&balances.projection) {
         for reaction in p..balances.unknowns.len() {
             let along: Vec<Expr> = matrix.iter().map(|row| row[reaction]).collect();

@@ -293,7 +293,7 @@ pub fn row_name(model: &Model, row: &RowName) -> String {
             let along = inline(&basis(&model.frames[*frame].name, *axis));
             format!("{} along {along}", escape(&row.subject(model)))
         }
-        RowName::Constraint(_) | RowName::Power(_) | RowName::Along(_) | RowName::Printed(_) => {
+        RowName::Constraint(_) | RowName::Power(_) | RowName::Law { .. } | RowName::Along(_) | RowName::Printed(_) => {
             escape(&row.text(model))
         }
     }

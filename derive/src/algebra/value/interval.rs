@@ -3,6 +3,8 @@
 //! If the interval of a difference excludes 0, the two sides are proved to differ at the point.
 
 use super::evaluate::Tape;
+use super::modular::{ZeroTest, zero_test};
+use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::fold::{Fold, Values, fold};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -182,6 +184,20 @@ pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
         }
     }
     None
+}
+
+/// The term `e`, with 0 in place of parts without symbols that are exactly 0 and whose digits doubles lose, such as 2 +
+/// √5 (1/(5 + 2 √5) − 1).
+pub fn without_lost_zeros(arena: &mut Arena, mut e: Expr) -> Expr {
+    while let Some(lost) = lost_constant(arena, e).filter(|lost| zero_test(arena, *lost) == ZeroTest::Zero) {
+        let mut put = Substitution::new(&[(lost, Expr::ZERO)]);
+        let next = put.apply(arena, e);
+        if put.undefined.is_some() {
+            break;
+        }
+        e = next;
+    }
+    e
 }
 
 /// Interval of the term `e` where each symbol has the given value. `None` if a divisor, or the argument of a root, is

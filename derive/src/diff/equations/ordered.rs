@@ -45,7 +45,7 @@ pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Opti
             }
         }
         let powers = equations.rows.into_iter().zip(equations.matrix);
-        for (name, mut row) in powers.filter(|(name, _)| matches!(name, RowName::Power(_))) {
+        for (name, mut row) in powers.filter(|(name, _)| matches!(name, RowName::Power(_) | RowName::Law { .. })) {
             row.push(Expr::ZERO);
             names.push(name);
             rows.push(row);

@@ -64,8 +64,8 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     }
     let mut projection = partial_velocities(model, kinematics, &velocities, &rows, &model.u());
     let mut names: Vec<RowName> = rows.iter().map(|row| RowName::Balance(row.name)).collect();
-    for (speed, row) in powers.rows {
-        names.push(RowName::Power(speed));
+    for (name, row) in powers.rows {
+        names.push(name);
         matrix.push(row);
         forcing.push(Expr::ZERO);
     }
@@ -86,14 +86,16 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
 
 /// Conditions that the shared reactions together do no work.
 struct SharedPowers {
-    /// Power of the shared reactions along a speed, as a row over the unknowns, with the index of the speed. A speed is
-    /// left out if its power depends on the power along other speeds.
-    rows: Vec<(usize, Vec<Expr>)>,
+    /// Powers that are zero, as rows over the unknowns, with their names: of connections with laws of their own, along
+    /// rates of coordinates; then of all shared reactions, along speeds. A row that follows from those before it is
+    /// left out.
+    rows: Vec<(RowName, Vec<Expr>)>,
     /// For each speed, the multiples of `rows` that cancel the power along the speed.
     projection: Vec<Vec<Expr>>,
 }
 
-/// Conditions Σ R (direction · ∂v/∂u_s) = 0 over the shared reactions; v is the velocity that a reaction works on.
+/// Conditions Σ R (direction · ∂v/∂u_s) = 0 over the shared reactions; v is the velocity that a reaction works on. For
+/// each connection with a law of its own, also Σ R (direction · ∂v/∂q̇_j) = 0 over its reactions.
 fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
     let (speeds, first) = (model.speeds.len(), model.speeds.len());
     let shared: Vec<usize> = (0..model.reactions.len()).filter(|at| model.reactions[*at].is_shared).collect();
@@ -103,28 +105,44 @@ fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPow
     let mut slopes = vec![vec![Expr::ZERO; shared.len()]; speeds];
     let mut to_speeds = rates_to_speeds(model);
     let mut along = Gradient::new(&model.u());
+    let undriven = model.undriven();
+    let mut along_rates = Gradient::new(&model.q_dot());
+    let mut candidates: Vec<(RowName, Vec<Expr>)> = Vec::new();
     for (column, at) in shared.iter().enumerate() {
         let power = kinematics.power_of(model, &model.reactions[*at]);
         let Kinematics { arena, simplifier, .. } = kinematics;
+        if let Some(body) = model.reactions[*at].law {
+            for (rate, slope) in along_rates.apply(arena, power).iter().filter(|(rate, _)| undriven.contains(rate)) {
+                let name = RowName::Law { body, coordinate: *rate };
+                let at = candidates.iter().position(|(known, _)| *known == name).unwrap_or_else(|| {
+                    candidates.push((name, vec![Expr::ZERO; shared.len()]));
+                    candidates.len() - 1
+                });
+                candidates[at].1[column] = simplifier.simplify(arena, *slope);
+            }
+        }
         let power = to_speeds.apply(arena, power);
         for (speed, slope) in along.apply(arena, power).iter() {
             slopes[*speed][column] = simplifier.simplify(arena, *slope);
         }
     }
     let Kinematics { arena, simplifier, .. } = kinematics;
-    let (chosen, pivots) = echelon(arena, &slopes).ok_or(DeriveError::ReactionsDependent)?;
-    let row = |speed: usize| {
+    candidates.extend(slopes.iter().enumerate().map(|(speed, row)| (RowName::Power(speed), row.clone())));
+    let matrix: Vec<Vec<Expr>> = candidates.iter().map(|(_, row)| row.clone()).collect();
+    let (chosen, pivots) = echelon(arena, &matrix).ok_or(DeriveError::ReactionsDependent)?;
+    let row = |at: &usize| {
         let mut row = vec![Expr::ZERO; first + model.reactions.len()];
-        for (slope, at) in slopes[speed].iter().zip(&shared) {
+        let (name, slopes) = &candidates[*at];
+        for (slope, at) in slopes.iter().zip(&shared) {
             row[first + at] = *slope;
         }
-        (speed, row)
+        (name.clone(), row)
     };
-    let rows = chosen.iter().map(|speed| row(*speed)).collect();
-    // The rows of other speeds are multiples of these. Columns in which the chosen rows are independent give the
-    // factors.
+    let rows = chosen.iter().map(row).collect();
+    // The powers along the speeds are multiples of these rows. Columns in which the chosen rows are independent give
+    // the factors.
     let matrix: Vec<Vec<Expr>> =
-        pivots.iter().map(|column| chosen.iter().map(|speed| slopes[*speed][*column]).collect()).collect();
+        pivots.iter().map(|column| chosen.iter().map(|at| candidates[*at].1[*column]).collect()).collect();
     let right: Vec<Vec<Expr>> =
         pivots.iter().map(|column| (0..speeds).map(|speed| slopes[speed][*column]).collect()).collect();
     let (multiples, _) = solve(arena, simplifier, &matrix, &right).map_err(|_| DeriveError::ReactionsDependent)?;

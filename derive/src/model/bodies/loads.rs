@@ -165,6 +165,7 @@ impl Elements {
                     direction,
                     is_stated: true,
                     is_shared: false,
+                    law: None,
                 });
             }
         }

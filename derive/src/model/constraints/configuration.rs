@@ -1,7 +1,8 @@
 //! Constraints between coordinates, which are solved for one coordinate if possible, and constraints between
 //! velocities.
 //!
-//! A coordinate for which a constraint is solved leaves the model. A prescribed coordinate stays, tied by its
+//! A coordinate for which a constraint is solved leaves the model. No solution mentions such a coordinate: each new
+//! solution is put into those before it. A prescribed coordinate stays, tied by its
 //! constraint, if a potential pushes along it. If a value replaced it, the potential would depend on time alone there
 //! and push nothing. The drive of the coordinate would then seem to need no more power than without the potential.
 
@@ -75,6 +76,8 @@ pub struct Solved {
     pub repeated: Vec<String>,
     /// Names of constraints of the model file that stay unsolved and contain one coordinate other than time.
     pub prescribing: Vec<String>,
+    /// Term that divides by zero once the solutions are put into one another; `None` if there is none.
+    pub undefined: Option<Expr>,
 }
 
 /// Solves constraints for coordinates, one after the other, and removes these coordinates. Reports constraints that are
@@ -86,7 +89,8 @@ pub fn solve_all(
     potentials: &[Potential],
     stated: Vec<Stated>,
 ) -> Solved {
-    let (mut solved, mut kept, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut solved, mut kept, mut repeated) = (Vec::<Constraint>::new(), Vec::new(), Vec::new());
+    let mut undefined = None;
     let mut replacements: Vec<(Expr, Expr)> = Vec::new();
     let (mut prescribing, every) = (Vec::new(), own(coordinates));
     for constraint in stated {
@@ -137,9 +141,11 @@ pub fn solve_all(
         let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let rate = Differential::along(&rates).apply(arena, solution);
         let mut earlier = Substitution::new(&[(fixed.symbol, solution), (fixed.rate, rate)]);
-        for (_, replacement) in &mut replacements {
-            *replacement = earlier.apply(arena, *replacement);
+        let before = replacements.iter_mut().map(|(_, replacement)| replacement);
+        for solution in before.chain(solved.iter_mut().map(|constraint| &mut constraint.value)) {
+            *solution = earlier.apply(arena, *solution);
         }
+        undefined = undefined.or(earlier.undefined);
         replacements.extend([(fixed.symbol, solution), (fixed.rate, rate)]);
         solved.push(Constraint {
             name: constraint.name,
@@ -149,7 +155,7 @@ pub fn solve_all(
             enforced_by: constraint.enforced_by,
         });
     }
-    Solved { constraints: solved, replacements, kept, repeated, prescribing }
+    Solved { constraints: solved, replacements, kept, repeated, prescribing, undefined }
 }
 
 /// Symbols of the coordinates other than time.

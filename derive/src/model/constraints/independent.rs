@@ -204,6 +204,8 @@ impl Loading<'_> {
         let is_zero = |arena: &Arena, e: &Expr| zero_test(arena, *e) == ZeroTest::Zero;
         if row.iter().all(|e| is_zero(&self.arena, e)) {
             match (may_repeat, is_zero(&self.arena, &rest)) {
+                // An equation between coordinates that is zero everywhere was left out before.
+                (true, true) if matches!(tie, Tie::Loop(_)) => self.unmoved(given, &name, span, tie),
                 (true, true) => taken.found.repeated.push(Repeated::of(name, tie, None)),
                 (_, true) => self.repeated(&name, span, "is always fulfilled"),
                 (_, false) => self.repeated(&name, span, "is never fulfilled"),
@@ -290,6 +292,26 @@ impl Loading<'_> {
             values[0].abs() <= CLOSED * size
         };
         (!found.is_empty()).then(|| (found.iter().filter(is_closed).count(), found.len()))
+    }
+
+    /// Reports an equation of a joint that no motion changes and that is not exactly zero. The other joints leave the
+    /// points or axes of this joint apart by as much, in every pose.
+    fn unmoved(&mut self, given: &Given<'_>, name: &str, span: Range<usize>, tie: Tie) {
+        let Tie::Loop(place) = tie else { return };
+        let known = given.defaults.iter().map(|(symbol, value)| (*symbol, *value));
+        let rest = given.coordinates.iter().map(|c| (c.symbol, 0.0));
+        let (symbols, values): (Vec<Expr>, Vec<f64>) = known.chain(rest).unzip();
+        let tape = Tape::new(&self.arena, &symbols, &[given.loops[place].equation]);
+        let value = tape.map_or_else(
+            |_| String::new(),
+            |tape| format!(": it is {:e} at the default values", tape.evaluate(&values)[0]),
+        );
+        let message = format!(
+            "the loop does not close: no coordinate changes `{name}`, which must be 0 whatever the parameters are{value}"
+        );
+        let help = "write the parameters as formulas of one another so that it is exactly 0, or let a joint of the loop \
+                    leave that direction free";
+        self.reader.error(span, message, help);
     }
 
     fn undecided(&mut self, name: &str, span: Range<usize>) {

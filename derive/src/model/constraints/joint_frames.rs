@@ -334,8 +334,16 @@ impl<'a> Loading<'a> {
                     let located = Located { text: called.clone(), ..name.clone() };
                     loading.names.declare(&mut loading.reader, &located, Kind::Reaction, Some(symbol));
                     let (frame, direction) = along;
-                    let reaction =
-                        Reaction { name: called, symbol, kind, frame, direction, is_stated: false, is_shared: false };
+                    let reaction = Reaction {
+                        name: called,
+                        symbol,
+                        kind,
+                        frame,
+                        direction,
+                        is_stated: false,
+                        is_shared: false,
+                        law: None,
+                    };
                     holding.push((name_of.clone(), reaction));
                     list.push(Stated {
                         name: name_of,

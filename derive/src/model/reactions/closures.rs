@@ -73,8 +73,16 @@ impl Relative<'_> {
                     let mut direction = [Expr::ZERO; 3];
                     direction[axis] = Expr::ONE;
                     let symbol = Expr::ONE;
-                    let reaction =
-                        Reaction { name, symbol, kind, frame, direction, is_stated: false, is_shared: false };
+                    let reaction = Reaction {
+                        name,
+                        symbol,
+                        kind,
+                        frame,
+                        direction,
+                        is_stated: false,
+                        is_shared: false,
+                        law: None,
+                    };
                     list.push((String::new(), reaction));
                 }
             }

@@ -14,7 +14,8 @@
 //!
 //! Some directions are held along no axis of a frame, as by gears or along a direction that a formula states. They are
 //! held by all axes together: by forces and torques where bodies rest. Each of these does work, but their powers along
-//! each speed add up to zero ([`Reaction::is_shared`]).
+//! each speed add up to zero ([`Reaction::is_shared`]). Force and torque of a screw obey the law of that screw alone
+//! ([`Reaction::law`]): in a loop there are fewer speeds than screws.
 //! All of this is decided in one random pose ([`super::random_pose`]). The derivation of the equations proves that
 //! reactions do no work.
 
@@ -71,7 +72,7 @@ impl Model {
     }
 
     /// Adds a reaction that was found, under a name that no other quantity has.
-    fn name_reaction(&mut self, Found { kind, along, is_shared }: Found) {
+    fn name_reaction(&mut self, Found { kind, along, is_shared, law }: Found) {
         let (what, body) = match kind {
             ReactionKind::Force { on, .. } => ("force", on.body),
             ReactionKind::Torque { on, .. } => ("torque", on),
@@ -95,7 +96,7 @@ impl Model {
             name = format!("{wanted}_{times}");
         }
         let symbol = self.arena.symbol(&name);
-        self.reactions.push(Reaction { name, symbol, kind, frame, direction, is_stated: false, is_shared });
+        self.reactions.push(Reaction { name, symbol, kind, frame, direction, is_stated: false, is_shared, law });
     }
 
     /// Unit vector from one point to another: components in the inertial frame.

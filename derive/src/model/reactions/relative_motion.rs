@@ -4,7 +4,7 @@ use super::random_pose::{DrawnModel, Triple};
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::rank::Basis;
 use crate::algebra::{Arena, Expr};
-use crate::model::{Model, MotionConstraint, ReactionKind};
+use crate::model::{Model, MotionConstraint, ReactionKind, Tie};
 
 /// Index of a body on which another body rests; `None` is the ground.
 pub type Holder = Option<usize>;
@@ -23,6 +23,20 @@ pub struct Relative<'m> {
     pub drawn: DrawnModel,
     /// Motions, each a value for every q̇, that replace those along the speeds if they are `Some`.
     pub ways_if_open: Option<Vec<Vec<u64>>>,
+}
+
+impl Model {
+    /// Indices of the coordinates whose rates are zero neither by time nor by a prescribed motion, if all else is open.
+    pub(crate) fn undriven(&self) -> Vec<usize> {
+        let drives = |constraint: &&MotionConstraint| match constraint.tie {
+            Tie::Loop(at) => self.loops[at].prescribes,
+            Tie::Clock => true,
+            Tie::Rolling(_) | Tie::Stated => false,
+        };
+        let is_driven =
+            |rate: Expr| self.motion_constraints.iter().filter(drives).any(|c| self.arena.mentions(c.equation, rate));
+        (0..self.coordinates.len()).filter(|at| !is_driven(self.coordinates[*at].rate)).collect()
+    }
 }
 
 impl Relative<'_> {

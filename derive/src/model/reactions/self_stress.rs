@@ -138,7 +138,10 @@ impl Model {
             let kind = ReactionKind::Force { on, against };
             let (label, symbol) = (format!("{name}_force"), Expr::ONE);
             let direction = unit(axis);
-            (name, Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false })
+            (
+                name,
+                Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false, law: None },
+            )
         });
         // A reaction that the file names between bodies that do not rest on one another may be held by their holders.
         let named = self.stated_reactions().iter().filter(|reaction| {

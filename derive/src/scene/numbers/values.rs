@@ -8,7 +8,7 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::parse::{InteractionName, VelocityName, parse, parse_with_quantities};
 use crate::algebra::value::evaluate::{Numeric, Tape};
 use crate::algebra::value::exact::exact_value;
-use crate::algebra::value::interval::lost_constant;
+use crate::algebra::value::interval::{lost_constant, without_lost_zeros};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::{Model, StatedInteraction, StatedUnit, Unit, is_redundant};
@@ -359,6 +359,8 @@ impl<'a> Values<'a, '_> {
             Err(error) => Err(error),
         };
         let model = &mut *self.model;
+        // Directions of oblique axes bring in roots that cancel exactly.
+        let result = result.map(|e| without_lost_zeros(&mut model.arena, e));
         match result.map(|e| (e, lost_constant(&model.arena, e))) {
             Ok((e, None)) => Some(e),
             Ok((_, Some(lost))) => {

@@ -140,6 +140,9 @@ impl Loops {
     /// Name of a loop whose slopes do not follow from those of the independent loops, although they should; `None` if
     /// all follow.
     pub(in crate::scene) fn not_following(&self, p: &[f64], q: &[f64]) -> Option<&str> {
+        if self.independent == self.count {
+            return None;
+        }
         let slopes = self.slopes(p, q);
         let axes = slopes.rows(0, self.independent).transpose().qr().q();
         (self.independent..self.count).find_map(|row| {
@@ -180,8 +183,11 @@ impl Loops {
 
     /// True if the slopes of the independent loops are dependent in this pose.
     pub(in crate::scene) fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
+        if self.independent == 0 {
+            return false;
+        }
         let values = self.slopes(p, q).rows(0, self.independent).singular_values();
-        self.independent > 0 && values.min() <= SINGULAR * values.max()
+        values.min() <= SINGULAR * values.max()
     }
 
     /// Runs Newton's method with halved steps, along the `free` coordinates alone. If the loops leave some of these

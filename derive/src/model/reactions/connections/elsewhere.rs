@@ -81,7 +81,7 @@ impl Search<'_> {
         let against = holder.map(|body| Place { body, point: opposite });
         let kind = ReactionKind::Force { on: Place { body, point }, against };
         if self.is_wanted(kind, way) {
-            let found = Found { kind, along: Along::Line(point, opposite), is_shared: false };
+            let found = Found { kind, along: Along::Line(point, opposite), is_shared: false, law: None };
             self.choose(self.last_place(), found, way, Vec::new());
         }
     }

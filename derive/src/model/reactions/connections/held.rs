@@ -119,13 +119,42 @@ impl Search<'_> {
         }
         let in_motion = self.relative.working(body, holder);
         let powers: Vec<Vec<u64>> = working.iter().map(|(_, power)| power.clone()).collect();
-        for (found, power) in in_motion {
-            let Some(at) = working.iter().position(|(other, _)| other.is_same(&found)) else { continue };
-            if !works_alone(field, &powers, at) {
-                let (Some(direction), place) = (self.relative.direction(&found), self.place_of(body)) else { continue };
-                self.choose(place, found, direction, power);
+        let law = if ways.free.is_some() { self.law(body, holder) } else { None };
+        let of_speeds = self.relative.model.speeds.len();
+        for (at, (found, _)) in working.iter().enumerate() {
+            let along_speeds = in_motion.iter().find(|(other, _)| other.is_same(found)).map(|(_, power)| power.clone());
+            if works_alone(field, &powers, at) || along_speeds.is_none() && law.is_none() {
+                continue;
             }
+            let mut power = along_speeds.unwrap_or_else(|| vec![0; of_speeds]);
+            let mut found = *found;
+            if let Some(law) = &law {
+                found.law = Some(body);
+                power.resize(of_speeds + body * self.relative.model.coordinates.len(), 0);
+                let own = law.iter().find(|(other, _)| other.is_same(&found));
+                power.extend(own.into_iter().flat_map(|(_, power)| power));
+            }
+            let (Some(direction), place) = (self.relative.direction(&found), self.place_of(body)) else { continue };
+            self.choose(place, found, direction, power);
         }
+    }
+
+    /// Reactions of a connection that do work if loops are open and nothing rolls, each with its power along the rate
+    /// of each coordinate. `None` if an equation of the model file between velocities ties these rates: the connection
+    /// may hold what the equation prevents.
+    fn law(&mut self, body: usize, holder: Holder) -> Option<Vec<(Found, Vec<u64>)>> {
+        let model = self.relative.model;
+        let (n, open) = (model.coordinates.len(), model.undriven());
+        let unit = |along: usize| (0..n).map(|at| u64::from(at == along && open.contains(&at))).collect();
+        let before = self.relative.ways_if_open.replace((0..n).map(unit).collect());
+        let list = self.relative.working(body, holder);
+        self.relative.ways_if_open = before;
+        let moves = |at: usize| list.iter().any(|(_, power)| power[at] != 0);
+        let ties = |at: usize, constraint: &MotionConstraint| {
+            constraint.tie == Tie::Stated && model.arena.mentions(constraint.equation, model.coordinates[at].rate)
+        };
+        let is_tied = (0..n).any(|at| moves(at) && model.motion_constraints.iter().any(|c| ties(at, c)));
+        (!is_tied).then_some(list)
     }
 }
 

@@ -23,12 +23,14 @@ pub struct Found {
     pub kind: ReactionKind,
     pub along: Along,
     pub is_shared: bool,
+    /// Body whose connection to its holder has a law of its own, as in [`crate::model::Reaction::law`].
+    pub law: Option<usize>,
 }
 
 impl Found {
     /// A reaction along an axis of a frame that does no work by itself.
     pub fn along_axis(kind: ReactionKind, (frame, axis): (usize, usize)) -> Self {
-        Self { kind, along: Along::Axis(frame, axis), is_shared: false }
+        Self { kind, along: Along::Axis(frame, axis), is_shared: false, law: None }
     }
 
     /// True if both reactions are the same component between the same bodies.
@@ -41,7 +43,8 @@ impl Found {
 struct Chosen {
     /// Contribution of the reaction to all balances.
     action: Vec<u64>,
-    /// Power of the reaction along each speed; empty if it does no work by itself.
+    /// Power of the reaction along each speed, then along each coordinate for each body: it is zero unless the body's
+    /// connection has a law that the reaction obeys. Empty if the reaction does no work by itself.
     power: Vec<u64>,
     /// Reaction that was found, after its place in the list of reactions; `None` for one that the model file names.
     found: Option<(usize, Found)>,
@@ -61,7 +64,7 @@ pub struct Search<'m> {
     moved: Vec<bool>,
     felt: Vec<bool>,
     chosen: Vec<Chosen>,
-    /// Basis of the contributions of the chosen reactions to all balances.
+    /// Basis of the contributions of the chosen reactions to all balances and to the laws of connections.
     basis: Basis,
 }
 
@@ -78,7 +81,7 @@ impl<'m> Search<'m> {
         let mut search = Self { felt: moved.clone(), moved, relative, rests, basis, chosen, missing: 0 };
         let stated = search.stated(arena)?;
         for action in stated {
-            search.basis.take(action.clone())?;
+            search.basis.take(search.column(&action, &[]))?;
             search.chosen.push(Chosen { action, power: Vec::new(), found: None, is_felt: true });
         }
         search.feel();
@@ -119,14 +122,27 @@ impl<'m> Search<'m> {
 
     /// Chooses a reaction in this direction, at this place of the list, unless the reactions already chosen carry the
     /// same load. Returns true if it is chosen.
-    pub fn choose(&mut self, place: usize, found: Found, direction: Triple, power: Vec<u64>) -> bool {
+    pub fn choose(&mut self, place: usize, found: Found, direction: Triple, mut power: Vec<u64>) -> bool {
+        if !power.is_empty() {
+            let model = self.relative.model;
+            power.resize(model.speeds.len() + model.bodies.len() * model.coordinates.len(), 0);
+        }
         let action = self.action(found.kind, direction);
-        let is_new = self.basis.take(action.clone()).is_some();
+        let is_new = self.basis.take(self.column(&action, &power)).is_some();
         if is_new {
             self.chosen.push(Chosen { action, power, found: Some((place, found)), is_felt: false });
             self.feel();
         }
         is_new
+    }
+
+    /// Column of a reaction in the balances of all bodies and in the laws of connections.
+    fn column(&self, action: &[u64], power: &[u64]) -> Vec<u64> {
+        let model = self.relative.model;
+        let mut column = action.to_vec();
+        column.extend(power.iter().skip(model.speeds.len()));
+        column.resize(action.len() + model.bodies.len() * model.coordinates.len(), 0);
+        column
     }
 
     /// Marks the chosen reactions that bodies feel, and counts the missing ones: each equation needs an unknown.
