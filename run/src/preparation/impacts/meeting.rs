@@ -163,10 +163,10 @@ impl Bouncing<'_> {
         Ok(After { y: blow.y, record, kept, closed, hits, rested })
     }
 
-    /// Removes the contacts whose forces do not push from an instant on. The event of an opening is a force that falls to
-    /// zero. A force that is zero already, as where two contacts open at one instant, gives no event, and the contact
-    /// would pull. So the forces are computed at two instants shortly after: where one pulls there, ever harder, the
-    /// contact opens now.
+    /// Removes the contacts whose forces do not push from an instant on. The event of an opening is a force that falls
+    /// to zero. A force that is zero already, as where two contacts open at one instant, gives no event, and the
+    /// contact would pull. So the forces are computed at two instants shortly after: where one pulls there, ever
+    /// harder, the contact opens now.
     fn pushing(&self, free: &mut Held<'_>, t: f64, y: &[f64], mut kept: Kept) -> Result<Kept, Failure> {
         while !kept.is_empty() {
             let now = free.free(t, y)?;
