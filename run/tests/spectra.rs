@@ -209,6 +209,96 @@ fn what_digits_do_not_tell_is_undecided() {
     assert!(damped(-1e-19).iter().all(|m| m.is_neutral() && !m.is_undecided));
 }
 
+/// Matrix of y'' = −K y, y first.
+fn swinging(k: &[&[DoubleDouble]]) -> Wide {
+    let n = k.len();
+    let mut a = Wide::zeros(2 * n, 2 * n);
+    for (row, of_row) in k.iter().enumerate() {
+        a.rows[row][n + row] = DoubleDouble::int(1);
+        of_row.iter().enumerate().for_each(|(column, x)| a.rows[n + row][column] = -*x);
+    }
+    a
+}
+
+/// Goal: frequencies that differ by 1e-19 are told apart if their oscillators do not act on one another in a circle, and
+/// a Jordan block is one whatever stands beside it. Method: x0'' = −x0 − x1, x1'' = −(1 + δ) x1 is bounded, with the
+/// frequencies 1 and 1 + δ/2. x0'' = −x0 − x1, x1'' = −x1, x2'' = −(1 + δ) x2 grows like t.
+#[test]
+fn frequencies_near_a_jordan_block_are_told_apart() {
+    let [zero, one] = [0, 1].map(DoubleDouble::int);
+    for exponent in 3..20 {
+        let d = 10.0_f64.powi(-exponent);
+        let near = one + DoubleDouble::from_f64(d);
+        let bounded = modes(&swinging(&[&[one, one], &[zero, near]]), 0.0).unwrap();
+        let what = format!("1e-{exponent}: {bounded:?}");
+        assert!(
+            bounded.iter().all(|m| m.is_neutral() && !m.is_undecided && (m.multiplicity, m.power) == (1, 0)),
+            "{what}"
+        );
+        assert!(bounded.iter().all(|m| (m.value[1].abs() - 1.0).abs() <= d), "{what}");
+        let grows = modes(&swinging(&[&[one, one, zero], &[zero, one, zero], &[zero, zero, near]]), 0.0).unwrap();
+        let what = format!("1e-{exponent}: {grows:?}");
+        assert_eq!(growth(&grows), (false, Some(1)), "{what}");
+        assert!(grows.iter().all(|m| !m.is_undecided && m.condition < 10.0), "{what}");
+        for (frequency, many) in [(1.0, 2), (1.0 + d / 2.0, 1)] {
+            let is_it = |m: &&Mode| m.multiplicity == many && (m.value[1] - frequency).abs() <= d * d + 1e-15;
+            assert_eq!(grows.iter().filter(is_it).count(), many, "{what}");
+        }
+    }
+}
+
+/// Goal: eigenvalues that are told satisfy the matrix, and no block on the imaginary axis is called stable or bounded.
+/// Method: a Jordan block of two rows at ±i beside a frequency 1 + δ, and a frequency pair 1, 1 + δ with a coupling, in
+/// random mixtures whose entries are exact. The eigenvalues are counted near ±i, and lie no farther apart than √ε
+/// explains.
+#[test]
+fn mixtures_near_a_jordan_block_are_never_called_bounded() {
+    let mut random = Random(0xB10C);
+    let (mut decided, mut told) = (0, 0);
+    for turn in 0..48 * times() {
+        let d = 2.0_f64.powi(-i32::try_from(6 + turn % 54).unwrap());
+        let is_block = turn % 2 == 0;
+        let [zero, one] = [0, 1].map(DoubleDouble::int);
+        let near = one + DoubleDouble::from_f64(d);
+        let plain = if is_block {
+            swinging(&[&[one, one, zero], &[zero, one, zero], &[zero, zero, near]])
+        } else {
+            swinging(&[&[one, one, zero], &[zero, near, zero], &[zero, zero, one + one + one]])
+        };
+        // S A S⁻¹ by sums of rows and columns, in exact numbers.
+        let mut a = plain.rows;
+        for _ in 0..12 {
+            let [i, j] = [random.below(6), random.below(6)].map(|x| usize::try_from(x).unwrap());
+            if i != j {
+                let from = a[j].clone();
+                a[i].iter_mut().zip(from).for_each(|(x, y)| *x = *x + y);
+                for row in &mut a {
+                    row[j] = row[j] - row[i];
+                }
+            }
+        }
+        let found = modes(&Wide { rows: a }, 0.0).unwrap();
+        let what = format!("turn {turn}, {d:e}: {found:?}");
+        assert_eq!(found.len(), 6, "{what}");
+        let wide = |value: f64| (value - 1.0).abs() < 1e-6 + d;
+        assert_eq!(found.iter().filter(|m| wide(m.value[1].abs())).count(), if is_block { 6 } else { 4 }, "{what}");
+        assert!(!found.iter().any(|m| m.grows() && !m.is_undecided), "{what}");
+        let is_undecided = found.iter().any(|m| m.is_undecided);
+        let (_, power) = growth(&found);
+        if is_block {
+            // Frequencies within rounding of a block of three rows may be told as that block.
+            let is_told = power == Some(1) || (d < 1e-13 && power == Some(2));
+            assert!(is_undecided || is_told, "a block is called bounded: {what}");
+        } else {
+            // Rounding alone splits a block by 1e-14.
+            assert!(is_undecided || power == Some(0) || d < 1e-13, "distinct frequencies are called a block: {what}");
+        }
+        decided += usize::from(!is_undecided);
+        told += 1;
+    }
+    assert!(5 * decided > told, "{decided} of {told}");
+}
+
 fn about(model: &str, state: &str, whole: bool) -> About {
     let source = Source::from_text("model.toml", model);
     let mut model = Mechanism::new(tripos_derive::model::load(&source).unwrap_or_else(|e| panic!("{e}\n{model}")));

@@ -456,3 +456,106 @@ s1 = "k1/2*q2^2"
     holds(&transfer.numerator, &[60.0, 0.0, 1500.0]);
     holds(&transfer.denominator, &[1.0, 0.0, 85.0, 0.0, 1500.0, 0.0, 0.0]);
 }
+
+/// Slider-crank with torsion springs on crank and coupler, a damper on the crank, and this generalized speed.
+fn sprung_crank(speed: &str) -> String {
+    format!(
+        r#"
+name = "Sprung slider-crank"
+[parameters]
+g = {{ unit = "m/s^2", value = 9.81 }}
+m = {{ unit = "kg", value = 1.2 }}
+I = {{ unit = "kg*m^2", value = 0.1 }}
+a = {{ unit = "m", value = 0.29 }}
+b = {{ unit = "m", value = 1.09 }}
+e = {{ unit = "m", value = -0.01 }}
+k1 = {{ unit = "N*m", value = 11.76 }}
+a1 = {{ unit = "rad", value = -0.17 }}
+k2 = {{ unit = "N*m", value = 8.77 }}
+a2 = {{ unit = "rad", value = 0.94 }}
+cd = {{ unit = "N*m*s", value = 0.7 }}
+[coordinates]
+q1 = {{ unit = "rad" }}
+q2 = {{ unit = "rad" }}
+x = {{ unit = "m" }}
+[speeds]
+u1 = "{speed}"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+B1 = {{ from = "N", axis = 3, angle = "q1" }}
+B2 = {{ from = "N", axis = 3, angle = "q2" }}
+[points]
+A = {{ from = "O", frame = "B1", position = ["a", 0, 0] }}
+Q = {{ from = "A", frame = "B2", position = ["b", 0, 0] }}
+R = {{ from = "O", frame = "N", position = ["x", "e", 0] }}
+C1 = {{ from = "O", frame = "B1", position = ["a/2", 0, 0] }}
+C2 = {{ from = "A", frame = "B2", position = ["b/2", 0, 0] }}
+[bodies]
+b1 = {{ frame = "B1", centre = "C1", mass = "m", inertia = "I" }}
+b2 = {{ frame = "B2", centre = "C2", mass = "m", inertia = "I" }}
+[particles]
+sl = {{ point = "R", mass = "m" }}
+[gravity]
+frame = "N"
+acceleration = [0, "-g", 0]
+[constraints]
+lx = {{ equation = "p(Q) @ N [1] = p(R) @ N [1]" }}
+ly = {{ equation = "p(Q) @ N [2] = p(R) @ N [2]" }}
+[potentials]
+v1 = "k1*(q1 - a1)^2/2"
+v2 = "k2*(q2 - a2)^2/2"
+[torques.dd]
+on = "b1"
+frame = "N"
+vector = [0, 0, "-cd*q1'"]
+"#
+    )
+}
+
+/// Goal: a state where only the chosen speed does not move the mechanism is no rest, and the search finds the true
+/// rests. Method: a slider-crank whose coupler's rate is the speed, which fails at q1 = ±90°. Its energy is V = k1 (q1 −
+/// a1)²/2 + k2 (q2 − a2)²/2 + m g (a sin q1)/2 + m g (a sin q1 + e)/2, with a sin q1 + b sin q2 = e. So rest needs
+/// b cos q2 (k1 (q1 − a1) + m g a cos q1) = a cos q1 k2 (q2 − a2), which is tested here. Both rests are those that the
+/// speed q1' finds.
+#[test]
+fn a_dead_point_of_the_chosen_speed_is_no_rest() {
+    let state =
+        "[state]\nu1 = 0\n[guess]\nq1 = -2.5036063454922566\nq2 = 0.14984260363410173\nx = 0.8448300569558761\n";
+    let cosine = |x: f64| x.cos();
+    for speed in ["q2'", "q1'"] {
+        let found = rests(&sprung_crank(speed), state, 6);
+        let mut seen = [false; 2];
+        for found in &found {
+            let [q1, q2] = [0, 1].map(|at| found.steady.x[at].hi());
+            let turning = 1.09 * cosine(q2) * (11.76 * (q1 + 0.17) + 1.2 * 9.81 * 0.29 * cosine(q1));
+            let left = turning - 0.29 * cosine(q1) * 8.77 * (q2 - 0.94);
+            assert!(left.abs() < 1e-9, "{speed}: {q1} {q2} is left at {left}");
+            let about = found.about.as_ref().unwrap_or_else(|e| panic!("{speed}: {e}"));
+            for (at, [wanted, angle]) in [[-0.554_420, 0.131_267], [0.310_652, -3.050_967]].into_iter().enumerate() {
+                if (q1 - wanted).abs() < 1e-6 && (q2 - angle).abs() < 1e-6 {
+                    seen[at] = true;
+                    assert_eq!(about.stability, Stability::Attracting, "{speed}");
+                }
+            }
+        }
+        assert_eq!(seen, [true; 2], "{speed}: {:?}", found.iter().map(|f| &f.steady.x).collect::<Vec<_>>());
+    }
+}
+
+/// Goal: a rest in a dead point of the chosen speed is still found, with the reason why it has no linear system. Method:
+/// without springs on the coupler and gravity, a crank whose spring is slack at −90° rests there.
+#[test]
+fn a_rest_in_a_dead_point_is_kept() {
+    let text = sprung_crank("q2'")
+        .replace("a1 = { unit = \"rad\", value = -0.17 }", "a1 = { unit = \"rad\", value = -1.5707963267948966 }")
+        .replace("value = 8.77", "value = 0")
+        .replace("value = 9.81", "value = 0");
+    let state = "[state]\nu1 = 0\n[guess]\nq1 = -1.5\nq2 = 0.25\nx = 1.07\n";
+    let found = rests(&text, state, 0);
+    assert_eq!(found.len(), 1);
+    assert!((found[0].steady.x[0].hi() + std::f64::consts::FRAC_PI_2).abs() < 1e-9, "{:?}", found[0].steady.x);
+    let why = found[0].about.as_ref().unwrap_err().to_string();
+    assert!(why.contains("cos(q1)"), "{why}");
+}

@@ -117,6 +117,10 @@ fn json_of(
         json!({ "body": model.bodies[anchor.body].name, "point": point, "frame": frame })
     });
     let (word, bound) = match found.complete {
+        // The proof is one of formulas, before they were grouped by numbers.
+        Complete::Proved(_) if found.before_grouping().is_some() => {
+            ("proved before it was grouped in closed poses", None)
+        }
         Complete::Proved(bound) => ("proved", Some(bound)),
         Complete::AtPoints => ("at random points", None),
         Complete::Undecided => ("undecided", None),
@@ -127,15 +131,18 @@ fn json_of(
         "bodies": if varied == Varied::Bodies { "general" } else { "declared" },
         "about": frames.collect::<Vec<_>>(),
         "parameters": columns.collect::<Vec<_>>(),
-        "count": found.base.len(),
+        "count": found.is_minimal().then_some(found.base.len()),
         "base": found.base.iter().enumerate().map(base).collect::<Vec<_>>(),
         "alone": names(&mut found.alone()),
         "without_effect": names(&mut found.without_effect.iter().copied()),
         "grouped_by_loops": found.grouped.iter().map(|group| combination(found, group)).collect::<Vec<_>>(),
-        "minimal": { "rank": found.base.len(), "states": found.states },
+        "minimal": found.is_minimal().then(|| json!({ "rank": found.base.len(), "states": found.states })),
         "complete": { "is": word, "false_below_2_to_minus": bound },
         "on_loops": found.on_loops.map(|seen| {
-            json!({ "poses": seen.poses, "independent": finite(seen.independent), "dependent": seen.dependent })
+            json!({
+                "poses": seen.poses, "independent": finite(seen.independent), "dependent": seen.dependent,
+                "clear": seen.is_clear,
+            })
         }),
     })
 }
@@ -176,7 +183,8 @@ fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<Do
         let (point, frame) = (&model.points[anchor.point].name, &model.frames[anchor.frame].name);
         let _ = writeln!(out, "  {}: about {point}, axes of {frame}", model.bodies[anchor.body].name);
     }
-    let _ = writeln!(out, "\n{} base parameters of {} parameters", found.base.len(), regressor.columns.len());
+    let at_most = if found.is_minimal() { "" } else { "at most " };
+    let _ = writeln!(out, "\n{at_most}{} base parameters of {} parameters", found.base.len(), regressor.columns.len());
     for (at, base) in found.base.iter().enumerate() {
         let value = values.and_then(|values| values[at]).map_or_else(String::new, |x| format!(" = {:?}", x.hi()));
         let unit = regressor.columns[base.column].unit.to_string();
@@ -203,20 +211,34 @@ fn words(found: &Identification) -> String {
         found.states
     );
     let complete = match found.complete {
-        Complete::Proved(bound) => format!(
-            "no more are needed: M u' - f less what they give is zero by exact algebra (wrong with a probability below 2^-{bound:.0})"
-        ),
+        Complete::Proved(bound) => {
+            let zero = format!("is zero by exact algebra (wrong with a probability below 2^-{bound:.0})");
+            if let Some(count) = found.before_grouping() {
+                format!("no more are needed: with the {count} base parameters before closed poses grouped them, M u' - f less what they give {zero}; factors that are numbers hold in the sampled poses")
+            } else {
+                format!("no more are needed: M u' - f less what they give {zero}")
+            }
+        }
         Complete::AtPoints => "no more are needed at random states and parameters modulo a prime; factors marked ? have no short closed form".to_owned(),
         Complete::Undecided => "whether more are needed is not decided: there are functions in it that algebra knows nothing of".to_owned(),
         Complete::No => "they do not give M u' - f: please report this model".to_owned(),
     };
-    let Some(seen) = &found.on_loops else { return format!("{minimal}\n{complete}") };
-    let of_loops = format!(
-        "where the loops are closed, at the values of the file: rank {} in {} poses; what is dependent is so to {:.0e}, the next is {:.0e} away",
-        found.base.len(),
-        seen.poses,
-        seen.dependent,
-        seen.independent
-    );
+    if found.is_minimal() && found.on_loops.is_none() {
+        return format!("{minimal}\n{complete}");
+    }
+    let of_loops = match &found.on_loops {
+        Some(seen) if seen.is_clear => format!(
+            "where the loops are closed, at the values of the file: rank {} in {} poses; what is dependent is so to {:.0e}, the next is {:.0e} away",
+            found.base.len(),
+            seen.poses,
+            seen.dependent,
+            seen.independent
+        ),
+        Some(seen) => format!(
+            "where the loops are closed, fewer may do, and their number is not decided: {} poses show no clear gap between dependent parameters ({:.0e}) and independent ones ({:.0e}); choose speeds that move the mechanism in more poses, or other values",
+            seen.poses, seen.dependent, seen.independent
+        ),
+        None => "where the loops are closed, fewer may do, and their number is not decided: no closed pose was found at the values of the file, or a parameter has no value".to_owned(),
+    };
     format!("{of_loops}\n{complete}")
 }

@@ -7,11 +7,13 @@
 mod balance;
 mod letters;
 mod program;
+mod rest;
 mod symmetry;
 
 pub use balance::{Along, Balance};
 pub use letters::{Chosen, InLetters, NotInLetters, Stated};
 pub use program::{Program, Rates, Sizes};
+pub use rest::Rest;
 pub use symmetry::Symmetry;
 pub(crate) use symmetry::{candidates, turned};
 

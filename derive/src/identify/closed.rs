@@ -8,16 +8,23 @@ use crate::model::Model;
 use crate::model::constraints::closed_poses::{Chance, Poses, reach};
 use nalgebra::{DMatrix, DVector};
 
-/// Number of closed poses. `STATES` is the number of states in each pose: half of these find the relations, half
-/// confirm them.
-const POSES: usize = 12;
+/// Numbers of closed poses, tried in turn until dependent and independent columns differ clearly. `STATES` is the number
+/// of states in each pose: half of these find the relations, half confirm them.
+const POSES: [usize; 3] = [12, 24, 48];
 const STATES: usize = 16;
+/// Ratio of the forces in a pose to those in most poses above which the pose is near a dead point of the speeds. Such a
+/// pose is left out: its rounding errors would hide the other poses.
+const NEAR_DEAD: f64 = 10.0;
 /// Largest absolute value of the speeds and accelerations of the states, 1/s and 1/s² for angles.
 const FAST: f64 = 3.0;
 /// Remainder of a column of length 1 above which it is independent, after earlier columns are projected out. Below
 /// `DEPENDENT` it is dependent.
 const INDEPENDENT: f64 = 1e-6;
 const DEPENDENT: f64 = 1e-9;
+/// Least ratio between the remainders of independent and of dependent columns that is a clear gap.
+const GAP: f64 = 1e6;
+/// Remainder that rounding leaves in any case.
+const ROUNDING: f64 = 1e-15;
 /// Fraction of the largest factor below which a factor counts as zero.
 const NONE: f64 = 1e-8;
 
@@ -30,17 +37,47 @@ pub struct OnLoops {
     pub independent: f64,
     /// Largest remainder of a dependent column of length 1, after independent columns are projected out.
     pub dependent: f64,
+    /// True if the remainders of dependent and independent columns differ clearly. Otherwise, the base parameters are
+    /// not grouped, and their number may be too large.
+    pub is_clear: bool,
+}
+
+/// Base parameters that act as parts of others in closed poses: the kept ones by their indices, and for each of the
+/// others its index and its factors of the kept ones.
+struct Relations {
+    kept: Vec<usize>,
+    shares: Vec<(usize, DVector<f64>)>,
 }
 
 /// Groups base parameters that act as one in closed poses. Returns the sample of closed states. `None`, with unchanged
-/// base parameters, if no closed pose is found, a parameter has no value, or a dependence is unclear.
+/// base parameters, if no closed pose is found or a parameter has no value. The base parameters are also unchanged if
+/// the sample shows no clear gap.
 pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
-    let ([rows, elsewhere], poses) = rows(model, found)?;
+    let mut seen = None;
+    for most in POSES {
+        let Some((samples, poses)) = rows(model, found, most) else { break };
+        let (relations, sample) = relations(&samples, poses);
+        let before = seen.replace(sample);
+        if let Some(relations) = relations {
+            regroup(found, &relations);
+            break;
+        }
+        // There are no more poses.
+        if before.is_some_and(|before: OnLoops| before.poses == poses) {
+            break;
+        }
+    }
+    seen
+}
+
+/// Finds the columns that depend on earlier columns in the first sample, and confirms them in the second. The relations
+/// are `None` if there is no clear gap.
+fn relations([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize) -> (Option<Relations>, OnLoops) {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut kept: Vec<usize> = Vec::new();
-    let mut seen = OnLoops { poses, independent: f64::INFINITY, dependent: 0.0 };
+    let mut seen = OnLoops { poses, independent: f64::INFINITY, dependent: 0.0, is_clear: false };
     let mut given: Vec<(usize, DVector<f64>)> = Vec::new();
-    for at in 0..found.base.len() {
+    for at in 0..rows.ncols() {
         let column: DVector<f64> = rows.column(at).into_owned();
         let mut left = column.clone();
         // The second pass removes the rounding errors of the first.
@@ -50,36 +87,39 @@ pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
             }
         }
         let size = left.norm() / column.norm();
-        if size > INDEPENDENT {
+        // The remainder of an unclear column counts on both sides of the gap.
+        if size < INDEPENDENT {
+            seen.dependent = seen.dependent.max(size);
+        }
+        if size > DEPENDENT {
             seen.independent = seen.independent.min(size);
             basis.push(left.normalize());
             kept.push(at);
-        } else if size < DEPENDENT {
-            seen.dependent = seen.dependent.max(size);
-            given.push((at, column));
         } else {
-            return None;
+            given.push((at, column));
         }
     }
-    let columns = rows.select_columns(&kept);
-    let svd = columns.svd(true, true);
-    let mut shares = Vec::new();
+    if seen.independent < INDEPENDENT.max(GAP * seen.dependent.max(ROUNDING)) {
+        return (None, seen);
+    }
+    let svd = rows.select_columns(&kept).svd(true, true);
     let beside = elsewhere.select_columns(&kept);
+    let mut shares = Vec::new();
     for (at, column) in given {
-        let factors = svd.solve(&column, 0.0).ok()?;
+        let Ok(factors) = svd.solve(&column, 0.0) else { return (None, seen) };
         let there = elsewhere.column(at);
         // A dependence that holds only at the states where it was found is accidental.
         if (&beside * &factors - there).norm() > INDEPENDENT * there.norm() {
-            return None;
+            return (None, seen);
         }
         shares.push((at, factors));
     }
-    regroup(found, &kept, &shares);
-    Some(seen)
+    seen.is_clear = true;
+    (Some(Relations { kept, shares }), seen)
 }
 
 /// Adds the dependent base parameters to those that are kept.
-fn regroup(found: &mut Identification, kept: &[usize], shares: &[(usize, DVector<f64>)]) {
+fn regroup(found: &mut Identification, Relations { kept, shares }: &Relations) {
     let mut base: Vec<Base> = kept.iter().map(|at| found.base[*at].clone()).collect();
     for (at, factors) in shares {
         let Base { column, .. } = found.base[*at];
@@ -94,9 +134,10 @@ fn regroup(found: &mut Identification, kept: &[usize], shares: &[(usize, DVector
     found.base = base;
 }
 
-/// Values of the base columns in closed poses, for two samples of states: a row for each speed of each state. Also the
-/// number of poses. `None` if a parameter has no value or no closed pose is found.
-fn rows(model: &Model, found: &mut Identification) -> Option<([DMatrix<f64>; 2], usize)> {
+/// Values of the base columns in at most `most` closed poses, for two samples of states: a row for each speed of each
+/// state. Also the number of poses, without those near a dead point of the speeds. Rows are scaled to one size, so that
+/// every state counts alike. `None` if a parameter has no value or no closed pose is found.
+fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMatrix<f64>; 2], usize)> {
     let regressor = &mut found.regressor;
     let time = model.time();
     let (places, coordinates): (Vec<usize>, Vec<Expr>) =
@@ -113,7 +154,8 @@ fn rows(model: &Model, found: &mut Identification) -> Option<([DMatrix<f64>; 2],
     let of_poses: Vec<(Expr, f64)> = known.iter().copied().chain(instant).collect();
     let loops: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
     let poses = Poses { known: &of_poses, coordinates: &coordinates, reach: &reach, loops: &loops, flat: 0.0 };
-    let poses = poses.some(&mut regressor.arena, POSES)?;
+    let tries = poses.tries() * most / POSES[0];
+    let poses = poses.seek_from(&mut regressor.arena, (tries, most))?;
     if poses.is_empty() {
         return None;
     }
@@ -123,9 +165,10 @@ fn rows(model: &Model, found: &mut Identification) -> Option<([DMatrix<f64>; 2],
     let tape = Tape::new(&regressor.arena, &inputs, &terms).ok()?;
     let speeds = model.speeds.len();
     let columns = found.base.len();
-    let mut samples = [Vec::new(), Vec::new()];
     let mut chance = Chance::new();
+    let mut of_pose: Vec<[DMatrix<f64>; 2]> = Vec::new();
     for q in &poses {
+        let mut samples = [Vec::new(), Vec::new()];
         for state in 0..STATES {
             // All speeds and accelerations are independent numbers: a pattern among them would look like a relation.
             let moving: Vec<f64> = (0..2 * speeds).map(|_| FAST * chance.draw()).collect();
@@ -136,7 +179,39 @@ fn rows(model: &Model, found: &mut Identification) -> Option<([DMatrix<f64>; 2],
                 samples[state % 2].extend((0..speeds).flat_map(row).map(|at| forces[at]));
             }
         }
+        if samples.iter().all(|flat| !flat.is_empty()) {
+            let matrix = |flat: Vec<f64>| DMatrix::from_row_slice(flat.len() / columns.max(1), columns, &flat);
+            of_pose.push(samples.map(matrix));
+        }
     }
-    let matrix = |flat: Vec<f64>| DMatrix::from_row_slice(flat.len() / columns.max(1), columns, &flat);
-    samples.iter().all(|flat| !flat.is_empty()).then(|| (samples.map(matrix), poses.len()))
+    let usual = usual_sizes(&of_pose);
+    let forces = |pose: &[DMatrix<f64>; 2]| {
+        let size = |column: usize| pose[0].column(column).norm() / usual[column];
+        (0..columns).map(size).fold(0.0, f64::max)
+    };
+    of_pose.retain(|pose| forces(pose) <= NEAR_DEAD);
+    let samples = [0, 1].map(|half| {
+        let rows = of_pose.iter().flat_map(|pose| pose[half].row_iter());
+        let mut rows: Vec<_> = rows.map(nalgebra::Matrix::into_owned).collect();
+        for row in &mut rows {
+            let size = row.iter().zip(&usual).map(|(x, usual)| (x / usual).powi(2)).sum::<f64>().sqrt();
+            if size > 0.0 {
+                *row /= size;
+            }
+        }
+        rows
+    });
+    let is_some = samples.iter().all(|rows| !rows.is_empty());
+    is_some.then(|| (samples.map(|rows| DMatrix::from_rows(&rows)), of_pose.len()))
+}
+
+/// Median, over poses, of the size of each column; 1 for a column that is zero in most poses.
+fn usual_sizes(of_pose: &[[DMatrix<f64>; 2]]) -> Vec<f64> {
+    let columns = of_pose.first().map_or(0, |pose| pose[0].ncols());
+    let usual = (0..columns).map(|column| {
+        let mut sizes: Vec<f64> = of_pose.iter().map(|pose| pose[0].column(column).norm()).collect();
+        sizes.sort_by(f64::total_cmp);
+        sizes[sizes.len() / 2]
+    });
+    usual.map(|size| if size > 0.0 { size } else { 1.0 }).collect()
 }

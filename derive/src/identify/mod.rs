@@ -4,7 +4,8 @@
 //!
 //! The dependent columns of the regressor Y are found at random states modulo a prime, with all other parameters as
 //! letters. The zero test ([`crate::algebra::value::modular`]) then proves the relations, and that no force is left
-//! over. The rank proves that no smaller set suffices: a minor that is not 0 modulo a prime is not 0.
+//! over. The rank proves that no smaller set suffices: a minor that is not 0 modulo a prime is not 0. Where loops are
+//! closed, a smaller set may suffice. It is found in doubles ([`OnLoops`]), and only if the sample decides clearly.
 //!
 //! H. Mayeda, K. Yoshida & K. Osuka, "Base parameters of manipulator dynamic models", IEEE Trans. Robotics and
 //! Automation 6 (1990) 312–321; M. Gautier & W. Khalil, "Direct calculation of minimum set of inertial parameters of
@@ -70,13 +71,16 @@ pub struct Identification {
     pub without_effect: Vec<usize>,
     /// Number of random states at which the columns of the regressor were evaluated.
     pub states: usize,
-    /// Certainty that the base parameters are complete.
+    /// Certainty that the base parameters are complete, before closed poses grouped them ([`Self::before_grouping`]).
     pub complete: Complete,
     /// Dependent base parameters that in closed poses act only as parts of others, each with its own combination.
     pub grouped: Vec<Base>,
-    /// Sample of closed states by which relations on loops were found; `None` without loops, or if no relation could be
-    /// decided.
+    /// Sample of closed states by which relations on loops were found; `None` without loops, or if there is no sample.
     pub on_loops: Option<OnLoops>,
+    /// True if loops close the mechanism.
+    has_loops: bool,
+    /// Number of base parameters before closed poses grouped them.
+    ungrouped: usize,
 }
 
 impl Identification {
@@ -95,6 +99,8 @@ impl Identification {
             complete: Complete::Undecided,
             grouped: Vec::new(),
             on_loops: None,
+            has_loops: !model.loops.is_empty(),
+            ungrouped: 0,
             regressor,
         };
         let Some(mut table) = Table::new(&arena, &found.regressor.columns, &letters) else { return Ok(found) };
@@ -107,7 +113,8 @@ impl Identification {
         } else {
             Complete::AtPoints
         };
-        found.on_loops = if model.loops.is_empty() { None } else { closed::close(model, &mut found) };
+        found.ungrouped = found.base.len();
+        found.on_loops = if found.has_loops { closed::close(model, &mut found) } else { None };
         Ok(found)
     }
 
@@ -122,6 +129,20 @@ impl Identification {
             }
         }
         self.without_effect = (0..is_left.len()).filter(|at| is_left[*at]).collect();
+    }
+
+    /// True if the number of base parameters is certain: no smaller set suffices. With loops, closed poses must show a
+    /// clear gap between dependent and independent parameters.
+    #[must_use]
+    pub fn is_minimal(&self) -> bool {
+        !self.has_loops || self.on_loops.is_some_and(|seen| seen.is_clear)
+    }
+
+    /// Number of base parameters before closed poses grouped them, for which [`Self::complete`] holds; `None` if closed
+    /// poses grouped none.
+    #[must_use]
+    pub fn before_grouping(&self) -> Option<usize> {
+        (self.ungrouped > self.base.len()).then_some(self.ungrouped)
     }
 
     fn has_closed_forms(&self) -> bool {

@@ -153,7 +153,9 @@ impl Question {
     pub fn unbalanced(&self, steady: &Steady, help: &str) -> Error {
         let rates = steady.unbalanced.iter().map(|(at, left)| format!("{}' is left at {left:.6e}", self.names[*at]));
         let open = steady.open.iter().map(|(at, left)| format!("`{}` is open by {left:.6e}", self.loops[*at]));
-        let list: Vec<String> = open.chain(rates).collect();
+        let forces = steady.forces.iter();
+        let forces = forces.map(|(at, left)| format!("the force along {} is left at {left:.6e}", self.names[*at]));
+        let list: Vec<String> = open.chain(rates).chain(forces).collect();
         let list = if list.is_empty() { "a rate is not a number there".to_owned() } else { list.join(", ") };
         Error::Request {
             what: format!("the state is not an equilibrium, nor carried along by a symmetry: {list}"),

@@ -25,6 +25,13 @@ impl Complex {
         Self::real(DoubleDouble::from_f64(re))
     }
 
+    /// Makes a complex number from its absolute value and its angle, to the digits of doubles.
+    #[must_use]
+    pub fn polar(size: f64, angle: f64) -> Self {
+        let [re, im] = [size * angle.cos(), size * angle.sin()].map(DoubleDouble::from_f64);
+        Self { re, im }
+    }
+
     /// Complex conjugate of the number.
     #[must_use]
     pub fn conj(self) -> Self {

@@ -19,6 +19,7 @@ mod map;
 mod newton;
 mod poles;
 mod quotient;
+mod rest;
 mod schur;
 mod search;
 mod verdict;

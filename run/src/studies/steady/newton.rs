@@ -5,6 +5,7 @@ use super::Question;
 use super::dense::least;
 use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
 use tripos_derive::flow::Rates;
 use tripos_derive::scene::{Asked, Loops};
 use tripos_traits::{DoubleDouble, Scalar};
@@ -24,6 +25,8 @@ const EXACT: f64 = 1e-27;
 const MOST_TURN: f64 = 1.0;
 /// Ratio of a change to the one before it above which convergence is slow: regular steps shrink much faster.
 const SLOW: f64 = 0.05;
+/// Difference of two states, relative to their size or 1, below which they are the same steady motion.
+const SAME: f64 = 1e-8;
 /// Residual of a rate, relative to its size or 1, up to which a motion counts as steady.
 pub const BALANCED: f64 = 1e-9;
 
@@ -41,6 +44,9 @@ pub struct Steady {
     pub uncertain: f64,
     /// Indices of the states whose rates are not balanced, with the residuals.
     pub unbalanced: Vec<(usize, f64)>,
+    /// Indices of the coordinates along which forces are not balanced, with the forces. Empty where the rates tell
+    /// whether the state is steady.
+    pub forces: Vec<(usize, f64)>,
     /// Indices of the loops that are not closed, with their gaps.
     pub open: Vec<(usize, f64)>,
     /// Index of the shift of time among the symmetries; `None` if there is none. A state that moves with time alone is
@@ -52,7 +58,7 @@ impl Steady {
     /// True if the symmetries carry the state along: all rates are balanced, and the loops are closed.
     #[must_use]
     pub fn is_steady(&self) -> bool {
-        self.residual.is_finite() && self.unbalanced.is_empty() && self.open.is_empty()
+        self.residual.is_finite() && self.unbalanced.is_empty() && self.forces.is_empty() && self.open.is_empty()
     }
 
     /// Indices of the symmetries that carry the state along.
@@ -127,6 +133,12 @@ impl Guess {
 }
 
 impl Question {
+    /// Rest at a state where the forces balance along every motion that the constraints permit; `by_forces` has the
+    /// residuals of that balance.
+    pub(super) fn rest_at(&self, x: Vec<DoubleDouble>, by_forces: &Steady) -> Steady {
+        Steady { x, along: self.standing(), by_time: self.by_time, ..by_forces.clone() }
+    }
+
     /// Finds a steady state near a guess, by changing the given unknowns. If none is near, the last guess is returned
     /// with its residuals.
     #[must_use]
@@ -284,8 +296,20 @@ impl Question {
             .iter()
             .fold(0.0, |most: f64, left| if left.hi().is_nan() { f64::NAN } else { most.max(left.hi().abs()) });
         let (uncertain, by_time) = (guess.uncertain, self.by_time);
-        Steady { x: guess.x, along: guess.along, residual, uncertain, unbalanced, open, by_time }
+        Steady { x: guess.x, along: guess.along, residual, uncertain, unbalanced, forces: Vec::new(), open, by_time }
     }
+}
+
+/// True if two states are equal, with angles compared up to whole turns.
+pub(super) fn is_same(model: &Mechanism, a: &Steady, b: &Steady) -> bool {
+    (0..a.x.len()).all(|at| is_near(model, at, a.x[at].hi(), b.x[at].hi()))
+}
+
+/// True if two values of a state are equal to a tolerance, an angle up to whole turns.
+pub(super) fn is_near(model: &Mechanism, at: usize, a: f64, b: f64) -> bool {
+    let turns = model.coordinates.get(at).is_some_and(|c| c.unit.is_plain());
+    let difference = if turns { (a - b) - TAU * ((a - b) / TAU).round() } else { a - b };
+    difference.abs() <= SAME * a.abs().max(1.0)
 }
 
 /// Largest difference of two states, each component relative to its size or 1.

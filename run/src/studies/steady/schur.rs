@@ -159,6 +159,39 @@ impl Schur {
         }
     }
 
+    /// Schur form of a matrix from the forms of its diagonal blocks. `blocks` are the indices of the rows of each block;
+    /// entries to the left of a block are 0.
+    #[must_use]
+    pub fn together(a: &Wide, blocks: &[Vec<usize>], forms: &[Self]) -> Self {
+        let n = a.rows.len();
+        let zeros = || vec![vec![Complex::default(); n]; n];
+        let mut whole = Self { t: zeros(), q: zeros() };
+        let mut first = 0;
+        for (block, form) in blocks.iter().zip(forms) {
+            for (row, state) in block.iter().enumerate() {
+                whole.q[*state][first..first + block.len()].copy_from_slice(&form.q[row]);
+                whole.t[first + row][first..first + block.len()].copy_from_slice(&form.t[row]);
+            }
+            first += block.len();
+        }
+        // Entries to the right of the blocks: T = Qᴴ A Q.
+        let mut end = 0;
+        let ends = blocks.iter().flat_map(|block| {
+            end += block.len();
+            std::iter::repeat_n(end, block.len())
+        });
+        let ends: Vec<usize> = ends.collect();
+        let sum = |list: &mut dyn Iterator<Item = Complex>| list.fold(Complex::default(), |sum, x| sum + x);
+        for (row, end) in ends.iter().enumerate() {
+            let left: Vec<Complex> =
+                (0..n).map(|j| sum(&mut (0..n).map(|i| whole.q[i][row].conj().scaled(a.rows[i][j])))).collect();
+            for column in *end..n {
+                whole.t[row][column] = sum(&mut (0..n).map(|j| left[j] * whole.q[j][column]));
+            }
+        }
+        whole
+    }
+
     /// Eigenvalues of the matrix, in the order of the diagonal of T.
     #[must_use]
     pub fn eigenvalues(&self) -> Vec<Complex> {

@@ -2,14 +2,13 @@
 
 use super::Question;
 use super::about::About;
-use super::newton::{Steady, Unknowns};
+use super::newton::{Steady, Unknowns, is_near, is_same};
+use super::rest::Rests;
 use crate::{Error, Mechanism};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use tripos_derive::scene::Asked;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Difference of two states, relative to their size or 1, below which they are the same steady motion.
-const SAME: f64 = 1e-8;
 /// The first primes: starts are spread by digits in these bases (J. H. Halton, Numer. Math. 2, 1960).
 const PRIMES: [u64; 24] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89];
 
@@ -62,7 +61,8 @@ fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unk
 }
 
 /// Finds rest positions and, if the guess moves, steady motions: first the one that Newton's method finds from the
-/// guess, then others that it finds from `starts` starts around the guess.
+/// guess, then others that it finds from `starts` starts around the guess. Where the chosen speeds are singular, rest
+/// is sought by the forces along every motion that the constraints permit.
 ///
 /// # Errors
 /// [`Error`] if the model cannot be derived, or if no steady motion is found. It states the residuals of the first
@@ -72,6 +72,7 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     let spread = Spread::new(model, asked);
     let mut list: Vec<Steady> = Vec::new();
     let mut nearest = None;
+    let rests = Rests::default();
     let tries = sought(&question, asked).into_iter().flat_map(|group| {
         let last = group.len() - 1;
         group.into_iter().enumerate().map(move |(at, what)| (what, at == last))
@@ -79,10 +80,11 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     for ((x, unknowns), is_last) in tries {
         let first = question.settle(&x, &unknowns);
         let others = (1..=starts).map(|start| spread.start(&x, &unknowns.states, start));
-        let others: Vec<Steady> = others.map(|x| question.settle(&x, &unknowns)).collect();
-        for steady in std::iter::once(&first).chain(&others).filter(|steady| steady.is_steady()) {
-            if !list.iter().any(|known| is_same(model, known, steady)) {
-                list.push(steady.clone());
+        for (start, x) in std::iter::once(x.clone()).chain(others).enumerate() {
+            let steady = if start == 0 { first.clone() } else { question.settle(&x, &unknowns) };
+            let steady = rests.in_place_of(model, &question, steady, (&x, &unknowns));
+            if steady.is_steady() && !list.iter().any(|known| is_same(model, known, &steady)) {
+                list.push(steady);
             }
         }
         nearest.get_or_insert(first);
@@ -93,7 +95,7 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     if let (true, Some(first)) = (list.is_empty(), nearest) {
         return Err(question.unbalanced(&first, ELSEWHERE));
     }
-    // The equations do not tell if a singular state is at rest: it is returned only if there is no other.
+    // A singular state is returned only if there is no other: its equations give no linear system.
     let is_regular = |steady: &Steady| question.poles.refuse(&question.parameters, steady).is_ok();
     if list.iter().any(is_regular) {
         list.retain(is_regular);
@@ -107,18 +109,6 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
         }
     }
     Ok(found)
-}
-
-/// True if two states are equal, with angles compared up to whole turns.
-fn is_same(model: &Mechanism, a: &Steady, b: &Steady) -> bool {
-    (0..a.x.len()).all(|at| is_near(model, at, a.x[at].hi(), b.x[at].hi()))
-}
-
-/// True if two values of a state are equal to a tolerance, an angle up to whole turns.
-fn is_near(model: &Mechanism, at: usize, a: f64, b: f64) -> bool {
-    let turns = model.coordinates.get(at).is_some_and(|c| c.unit.is_plain());
-    let difference = if turns { (a - b) - TAU * ((a - b) / TAU).round() } else { a - b };
-    difference.abs() <= SAME * a.abs().max(1.0)
 }
 
 /// True if one steady motion is another, moved along symmetries: the states that these do not shift are equal.

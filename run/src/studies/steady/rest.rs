@@ -1,0 +1,117 @@
+//! Rest by the balance of forces along every motion that the constraints permit.
+//!
+//! Chosen speeds do not move a mechanism in their dead points, so that their balance holds there by itself, and Newton's
+//! method is drawn to these points. The balance with multipliers has no dead points ([`tripos_derive::flow::Rest`]).
+
+use super::Question;
+use super::newton::{Steady, Unknowns, is_same};
+use super::poles::Poles;
+use crate::Mechanism;
+use std::cell::OnceCell;
+use tripos_derive::flow::Rest;
+use tripos_traits::{DoubleDouble, Scalar};
+
+/// Balance of forces at rest, derived when it is first needed.
+#[derive(Default)]
+pub(super) struct Rests {
+    /// Search for states at which the forces balance; `None` if Lagrange's equations cannot be derived.
+    forces: OnceCell<Option<Forces>>,
+}
+
+/// Search for states at which the forces balance: its unknowns are coordinates and multipliers.
+struct Forces {
+    question: Question,
+    multipliers: usize,
+}
+
+impl Rests {
+    /// Rest or steady motion in place of the result `steady` of a search in the chosen speeds from the start `x`. A
+    /// regular result is returned as it is. If the chosen speeds are singular at the result, or the search failed, rest
+    /// is sought by the balance of forces, first from the result, then from the start. A singular state at which the
+    /// forces do not balance is returned with these forces.
+    pub(super) fn in_place_of(
+        &self,
+        model: &Mechanism,
+        question: &Question,
+        steady: Steady,
+        (x, unknowns): (&[DoubleDouble], &Unknowns),
+    ) -> Steady {
+        let is_singular = question.poles.refuse(&question.parameters, &steady).is_err();
+        let may_rest = question.time.is_none() && (!unknowns.moves || steady.is_steady() && steady.is_rest());
+        let is_good = steady.is_steady() && !is_singular;
+        if is_good || !may_rest || question.flow.divisors.is_empty() {
+            return steady;
+        }
+        let forces = self.forces.get_or_init(|| Forces::new(model, question));
+        let Some(forces) = forces else { return steady };
+        let starts = [steady.x.clone(), x.to_vec()];
+        let mut rests = starts.iter().filter_map(|x| forces.rest(model, question, x, unknowns));
+        rests.next().unwrap_or_else(|| {
+            let mut steady = steady;
+            if steady.is_steady() {
+                steady.forces = forces.left(&steady);
+            }
+            steady
+        })
+    }
+}
+
+impl Forces {
+    fn new(model: &Mechanism, question: &Question) -> Option<Self> {
+        let Rest { residuals: flow, multipliers, speeds } = Rest::new(model).ok()?;
+        let program = flow.program(&[], &speeds).ok()?;
+        let n = question.coordinates;
+        let of_forces = (0..multipliers).map(|at| format!("multiplier {}", at + 1));
+        let question = Question {
+            poles: Poles::new(model, &flow).ok()?,
+            names: question.names[..n].iter().cloned().chain(of_forces).collect(),
+            coordinates: n,
+            time: None,
+            by_time: None,
+            loops: question.loops.clone(),
+            is_angle: (0..n + multipliers).map(|at| at < n && question.is_angle[at]).collect(),
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            output_terms: Vec::new(),
+            wide: program.tape().to(),
+            program,
+            parameters: question.parameters.clone(),
+            flow,
+        };
+        Some(Self { question, multipliers })
+    }
+
+    /// State of the forces' balance at a state of the mechanism: its coordinates, and the multipliers that balance them
+    /// best.
+    fn balanced(&self, x: &[DoubleDouble]) -> Steady {
+        let n = self.question.coordinates;
+        let none = std::iter::repeat_n(DoubleDouble::int(0), self.multipliers);
+        let x: Vec<DoubleDouble> = x[..n].iter().copied().chain(none).collect();
+        self.question.settle(&x, &Unknowns { states: (n..n + self.multipliers).collect(), moves: false })
+    }
+
+    /// Forces that multipliers do not balance at a state of the mechanism, by the indices of the coordinates.
+    fn left(&self, steady: &Steady) -> Vec<(usize, f64)> {
+        let left = self.balanced(&steady.x).unbalanced;
+        left.into_iter().filter(|(at, _)| *at < self.question.coordinates).collect()
+    }
+
+    /// Rest that is found from a state by changing the unknown coordinates; `None` if none is found.
+    fn rest(&self, model: &Mechanism, question: &Question, x: &[DoubleDouble], unknowns: &Unknowns) -> Option<Steady> {
+        let n = self.question.coordinates;
+        let places = unknowns.states.iter().copied().filter(|at| *at < n);
+        let states = places.chain(n..n + self.multipliers).collect();
+        let found = self.question.settle(&self.balanced(x).x, &Unknowns { states, moves: false });
+        if !found.is_steady() {
+            return None;
+        }
+        let (values, _) = self.question.program.evaluate(&self.question.wide, &self.question.parameters, &found.x, &[]);
+        let state: Vec<DoubleDouble> = found.x[..n].iter().chain(&values.outputs).copied().collect();
+        // A regular rest is solved for once more in the chosen speeds.
+        let again = question.settle(&state, &Unknowns { states: unknowns.states.clone(), moves: false });
+        let rest = question.rest_at(state, &found);
+        let is_regular = question.poles.refuse(&question.parameters, &again).is_ok();
+        let is_it = again.is_steady() && is_regular && is_same(model, &again, &rest);
+        Some(if is_it { again } else { rest })
+    }
+}
