@@ -376,8 +376,8 @@ fn poses_near_dead_points_hide_no_parameter() {
 }
 
 /// Goal: six bars whose chosen speed fails in some poses keep all base parameters. Method: four bars, and a rod from
-/// their far pin to a slider. Eleven parameters act apart, by the singular values of a regressor in 50 closed poses with
-/// random rates and accelerations. For other lengths Tripos always found eleven.
+/// their far pin to a slider. Eleven parameters act apart, by the singular values of a regressor in 50 closed poses
+/// with random rates and accelerations. For other lengths Tripos always found eleven.
 #[test]
 fn six_bars_keep_all_parameters() {
     let found = identify(&model(SIX_BARS), Varied::Bodies);

@@ -220,9 +220,9 @@ fn swinging(k: &[&[DoubleDouble]]) -> Wide {
     a
 }
 
-/// Goal: frequencies that differ by 1e-19 are told apart if their oscillators do not act on one another in a circle, and
-/// a Jordan block is one whatever stands beside it. Method: x0'' = −x0 − x1, x1'' = −(1 + δ) x1 is bounded, with the
-/// frequencies 1 and 1 + δ/2. x0'' = −x0 − x1, x1'' = −x1, x2'' = −(1 + δ) x2 grows like t.
+/// Goal: frequencies that differ by 1e-19 are told apart if their oscillators do not act on one another in a circle,
+/// and a Jordan block is one whatever stands beside it. Method: x0'' = −x0 − x1, x1'' = −(1 + δ) x1 is bounded, with
+/// the frequencies 1 and 1 + δ/2. x0'' = −x0 − x1, x1'' = −x1, x2'' = −(1 + δ) x2 grows like t.
 #[test]
 fn frequencies_near_a_jordan_block_are_told_apart() {
     let [zero, one] = [0, 1].map(DoubleDouble::int);

@@ -515,9 +515,9 @@ vector = [0, 0, "-cd*q1'"]
 }
 
 /// Goal: a state where only the chosen speed does not move the mechanism is no rest, and the search finds the true
-/// rests. Method: a slider-crank whose coupler's rate is the speed, which fails at q1 = ±90°. Its energy is V = k1 (q1 −
-/// a1)²/2 + k2 (q2 − a2)²/2 + m g (a sin q1)/2 + m g (a sin q1 + e)/2, with a sin q1 + b sin q2 = e. So rest needs
-/// b cos q2 (k1 (q1 − a1) + m g a cos q1) = a cos q1 k2 (q2 − a2), which is tested here. Both rests are those that the
+/// rests. Method: a slider-crank whose coupler's rate is the speed, which fails at q1 = ±90°. Its energy is V = k1 (q1
+/// − a1)²/2 + k2 (q2 − a2)²/2 + m g (a sin q1)/2 + m g (a sin q1 + e)/2, with a sin q1 + b sin q2 = e. So rest needs b
+/// cos q2 (k1 (q1 − a1) + m g a cos q1) = a cos q1 k2 (q2 − a2), which is tested here. Both rests are those that the
 /// speed q1' finds.
 #[test]
 fn a_dead_point_of_the_chosen_speed_is_no_rest() {
@@ -544,8 +544,8 @@ fn a_dead_point_of_the_chosen_speed_is_no_rest() {
     }
 }
 
-/// Goal: a rest in a dead point of the chosen speed is still found, with the reason why it has no linear system. Method:
-/// without springs on the coupler and gravity, a crank whose spring is slack at −90° rests there.
+/// Goal: a rest in a dead point of the chosen speed is still found, with the reason why it has no linear system.
+/// Method: without springs on the coupler and gravity, a crank whose spring is slack at −90° rests there.
 #[test]
 fn a_rest_in_a_dead_point_is_kept() {
     let text = sprung_crank("q2'")

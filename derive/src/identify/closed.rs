@@ -8,8 +8,8 @@ use crate::model::Model;
 use crate::model::constraints::closed_poses::{Chance, Poses, reach};
 use nalgebra::{DMatrix, DVector};
 
-/// Numbers of closed poses, tried in turn until dependent and independent columns differ clearly. `STATES` is the number
-/// of states in each pose: half of these find the relations, half confirm them.
+/// Numbers of closed poses, tried in turn until dependent and independent columns differ clearly. `STATES` is the
+/// number of states in each pose: half of these find the relations, half confirm them.
 const POSES: [usize; 3] = [12, 24, 48];
 const STATES: usize = 16;
 /// Ratio of the forces in a pose to those in most poses above which the pose is near a dead point of the speeds. Such a

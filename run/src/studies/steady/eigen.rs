@@ -3,13 +3,13 @@
 //!
 //! Rounding splits an eigenvalue of multiplicity k by the k-th root of the rounding. Two questions are therefore asked
 //! of each set of eigenvalues. They coincide if the symmetric functions of their differences are zero, compared with
-//! rounding. These functions are the coefficients of the characteristic polynomial of the eigenvalues' part of the Schur
-//! form. They stay apart from the others if an error of the matrix moves none of them across a circle around the set:
-//! ‖E‖ ‖(A − z)⁻¹‖ < 1 on the circle (L. N. Trefethen & M. Embree, *Spectra and Pseudospectra*, 2005, chapter 52). The
-//! part of a set that coincides, without its eigenvalue, is nilpotent: its powers tell whether solutions are bounded or
-//! grow like a power of t (F. R. Gantmacher, *The Theory of Matrices*, chapter VIII; J. H. Wilkinson, *The Algebraic
-//! Eigenvalue Problem*, 1965, chapter 2). A quantity that is neither clearly 0 nor clearly different from 0 is reported
-//! as undecided.
+//! rounding. These functions are the coefficients of the characteristic polynomial of the eigenvalues' part of the
+//! Schur form. They stay apart from the others if an error of the matrix moves none of them across a circle around the
+//! set: ‖E‖ ‖(A − z)⁻¹‖ < 1 on the circle (L. N. Trefethen & M. Embree, *Spectra and Pseudospectra*, 2005, chapter 52).
+//! The part of a set that coincides, without its eigenvalue, is nilpotent: its powers tell whether solutions are
+//! bounded or grow like a power of t (F. R. Gantmacher, *The Theory of Matrices*, chapter VIII; J. H. Wilkinson, *The
+//! Algebraic Eigenvalue Problem*, 1965, chapter 2). A quantity that is neither clearly 0 nor clearly different from 0
+//! is reported as undecided.
 //!
 //! Entries of a matrix that are exactly 0 have no error. States that do not act on one another in a circle are
 //! therefore solved for separately, so that each eigenvalue has the error of its own part alone.
@@ -29,8 +29,8 @@ const NOT_ZERO: f64 = 1e7;
 const DIGITS: f64 = 1e-27;
 /// Ratio to the size of the matrix below which an entry is rounding alone.
 const NOTHING: f64 = 1e-24;
-/// Fraction of their rounding up to which the coefficients of eigenvalues that coincide are 0. It is smaller than 1, for
-/// most entries are known to more than 27 digits, and a coefficient has the square of a difference.
+/// Fraction of their rounding up to which the coefficients of eigenvalues that coincide are 0. It is smaller than 1,
+/// for most entries are known to more than 27 digits, and a coefficient has the square of a difference.
 const SAME: f64 = 1e-3;
 /// Number of points of a circle around eigenvalues at which the inverse of A − z is computed.
 const AROUND: usize = 8;
@@ -206,9 +206,9 @@ fn in_pairs(modes: Vec<Mode>) -> Vec<Mode> {
     list
 }
 
-/// Similar matrix whose rows and columns have comparable sizes, scaled by powers of two, and the possible errors
-/// of its entries (B. N. Parlett & C. Reinsch, Numer. Math. 13, 1969). Entries that are not clearly larger than their uncertainty do not
-/// count in the scaling.
+/// Similar matrix whose rows and columns have comparable sizes, scaled by powers of two, and the possible errors of its
+/// entries (B. N. Parlett & C. Reinsch, Numer. Math. 13, 1969). Entries that are not clearly larger than their
+/// uncertainty do not count in the scaling.
 fn balanced(a: &Wide, uncertain: f64) -> (Wide, DMatrix<f64>) {
     let rounded = a.rounded();
     let (size, off) = (rounded.norm(), uncertain * rounded.norm());

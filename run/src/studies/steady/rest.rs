@@ -1,7 +1,8 @@
 //! Rest by the balance of forces along every motion that the constraints permit.
 //!
-//! Chosen speeds do not move a mechanism in their dead points, so that their balance holds there by itself, and Newton's
-//! method is drawn to these points. The balance with multipliers has no dead points ([`tripos_derive::flow::Rest`]).
+//! Chosen speeds do not move a mechanism in their dead points, so that their balance holds there by itself, and
+//! Newton's method is drawn to these points. The balance with multipliers has no dead points
+//! ([`tripos_derive::flow::Rest`]).
 
 use super::Question;
 use super::newton::{Steady, Unknowns, is_same};

@@ -159,8 +159,8 @@ impl Schur {
         }
     }
 
-    /// Schur form of a matrix from the forms of its diagonal blocks. `blocks` are the indices of the rows of each block;
-    /// entries to the left of a block are 0.
+    /// Schur form of a matrix from the forms of its diagonal blocks. `blocks` are the indices of the rows of each
+    /// block; entries to the left of a block are 0.
     #[must_use]
     pub fn together(a: &Wide, blocks: &[Vec<usize>], forms: &[Self]) -> Self {
         let n = a.rows.len();
