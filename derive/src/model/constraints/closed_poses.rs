@@ -196,7 +196,11 @@ impl Closed {
 
     /// Least singular value of these rows over all closed poses: their distance from dependent rows.
     fn least(&self, rows: &[usize]) -> f64 {
-        let value = |pose: &DMatrix<f64>| pose.select_rows(rows).singular_values().min();
+        // A pose in which a slope has no value distinguishes no rows.
+        let value = |pose: &DMatrix<f64>| {
+            let part = pose.select_rows(rows);
+            if part.iter().all(|x| x.is_finite()) { part.singular_values().min() } else { 0.0 }
+        };
         self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
     }
 
@@ -283,7 +287,11 @@ fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
 
 /// Indices of the rows, among those kept, of which a row is a linear combination. `None` if the solution fails.
 fn shares(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
-    let shares = matrix.select_rows(kept).transpose().svd(true, true).solve(row, 1e-12).ok()?;
+    let rows = matrix.select_rows(kept).transpose();
+    if !rows.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let shares = rows.svd(true, true).solve(row, 1e-12).ok()?;
     Some(kept.iter().zip(shares.iter()).filter(|(_, share)| share.abs() > INDEPENDENT).map(|(at, _)| *at).collect())
 }
 
@@ -324,6 +332,9 @@ impl Poses<'_> {
             }
             let values = tape.evaluate(&self.with_known(&q));
             let slopes = DMatrix::from_row_slice(rows, columns, &values[rows..]);
+            if !slopes.iter().all(|x| x.is_finite()) {
+                continue;
+            }
             let svd = slopes.singular_values();
             let rank = svd.iter().filter(|value| **value > INDEPENDENT * svd.max()).count();
             if rank > best.0 {
@@ -392,7 +403,11 @@ impl Poses<'_> {
         let mut direction = DVector::from_vec(start);
         for _ in 0..WALK {
             let values = tape.evaluate(&self.with_known(&q));
-            let svd = DMatrix::from_row_slice(rows, columns, &values[rows..]).svd(false, true);
+            let slopes = DMatrix::from_row_slice(rows, columns, &values[rows..]);
+            if !slopes.iter().all(|x| x.is_finite()) {
+                return;
+            }
+            let svd = slopes.svd(false, true);
             let (Some(axes), largest) = (svd.v_t, svd.singular_values.max()) else { return };
             // Continue in the direction so far, as far as the loops permit.
             let mut onward = direction.clone();

@@ -14,6 +14,8 @@ use tripos_traits::{DoubleDouble, Scalar};
 const HALVINGS: usize = 200;
 /// Width, relative to the values at its ends, at which an interval is no longer halved.
 const WIDTH: f64 = 4.0 * f64::EPSILON;
+/// Ratio of two crossings' distance to their value up to which they are one.
+const SAME: f64 = 1e-9;
 /// Largest number of crossings that are distinguished between two values.
 const MOST_CROSSINGS: usize = 32;
 
@@ -175,7 +177,7 @@ impl Way<'_> {
         let family = from.about.still;
         let is_negative = |point: &Point| is_negative(&point.about.system.a, family);
         let stands = |point: &Point| (growing(point), is_negative(point));
-        let mut list = Vec::new();
+        let mut list = Vec::<Crossing>::new();
         let mut from = from.clone();
         for _ in 0..MOST_CROSSINGS {
             if stands(&from) == stands(to) {
@@ -191,6 +193,10 @@ impl Way<'_> {
                 }
                 _ => (None, 0.0),
             };
+            // Next to a crossing, eigenvalues near 0 may be undecided: what changes at both ends of that stretch is one
+            // crossing.
+            let is_same = |known: &Crossing| (known.value - after.value).abs() <= SAME * after.value.abs();
+            let kind = kind.filter(|_| !list.iter().any(is_same));
             list.extend(kind.map(|kind| Crossing { kind, value: after.value, frequency }));
             from = after;
         }
