@@ -1,8 +1,9 @@
 //! Comparison of two terms by meaning: equal, different or undecided.
 //!
 //! ```
-//! use tripos_derive::algebra::{Arena, parse::parse_free};
+//! use tripos_derive::algebra::Arena;
 //! use tripos_derive::algebra::meaning::compare::{Comparer, Verdict};
+//! use tripos_derive::algebra::text::parse::parse_free;
 //!
 //! let mut arena = Arena::new();
 //! let a = parse_free(&mut arena, "1 + tan(q)^2").unwrap();

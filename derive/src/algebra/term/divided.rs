@@ -39,7 +39,9 @@ pub struct Divided {
 /// Steffensen.
 ///
 /// ```
-/// use tripos_derive::algebra::{Arena, divided::divided_difference, parse::parse_free, print::text};
+/// use tripos_derive::algebra::Arena;
+/// use tripos_derive::algebra::term::divided::divided_difference;
+/// use tripos_derive::algebra::text::{parse::parse_free, print::text};
 ///
 /// let arena = &mut Arena::new();
 /// let [x, a, b] = ["x", "a", "b"].map(|name| arena.symbol(name));

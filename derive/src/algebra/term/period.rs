@@ -10,7 +10,9 @@ use rustc_hash::FxHashMap;
 /// mentions x; `None` if the form shows no period.
 ///
 /// ```
-/// use tripos_derive::algebra::{Arena, Rational, parse::parse_free, period::turns};
+/// use tripos_derive::algebra::term::period::turns;
+/// use tripos_derive::algebra::text::parse::parse_free;
+/// use tripos_derive::algebra::{Arena, Rational};
 ///
 /// let arena = &mut Arena::new();
 /// let x = arena.symbol("x");
