@@ -560,3 +560,55 @@ fn three_screws_in_a_loop_keep_their_laws() {
         assert!(law.abs() < 1e-12 && force.abs() > 1.0, "{pair}: {force} N, {torque} N m");
     }
 }
+
+/// A body b that slides along a body a in the plane, with a blade under each, given by the statement of its velocity:
+/// that of a at its centre, that of b at a distance e before its centre. A force F acts across b at d before its
+/// centre.
+fn blades(of_b: &str, reactions: &str) -> Model {
+    loaded(&format!(
+        "name = \"blades\"\n[parameters]\nm = \"1 kg\"\nJ = \"1 kg*m^2\"\nF = \"10 N\"\nh = \"0.5 m\"\nd = \"0.3 m\"\ne = \"0.2 m\"\n[inertial]\n\
+         frame = \"N\"\norigin = \"O\"\n[bodies]\na = {{ mass = \"m\", inertia = \"J\" }}\nb = {{ mass = \"m\", inertia = \"J\" }}\n[joints]\nJa = {{ \
+         kind = \"planar\", body = \"a\", coordinates = [\"x\", \"y\", \"th\"] }}\nJb = {{ kind = \"slider\", axis = 1, body = \"b\", to = \"a\", at = \
+         [\"h\", 0, 0], coordinates = [\"s\"] }}\n[points]\nX = {{ from = \"b_centre\", frame = \"b_frame\", position = [\"d\", 0, 0] }}\nE = {{ \
+         from = \"b_centre\", frame = \"b_frame\", position = [\"e\", 0, 0] }}\n[forces.push]\nat = \"X\"\non = \"b\"\nframe = \"b_frame\"\nvector \
+         = [0, \"F\", 0]\n[constraints]\nEa = {{ equation = \"v(a_centre) @ a_frame [2] = 0\" }}\nEb = {{ equation = \"{of_b}\" }}\n{reactions}"
+    ))
+}
+
+/// Goal: a blade holds the body and the point that its constraint names, and no joint holds a direction that it leaves
+/// free, even if two blades together stop it. Method: statics across the blades. With the blade of b at e, moments
+/// about the centre of a give B = −F (h + s + d)/(h + s + e) on b, and A = −F − B on a.
+#[test]
+fn blades_hold_the_bodies_that_they_name() {
+    let named = |at: &str| {
+        format!(
+            "[reactions]\nra = {{ on = \"a\", frame = \"a_frame\", direction = [0, 1, 0] }}\nrb = {{ on = \"b\", {at}frame = \"b_frame\", direction = \
+             [0, 1, 0] }}\n"
+        )
+    };
+    let cases = [
+        ("v(b_centre) @ b_frame [2] = 0", String::new(), 0.0),
+        ("v(E) @ b_frame [2] = 0", String::new(), 0.2),
+        ("v(b, E) @ a_frame [2] = 0", String::new(), 0.2),
+        ("v(b_centre) @ b_frame [2] = 0", named(""), 0.0),
+        ("v(E) @ b_frame [2] = 0", named("at = \"E\", "), 0.2),
+    ];
+    for (equation, reactions, e) in cases {
+        let mut model = blades(equation, &reactions);
+        proved(&model, equation);
+        let (s, h, d, load) = (0.5, 0.5, 0.3, 10.0);
+        let under_b = -load * (h + s + d) / (h + s + e);
+        let under_a = -load - under_b;
+        let expected = [
+            ("force(ground on a) @ N [2]", under_a),
+            ("torque(ground on a about a_centre) @ N [3]", 0.0),
+            ("force(a on b) @ N [2]", under_a),
+            ("torque(a on b about b_centre) @ N [3]", -load * d - under_b * e),
+            ("force(ground on b) @ N [2]", under_b),
+        ];
+        for (text, right) in expected {
+            let found = at(&mut model, text, &[0.0, 0.0, 0.0, s, 1.0, 0.2]);
+            assert!((found - right).abs() < 1e-12, "{equation}: {text} is {found}, not {right}");
+        }
+    }
+}

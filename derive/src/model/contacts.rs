@@ -6,6 +6,11 @@ use crate::algebra::text::parse::VelocityOf;
 /// Velocities, places and bodies that one constraint of the model file ties together. The bodies may touch.
 #[derive(Clone, Debug)]
 pub struct Compared {
+    /// Name of the constraint.
+    pub name: String,
+    /// Velocity that the constraint states alone, with the frame and the axis, 0, 1 or 2, of its component. `None` if
+    /// the constraint contains other velocities, rates or speeds.
+    pub alone: Option<(VelocityOf<usize>, usize, usize)>,
     /// Velocities and places that the constraint names.
     pub named: Vec<VelocityOf<usize>>,
     /// Indices of bodies whose own coordinates, or their rates, the constraint contains, in the order of the model

@@ -343,9 +343,8 @@ impl<'a> Loading<'a> {
         let closings = joints.closings(elements);
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
-        let equations: Vec<Expr> = stated.iter().map(|c| c.equation).collect();
         let mut compared: Vec<Compared> =
-            equations.into_iter().map(|e| self.compared(elements, coordinates, &velocities, e)).collect();
+            stated.iter().map(|c| self.compared(elements, coordinates, &velocities, (&c.name, c.equation))).collect();
         let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
         let needs_motion = !closings.is_empty()
             || !rolling.is_empty()

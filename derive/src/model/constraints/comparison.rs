@@ -28,7 +28,7 @@ impl Loading<'_> {
         elements: &Elements,
         coordinates: &[Coordinate],
         velocities: &[NamedVelocity],
-        equation: Expr,
+        (name, equation): (&str, Expr),
     ) -> Compared {
         let parts = self.arena.reachable(&[equation]);
         let names: Vec<&NamedVelocity> = velocities.iter().filter(|v| parts.contains(&v.symbol)).collect();
@@ -50,7 +50,15 @@ impl Loading<'_> {
         }
         let may_compare = !names.is_empty() || own.len() == 2;
         let is_difference = may_compare && is_difference(&mut self.arena, &tied, equation);
-        Compared { named, own, moved, is_difference }
+        let others = self.names.symbols_of(&[Kind::Rate, Kind::Speed]);
+        let alone = match names.as_slice() {
+            [NamedVelocity { of: VelocityOf::Place(_), .. }] => None,
+            [only] if !others.iter().any(|symbol| parts.contains(symbol)) => {
+                Some((only.of.clone(), only.frame, only.axis))
+            }
+            _ => None,
+        };
+        Compared { name: name.to_owned(), alone, named, own, moved, is_difference }
     }
 
     /// Indices of bodies whose own coordinates an equation contains, in the order of the model file. If the equation

@@ -186,7 +186,7 @@ impl Relative<'_> {
     }
 
     /// The one body to which a point belongs: as its mass centre, or else in its material. `None` if several have it.
-    fn owner(&self, point: usize) -> Option<usize> {
+    pub fn owner(&self, point: usize) -> Option<usize> {
         let bodies = &self.model.bodies;
         if let Some(body) = bodies.iter().position(|body| body.centre == point) {
             return Some(body);

@@ -1,17 +1,19 @@
 //! Reactions that the connections of the model file carry, in this order.
 //!
 //! 1. Reactions that the file names, and joints that close loops.
-//! 2. Contacts without slip, along the directions that are stated.
+//! 2. Contacts without slip, along the directions that are stated, and edges: a constraint that states one component of
+//!    the velocity of a body's point, or of a body's angular velocity, holds the body there against the ground.
 //! 3. Joints, and bodies from whose points or in whose frames other bodies are placed.
 //! 4. Contacts without slip that follow from the placement of bodies: a wheel presses on the ground, not the car.
 //! 5. The ground, under bodies that rest on nothing else; last under bodies that touch another body.
 //! 6. Bodies that the file states to touch: all reactions between them, in addition to those of the contact.
 
 use super::search::{Along, Found, Search};
+use crate::algebra::text::parse::VelocityOf;
 use crate::algebra::value::field::Field;
 use crate::algebra::value::rank::Basis;
 use crate::model::reactions::random_pose::Triple;
-use crate::model::reactions::relative_motion::{Holder, Relative};
+use crate::model::reactions::relative_motion::{Holder, Relative, sides};
 use crate::model::reactions::supports::{Reason, Rest};
 use crate::model::{MotionConstraint, Place, ReactionKind, Rolled, Tie};
 
@@ -21,6 +23,8 @@ struct Ways {
     open: Option<Vec<Vec<u64>>>,
     /// Motions in which the model file's other equations between velocities do not hold.
     free: Option<Vec<Vec<u64>>>,
+    /// Constraints between velocities that are enforced elsewhere than in joints, by name.
+    placed: Vec<String>,
 }
 
 impl Search<'_> {
@@ -48,8 +52,15 @@ impl Search<'_> {
             |rolled: &Rolled| self.rests.iter().any(|rest| (rest.body, rest.holder) == (rolled.body, rolled.against));
         let built_in = model.repeated.iter().filter_map(|repeated| repeated.rolled);
         let built_in: Vec<Rolled> = built_in.filter(|rolled| !rests_there(rolled)).collect();
-        let ways = Ways { open: self.relative.open(true), free: self.relative.open(false) };
+        let edges = self.relative.edges();
+        let elsewhere: Vec<&str> = edges.iter().map(|(name, ..)| name.as_str()).collect();
+        let ways = Ways {
+            open: self.relative.open(true, &elsewhere),
+            free: self.relative.open(false, &elsewhere),
+            placed: elsewhere.iter().map(|name| (*name).to_owned()).collect(),
+        };
         self.rolled(&tied, 0);
+        self.edges(&edges);
         self.connections(&placed, &ways);
         let built_in: Vec<Rolled> = built_in.into_iter().map(|rolled| self.relative.along_own_axis(rolled)).collect();
         self.rolled(&built_in, self.last_place());
@@ -67,6 +78,25 @@ impl Search<'_> {
             let direction = self.relative.drawn.frames[frame].axes[axis];
             if slips.iter().all(|slip| self.relative.drawn.space.dot(*slip, direction) == 0) {
                 self.choose(place, Found::along_axis(kind, (frame, axis)), direction, Vec::new());
+            }
+        }
+    }
+
+    /// Chooses the forces and torques of edges, unless the model file names a reaction that holds the edge's body
+    /// against the ground.
+    fn edges(&mut self, edges: &[(String, ReactionKind, (usize, usize))]) {
+        for (name, kind, (frame, axis)) in edges {
+            let model = self.relative.model;
+            let is_enforced = model.motion_constraints.iter().any(|c| c.name == *name && c.enforced_by.is_some());
+            let is_held = model.stated_reactions().iter().any(|reaction| sides(reaction.kind) == sides(*kind));
+            let velocities = match *kind {
+                ReactionKind::Force { on, .. } => self.relative.slips(on.body, None, (on.point, on.point)),
+                ReactionKind::Torque { on, .. } => self.relative.turns(on, None),
+            };
+            let direction = self.relative.drawn.frames[*frame].axes[*axis];
+            let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
+            if !is_enforced && !is_held && !works {
+                self.choose(0, Found::along_axis(*kind, (*frame, *axis)), direction, Vec::new());
             }
         }
     }
@@ -119,7 +149,7 @@ impl Search<'_> {
         }
         let in_motion = self.relative.working(body, holder);
         let powers: Vec<Vec<u64>> = working.iter().map(|(_, power)| power.clone()).collect();
-        let law = if ways.free.is_some() { self.law(body, holder) } else { None };
+        let law = if ways.free.is_some() { self.law(body, holder, &ways.placed) } else { None };
         let of_speeds = self.relative.model.speeds.len();
         for (at, (found, _)) in working.iter().enumerate() {
             let along_speeds = in_motion.iter().find(|(other, _)| other.is_same(found)).map(|(_, power)| power.clone());
@@ -142,7 +172,7 @@ impl Search<'_> {
     /// Reactions of a connection that do work if loops are open and nothing rolls, each with its power along the rate
     /// of each coordinate. `None` if an equation of the model file between velocities ties these rates: the connection
     /// may hold what the equation prevents.
-    fn law(&mut self, body: usize, holder: Holder) -> Option<Vec<(Found, Vec<u64>)>> {
+    fn law(&mut self, body: usize, holder: Holder, placed: &[String]) -> Option<Vec<(Found, Vec<u64>)>> {
         let model = self.relative.model;
         let (n, open) = (model.coordinates.len(), model.undriven());
         let unit = |along: usize| (0..n).map(|at| u64::from(at == along && open.contains(&at))).collect();
@@ -151,7 +181,9 @@ impl Search<'_> {
         self.relative.ways_if_open = before;
         let moves = |at: usize| list.iter().any(|(_, power)| power[at] != 0);
         let ties = |at: usize, constraint: &MotionConstraint| {
-            constraint.tie == Tie::Stated && model.arena.mentions(constraint.equation, model.coordinates[at].rate)
+            constraint.tie == Tie::Stated
+                && !placed.contains(&constraint.name)
+                && model.arena.mentions(constraint.equation, model.coordinates[at].rate)
         };
         let is_tied = (0..n).any(|at| moves(at) && model.motion_constraints.iter().any(|c| ties(at, c)));
         (!is_tied).then_some(list)
@@ -159,15 +191,44 @@ impl Search<'_> {
 }
 
 impl Relative<'_> {
-    /// Motions that the mechanism would have if loops were open and nothing rolled. Equations of the model file between
-    /// velocities hold if `are_held`. `None` if these are the mechanism's own motions.
-    fn open(&self, are_held: bool) -> Option<Vec<Vec<u64>>> {
+    /// Constraints that each state one velocity of one body alone, by name, with the force or the torque that holds the
+    /// body against the ground, and the frame and the axis of its direction.
+    fn edges(&self) -> Vec<(String, ReactionKind, (usize, usize))> {
+        let model = self.model;
+        let holds = |of: &VelocityOf<usize>| {
+            let (body, point) = match *of {
+                VelocityOf::Material(body, point) => (body, point),
+                VelocityOf::Point(point) => (self.owner(point)?, point),
+                VelocityOf::Turning(frame) => {
+                    let is_own =
+                        |body: &usize| model.bodies[*body].rigid.as_ref().is_some_and(|(own, _)| *own == frame);
+                    let mut bodies = (0..model.bodies.len()).filter(is_own);
+                    let on = bodies.next().filter(|_| bodies.next().is_none())?;
+                    return Some(ReactionKind::Torque { on, against: None });
+                }
+                VelocityOf::Place(_) => return None,
+            };
+            Some(ReactionKind::Force { on: Place { body, point }, against: None })
+        };
+        let stated = model.motion_constraints.iter().filter(|c| c.tie == Tie::Stated);
+        let edge = |constraint: &MotionConstraint| {
+            let compared = model.contacts.compared.iter().find(|compared| compared.name == constraint.name)?;
+            let (of, frame, axis) = compared.alone.as_ref()?;
+            Some((constraint.name.clone(), holds(of)?, (*frame, *axis)))
+        };
+        stated.filter_map(edge).collect()
+    }
+
+    /// Motions that the mechanism would have if loops were open and nothing rolled, without the constraints whose names
+    /// are `placed`. Other equations of the model file between velocities hold if `are_held`. `None` if these are the
+    /// mechanism's own motions.
+    fn open(&self, are_held: bool, placed: &[&str]) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let holds = |constraint: &MotionConstraint| match constraint.tie {
             Tie::Loop(at) => model.loops[at].prescribes,
             Tie::Clock => true,
             Tie::Rolling(_) => false,
-            Tie::Stated => are_held,
+            Tie::Stated => are_held && !placed.contains(&constraint.name.as_str()),
         };
         let is_open = !model.motion_constraints.iter().all(holds);
         is_open.then(|| self.open_ways(&mut model.arena.clone(), &holds)).flatten()
