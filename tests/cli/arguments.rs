@@ -39,7 +39,7 @@ fn a_value_that_is_set_is_that_of_the_scene() {
         ("mass=4", "the scene has no parameter or start value `mass`"),
         ("M", "`--set M` gives no value"),
         ("M=1,2", "`--set` gives 2 values where a run has one"),
-        ("M=-1", "M"),
+        ("M=-1", "`M` is stated to be positive but is -1"),
     ] {
         let said = refused(place, &["simulate", "crane/scenes/first.toml", "--set", value]);
         assert!(said.contains(expected), "{value}: {said}");
@@ -87,6 +87,8 @@ fn axes_name_the_units_of_formulas() {
         ("sin(q_pivot)", "1"),
         ("q_pivot'", "rad/s"),
         ("u_track'", "m/s²"),
+        ("q_track/l", "1"),
+        ("u_track/l", "1/s"),
         ("M*g", "N"),
     ] {
         let arguments = ["plot", "crane/scenes/first.toml", "--what", what, "--out", "figure.svg"];

@@ -24,7 +24,7 @@ const CERTIFIED: [(&str, f64); 10] = [
 ];
 
 const LEAN: &str = "models/disk/scenes/lean.toml";
-const PUBLICATION: &str = "models/disk/scenes/report-10s.toml";
+const REPORT: &str = "models/disk/scenes/report-10s.toml";
 
 #[test]
 fn the_ledger_of_the_lean_scene_says_what_is_left_of_ten_states() {
@@ -48,7 +48,7 @@ fn the_ledger_of_the_lean_scene_says_what_is_left_of_ten_states() {
 fn ten_outputs_after_ten_seconds_are_exact_to_1e_12() {
     let taylor = ["--method", "taylor", "--rtol", "1e-15", "--atol", "1e-15", "--project", "energy"];
     for how in [&taylor[..], &["--method", "quadrature"]] {
-        let run = asked(&[&["simulate", PUBLICATION, "--json"][..], how].concat());
+        let run = asked(&[&["simulate", REPORT, "--json"][..], how].concat());
         assert_eq!((run["formulation"].as_str(), run["compiled"].as_bool()), (Some("reduced"), Some(true)));
         for (name, exact) in CERTIFIED {
             let error = (run["state"][name].as_f64().unwrap() - exact).abs() / (1.0 + exact.abs());
@@ -97,9 +97,9 @@ fn what_equations_do_not_contain_is_refused_with_what_to_do() {
         .unwrap();
     let (status, _, err) = answer(&["scene", path.to_str().unwrap()]);
     assert!(status == 2 && err.contains("bounce") && err.contains("state the contact under [impacts]"), "{err}");
-    let (status, _, err) = answer(&["simulate", PUBLICATION, "--by", "kane", "--method", "quadrature"]);
+    let (status, _, err) = answer(&["simulate", REPORT, "--by", "kane", "--method", "quadrature"]);
     assert!(status == 2 && err.contains("one degree of freedom"), "{err}");
-    let (status, _, err) = answer(&["simulate", PUBLICATION, "--by", "kane", "--project", "energy"]);
+    let (status, _, err) = answer(&["simulate", REPORT, "--by", "kane", "--project", "energy"]);
     assert!(status == 2 && err.contains("own equations"), "{err}");
 }
 

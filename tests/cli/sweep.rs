@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Stdio;
 use std::time::Duration;
 
-const PUBLICATION: &str = "models/disk/scenes/report-10s.toml";
+const REPORT: &str = "models/disk/scenes/report-10s.toml";
 
 fn text_of(path: impl AsRef<Path>) -> String {
     std::fs::read_to_string(path).unwrap()
@@ -102,7 +102,7 @@ fn rows_of_the_disk_are_what_simulate_gives() {
     };
     let over = ["q2=0.03:1.6:4", "g=1.62,9.81", "q2'=-9:1:2"];
     let more = ["--method", "dopri5", "--rtol", "1e-6", "--until", "2"];
-    let text = text_of(root().join(PUBLICATION));
+    let text = text_of(root().join(REPORT));
     let scene = ("models/disk/model.toml", text.as_str());
     rows_are_runs(scene, &over, &more, &[0, 3, 6, 9, 15], &edit);
     // The scene's own method, its own tolerances, and the other formulations with the other solve.
@@ -140,10 +140,10 @@ fn rows_of_an_interpreted_model_are_what_simulate_gives() {
 #[test]
 fn shards_one_after_another_are_the_whole_file() {
     let grid = ["--over", "M=-1:2:4", "--over", "q2=0.1:1.7:9", "--until", "0.5"];
-    let whole = sweep(3, PUBLICATION, &grid);
+    let whole = sweep(3, REPORT, &grid);
     assert_eq!(whole.lines().count(), 37);
-    assert_eq!(sweep(3, PUBLICATION, &[&grid[..], &["--threads", "1"]].concat()), whole);
-    assert_eq!(sweep(3, PUBLICATION, &[&grid[..], &["--threads", "5"]].concat()), whole);
+    assert_eq!(sweep(3, REPORT, &[&grid[..], &["--threads", "1"]].concat()), whole);
+    assert_eq!(sweep(3, REPORT, &[&grid[..], &["--threads", "5"]].concat()), whole);
     let (header, _) = whole.split_at(whole.find('\n').unwrap() + 1);
     for of in [2, 5, 40] {
         let mut joined = header.to_owned();
@@ -151,7 +151,7 @@ fn shards_one_after_another_are_the_whole_file() {
             let folder = tempfile::tempdir().unwrap();
             let out = folder.path().join("part.csv");
             let shard = format!("{part}/{of}");
-            let own = ["sweep", PUBLICATION, "--shard", &shard, "--out", out.to_str().unwrap()];
+            let own = ["sweep", REPORT, "--shard", &shard, "--out", out.to_str().unwrap()];
             tripos(&[&own[..], &grid].concat());
             let text = text_of(out);
             joined.push_str(text.strip_prefix(header).expect("every part has the header"));
@@ -163,7 +163,7 @@ fn shards_one_after_another_are_the_whole_file() {
 /// Goal: each row states its outcome, for points of every kind.
 #[test]
 fn a_point_without_an_answer_is_a_row_with_its_reason() {
-    let rows = table(&sweep(3, PUBLICATION, &["--over", "M=-1,0,1", "--over", "q2=0.5,2", "--until", "0.25"]));
+    let rows = table(&sweep(3, REPORT, &["--over", "M=-1,0,1", "--over", "q2=0.5,2", "--until", "0.25"]));
     let column = |name: &str| rows.iter().map(|row| row[name].as_str()).collect::<Vec<&str>>();
     assert_eq!(column("index"), ["0", "1", "2", "3", "4", "5"]);
     assert_eq!(column("over:M"), ["-1", "-1", "0", "0", "1", "1"]);
@@ -174,8 +174,7 @@ fn a_point_without_an_answer_is_a_row_with_its_reason() {
     assert_eq!(column("reason")[4..], ["", ""]);
     let run = |step: &str| {
         let folder = tempfile::tempdir().unwrap();
-        let text =
-            text_of(root().join(PUBLICATION)).replace("rtol = 1e-3", &format!("rtol = 1e-3\nstep_limit = {step}"));
+        let text = text_of(root().join(REPORT)).replace("rtol = 1e-3", &format!("rtol = 1e-3\nstep_limit = {step}"));
         let rows = table(&sweep(3, &scene(folder.path(), "models/disk/model.toml", &text), &["--over", "q2=0.5,0.6"]));
         let count = |name: &str| rows[1][name].parse::<u64>().unwrap();
         (rows[1]["stop"].clone(), count("steps") + count("rejected"), rows[1]["reason"].clone())
@@ -202,7 +201,7 @@ fn the_summary_counts_how_rows_ended() {
     let out = folder.path().join("out.csv");
     let out = out.to_str().unwrap();
     let grid = ["--over", "M=0:2:3", "--over", "q2=0.5,2", "--until", "0.25", "--by", "kane"];
-    let output = tripos(&[&["sweep", PUBLICATION, "--json", "--threads", "2", "--out", out], &grid[..]].concat());
+    let output = tripos(&[&["sweep", REPORT, "--json", "--threads", "2", "--out", out], &grid[..]].concat());
     assert_eq!(status(&output), 3);
     let mut json: serde_json::Value =
         serde_json::from_slice(&output.stdout).expect("standard output is the JSON alone");
@@ -248,7 +247,7 @@ fn the_summary_counts_how_rows_ended() {
         }
     "#]]
     .assert_eq(&format!("{json:#}\n").replace(out, "OUT"));
-    let output = tripos(&[&["sweep", PUBLICATION, "--overwrite", "--shard", "2/2", "--out", out], &grid[..]].concat());
+    let output = tripos(&[&["sweep", REPORT, "--overwrite", "--shard", "2/2", "--out", out], &grid[..]].concat());
     assert_eq!((status(&output), output.stdout.len()), (0, 0));
     let text = stderr(&output);
     assert!(text.contains("3 points (part 2 of 2, from point 3) of 6 in "), "{text}");
@@ -259,7 +258,7 @@ fn the_summary_counts_how_rows_ended() {
 #[test]
 fn what_is_conserved_changes_little() {
     let tight = ["--method", "dop853", "--rtol", "1e-12", "--atol", "1e-12", "--until", "1", "--over", "q2=0.1:1.2:5"];
-    let text = sweep(0, PUBLICATION, &tight);
+    let text = sweep(0, REPORT, &tight);
     let names: Vec<&str> =
         text.lines().next().unwrap().split(',').filter(|name| name.starts_with("change of ")).collect();
     assert!(names.len() >= 5 && names[0] == "change of energy T + V", "{names:?}");
@@ -270,7 +269,7 @@ fn what_is_conserved_changes_little() {
             assert!(change < 1e-7, "{name}: {change:e}");
         }
     }
-    let loose = table(&sweep(0, PUBLICATION, &["--rtol", "1e-1", "--over", "q2=0.0349"]));
+    let loose = table(&sweep(0, REPORT, &["--rtol", "1e-1", "--over", "q2=0.0349"]));
     assert!(loose[0]["change of energy T + V"].parse::<f64>().unwrap() > 1e-3, "what is not kept is seen");
 }
 
@@ -279,7 +278,7 @@ fn wrong_requests_are_refused_before_anything_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out.csv");
     let refused = |arguments: &[&str]| {
-        let output = tripos(&[&["sweep", PUBLICATION, "--out", out.to_str().unwrap()], arguments].concat());
+        let output = tripos(&[&["sweep", REPORT, "--out", out.to_str().unwrap()], arguments].concat());
         assert_eq!(status(&output), 2, "{arguments:?}");
         assert!(
             output.stdout.is_empty() && std::fs::read_dir(folder.path()).unwrap().next().is_none(),
@@ -351,7 +350,7 @@ fn a_file_that_is_there_is_not_lost() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out.csv");
     std::fs::write(&out, "precious").unwrap();
-    let arguments = ["sweep", PUBLICATION, "--over", "q2=0.1", "--until", "0.1", "--out", out.to_str().unwrap()];
+    let arguments = ["sweep", REPORT, "--over", "q2=0.1", "--until", "0.1", "--out", out.to_str().unwrap()];
     let output = tripos(&arguments);
     assert_eq!((status(&output), text_of(&out).as_str()), (2, "precious"));
     assert!(stderr(&output).contains("is there already") && stderr(&output).contains("--overwrite"));
@@ -374,7 +373,7 @@ fn a_file_that_is_there_is_not_lost() {
 fn an_interrupted_sweep_leaves_no_file_that_looks_whole() {
     let folder = tempfile::tempdir().unwrap();
     let (out, part) = (folder.path().join("out.csv"), folder.path().join("out.csv.part"));
-    let arguments = ["sweep", PUBLICATION, "--until", "0.5", "--out", out.to_str().unwrap(), "--over"];
+    let arguments = ["sweep", REPORT, "--until", "0.5", "--out", out.to_str().unwrap(), "--over"];
     let mut long = command(&root(), &[&arguments[..], &["q2=0.1:1:1000000000"]].concat());
     let mut long = long.stderr(Stdio::null()).spawn().unwrap();
     let rows = || std::fs::read_to_string(&part).map_or(0, |text| text.lines().count());

@@ -51,17 +51,19 @@ impl Model {
 
     /// The kind of a term, from its operands upwards.
     fn kind(&self, arena: &Arena, e: Expr) -> Kind {
-        let moving: Vec<Expr> = self
-            .coordinates
-            .iter()
-            .flat_map(|c| [c.symbol, c.rate, c.second_rate])
-            .chain(self.speeds.iter().flat_map(|s| [s.symbol, s.rate]))
-            .collect();
+        let coordinates = self.coordinates.iter().map(|c| (vec![c.symbol, c.rate, c.second_rate], c.unit.is_plain()));
+        let speeds = self.speeds.iter().map(|s| (vec![s.symbol, s.rate], s.unit.is_of_time()));
+        let moving: Vec<(Vec<Expr>, bool)> = coordinates.chain(speeds).collect();
+        let is_angle = |e: &Expr| moving.iter().find(|(symbols, _)| symbols.contains(e)).map(|(_, is_angle)| *is_angle);
         let mut kinds: FxHashMap<Expr, Kind> = FxHashMap::default();
         for part in arena.reachable(&[e]) {
             let kind = match arena.node(part) {
-                Node::Symbol(_) if moving.contains(&part) => Kind::Angle(Measure::Radians, Rational::ONE),
-                Node::Symbol(_) | Node::Number(_) | Node::Pi => Kind::Constant,
+                Node::Symbol(_) => match is_angle(&part) {
+                    Some(true) => Kind::Angle(Measure::Radians, Rational::ONE),
+                    Some(false) => Kind::Other,
+                    None => Kind::Constant,
+                },
+                Node::Number(_) | Node::Pi => Kind::Constant,
                 Node::Named(_, term) => kinds[term].clone(),
                 Node::Sum(_, terms) => sum(terms.iter().map(|(term, factor)| (kinds[term].clone(), factor.clone()))),
                 Node::Product(factors) => {
