@@ -212,3 +212,78 @@ fn bounces_that_become_shorter_end_beside_a_body_at_rest() {
         }
     }
 }
+
+/// Goal: contacts are held in every formulation: the unknown reactions of Newton and Euler are no multipliers. Method:
+/// a ball comes down on a wedge that slides on a spring, and stays on it with friction. Truth: Kane's equations, which
+/// have no reactions.
+#[test]
+fn contacts_are_held_by_every_formulation() {
+    let model = r#"
+name = "particle on a wedge"
+[parameters]
+M = "2 kg"
+m = "1 kg"
+g = "9.81 m/s^2"
+al = { unit = "rad", value = 0.3 }
+k = "50 N/m"
+[coordinates]
+X = { unit = "m" }
+x = { unit = "m" }
+y = { unit = "m" }
+[speeds]
+U = "X'"
+u = "x'"
+v = "y'"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+F = { from = "N", axis = 3, angle = "al" }
+[points]
+W = { from = "O", frame = "N", position = ["X", 0, 0] }
+C = { from = "O", frame = "N", position = ["x", "y", 0] }
+[particles]
+wedge = { point = "W", mass = "M" }
+ball = { point = "C", mass = "m" }
+[gravity]
+frame = "N"
+acceleration = [0, "-g", 0]
+[potentials]
+s = "k*X^2/2"
+"#;
+    let text = r#"
+model = "model.toml"
+title = "a"
+span = [0, 1]
+[start]
+X = 0
+x = 0.1
+y = 0.5
+U = 0
+u = 0
+v = 0
+[impacts.c]
+gap = "p(C) @ F [2] - p(W) @ F [2]"
+restitution = 0
+friction = 0.1
+along = "v(C) @ F [1] - v(W) @ F [1]"
+"#;
+    let model = load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
+    let scene = Scene::parse(Mechanism::new(model), text).unwrap_or_else(|e| panic!("{e}"));
+    let by = |by: &str, solve: tripos::Solve| {
+        let how = Overrides { by: Some(by.to_owned()), solve: Some(solve), ..Overrides::default() };
+        let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"));
+        assert!(run.failure().is_none(), "{by}: {:?}", run.objections());
+        run
+    };
+    let kane = by("kane", tripos::Solve::Eliminated);
+    for other in ["newton-euler", "lagrange"] {
+        for solve in [tripos::Solve::Eliminated, tripos::Solve::Numeric] {
+            let run = by(other, solve);
+            for name in ["x", "y", "X", "u", "U"] {
+                let (found, wanted) = (end(&run, name), end(&kane, name));
+                assert!((found - wanted).abs() < 1e-6, "{other}: {name} is {found}, not {wanted}");
+            }
+        }
+    }
+}

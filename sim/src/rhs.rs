@@ -297,7 +297,8 @@ pub(crate) fn constraints<S: Real>(system: &dyn System<S>, p: &[S], y: &[S], val
 }
 
 /// Writes the mass matrix of a system in all rates with multipliers, as [`RightHandSide::inertia`] does: the first
-/// block of the system's matrix, which is kept in `matrix`. False for other systems.
+/// block of the system's matrix, which is kept in `matrix`. False for other systems, such as those of Newton and Euler:
+/// their reactions are unknowns too, and their matrix is no mass matrix.
 pub(crate) fn inertia<S: Real>(
     system: &dyn System<S>,
     p: &[S],
@@ -305,8 +306,8 @@ pub(crate) fn inertia<S: Real>(
     matrix: &mut Vec<S>,
     out: &mut Vec<f64>,
 ) -> bool {
-    let Lengths { coordinates: n, variables, reactions, .. } = system.lengths();
-    if variables != n || reactions == 0 {
+    let Lengths { coordinates: n, variables, speeds, reactions, .. } = system.lengths();
+    if variables != n || speeds == n || reactions == 0 {
         return false;
     }
     let order = n + reactions;
