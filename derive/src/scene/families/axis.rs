@@ -276,10 +276,14 @@ impl Values<'_, '_> {
         if found.is_some() {
             return found;
         }
-        let constraint = model.constraints.iter().find(|c| c.fixes == name);
+        let of = name.strip_suffix('\'').unwrap_or(name);
+        let constraint = model.constraints.iter().find(|c| c.fixes == of);
         let (message, help) = if let Some(constraint) = constraint {
             let message = format!("`{name}` follows from the constraint `{}`", constraint.name);
-            (message, "sweep coordinates: they have values of their own".to_owned())
+            (
+                message,
+                "vary coordinates, rates and speeds that no constraint fixes: they have values of their own".to_owned(),
+            )
         } else if speed.is_some() || rate.is_some() {
             let stated = if by_rates { "every q'" } else { "every speed" };
             let message = format!("the start of the scene states {stated}, from which `{name}` follows");

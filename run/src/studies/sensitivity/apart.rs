@@ -2,10 +2,11 @@
 //!
 //! Equations in chosen speeds carry slopes along a run. Near a state where these speeds fail, slopes would be divided
 //! by a number that vanishes there. The run itself passes such states in the rates of all coordinates. So it is
-//! repeated with eight other values of a number, at finer tolerances, and the derivative is a difference of order 4.
-//! Its error comes from the same rule with twice the step, and from the errors of the runs divided by the step.
+//! repeated at finer tolerances, with other values of a number. Central differences with ever smaller steps are
+//! extrapolated to the step 0, until the errors grow with rounding (C. J. F. Ridders, "Accurate computation of F'(x)
+//! and F'(x) F''(x)", *Advances in Engineering Software* 4 (1982) 75–76). A long run may depend on a number by many
+//! turns, so that no fixed step would serve.
 
-use super::difference::CENTRAL;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::simulation::run::Run;
@@ -15,8 +16,17 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Nearby, Scene};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Real, Scalar, larger};
 
-/// Step of the differences of runs, relative to the size of the number that changes.
-const STEP: f64 = 1.0 / 1024.0;
+/// First step of the differences of runs, relative to the size of the number that changes. Each further step is half as
+/// long.
+const STEP: f64 = 1.0 / 256.0;
+/// Most steps of the differences of runs.
+const MOST_STEPS: usize = 14;
+/// Error, relative to a derivative, at which no shorter step is tried.
+const EXACT: f64 = 1e-9;
+/// Number of steps without a smaller error after which no shorter step is tried.
+const IDLE_STEPS: usize = 3;
+/// Largest number of extrapolations of one difference.
+const MOST_EXTRAPOLATIONS: usize = 4;
 /// Least size of a number of the start, in its unit: a smaller number counts as this size. The step of a parameter that
 /// is not zero is always relative to its own size.
 const LEAST: f64 = 0.01;
@@ -26,7 +36,7 @@ const FINER: f64 = 0.01;
 const FINEST: f64 = 1e-13;
 
 /// Text that tells how derivatives by differences of runs were found.
-pub const WORDS: &str = "differences of eight runs beside this one, since it changes its speeds";
+pub const WORDS: &str = "differences of runs beside this one, since it changes its speeds";
 
 /// Request for derivatives by differences of runs: quantities, scene and equations.
 pub struct Apart<'a> {
@@ -72,35 +82,56 @@ impl Apart<'_> {
         let (value, unit) = (nearby.value(), nearby.unit());
         let size = value.to_f64().abs();
         let is_parameter = self.mechanism.parameters.iter().any(|p| p.name == name);
-        let step = STEP * if is_parameter && size > 0.0 { size } else { size.max(LEAST) };
-        let mut at = |place: i32| -> Result<Told, Error> {
-            let scene = nearby.at(value + DoubleDouble::from_f64(step) * DoubleDouble::int(i64::from(place)))?;
+        let size = if is_parameter && size > 0.0 { size } else { size.max(LEAST) };
+        let mut at = |by: f64| -> Result<Told, Error> {
+            let scene = nearby.at(value + DoubleDouble::from_f64(by))?;
             self.told(&finer(scene), run)
         };
-        let narrow = CENTRAL.iter().map(|(place, _)| at(*place)).collect::<Result<Vec<_>, _>>()?;
-        let wide = CENTRAL.iter().map(|(place, _)| at(2 * place)).collect::<Result<Vec<_>, _>>()?;
-        let of = |list: &[Told], step: f64, pick: &dyn Fn(&Told) -> f64| {
-            let terms = list.iter().zip(CENTRAL).map(|(told, (_, weight))| weight as f64 * pick(told));
-            terms.sum::<f64>() / (12.0 * step)
-        };
-        let rounded = |at: usize| {
-            let errors = narrow.iter().map(|told| told.errors.as_ref().map(|errors| errors[at]));
-            errors.collect::<Option<Vec<f64>>>().map(|list| 1.5 * list.into_iter().fold(0.0, larger) / step)
-        };
-        let (mut values, mut errors) = (Vec::new(), Some(Vec::new()));
-        for at in 0..self.names.len() {
-            let pick = |told: &Told| told.values[at];
-            let (value, other) = (of(&narrow, step, &pick), of(&wide, 2.0 * step, &pick));
-            values.push(value);
-            errors = errors.zip(rounded(at)).map(|(mut list, rounded)| {
-                list.push((value - other).abs() + rounded);
-                list
-            });
-        }
         let count = run.solution.events.len();
-        let has_events = narrow.iter().all(|told| told.events.len() == count);
-        let events = has_events.then(|| (0..count).map(|at| of(&narrow, step, &|told| told.events[at])).collect());
-        Ok(Difference { unit, values, errors, t_end: of(&narrow, step, &|told| told.t_end), events })
+        let quantities = self.names.len();
+        let mut tables = vec![Table::default(); quantities + 1 + count];
+        let (mut have_errors, mut have_events) = (true, true);
+        let mut failure = None;
+        for level in 0..MOST_STEPS {
+            let step = size * STEP / f64::from(1 << level);
+            // A run far beside may end otherwise, where one close by does not.
+            let (above, below) = match at(step).and_then(|above| Ok((above, at(-step)?))) {
+                Ok(pair) => pair,
+                Err(error) => {
+                    failure = Some(error);
+                    tables.iter_mut().for_each(Table::clear);
+                    continue;
+                }
+            };
+            failure = None;
+            have_errors &= above.errors.is_some() && below.errors.is_some();
+            have_events = above.events.len() == count && below.events.len() == count;
+            let known = |told: &Told, at: usize| told.errors.as_ref().map_or(0.0, |errors| errors[at]);
+            for (at, table) in tables.iter_mut().enumerate() {
+                let pick = |told: &Told| match at.checked_sub(quantities) {
+                    None => told.values[at],
+                    Some(0) => told.t_end,
+                    Some(event) => told.events.get(event - 1).copied().unwrap_or(f64::NAN),
+                };
+                let rounding = if at < quantities { larger(known(&above, at), known(&below, at)) } else { 0.0 };
+                table.add((pick(&above) - pick(&below)) / (2.0 * step), rounding / step);
+            }
+            // An instant that is not compared ends no search.
+            if tables[..=quantities].iter().all(Table::is_done) {
+                break;
+            }
+        }
+        if let Some(error) = failure {
+            return Err(error);
+        }
+        let best: Vec<(f64, f64)> = tables.iter().map(|table| table.best).collect();
+        Ok(Difference {
+            unit,
+            values: best[..quantities].iter().map(|(value, _)| *value).collect(),
+            errors: have_errors.then(|| best[..quantities].iter().map(|(_, error)| *error).collect()),
+            t_end: best[quantities].0,
+            events: have_events.then(|| best[quantities + 1..].iter().map(|(value, _)| *value).collect()),
+        })
     }
 
     /// Runs a scene with a changed number. The error says if this run ends for another reason than `first`.
@@ -127,6 +158,56 @@ impl Apart<'_> {
             t_end: run.solution.t_end,
             events: run.solution.events.iter().map(|event| event.t).collect(),
         })
+    }
+}
+
+/// Central differences of one quantity with ever smaller steps, extrapolated to the step 0.
+#[derive(Clone)]
+struct Table {
+    /// Last difference, with its extrapolations by one and more differences before it.
+    last: Vec<f64>,
+    /// Best derivative so far, with its error.
+    best: (f64, f64),
+    /// Number of differences since the best one.
+    idle: usize,
+}
+
+impl Default for Table {
+    fn default() -> Self {
+        Self { last: Vec::new(), best: (f64::NAN, f64::INFINITY), idle: 0 }
+    }
+}
+
+impl Table {
+    /// Adds a difference with half the step of the one before; `rounding` is its error by the errors of the runs.
+    fn add(&mut self, difference: f64, rounding: f64) {
+        let mut row = vec![difference];
+        let mut factor = 1.0;
+        self.idle += 1;
+        for before in self.last.iter().take(MOST_EXTRAPOLATIONS) {
+            factor *= 4.0;
+            let shorter = row[row.len() - 1];
+            let value = (factor * shorter - before) / (factor - 1.0);
+            // Extrapolation enlarges the errors of the runs to twice their size at most.
+            let error = 2.0 * rounding + larger((value - shorter).abs(), (value - before).abs());
+            if error < self.best.1 {
+                self.best = (value, error);
+                self.idle = 0;
+            }
+            row.push(value);
+        }
+        self.last = row;
+    }
+
+    /// True if shorter steps promise no better derivative.
+    fn is_done(&self) -> bool {
+        let (value, error) = self.best;
+        error <= EXACT * value.abs() || self.idle >= IDLE_STEPS
+    }
+
+    /// Forgets all differences.
+    fn clear(&mut self) {
+        *self = Self::default();
     }
 }
 
