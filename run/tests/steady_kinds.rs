@@ -287,6 +287,54 @@ fn poles_are_refused_by_name() {
     assert!(refused.contains("cos(th)"), "{refused}");
 }
 
+/// Goal: no linear system is given where a speed has no inertia. Method: a bob on a rod, by its angle from the vertical
+/// and its heading. A search that begins beside the vertical comes to it; there the heading has no meaning.
+#[test]
+fn a_pose_in_which_a_speed_has_no_inertia_is_refused() {
+    let model = r#"
+name = "s27"
+[parameters]
+g = { unit = "m/s^2", value = 9.81 }
+l1 = { unit = "m", value = 0.48, positive = true }
+m1 = { unit = "kg", value = 0.86, positive = true }
+[coordinates]
+ph = { unit = "rad" }
+q1 = { unit = "rad" }
+[speeds]
+u_ph = "ph'"
+u_q1 = "q1'"
+[inertial]
+frame = "N"
+origin = "O"
+[frames]
+H = { from = "N", axis = 3, angle = "ph" }
+B1 = { from = "H", axis = 2, angle = "q1" }
+[points]
+P1 = { from = "O", frame = "B1", position = [0, 0, "-l1"] }
+[particles.pt1]
+point = "P1"
+mass = "m1"
+
+[gravity]
+frame = "N"
+acceleration = [0, 0, "-g"]
+"#;
+    let found = rests(model, "[state]\nph = 0\nu_ph = 2.12\nu_q1 = 0\n[guess]\nq1 = -0.8\n", 0);
+    assert!(!found.is_empty());
+    for one in &found {
+        let why = one.about.as_ref().unwrap_err().to_string();
+        assert!(why.contains("the mass matrix is singular") && why.contains("u_ph"), "{why}");
+    }
+    // Where the rod swings around, the state is regular: the bob turns at ph'² = g/(l cos q1).
+    let (l, g, q1) = (0.48_f64, 9.81_f64, 0.5_f64);
+    let turn = (g / (l * q1.cos())).sqrt();
+    let state = format!("[state]\nph = 0\nu_ph = {turn}\nu_q1 = 0\n[guess]\nq1 = 0.45\n");
+    let steady = about(model, &state, &[]).unwrap_or_else(|error| panic!("{error}"));
+    // δq1'' = −(4 cos² + sin²) ph'² δq1 (conical pendulum).
+    let wanted = turn * (3.0 * q1.cos().powi(2) + 1.0).sqrt();
+    assert!(steady.modes.iter().any(|mode| (mode.value[1].abs() - wanted).abs() < 1e-9), "{:?}", steady.modes);
+}
+
 /// Two bodies on one hinge that a second pin ties. The loop closes in one relative pose, by equations one of which
 /// follows from the other.
 const TIED: &str = r#"

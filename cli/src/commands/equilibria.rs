@@ -122,7 +122,7 @@ fn text_of(found: &Found) -> String {
     let about = match &found.about {
         Ok(about) => about,
         Err(why) => {
-            let x: Vec<String> = found.steady.x.iter().map(|x| x.hi().to_string()).collect();
+            let x: Vec<String> = found.steady.x.iter().map(|x| format!("{:?}", x.hi())).collect();
             return format!("balanced at {}, and not linearised: {}\n", x.join(", "), why.first_line());
         }
     };

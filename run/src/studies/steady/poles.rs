@@ -15,6 +15,9 @@ use tripos_traits::DoubleDouble;
 /// Least accepted distance of a state from a zero of a divisor, relative to the state's size or 1. Newton's method
 /// finds a state at such a zero only to half or a third of the digits, and slopes near it grow as the distance falls.
 const NEAR: f64 = 1e-7;
+/// Largest ratio of an inertia to its values at the distance [`NEAR`] up to which it counts as zero. An inertia that
+/// vanishes grows with the square of the distance.
+const VANISHED: f64 = 1e-2;
 /// Size of the least eigenvalue of a mass matrix with the diagonal 1 up to which the matrix is singular.
 const SINGULAR: f64 = 1e-12;
 
@@ -71,14 +74,34 @@ impl Poles {
                 return Err(Error::request(what, help));
             }
         }
-        self.has_inertia(inertia)
+        self.has_inertia(inertia, &self.inertia_beside(&known, parameters.len()))
     }
 
-    /// Refuses a singular mass matrix, given row by row.
-    fn has_inertia(&self, inertia: &[f64]) -> Result<(), Error> {
+    /// Largest size of each diagonal entry of the mass matrix at states beside this one, at the distance [`NEAR`] along
+    /// one state each. `known` has the parameters, `first` of them, and then the states.
+    fn inertia_beside(&self, known: &[f64], first: usize) -> Vec<f64> {
+        let n = self.speeds.len();
+        let mut largest = vec![0.0; n];
+        for at in first..known.len() {
+            for way in [-NEAR, NEAR] {
+                let mut beside = known.to_vec();
+                beside[at] += way * known[at].abs().max(1.0);
+                let values = self.tape.evaluate(&beside);
+                let inertia = &values[values.len() - n * n..];
+                for (speed, most) in largest.iter_mut().enumerate() {
+                    *most = f64::max(*most, inertia[speed * (n + 1)].abs());
+                }
+            }
+        }
+        largest
+    }
+
+    /// Refuses a singular mass matrix, given row by row. `beside` are its diagonal entries at states beside this one.
+    fn has_inertia(&self, inertia: &[f64], beside: &[f64]) -> Result<(), Error> {
         let n = self.speeds.len();
         let size = |at: usize| inertia[at * n + at].abs().sqrt();
-        let empty = (0..n).find(|at| size(*at) <= 0.0 || !size(*at).is_finite());
+        let vanishes = |at: usize| inertia[at * (n + 1)].abs() <= VANISHED * beside[at];
+        let empty = (0..n).find(|at| size(*at) <= 0.0 || !size(*at).is_finite() || vanishes(*at));
         let moved = match empty {
             Some(at) => self.speeds[at].clone(),
             None => {
