@@ -18,6 +18,17 @@ pub struct Constraint {
     pub enforced_by: Option<usize>,
 }
 
+/// Motion along a coordinate that the equation of a closed joint fixes, at rate 1, if that joint alone were open.
+#[derive(Clone, Debug, Default)]
+pub struct Opening {
+    /// Frames that turn relative to their parents: index, and angular velocity along the axes of the frame.
+    pub turns: Vec<(usize, [Expr; 3])>,
+    /// Points that move relative to their parents: index, and velocity along the axes in which the point is placed.
+    pub moves: Vec<(usize, [Expr; 3])>,
+    /// Constraints that the motion would break: name, and rate of the equation.
+    pub breaks: Vec<(String, Expr)>,
+}
+
 /// An equation φ(q) = 0 between coordinates, such as the closure of a loop, that cannot be solved for a coordinate.
 #[derive(Clone, Debug)]
 pub struct Loop {

@@ -18,7 +18,7 @@ pub use crate::geometry::{Frame, Point, Turn};
 pub(crate) use bodies::joint_kinds::JOINT_KINDS;
 pub(crate) use bodies::shapes::SHAPE_KINDS;
 pub use bodies::shapes::{Shape, ShapeForm, without_shapes};
-pub use constraint::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Rolled, Tie};
+pub use constraint::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Opening, Rolled, Tie};
 pub use contacts::{Compared, Contacts};
 pub use input::{Binding, Input};
 pub use reactions::interactions::GROUND;
@@ -366,6 +366,8 @@ pub struct Model {
     pub contacts: Contacts,
     /// Holonomic constraints that are solved for a coordinate.
     pub constraints: Vec<Constraint>,
+    /// Motions along the coordinates that equations of closed joints fix, as if these joints were open.
+    pub openings: Vec<Opening>,
     /// Holonomic constraints that are solved for no coordinate.
     pub loops: Vec<Loop>,
     /// Loops whose rates follow from those of [`Self::loops`] wherever all loops are closed. They restrict no further

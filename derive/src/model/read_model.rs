@@ -10,6 +10,7 @@ use super::bodies::motion::Moving;
 use super::constraints::configuration::{Solved, Stated, solve_all};
 use super::constraints::joint_frames::Holding;
 use super::constraints::motion::{Tied, Ties};
+use super::constraints::openings::openings;
 use super::input::Binding;
 use super::reading::names::{Kind, Names};
 use super::reading::reader::Loading;
@@ -119,7 +120,6 @@ impl Model {
     }
 
     /// The model with a parameter added to the formula of each of these inputs, so that slopes along the input can be
-    /// The model with a parameter added to the formula of each of these inputs, so that slopes along the input can be
     /// computed. The parameter has the name of the input, and is 0 unless changed. Inputs that are parameters, and
     /// unknown names, change nothing.
     ///
@@ -177,7 +177,7 @@ impl<'a> Loading<'a> {
         let before_constraints = self.reader.errors.len();
         let Connections { velocities, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
-        let Solved { constraints, replacements, kept, repeated: said, prescribing, undefined } =
+        let Solved { constraints, replacements, kept, repeated: said, prescribing, opened, undefined } =
             solve_all(&mut self.reader, &mut self.arena, &mut coordinates, &elements.potentials, configuration);
         self.report_undefined(undefined);
         motion_errors += self.reader.errors.len() - before_constraints;
@@ -185,6 +185,7 @@ impl<'a> Loading<'a> {
         signals.put_in(&mut self.arena, &mut elements, &mut domain);
         let stated_speeds = texts.len();
         let speeds = self.speeds(texts, &replacements);
+        let openings = openings(&mut self.arena, &opened, &elements, &[&kept, &motion], &replacements);
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check(self, &parameters);
@@ -203,7 +204,7 @@ impl<'a> Loading<'a> {
         let ties = if is_known { self.ties(tied) } else { None };
         let known = ties.as_ref().filter(|_| motion_errors == 0 && speeds.len() == stated_speeds);
         let (speeds, left_out) = match known {
-            Some(ties) => self.independent_speeds(&coordinates, speeds, &joints, ties),
+            Some(ties) => self.independent_speeds((&coordinates, &replacements), speeds, &joints, ties),
             None => (speeds, Vec::new()),
         };
         let stated_speeds = stated_speeds - left_out.len();
@@ -249,6 +250,7 @@ impl<'a> Loading<'a> {
             redundant: Vec::new(),
             contacts: elements.contacts,
             constraints,
+            openings,
             loops,
             closed,
             dependent,

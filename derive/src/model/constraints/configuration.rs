@@ -76,8 +76,20 @@ pub struct Solved {
     pub repeated: Vec<String>,
     /// Names of constraints of the model file that stay unsolved and contain one coordinate other than time.
     pub prescribing: Vec<String>,
+    /// Coordinates that equations of closed joints fix.
+    pub opened: Opened,
     /// Term that divides by zero once the solutions are put into one another; `None` if there is none.
     pub undefined: Option<Expr>,
+}
+
+/// Coordinates that equations of closed joints fix, and that would move if these joints were open.
+#[derive(Default)]
+pub struct Opened {
+    pub symbols: Vec<Expr>,
+    /// Rates of the coordinates, in the same order.
+    pub rates: Vec<Expr>,
+    /// Coordinates that the model file's own constraints fix, and their rates, each with its value in all others.
+    pub before: Vec<(Expr, Expr)>,
 }
 
 /// Solves constraints for coordinates, one after the other, and removes these coordinates. Reports constraints that are
@@ -93,6 +105,7 @@ pub fn solve_all(
     let mut undefined = None;
     let mut replacements: Vec<(Expr, Expr)> = Vec::new();
     let (mut prescribing, every) = (Vec::new(), own(coordinates));
+    let mut opened = Opened::default();
     for constraint in stated {
         let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
         let all = own(coordinates);
@@ -138,6 +151,14 @@ pub fn solve_all(
             continue;
         };
         let fixed = coordinates.remove(at);
+        // Equations of joints come after the constraints of the model file.
+        if constraint.may_repeat {
+            if opened.symbols.is_empty() {
+                opened.before.clone_from(&replacements);
+            }
+            opened.symbols.push(fixed.symbol);
+            opened.rates.push(fixed.rate);
+        }
         let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let rate = Differential::along(&rates).apply(arena, solution);
         let mut earlier = Substitution::new(&[(fixed.symbol, solution), (fixed.rate, rate)]);
@@ -155,7 +176,7 @@ pub fn solve_all(
             enforced_by: constraint.enforced_by,
         });
     }
-    Solved { constraints: solved, replacements, kept, repeated, prescribing, undefined }
+    Solved { constraints: solved, replacements, kept, repeated, prescribing, opened, undefined }
 }
 
 /// Symbols of the coordinates other than time.

@@ -7,6 +7,7 @@ pub(super) mod configuration;
 pub(super) mod independent;
 pub(super) mod joint_frames;
 pub(super) mod motion;
+pub(super) mod openings;
 pub(super) mod speeds;
 pub(super) mod time;
 pub(super) mod turns;

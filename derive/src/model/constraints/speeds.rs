@@ -80,11 +80,12 @@ impl<'a> Loading<'a> {
     }
 
     /// Splits speeds into those that constraints leave independent, and those that they make dependent. A speed of a
-    /// joint is dependent if it follows from the constraints and the speeds before it. Speeds that the model file
-    /// states all stay.
+    /// joint is dependent if it follows from the constraints and the speeds before it. Speeds along coordinates that
+    /// constraints fix, with values `fixed`, come after all others: such a coordinate may stand still where the
+    /// mechanism moves. Speeds that the model file states all stay.
     pub fn independent_speeds(
         &mut self,
-        coordinates: &[Coordinate],
+        (coordinates, fixed): (&[Coordinate], &[(Expr, Expr)]),
         speeds: Vec<(Speed, Range<usize>)>,
         joints: &Joints<'_>,
         ties: &Ties,
@@ -113,15 +114,28 @@ impl<'a> Loading<'a> {
         if let (Some(mut rows), Some(of_brought)) = (rows, of_brought) {
             let first = rows.len();
             rows.extend(of_brought);
+            let is_fixed = |at: &usize| fixed.iter().any(|(_, value)| *value == brought[*at].0.definition);
+            let (last, mut order): (Vec<usize>, Vec<usize>) = (0..brought.len()).partition(is_fixed);
+            order.extend(last);
+            let sorted = (0..first).chain(order.iter().map(|at| first + at));
+            let mut rows: Vec<Vec<Expr>> = sorted.map(|at| rows[at].clone()).collect();
             while rows.len() > coordinates.len() {
                 let Some(at) = rank(&self.arena, &rows).and_then(|found| found.dependent).filter(|at| *at >= first)
                 else {
                     break;
                 };
                 rows.remove(at);
-                let (speed, _) = brought.remove(at - first);
-                left_out.push(speed);
+                order.remove(at - first);
             }
+            let mut at = 0;
+            brought.retain(|(speed, _)| {
+                let stays = order.contains(&at);
+                at += 1;
+                if !stays {
+                    left_out.push(speed.clone());
+                }
+                stays
+            });
         }
         stay.append(&mut brought);
         (stay, left_out)

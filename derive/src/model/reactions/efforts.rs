@@ -40,7 +40,8 @@ impl Model {
         let mut arena = self.arena.clone();
         let Some(drawn) = DrawnModel::new(self, &mut arena) else { return };
         let relative = Relative { model: self, drawn, ways_if_open: None };
-        let own: Vec<usize> = relative.own_motions().collect();
+        // Coordinates that closed joints fix are not in V any more.
+        let own: Vec<usize> = relative.own_motions().filter(|at| *at < self.coordinates.len()).collect();
         let along_rates = relative.axes(own.len(), |velocity| own.iter().map(|at| velocity(*at)).collect());
         let found = match along_rates {
             Some(axes) => {

@@ -99,11 +99,14 @@ impl Model {
         let mut sought = self.found_interaction(stated)?;
         let acting: Vec<(Reaction, bool)> =
             self.reactions.iter().filter_map(|r| Some((r.clone(), sought.sign(r)?))).collect();
-        if acting.is_empty() {
+        // A joint that holds only what is held otherwise connects the bodies too.
+        let again = self.redundant.iter().filter_map(|(_, r)| Some((r.clone(), sought.sign(r)?)));
+        let joined: Vec<(Reaction, bool)> = acting.iter().cloned().chain(again).collect();
+        if joined.is_empty() {
             return Err(self.nothing_acts(stated));
         }
         if sought.is_torque {
-            sought.about = self.point_of(stated, sought, &acting)?;
+            sought.about = self.point_of(stated, sought, &joined)?;
         }
         if let Some((message, help)) = self.undetermined(&sought, &stated.text) {
             return Err(Diagnostic::new(stated.span.clone(), message, help));

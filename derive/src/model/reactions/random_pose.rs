@@ -10,7 +10,7 @@ use crate::algebra::value::field::Field;
 use crate::algebra::value::points::Drawn;
 use crate::algebra::{Arena, Expr, Function, Rational};
 use crate::geometry::Turn;
-use crate::model::Model;
+use crate::model::{Model, Opening};
 use std::collections::BTreeMap;
 
 /// Residues of three components of a vector, along inertial axes if nothing else is said.
@@ -70,7 +70,8 @@ impl Residues {
     }
 }
 
-/// A frame in a random pose: axes, angular velocity along each q̇ and in total, and angular acceleration.
+/// A frame in a random pose: axes, angular velocity along each q̇ and then along each of [`Model::openings`], in total,
+/// and angular acceleration.
 #[derive(Clone)]
 pub struct Turned {
     pub axes: [Triple; 3],
@@ -79,7 +80,8 @@ pub struct Turned {
     pub acceleration: Triple,
 }
 
-/// A point in a random pose: position, velocity along each q̇ and in total, and acceleration.
+/// A point in a random pose: position, velocity along each q̇ and then along each of [`Model::openings`], in total, and
+/// acceleration.
 #[derive(Clone)]
 pub struct Moved {
     pub place: Triple,
@@ -134,6 +136,15 @@ struct Follower {
 }
 
 impl Follower {
+    /// Adds motions along coordinates that closed joints fix to the slopes of each component, at indices from
+    /// `first` on.
+    fn open(components: &mut [(usize, Followed)], first: usize, openings: &[(usize, [Expr; 3])]) {
+        for (axis, followed) in components {
+            let along = openings.iter().map(|(which, velocity)| (first + which, velocity[*axis]));
+            followed.slopes.extend(along.filter(|(_, slope)| *slope != Expr::ZERO));
+        }
+    }
+
     fn new(model: &Model) -> Self {
         let rates = model.kinematic_equations.rates.iter();
         let flow = model.coordinates.iter().zip(rates).map(|(c, rate)| (c.symbol, *rate));
@@ -185,28 +196,43 @@ impl DrawnModel {
     pub fn new(model: &Model, arena: &mut Arena) -> Option<Self> {
         let mut follower = Follower::new(model);
         let mut terms = Vec::new();
+        let first = model.coordinates.len();
+        let opened = |of: fn(&Opening) -> &Vec<(usize, [Expr; 3])>, at: usize| -> Vec<(usize, [Expr; 3])> {
+            let own = |opening: &Opening| of(opening).iter().find(|(moved, _)| *moved == at).map(|(_, v)| *v);
+            model.openings.iter().enumerate().filter_map(|(which, opening)| Some((which, own(opening)?))).collect()
+        };
         let turns: Vec<Option<Turning>> = model
             .frames
             .iter()
-            .map(|frame| {
+            .enumerate()
+            .map(|(at, frame)| {
                 let (_, turn) = frame.rotation.as_ref()?;
                 let cosines = match turn {
                     Turn::About(_, angle) => [Function::Cos, Function::Sin].map(|f| arena.apply(f, *angle)).to_vec(),
                     Turn::Oriented(oriented) => oriented.cosines.concat(),
                 };
-                Some(Turning { cosines, spins: follower.spins(arena, turn) })
+                let mut spins = follower.spins(arena, turn);
+                Follower::open(&mut spins, first, &opened(|opening| &opening.turns, at));
+                Some(Turning { cosines, spins })
             })
             .collect();
-        let places: Vec<Option<[Followed; 3]>> = model
+        let places: Vec<Option<Vec<(usize, Followed)>>> = model
             .points
             .iter()
-            .map(|point| point.position.map(|(_, _, position)| position.map(|e| follower.follow(arena, e))))
+            .enumerate()
+            .map(|(at, point)| {
+                let (_, _, position) = point.position?;
+                let components = position.into_iter().enumerate();
+                let mut place = components.map(|(axis, e)| (axis, follower.follow(arena, e))).collect::<Vec<_>>();
+                Follower::open(&mut place, first, &opened(|opening| &opening.moves, at));
+                Some(place)
+            })
             .collect();
         for turning in turns.iter().flatten() {
             let spins = turning.spins.iter().flat_map(|(_, followed)| followed.terms());
             terms.extend(turning.cosines.iter().copied().chain(spins));
         }
-        terms.extend(places.iter().flatten().flatten().flat_map(Followed::terms));
+        terms.extend(places.iter().flatten().flatten().flat_map(|(_, followed)| followed.terms()));
         let mut along_speeds = Gradient::new(&model.speeds.iter().map(|s| s.symbol).collect::<Vec<_>>());
         let mut partial = Vec::new();
         for rate in &model.kinematic_equations.rates {
@@ -217,10 +243,11 @@ impl DrawnModel {
         let mut residues = Residues::new(residues);
         let space = Space(drawn.field());
         let (n, p) = (model.coordinates.len(), model.speeds.len());
+        let all = n + model.openings.len();
         let mut frames: Vec<Turned> = Vec::new();
         for (frame, turning) in model.frames.iter().zip(&turns) {
             let (Some((parent, turn)), Some(turning)) = (&frame.rotation, turning) else {
-                frames.push(Turned::still(n));
+                frames.push(Turned::still(all));
                 continue;
             };
             let before: &Turned = &frames[*parent];
@@ -235,10 +262,10 @@ impl DrawnModel {
         let mut points: Vec<Moved> = Vec::new();
         for (point, place) in model.points.iter().zip(&places) {
             let (Some((parent, frame, _)), Some(followed)) = (point.position, place) else {
-                points.push(Moved::still(n));
+                points.push(Moved::still(all));
                 continue;
             };
-            let place = [0, 1, 2].map(|i: usize| followed[i].read(&mut residues));
+            let place = [0, 1, 2].map(|i: usize| followed[i].1.read(&mut residues));
             points.push(points[parent].moved(space, &frames[frame], &place));
         }
         let mut partial_rates = vec![vec![0; p]; n];

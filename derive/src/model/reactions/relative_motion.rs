@@ -21,7 +21,8 @@ pub fn sides(kind: ReactionKind) -> (usize, Holder) {
 pub struct Relative<'m> {
     pub model: &'m Model,
     pub drawn: DrawnModel,
-    /// Motions, each a value for every q̇, that replace those along the speeds if they are `Some`.
+    /// Motions, each a value for every q̇ and then for each of [`Model::openings`], that replace those along the speeds
+    /// if they are `Some`.
     pub ways_if_open: Option<Vec<Vec<u64>>>,
 }
 
@@ -40,12 +41,12 @@ impl Model {
 }
 
 impl Relative<'_> {
-    /// Velocity of the material of a body, or of the ground, at a point, if only q̇ of the coordinate `along` is 1.
+    /// Velocity of the material of a body, or of the ground, at a point, if only the motion `along` has the rate 1.
     pub fn material(&self, body: Holder, point: usize, along: usize) -> Triple {
         body.map_or([0; 3], |body| self.drawn.material(self.model, body, point, Some(along)))
     }
 
-    /// Angular velocity of a rigid body, or of the ground, if only q̇ of the coordinate `along` is 1. A particle does
+    /// Angular velocity of a rigid body, or of the ground, if only the motion `along` has the rate 1. A particle does
     /// not turn.
     pub fn turning(&self, body: Holder, along: usize) -> Triple {
         let frame = body.and_then(|body| Some(self.model.bodies[body].rigid.as_ref()?.0));
@@ -56,17 +57,22 @@ impl Relative<'_> {
         body.is_none_or(|body| self.model.bodies[body].rigid.is_some())
     }
 
-    /// Indices of the coordinates other than time.
-    pub fn own_motions(&self) -> impl Iterator<Item = usize> + use<'_> {
-        let time = self.model.time();
-        (0..self.model.coordinates.len()).filter(move |at| Some(*at) != time)
+    /// Number of motions if all joints of loops are open: along each coordinate, then each of [`Model::openings`].
+    fn motions(&self) -> usize {
+        self.model.coordinates.len() + self.model.openings.len()
     }
 
-    /// Number of independent ways in which vectors `of` a coordinate change along the coordinates and time. Time
-    /// counts: a body that hangs on a driven crank does not hang on the ground.
+    /// Indices of the motions other than time, if all joints of loops are open.
+    pub fn own_motions(&self) -> impl Iterator<Item = usize> + use<'_> {
+        let time = self.model.time();
+        (0..self.motions()).filter(move |at| Some(*at) != time)
+    }
+
+    /// Number of independent ways in which vectors `of` a motion change along all motions and time. Time counts: a body
+    /// that hangs on a driven crank does not hang on the ground.
     pub fn ways(&self, of: impl Fn(usize) -> Vec<Triple>) -> usize {
         let mut basis = Basis::new(self.drawn.space.0);
-        for along in 0..self.model.coordinates.len() {
+        for along in 0..self.motions() {
             basis.take(of(along).concat());
         }
         basis.len()
@@ -127,13 +133,17 @@ impl Relative<'_> {
     /// has no value.
     pub fn open_ways(&self, arena: &mut Arena, holds: &dyn Fn(&MotionConstraint) -> bool) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
-        let held: Vec<Expr> = model.motion_constraints.iter().filter(|c| holds(c)).map(|c| c.equation).collect();
+        let held: Vec<&MotionConstraint> = model.motion_constraints.iter().filter(|c| holds(c)).collect();
         let mut along = Gradient::new(&model.q_dot());
-        let n = model.coordinates.len();
+        let (first, n) = (model.coordinates.len(), self.motions());
         let mut terms = vec![Expr::ZERO; n * held.len()];
-        for (row, equation) in held.iter().enumerate() {
-            for (at, slope) in along.apply(arena, *equation).iter() {
+        for (row, constraint) in held.iter().enumerate() {
+            for (at, slope) in along.apply(arena, constraint.equation).iter() {
                 terms[row * n + at] = *slope;
+            }
+            for (at, opening) in model.openings.iter().enumerate() {
+                let broken = opening.breaks.iter().find(|(name, _)| *name == constraint.name);
+                terms[row * n + first + at] = broken.map_or(Expr::ZERO, |(_, slope)| *slope);
             }
         }
         let mut values = self.drawn.values(model, arena, &terms)?;

@@ -230,7 +230,7 @@ impl Relative<'_> {
             Tie::Rolling(_) => false,
             Tie::Stated => are_held && !placed.contains(&constraint.name.as_str()),
         };
-        let is_open = !model.motion_constraints.iter().all(holds);
+        let is_open = !model.openings.is_empty() || !model.motion_constraints.iter().all(holds);
         is_open.then(|| self.open_ways(&mut model.arena.clone(), &holds)).flatten()
     }
 

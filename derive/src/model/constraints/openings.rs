@@ -1,0 +1,109 @@
+//! Motions that a mechanism would have if the joints that close its loops were open.
+//!
+//! An equation of such a joint may be solved for a coordinate, which then leaves the model. Reactions still need the
+//! motion along it: a slider carries no force along its own axis, even if a loop prevents it from sliding. So each such
+//! coordinate keeps the velocities at which frames turn and points move along it.
+
+use super::configuration::{Opened, Stated};
+use crate::algebra::term::calculus::{Gradient, Substitution};
+use crate::algebra::{Arena, Expr};
+use crate::geometry::Turn;
+use crate::model::Opening;
+use crate::model::bodies::elements::Elements;
+
+/// Motions along the coordinates that equations of joints fix. `elements` and the `constraints` that were not solved
+/// still contain these coordinates; `replacements` are the values of all coordinates that constraints fix.
+pub(in crate::model) fn openings(
+    arena: &mut Arena,
+    opened: &Opened,
+    elements: &Elements,
+    constraints: &[&[Stated]],
+    replacements: &[(Expr, Expr)],
+) -> Vec<Opening> {
+    let mut slopes = OpenSlopes {
+        before: Substitution::new(&opened.before),
+        along: Gradient::new(&opened.symbols),
+        along_rates: Gradient::new(&opened.rates),
+        fixed: Substitution::new(replacements),
+    };
+    let mut list = vec![Opening::default(); opened.symbols.len()];
+    if list.is_empty() {
+        return list;
+    }
+    for (at, frame) in elements.frames.iter().enumerate() {
+        let spins = match &frame.rotation {
+            Some((_, Turn::About(axis, angle))) => {
+                let mut unit = [Expr::ZERO; 3];
+                unit[*axis] = Expr::ONE;
+                vec![(*angle, unit)]
+            }
+            Some((_, Turn::Oriented(oriented))) => oriented.spins.clone(),
+            None => Vec::new(),
+        };
+        for (of, along) in spins {
+            let along = along.map(|e| slopes.value(arena, e));
+            for (which, slope) in slopes.of(arena, of) {
+                let turn = own(&mut list[which].turns, at);
+                for (sum, component) in turn.iter_mut().zip(along) {
+                    let share = arena.mul(slope, component);
+                    *sum = arena.add(*sum, share);
+                }
+            }
+        }
+    }
+    for (at, point) in elements.points.iter().enumerate() {
+        let Some((_, _, place)) = point.position else { continue };
+        for (axis, component) in place.into_iter().enumerate() {
+            for (which, slope) in slopes.of(arena, component) {
+                own(&mut list[which].moves, at)[axis] = slope;
+            }
+        }
+    }
+    for constraint in constraints.iter().copied().flatten() {
+        let of_rates = slopes.of_rates(arena, constraint.equation);
+        for (which, slope) in slopes.of(arena, constraint.equation).into_iter().chain(of_rates) {
+            list[which].breaks.push((constraint.name.clone(), slope));
+        }
+    }
+    list
+}
+
+/// Components of a vector of a frame or a point, by its index; they are 0 at first.
+fn own(list: &mut Vec<(usize, [Expr; 3])>, at: usize) -> &mut [Expr; 3] {
+    if list.last().is_none_or(|(last, _)| *last != at) {
+        list.push((at, [Expr::ZERO; 3]));
+    }
+    let last = list.len() - 1;
+    &mut list[last].1
+}
+
+/// Slopes along the opened coordinates and their rates, where all joints are closed.
+struct OpenSlopes {
+    /// Values of the coordinates that the model file's own constraints fix.
+    before: Substitution,
+    along: Gradient,
+    along_rates: Gradient,
+    /// Values of all coordinates that constraints fix.
+    fixed: Substitution,
+}
+
+impl OpenSlopes {
+    /// The value of a term where all joints are closed.
+    fn value(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        self.fixed.apply(arena, e)
+    }
+
+    /// Slopes along the opened coordinates, each after the number of its coordinate.
+    fn of(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
+        let e = self.before.apply(arena, e);
+        let slopes = self.along.apply(arena, e);
+        slopes.iter().map(|(at, slope)| (*at, self.fixed.apply(arena, *slope))).collect()
+    }
+
+    /// Slopes along the rates of the opened coordinates, each after the number of its coordinate.
+    fn of_rates(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
+        let e = self.before.apply(arena, e);
+        let slopes = self.along_rates.apply(arena, e);
+        slopes.iter().map(|(at, slope)| (*at, self.fixed.apply(arena, *slope))).collect()
+    }
+}
