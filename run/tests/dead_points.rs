@@ -348,8 +348,8 @@ fn derivatives_of_runs_that_change_their_speeds_hold() {
 }
 
 /// Goal: derivatives hold where a run depends on a number by many turns. Method: a crank that turns fast, with a
-/// slider, through 22 dead points. Truth: a program of its own, which integrates the crank's equation in its angle: this
-/// equation has no dead points.
+/// slider, through 22 dead points. Truth: a program of its own, which integrates the crank's equation in its angle.
+/// This equation has no dead points.
 #[test]
 fn derivatives_hold_over_many_turns() {
     let model = r#"
