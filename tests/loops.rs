@@ -225,7 +225,7 @@ fn multipliers_are_the_reactions_of_the_closing_pin() {
     }
 }
 
-/// Goal: no equations run a linkage that would let its loops open. Method: the scene's own equations, asked for.
+/// Goal: no equations run a linkage that would let its loops open. Method: the scene's reduced equations, asked for.
 #[test]
 fn a_linkage_has_no_equations_of_a_scene() {
     let scene = scene(four_bar(), TURNING).unwrap();

@@ -127,7 +127,7 @@ struct Start {
     u: Vec<f64>,
 }
 
-/// The start of a scene's own equations as its runs have it, and the start of the whole model.
+/// The start of a scene's reduced equations as its runs have it, and the start of the whole model.
 fn starts(model: &str, scene: &str) -> (Start, Start) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model);
     let mut model = Model::read(&folder.join("model.toml")).unwrap();

@@ -155,7 +155,7 @@ fn a_rope_of_prescribed_length_swings_alike_in_every_description() {
     for (at, (what, start)) in ropes().into_iter().enumerate() {
         let is_cartesian = at == 3;
         let scene = scene(&pendulum(&what), &start, "[0.5, 3]", "");
-        // A scene's own equations are not made of loops.
+        // A scene's reduced equations are not made of loops.
         for (by, solve, method) in WAYS.into_iter().filter(|(by, ..)| !is_cartesian || *by != "reduced") {
             let run = run(&scene, by, solve, method);
             let (name, truth) = if is_cartesian { ("x", r * truth.sin()) } else { ("q", truth) };

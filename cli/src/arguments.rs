@@ -246,6 +246,8 @@ pub enum Command {
     Scene {
         /// A scene file
         scene: PathBuf,
+        #[command(flatten)]
+        set: Set,
         /// Print JSON
         #[arg(long)]
         json: bool,
@@ -294,6 +296,8 @@ pub enum Command {
     Stability {
         /// A scene file
         scene: PathBuf,
+        #[command(flatten)]
+        set: Set,
         /// Shorter runs and fewer steps
         #[arg(long)]
         quick: bool,
@@ -305,6 +309,8 @@ pub enum Command {
     Chart {
         /// A scene file
         scene: PathBuf,
+        #[command(flatten)]
+        set: Set,
         /// Fewer tolerances and repeats: less than two minutes
         #[arg(long)]
         quick: bool,
@@ -456,15 +462,16 @@ pub struct Set {
 #[derive(clap::Args)]
 pub struct How {
     /// kane, lagrange, newton-euler, or printed:ID for a system of the publication beside the model. If not given,
-    /// `simulate` takes the scene's own reduced equations (`tripos scene`), other commands the first formulation that
-    /// the model supports
+    /// `simulate` and `plot` take the scene's reduced equations where these are a gain (`tripos scene`), `view` and
+    /// `sweep` the first formulation that the model supports
     #[arg(long)]
     pub by: Option<String>,
     /// The method of integration: rk4, ode45, dopri5, dop853, gauss6, radau5 or taylor; or quadrature, for a scene's
-    /// own equations with one degree of freedom
+    /// reduced equations with one degree of freedom
     #[arg(long)]
     pub method: Option<String>,
-    /// Invariant onto which each step is projected: energy, for a scene's own equations; the removed drift is reported
+    /// Invariant onto which each step is projected: energy, for a scene's reduced equations; the removed drift is
+    /// reported
     #[arg(long)]
     pub project: Option<String>,
     /// Solution for the accelerations: eliminated (solved for when the code was generated) or numeric (the linear

@@ -24,6 +24,7 @@ use arguments::{Arguments, Command};
 use clap::Parser;
 use commands::inverse::Shape;
 use failure::{Failure, print_json, say};
+use scene_file::read_scene_with;
 use std::process::ExitCode;
 use tripos::studies::steady::Wanted;
 use tripos_derive::mechanics::Varied;
@@ -97,9 +98,13 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::emit::emit(&model, &out, &language, &formulations, &with)
         }
         Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),
-        Command::Stability { scene, quick, out } => commands::stability::stability(&scene, quick, &out),
-        Command::Chart { scene, quick, printed, out } => commands::chart::chart(&scene, quick, printed, &out),
-        Command::Scene { scene, json } => commands::scene::scene(&scene, json),
+        Command::Stability { scene, set, quick, out } => {
+            commands::stability::stability(&read_scene_with(&scene, &set.set)?, quick, &out)
+        }
+        Command::Chart { scene, set, quick, printed, out } => {
+            commands::chart::chart(&read_scene_with(&scene, &set.set)?, quick, printed, &out)
+        }
+        Command::Scene { scene, set, json } => commands::scene::scene(&read_scene_with(&scene, &set.set)?, json),
         Command::Plot(request) => commands::plot::plot(&request),
         Command::Simulate(request) => commands::simulate::simulate(&request),
         Command::Sketch { model, at, out } => commands::sketch::sketch(&model, at.as_deref(), &out),

@@ -1,6 +1,6 @@
 //! Scene files that arguments name, with the model that each belongs to, and other values for some of their numbers.
 
-use crate::failure::{Failure, warn};
+use crate::failure::{Failure, say, warn};
 use crate::workspace::{edited, model_file, read_model};
 use std::path::{Path, PathBuf};
 use tripos::{Error, Mechanism};
@@ -39,7 +39,8 @@ pub struct VariedScene {
     pub set: Vec<(String, f64)>,
 }
 
-/// Reads a scene with other values for some of its numbers, each as `NAME=VALUE`.
+/// Reads a scene with other values for some of its numbers, each as `NAME=VALUE`, and tells these values on standard
+/// error.
 ///
 /// # Errors
 /// [`Failure`] as for [`read_scene`]; for a name that is neither a parameter nor a number of the start, and for values
@@ -63,7 +64,10 @@ pub fn read_scene_with(path: &Path, set: &[String]) -> Result<VariedScene, Failu
     grid.hints(&model).iter().for_each(|hint| warn(hint));
     let names = grid.names().into_iter().map(str::to_owned);
     let (values, member) = Family::new(&scene, &model, &grid)?.point(0);
-    let set = names.zip(values).collect();
+    let set: Vec<(String, f64)> = names.zip(values).collect();
+    for (name, value) in &set {
+        say(&format!("note: {name} = {value}, not the value of the scene"));
+    }
     let scene = Scene { ladder: scene.ladder.clone(), ..member? };
     Ok(VariedScene { model, scene, set })
 }

@@ -195,7 +195,7 @@ fn file_of_scene(
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let named = Named { name: &stem, title: &loaded.title, origin: &origin.of_scene(&name) };
     let file = scene_file(&model, &reduction, &named, extras, before);
-    file.map(Some).map_err(|why| unsolved(&source, "the scene's own equations", why))
+    file.map(Some).map_err(|why| unsolved(&source, "the scene's reduced equations", why))
 }
 
 /// Difference between a committed file of `generated/src` and the file that the models generate.

@@ -137,7 +137,7 @@ pub struct Scene {
     pub outputs: Vec<SceneOutput>,
     /// True if the scene file itself states outputs.
     pub states_outputs: bool,
-    /// Indices of the parameters that stay symbols in the scene's own equations, because runs vary them.
+    /// Indices of the parameters that stay symbols in the scene's reduced equations, because runs vary them.
     pub free: Vec<usize>,
     /// Events to detect during the run.
     pub events: Vec<SceneEvent>,

@@ -7,7 +7,7 @@ use tripos_derive::scene::{Integrator, Project, Scene, Solve};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
     /// Name of the equations that run: `kane`, `lagrange`, `newton-euler` or `printed:ID`. `None` or `reduced` means
-    /// the scene's own equations.
+    /// the scene's reduced equations.
     pub by: Option<String>,
     /// Integrator of the run.
     pub method: Option<Integrator>,

@@ -1,4 +1,4 @@
-//! Reactions as outputs of a scene's own equations, where a division on the way to them would be by zero.
+//! Reactions as outputs of a scene's reduced equations, where a division on the way to them would be by zero.
 
 use tripos::{Mechanism, Overrides, Scene};
 use tripos_derive::diagnostic::Source;
@@ -21,7 +21,7 @@ pivot = { kind = "pin", axis = 3, body = "upper", to = "cart", centre = [0, "-l/
 hook = { kind = "pin", axis = AXIS, body = "lower", to = "upper", at = [0, "-l/2", 0], centre = [0, "-l/2", 0], coordinates = ["b"], speeds = ["z"] }
 "#;
 
-/// Goal: a reaction has its value in every pose. Method: each component between the bodies by the scene's own
+/// Goal: a reaction has its value in every pose. Method: each component between the bodies by the scene's reduced
 /// equations, in planes along and across one another. Poses are those where sines and cosines are 0, and one where none
 /// is. Compared are Kane's equations with the balances solved in numbers. At rest, hanging, the reactions are the
 /// weights.

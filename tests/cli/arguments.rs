@@ -35,6 +35,20 @@ fn a_value_that_is_set_is_that_of_the_scene() {
     assert!(said.contains("note: M = 4, not the value of the scene"), "{said}");
     assert_eq!(set, end(&["simulate", "crane/scenes/heavy.toml", "--json"]).0);
     assert_ne!(set, end(&["simulate", "crane/scenes/first.toml", "--json"]).0);
+    // Other commands take it in the same way.
+    let reduced = |arguments: &[&str]| {
+        let (status, out, said) = tripos_in(place, arguments);
+        assert_eq!(status, 0, "{said}");
+        let scene: serde_json::Value = serde_json::from_str(&out).unwrap();
+        (scene["equations"].clone(), scene["constants"].clone())
+    };
+    let set = reduced(&["scene", "crane/scenes/first.toml", "--set", "M=4", "--json"]);
+    assert_eq!(set, reduced(&["scene", "crane/scenes/heavy.toml", "--json"]));
+    assert_ne!(set, reduced(&["scene", "crane/scenes/first.toml", "--json"]));
+    for command in ["chart", "stability"] {
+        let said = refused(place, &[command, "crane/scenes/first.toml", "--quick", "--set", "M=-1"]);
+        assert!(said.contains("`M` is stated to be positive but is -1"), "{command}: {said}");
+    }
     for (value, expected) in [
         ("mass=4", "the scene has no parameter or start value `mass`"),
         ("M", "`--set M` gives no value"),

@@ -98,8 +98,8 @@ fn the_committed_chart_is_current_and_complete() {
     assert!(svg.starts_with("<svg") && !svg.contains("NaN"));
 }
 
-/// The scene's own equations stand beside the others, by every method, and by quadrature if that gives the motion: so
-/// many lines.
+/// The scene's reduced equations stand beside the others, by every method, and by quadrature if that gives the motion:
+/// so many lines.
 fn assert_has_own_equations(chart: &BTreeMap<String, Line>, tolerances: &[&str]) -> usize {
     for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"] {
         for tolerance in tolerances {

@@ -1,4 +1,4 @@
-//! `tripos scene`, and runs by a scene's own equations.
+//! `tripos scene`, and runs by a scene's reduced equations.
 
 use crate::support::{answer, asked, root};
 use serde_json::Value;
@@ -100,7 +100,7 @@ fn what_equations_do_not_contain_is_refused_with_what_to_do() {
     let (status, _, err) = answer(&["simulate", REPORT, "--by", "kane", "--method", "quadrature"]);
     assert!(status == 2 && err.contains("one degree of freedom"), "{err}");
     let (status, _, err) = answer(&["simulate", REPORT, "--by", "kane", "--project", "energy"]);
-    assert!(status == 2 && err.contains("own equations"), "{err}");
+    assert!(status == 2 && err.contains("reduced equations"), "{err}");
 }
 
 /// Goal: an event on a coordinate that would be computed from the time is found where it happens. Method: the same by
@@ -147,7 +147,7 @@ fn whole_equations_run_where_the_scene_s_own_are_no_gain() {
     let fall = "models/cart_pendulum_3/scenes/fall.toml";
     let whole = asked(&["simulate", fall, "--until", "0.5", "--json"]);
     let why = whole["notes"][0].as_str().unwrap();
-    assert!(why.starts_with("whole equations are run: the scene's own equations carry all 8 variables"), "{why}");
+    assert!(why.starts_with("whole equations are run: the scene's reduced equations carry all 8 variables"), "{why}");
     assert_eq!(
         (&whole["formulation"], &asked(&["scene", fall, "--json"])["runs_whole"]),
         (&"kane".into(), &why[25..].into())
@@ -299,7 +299,7 @@ fn a_default_run_goes_over_to_whole_equations_where_its_frame_has_a_pole() {
         "{notes}"
     );
     let (status, ..) = answer(&[&["simulate", path, "--by", "reduced"], &fine[..]].concat());
-    assert_ne!(status, 0, "who asks for the scene's own equations gets them alone");
+    assert_ne!(status, 0, "who asks for the scene's reduced equations gets them alone");
 }
 
 /// A symmetric top in Euler's angles, whose momenta stand in its equations only in products.
@@ -347,7 +347,7 @@ rtol = 1e-10
 atol = 1e-12
 "#;
 
-/// Goal: a scene's own equations have a value, whatever the ratio of the moments. Truth: θ(1) by quadrature of the
+/// Goal: a scene's reduced equations have a value, whatever the ratio of the moments. Truth: θ(1) by quadrature of the
 /// nutation for A, A, C; for the others Lagrange's equations.
 #[test]
 fn a_top_runs_by_its_own_equations_whatever_its_moments() {

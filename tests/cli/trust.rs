@@ -23,8 +23,8 @@ fn number(run: &Value, list: &str, name: &str) -> f64 {
 }
 
 /// Goal: a run passes a place where its speeds fail. Method: x′ (x/L)² is no speed at x = 0, where the point passes.
-/// Under drag alone x = −1/2 + (1 − e⁻ᵗ), and m x′ + c x is conserved, by which the scene's own equations go through; a
-/// push from the origin leaves only equations in rates: then x″ = −x′ + x.
+/// Under drag alone x = −1/2 + (1 − e⁻ᵗ), and m x′ + c x is conserved, by which the scene's reduced equations go
+/// through; a push from the origin leaves only equations in rates: then x″ = −x′ + x.
 #[test]
 fn a_place_where_speeds_say_nothing_is_passed_by_equations_that_do_not_divide_by_it() {
     let folder = tempfile::tempdir().unwrap();

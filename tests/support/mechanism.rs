@@ -41,7 +41,7 @@ impl Mechanism {
         let count = *random.one(&[1, 2, 2, 3, 3, 3]);
         let (mut links, mut values) =
             (Vec::<Link>::new(), vec![("g".to_owned(), "m/s^2", 9.81), ("l".to_owned(), "m", 0.5)]);
-        // Short numbers stand in the scene's own equations as such, others as letters.
+        // Short numbers stand in the scene's reduced equations as such, others as letters.
         for i in 0..count {
             let mixed = (i > 0 && random.chance(60)).then(|| match random.below(3) {
                 0 => format!("cos(q{}{})", i - 1, if links[i - 1].is_hinge { "" } else { "/l" }),

@@ -26,7 +26,7 @@ TRIPOS = {
 }
 # As everyone builds it: what the processor has is asked when lanes run.
 DEFAULT = size.of({name.replace("native", "default build"): words for name, words in TRIPOS.items() if "in lanes" in name}, {})
-# The scene's own equations, which have no tolerance, and answer ten outputs.
+# The scene's reduced equations, which have no tolerance, and answer ten outputs.
 QUADRATURE = f"Tripos, reduced, quadrature, {build.BUILD}"
 QUADRATURE_DEFAULT = size.of(["Tripos, reduced, quadrature, default build"], [])
 LOOPS, VECTORS = "C by hand, loops", "C by hand, vector types"

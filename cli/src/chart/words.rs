@@ -116,7 +116,7 @@ fn gain(list: &[Measurement], target: f64) -> Option<String> {
     let [(_, Some(own)), (_, Some(whole))] = times.as_slice() else { return None };
     let (times, faster) = if own <= whole { (whole / own, "faster") } else { (own / whole, "slower") };
     Some(format!(
-        "The scene's own reduced equations get to {target:e} in {}, {times:.1} times {faster} than the fastest of the whole model's, in {}.",
+        "The scene's reduced equations get to {target:e} in {}, {times:.1} times {faster} than the fastest of the whole model's, in {}.",
         seconds(*own),
         seconds(*whole)
     ))
@@ -158,11 +158,11 @@ pub fn lead(list: &[Measurement]) -> String {
     let use_ = match (common(&|m| m.way.solve(m.solve)), common(&|m| m.way.name())) {
         (_, Some(method)) if own => {
             format!(
-                "Use the scene's own reduced equations by {method}: on this scene that is the fastest to every accuracy below."
+                "Use the scene's reduced equations by {method}: on this scene that is the fastest to every accuracy below."
             )
         }
         _ if own => {
-            "Use the scene's own reduced equations: on this scene they are the fastest to every accuracy below; the \
+            "Use the scene's reduced equations: on this scene they are the fastest to every accuracy below; the \
                      method depends on the accuracy."
                 .to_owned()
         }
@@ -264,7 +264,7 @@ mod tests {
             run(By::Reduced, Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-10)),
         ];
         let said = lead(&list);
-        assert!(said.starts_with("Use the scene's own reduced equations by dop853: on this scene"), "{said}");
+        assert!(said.starts_with("Use the scene's reduced equations by dop853: on this scene"), "{said}");
         assert!(
             said.contains(
                 "get to 1e-6 in 100 µs, 10.0 times faster than the fastest of the whole model's, in 1.00 ms."

@@ -4,20 +4,24 @@ use crate::chart::{figure, files};
 use crate::failure::{Failure, print, say, warn};
 use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs, text};
-use crate::scene_file::read_scene;
+use crate::scene_file::VariedScene;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use tripos::studies::chart::{Plan, session};
 
 /// Measures the speed of a scene by all ways, and writes the tables and the chart to `out`. Returns the exit status.
-pub fn chart(path: &Path, quick: bool, printed: bool, out: &Path) -> Result<u8, Failure> {
-    let (model, scene) = read_scene(path)?;
+pub fn chart(
+    VariedScene { model, scene, .. }: &VariedScene,
+    quick: bool,
+    printed: bool,
+    out: &Path,
+) -> Result<u8, Failure> {
     let names = ["work_precision.csv", "times.csv", "drifts.csv", "work_precision.svg"].map(|name| out.join(name));
-    keep_inputs(&model, Some(&scene), names.iter().map(PathBuf::as_path))?;
+    keep_inputs(model, Some(scene), names.iter().map(PathBuf::as_path))?;
     folder(out)?;
     follow::listen();
     let bar = progress();
-    let session = session::chart(&model, &scene, printed, &Plan::new(quick), &Shows(&bar))?;
+    let session = session::chart(model, scene, printed, &Plan::new(quick), &Shows(&bar))?;
     bar.finish_and_clear();
     if let Some(cut) = &session.cut {
         say(cut);

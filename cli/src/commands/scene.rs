@@ -1,11 +1,10 @@
 //! `tripos scene`: states and equations that a scene needs of its model, and the parts that it leaves out.
 
 use crate::failure::{Failure, print, print_json};
-use crate::scene_file::read_scene;
+use crate::scene_file::VariedScene;
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::Path;
 use tripos::{Mechanism, Reduced};
 use tripos_codegen::plan::{Cost, Costs, costs};
 use tripos_derive::algebra::text::print::text;
@@ -13,18 +12,17 @@ use tripos_derive::reduce::Quantity;
 use tripos_derive::scene::Scene;
 
 /// Prints the reduced equations of a scene, with the omitted parts and their proofs. Returns the exit status.
-pub fn scene(path: &Path, json: bool) -> Result<u8, Failure> {
-    let (model, scene) = read_scene(path)?;
-    let reduced = Reduced::new(&model, &scene)?;
-    let costs = costs(&model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
-    let no_gain = reduced.no_gain(&model)?;
+pub fn scene(VariedScene { model, scene, .. }: &VariedScene, json: bool) -> Result<u8, Failure> {
+    let reduced = Reduced::new(model, scene)?;
+    let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
+    let no_gain = reduced.no_gain(model)?;
     if json {
-        let mut value = as_json(&model, &scene, &reduced, costs);
+        let mut value = as_json(model, scene, &reduced, costs);
         value["runs_whole"] = json!(no_gain);
         print_json(&value)?;
     } else {
         let why = no_gain.map(|why| format!("\nrun by whole equations, unless with --by reduced: {why}\n"));
-        print(&(as_text(&model, &scene, &reduced, costs) + &why.unwrap_or_default()))?;
+        print(&(as_text(model, scene, &reduced, costs) + &why.unwrap_or_default()))?;
     }
     Ok(0)
 }

@@ -26,9 +26,6 @@ use tripos_sim::{EventRecord, ImpactRecord, Stop};
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let VariedScene { model, mut scene, set } = read_scene_with(&request.scene, &request.set.set)?;
     request.how.overrides()?.change(&mut scene)?;
-    for (name, value) in &set {
-        say(&format!("note: {name} = {value}, not the value of the scene"));
-    }
     if let Some(of) = &request.gradient {
         return by_all::simulate(request, &model, &scene, &set, of);
     }

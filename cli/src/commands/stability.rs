@@ -4,21 +4,20 @@ use crate::commands::chart::progress;
 use crate::failure::{Failure, print};
 use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs};
-use crate::scene_file::read_scene;
+use crate::scene_file::VariedScene;
 use crate::stability::{statements, write};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::studies::stability::{Study, all};
 
 /// Runs every study that applies to the scene, and writes its numbers and figures to `out`. Returns the exit status.
-pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
-    let (model, scene) = read_scene(path)?;
+pub fn stability(VariedScene { model, scene, .. }: &VariedScene, quick: bool, out: &Path) -> Result<u8, Failure> {
     let files = ["stability.csv", "passages.csv"].map(|name| out.join(name));
-    keep_inputs(&model, Some(&scene), files.iter().map(PathBuf::as_path))?;
+    keep_inputs(model, Some(scene), files.iter().map(PathBuf::as_path))?;
     folder(out)?;
     follow::listen();
     let bar = progress();
-    let findings = all(&Study { model: &model, scene: &scene, quick, progress: &Shows(&bar) })?;
+    let findings = all(&Study { model, scene, quick, progress: &Shows(&bar) })?;
     bar.finish_and_clear();
     if findings.unfinished.is_some() && findings.rows.is_empty() {
         return Err(Failure::Interrupted(String::new()));
@@ -26,7 +25,7 @@ pub fn stability(path: &Path, quick: bool, out: &Path) -> Result<u8, Failure> {
     write(&findings, out)?;
     let scene_title = if scene.title.is_empty() { String::new() } else { format!(", {}", scene.title) };
     let mut text = format!("{}{scene_title}\n\n", model.title);
-    for statement in statements(&model, &findings) {
+    for statement in statements(model, &findings) {
         let _ = writeln!(text, "- {statement}");
     }
     let _ = writeln!(text, "\n{} numbers in {}", findings.rows.len(), out.join("stability.csv").display());

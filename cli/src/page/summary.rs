@@ -264,5 +264,5 @@ fn own(page: &Page, scene: &SceneSection) -> String {
     let kept = needs.reduced.reduction.states.len();
     let gain =
         if gain > 1.05 { format!(", {} times fewer operations a call", rounded(gain, 2)) } else { String::new() };
-    format!("{command}: the scene's own equations keep {kept} of {}{gain}.", count(all, "state"))
+    format!("{command}: the scene's reduced equations keep {kept} of {}{gain}.", count(all, "state"))
 }

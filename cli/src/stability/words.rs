@@ -90,7 +90,7 @@ pub fn own(list: &[Passed]) -> Option<String> {
     let places: Vec<String> =
         own.iter().filter(|p| p.method == own[0].method).map(|p| format!("{:.0e}", p.least)).collect();
     (!parts.is_empty())
-        .then(|| format!("The scene's own reduced equations pass at {} {}.", joined(&places), parts.join("; ")))
+        .then(|| format!("The scene's reduced equations pass at {} {}.", joined(&places), parts.join("; ")))
 }
 
 /// Sentence for the case that Lagrange's equations, integrated in the coordinate itself, keep digits that formulations

@@ -1,4 +1,4 @@
-//! Plan of the functions of one scene's own equations, and costs of a call compared with the whole model.
+//! Plan of the functions of one scene's reduced equations, and costs of a call compared with the whole model.
 
 use super::cost::Cost;
 use super::formulation::{accelerations, derivative, divisors, jacobian, kinematics_and_energies, singular_text};
@@ -46,7 +46,7 @@ impl<'a> SceneEquations<'a> {
     }
 }
 
-/// Plan of the code of one scene's own equations.
+/// Plan of the code of one scene's reduced equations.
 pub struct ScenePlan<'a> {
     /// Reduction of the scene.
     pub reduction: &'a Reduction,
@@ -228,7 +228,8 @@ fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
     ]
 }
 
-/// Costs of one call of the derivative of the state: of all equations by Kane's method, and of a scene's own equations.
+/// Costs of one call of the derivative of the state: of all equations by Kane's method, and of a scene's reduced
+/// equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Costs {
     /// Cost of a call for the whole model.

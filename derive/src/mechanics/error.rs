@@ -270,7 +270,7 @@ impl fmt::Display for DeriveError {
             ),
             Self::LoopsReduced { name } => write!(
                 f,
-                "a scene's own equations are not made of a mechanism with loops: nothing would keep `{name}` closed in them"
+                "a scene's reduced equations are not made of a mechanism with loops: nothing would keep `{name}` closed in them"
             ),
             Self::NothingMoves => {
                 write!(

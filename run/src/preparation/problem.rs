@@ -377,7 +377,7 @@ impl<'a> Problem<'a> {
             let help = if self.by.is_reduced() {
                 "no conserved energy was found that is a function of what is left: leave the projection out"
             } else {
-                "projection needs a scene's own equations: name no others"
+                "projection needs a scene's reduced equations: name no others"
             };
             return Err(Error::request(what, help.to_owned()));
         }
@@ -398,7 +398,7 @@ impl<'a> Problem<'a> {
     fn no_quadrature(&self) -> &'static str {
         let system = self.system();
         if !self.by.is_reduced() {
-            "it needs a scene's own equations with one degree of freedom left, as `tripos scene` shows"
+            "it needs a scene's reduced equations with one degree of freedom left, as `tripos scene` shows"
         } else if system.lengths().variables != 1 {
             "it needs one degree of freedom; `tripos scene` shows how many are left: give a stepping method"
         } else if !system.has_potential_slope() {

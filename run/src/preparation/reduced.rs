@@ -107,7 +107,7 @@ impl Reduced {
     /// [`Error`] if the model has no Kane's equations.
     pub fn no_gain(&self, model: &Model) -> Result<Option<String>, Error> {
         if !self.scene.impacts.is_empty() {
-            return Ok(Some("impacts change what the scene's own equations hold constant".to_owned()));
+            return Ok(Some("impacts change what the scene's reduced equations hold constant".to_owned()));
         }
         let whole = model.coordinates.len() + model.speeds.len();
         if self.reduction.states.len() + self.reduction.quadratures.len() < whole {
@@ -116,7 +116,7 @@ impl Reduced {
         let Costs { full, scene } = costs(model, &self.reduction).map_err(|error| model.diagnose(&error))?;
         Ok((scene.weight() >= full.weight()).then(|| {
             format!(
-                "the scene's own equations carry all {whole} variables and take {scene} a call, the whole ones {full}"
+                "the scene's reduced equations carry all {whole} variables and take {scene} a call, the whole ones {full}"
             )
         }))
     }

@@ -140,7 +140,7 @@ impl Run {
     pub fn course(&self, watch: &Watch, scene: &Scene, code: &Code) -> Result<Course, Error> {
         let (integrals, divisors) = watch.along(&scene.parameters, &self.states);
         let (mut determinant, mut condition) = (Vec::new(), Vec::new());
-        // A scene's own equations are solved. They have no matrix, and their parameters differ.
+        // A scene's reduced equations are solved. They have no matrix, and their parameters differ.
         if !self.by.is_reduced() {
             let mut dynamics =
                 Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused(scene, &error))?;

@@ -26,7 +26,7 @@ use tripos_derive::{Formulation, Model};
 use tripos_sim::{Event, Options, Solution, Stop};
 
 /// Runs a scene by the equations named `by`, such as `kane`; `reduced` names the scene's own. Without a name the
-/// scene's own reduced equations run if they are a gain and reach the end. Otherwise, and for a numeric solve, whole
+/// scene's reduced equations run if they are a gain and reach the end. Otherwise, and for a numeric solve, whole
 /// equations run.
 ///
 /// # Errors
@@ -45,7 +45,7 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Resul
     }
 }
 
-/// Reason why whole equations run and a scene's own equations are not tried; `None` if these are tried.
+/// Reason why whole equations run and a scene's reduced equations are not tried; `None` if these are tried.
 fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option<&'static str> {
     if scene.integration.solve == Some(Solve::Numeric) {
         return Some(
@@ -87,7 +87,7 @@ fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Resul
         Ok(Own::Run(run)) => taken_through(mechanism, scene, watch, *run),
         Ok(Own::NoGain(why)) => whole(&why),
         Err(error) => {
-            let why = format!("the scene's own equations do not run it ({})", error.first_line());
+            let why = format!("the scene's reduced equations do not run it ({})", error.first_line());
             whole(&why).or(Err(error))
         }
     }
@@ -95,9 +95,9 @@ fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Resul
 
 /// Result of trying to run a scene by its own reduced equations.
 enum Own {
-    /// A run by the scene's own reduced equations.
+    /// A run by the scene's reduced equations.
     Run(Box<Run>),
-    /// Reason why the scene's own equations are no gain over whole ones.
+    /// Reason why the scene's reduced equations are no gain over whole ones.
     NoGain(String),
 }
 
@@ -113,9 +113,9 @@ fn run_gain(mechanism: &Mechanism, scene: &Scene, ground: &Ground, watch: Option
 /// Replaces a run that could not go on by a run of other equations of the same motion, if one goes on: Kane's, or
 /// Lagrange's, whose motion variables are the rates. The new run starts again and shows all that the scene shows.
 ///
-/// A scene's own equations contain momenta and may be in a moving frame. The motion may be regular at a pole of that
-/// frame, so a failed run by them is replaced for any reason. A run by whole equations is replaced only if these divide
-/// by zero.
+/// A scene's reduced equations contain momenta and may be in a moving frame. The motion may be regular at a pole of
+/// that frame, so a failed run by them is replaced for any reason. A run by whole equations is replaced only if these
+/// divide by zero.
 fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, run: Run) -> Result<Run, Error> {
     let Some(why) = left_for(&run) else { return Ok(run) };
     let mut doubtful = None;

@@ -12,7 +12,7 @@ use tripos_derive::scene::{Integrator, Scene, Solve};
 use tripos_sim::work_precision::options;
 use tripos_sim::{Method, Options, Solution, quadrature};
 
-/// Methods that also run a scene's own equations with an absolute tolerance alone. Their errors are so small that
+/// Methods that also run a scene's reduced equations with an absolute tolerance alone. Their errors are so small that
 /// relative tolerances cannot be fine enough.
 const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
 
@@ -24,7 +24,7 @@ pub struct Case {
     pub code: Code,
     /// Way in which accelerations are found.
     pub solve: Solve,
-    /// Reduction that gave a scene's own equations; `None` for those of the whole model.
+    /// Reduction that gave a scene's reduced equations; `None` for those of the whole model.
     pub reduction: Option<Reduction>,
 }
 
@@ -184,7 +184,7 @@ impl Way {
 }
 
 /// Lists every formulation of the model with each way to find its accelerations. Printed equations follow, as they
-/// stand, if `printed` is true, and then the scene's own equations. Also returns the reasons why cases are missing.
+/// stand, if `printed` is true, and then the scene's reduced equations. Also returns the reasons why cases are missing.
 ///
 /// # Errors
 /// [`Error`] if no equations can be run.
@@ -192,7 +192,7 @@ pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
     let (mut list, mut left_out) = whole(model, scene, printed)?;
     match own(model, scene) {
         Ok(case) => list.push(case),
-        Err(failure) => left_out.push(format!("the scene's own equations: {}", failure.first_line())),
+        Err(failure) => left_out.push(format!("the scene's reduced equations: {}", failure.first_line())),
     }
     Ok((list, left_out))
 }
@@ -227,7 +227,7 @@ pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
     }
 }
 
-/// Makes the case of a scene's own reduced equations.
+/// Makes the case of a scene's reduced equations.
 ///
 /// # Errors
 /// [`Error`] if the scene has no reduced equations; the other cases can still be charted.

@@ -8,8 +8,8 @@ use tripos_derive::Formulation;
 /// Function for the power that changes T + V along a run, W. `None` if no load without a potential works, or the run
 /// shows no energies.
 ///
-/// A scene's own equations show the energies of the whole model. The power is then computed by Kane's equations at the
-/// shown state.
+/// A scene's reduced equations show the energies of the whole model. The power is then computed by Kane's equations at
+/// the shown state.
 ///
 /// # Errors
 /// [`Error`] if the model has no Kane's equations.

@@ -118,7 +118,7 @@ fn equations(needs: &Needs) -> String {
         let left = arena.sum(&terms);
         list.push((Side::of(&arena, left), Side::of(&arena, *forcing)));
     }
-    scroll("The scene's own equations", &lines(&list))
+    scroll("The scene's reduced equations", &lines(&list))
 }
 
 /// HTML of the outputs of the scene, as functions of the kept states.

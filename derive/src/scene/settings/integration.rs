@@ -18,7 +18,7 @@ pub(crate) const SOLVES: [&str; Solve::ALL.len()] = [Solve::ALL[0].name(), Solve
 pub enum Integrator {
     /// A method that takes steps, such as a Runge–Kutta method.
     Steps(Method),
-    /// Integrals of a scene's own equations with one degree of freedom, exact to rounding, without steps.
+    /// Integrals of a scene's reduced equations with one degree of freedom, exact to rounding, without steps.
     Quadrature,
 }
 
@@ -170,7 +170,8 @@ pub struct Integration {
     pub project: Option<Project>,
     /// Distance that is integrated in place of a coordinate; `None` if the scene file states none.
     pub distance: Option<Distance>,
-    /// True if the scene's own equations may integrate a distance; false if the scene file says `distance = "none"`.
+    /// True if the scene's reduced equations may integrate a distance; false if the scene file says `distance =
+    /// "none"`.
     pub may_measure: bool,
 }
 

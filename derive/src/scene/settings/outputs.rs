@@ -102,7 +102,7 @@ impl<'a> Values<'a, '_> {
         self.motion_formula_with(formula, &ENERGIES)
     }
 
-    /// Indices of the parameters that stay symbols in the scene's own equations: `free = ["M"]`.
+    /// Indices of the parameters that stay symbols in the scene's reduced equations: `free = ["M"]`.
     pub fn free(&mut self, table: &'a DeTable<'a>) -> Vec<usize> {
         let Some(value) = self.reader.get(table, "free") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {

@@ -13,7 +13,7 @@
 //!
 //! The derivatives of one quantity at the end, by many numbers at once, are computed backwards: [`gradient`].
 //!
-//! A scene's own reduced equations are left out on purpose. They contain constants that would have to be differentiated
+//! A scene's reduced equations are left out on purpose. They contain constants that would have to be differentiated
 //! as well.
 
 mod apart;
@@ -252,7 +252,7 @@ fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
     if by == Some(By::Reduced.name().as_str()) {
         let help = "leave `--by` out: whole equations are run for derivatives";
-        return refuse("a scene's own equations are not differentiated", help);
+        return refuse("a scene's reduced equations are not differentiated", help);
     }
     if how.method == Integrator::Quadrature {
         return refuse("motions by quadrature are not differentiated", "give a stepping method, such as dop853");

@@ -28,8 +28,8 @@ const METHODS: [(Method, f64); 5] = [
     (Method::Gauss6, 1e-11),
     (Method::Rk4, 1e-12),
 ];
-/// Method for a scene's own equations. Near the surface their states have very different sizes, and none of them loses
-/// digits. An absolute tolerance alone keeps the digits of all.
+/// Method for a scene's reduced equations. Near the surface their states have very different sizes, and none of them
+/// loses digits. An absolute tolerance alone keeps the digits of all.
 const OWN: Way = Way::Absolute(Method::Dop853, 1e-14);
 /// Number of methods that a quick study compares.
 const QUICK: usize = 2;
@@ -116,10 +116,10 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
             }
         }
     }
-    // A scene's own equations are written in the distance if they have one.
+    // A scene's reduced equations are written in the distance if they have one.
     let own = own(model, study.scene);
     if let Err(failure) = &own {
-        findings.say(Topic::Passages, format!("the scene's own equations were not run: {}", failure.first_line()));
+        findings.say(Topic::Passages, format!("the scene's reduced equations were not run: {}", failure.first_line()));
     }
     if let Ok(case) = own {
         let measured = case.reduction.as_ref().is_some_and(|reduction| !reduction.divisors.is_empty());
