@@ -107,7 +107,7 @@ impl Reduced {
     /// [`Error`] if the model has no Kane's equations.
     pub fn no_gain(&self, model: &Model) -> Result<Option<String>, Error> {
         if !self.scene.impacts.is_empty() {
-            return Ok(Some("impacts change what the scene's reduced equations hold constant".to_owned()));
+            return Ok(Some("impacts change what reduced equations hold constant".to_owned()));
         }
         let whole = model.coordinates.len() + model.speeds.len();
         if self.reduction.states.len() + self.reduction.quadratures.len() < whole {

@@ -57,7 +57,7 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option
         return None;
     }
     if !scene.impacts.is_empty() {
-        return Some("whole equations are run: impacts change what a scene's own ones hold constant");
+        return Some("whole equations are run: impacts change what reduced ones hold constant");
     }
     if mechanism.speeds.is_empty() {
         return Some("the constraints leave no speed: the coordinates follow from them, and forces from the motion");
