@@ -18,13 +18,16 @@ pub struct Constraint {
     pub enforced_by: Option<usize>,
 }
 
+/// Index of a frame or a point, and the velocity that a motion adds there.
+pub type AddedVelocity = (usize, [Expr; 3]);
+
 /// Motion along a coordinate that the equation of a closed joint fixes, at rate 1, if that joint alone were open.
 #[derive(Clone, Debug, Default)]
 pub struct Opening {
     /// Frames that turn relative to their parents: index, and angular velocity along the axes of the frame.
-    pub turns: Vec<(usize, [Expr; 3])>,
+    pub turns: Vec<AddedVelocity>,
     /// Points that move relative to their parents: index, and velocity along the axes in which the point is placed.
-    pub moves: Vec<(usize, [Expr; 3])>,
+    pub moves: Vec<AddedVelocity>,
     /// Constraints that the motion would break: name, and rate of the equation.
     pub breaks: Vec<(String, Expr)>,
 }

@@ -18,7 +18,9 @@ pub use crate::geometry::{Frame, Point, Turn};
 pub(crate) use bodies::joint_kinds::JOINT_KINDS;
 pub(crate) use bodies::shapes::SHAPE_KINDS;
 pub use bodies::shapes::{Shape, ShapeForm, without_shapes};
-pub use constraint::{Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Opening, Rolled, Tie};
+pub use constraint::{
+    AddedVelocity, Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Opening, Rolled, Tie,
+};
 pub use contacts::{Compared, Contacts};
 pub use input::{Binding, Input};
 pub use reactions::interactions::GROUND;

@@ -171,8 +171,7 @@ impl<'a> Loading<'a> {
         let reactions = self.reaction_symbols(table);
         let has_speeds = self.missing_sections(table, &joints, !coordinates.is_empty());
         let mut signals = self.inputs(table, &mut parameters);
-        let mut elements = Elements::default();
-        elements.read(self, table, &joints, &reactions);
+        let mut elements = Elements::read(self, table, &joints, &reactions);
         let shapes = self.shapes(table, &elements, &parameters);
         let before_constraints = self.reader.errors.len();
         let Connections { velocities, configuration, motion, slips, holding, is_known } =

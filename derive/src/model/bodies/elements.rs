@@ -33,21 +33,22 @@ pub struct Elements {
 impl Elements {
     /// Reads the sections of frames, points, bodies, loads and reactions; errors are added to those of the reader.
     pub fn read<'a>(
-        &mut self,
         loading: &mut Loading<'a>,
         table: &'a DeTable<'a>,
         joints: &Joints<'a>,
         reactions: &[Entry<'a>],
-    ) {
-        self.read_inertial(loading, table);
-        self.read_frames(loading, table, joints);
-        self.read_points(loading, table, joints);
-        self.read_bodies(loading, table, joints);
-        self.read_particles(loading, table);
-        self.read_gravity(loading, table);
-        self.read_forces(loading, table);
-        self.read_torques(loading, table);
-        self.read_reactions(loading, reactions);
+    ) -> Self {
+        let mut all = Self::default();
+        all.read_inertial(loading, table);
+        all.read_frames(loading, table, joints);
+        all.read_points(loading, table, joints);
+        all.read_bodies(loading, table, joints);
+        all.read_particles(loading, table);
+        all.read_gravity(loading, table);
+        all.read_forces(loading, table);
+        all.read_torques(loading, table);
+        all.read_reactions(loading, reactions);
+        all
     }
 
     /// Index of the one body that a coordinate moves relative to the body or origin from which it is placed. `None` if

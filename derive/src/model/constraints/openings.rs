@@ -8,8 +8,8 @@ use super::configuration::{Opened, Stated};
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::Turn;
-use crate::model::Opening;
 use crate::model::bodies::elements::Elements;
+use crate::model::{AddedVelocity, Opening};
 
 /// Motions along the coordinates that equations of joints fix. `elements` and the `constraints` that were not solved
 /// still contain these coordinates; `replacements` are the values of all coordinates that constraints fix.
@@ -69,7 +69,7 @@ pub(in crate::model) fn openings(
 }
 
 /// Components of a vector of a frame or a point, by its index; they are 0 at first.
-fn own(list: &mut Vec<(usize, [Expr; 3])>, at: usize) -> &mut [Expr; 3] {
+fn own(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] {
     if list.last().is_none_or(|(last, _)| *last != at) {
         list.push((at, [Expr::ZERO; 3]));
     }

@@ -10,7 +10,7 @@ use crate::algebra::value::field::Field;
 use crate::algebra::value::points::Drawn;
 use crate::algebra::{Arena, Expr, Function, Rational};
 use crate::geometry::Turn;
-use crate::model::{Model, Opening};
+use crate::model::{AddedVelocity, Model};
 use std::collections::BTreeMap;
 
 /// Residues of three components of a vector, along inertial axes if nothing else is said.
@@ -129,6 +129,11 @@ impl Followed {
     }
 }
 
+/// Velocity that a motion adds at a frame or a point; `None` if it adds none.
+fn added(list: &[AddedVelocity], at: usize) -> Option<[Expr; 3]> {
+    list.iter().find(|(moved, _)| *moved == at).map(|(_, velocity)| *velocity)
+}
+
 /// Differentiates quantities along the coordinates, and along the motion of a model.
 struct Follower {
     slopes: Gradient,
@@ -136,11 +141,12 @@ struct Follower {
 }
 
 impl Follower {
-    /// Adds motions along coordinates that closed joints fix to the slopes of each component, at indices from
-    /// `first` on.
-    fn open(components: &mut [(usize, Followed)], first: usize, openings: &[(usize, [Expr; 3])]) {
+    /// Adds motions along coordinates that closed joints fix to the slopes of each component, at indices from `first`
+    /// on. `openings` has the velocity that each motion adds.
+    fn open(components: &mut [(usize, Followed)], first: usize, openings: &[Option<[Expr; 3]>]) {
         for (axis, followed) in components {
-            let along = openings.iter().map(|(which, velocity)| (first + which, velocity[*axis]));
+            let along =
+                openings.iter().enumerate().filter_map(|(at, velocity)| Some((first + at, (*velocity)?[*axis])));
             followed.slopes.extend(along.filter(|(_, slope)| *slope != Expr::ZERO));
         }
     }
@@ -197,10 +203,6 @@ impl DrawnModel {
         let mut follower = Follower::new(model);
         let mut terms = Vec::new();
         let first = model.coordinates.len();
-        let opened = |of: fn(&Opening) -> &Vec<(usize, [Expr; 3])>, at: usize| -> Vec<(usize, [Expr; 3])> {
-            let own = |opening: &Opening| of(opening).iter().find(|(moved, _)| *moved == at).map(|(_, v)| *v);
-            model.openings.iter().enumerate().filter_map(|(which, opening)| Some((which, own(opening)?))).collect()
-        };
         let turns: Vec<Option<Turning>> = model
             .frames
             .iter()
@@ -212,7 +214,8 @@ impl DrawnModel {
                     Turn::Oriented(oriented) => oriented.cosines.concat(),
                 };
                 let mut spins = follower.spins(arena, turn);
-                Follower::open(&mut spins, first, &opened(|opening| &opening.turns, at));
+                let openings: Vec<_> = model.openings.iter().map(|opening| added(&opening.turns, at)).collect();
+                Follower::open(&mut spins, first, &openings);
                 Some(Turning { cosines, spins })
             })
             .collect();
@@ -224,7 +227,8 @@ impl DrawnModel {
                 let (_, _, position) = point.position?;
                 let components = position.into_iter().enumerate();
                 let mut place = components.map(|(axis, e)| (axis, follower.follow(arena, e))).collect::<Vec<_>>();
-                Follower::open(&mut place, first, &opened(|opening| &opening.moves, at));
+                let openings: Vec<_> = model.openings.iter().map(|opening| added(&opening.moves, at)).collect();
+                Follower::open(&mut place, first, &openings);
                 Some(place)
             })
             .collect();
