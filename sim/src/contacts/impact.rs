@@ -297,4 +297,37 @@ mod tests {
         let after = before + &rough.compliance * impulses;
         assert!((after[0] - 0.5).abs() < 1e-14 && after[1].abs() < 1e-14, "{after}");
     }
+
+    /// Three contacts, of which the outer ones slip in opposite directions; entries of the matrix have very different
+    /// sizes, and its singular values are known to few digits. Truth: with the friction of each slip put in, the forces
+    /// along the gaps are the solution of three equations, and all of them push.
+    #[test]
+    fn contacts_with_entries_of_very_different_sizes_push_together() {
+        let (a, b) = (0.000_100_996_633_714_906_53, 0.005_049_158_356_898_252);
+        let (x, y, z) = (0.587_489_711_545_432, 0.252_424_255_891_537_6, 0.023_137_449_192_242_29);
+        let g = [
+            [1.638_435_986_825_109, x, a, a, b],
+            [x, 0.981_012_836_669_957_1, b, b, y],
+            [a, b, 7.064_054_485_005_78, a, b],
+            [a, b, a, 0.585_561_814_984_556_6, z],
+            [b, y, b, z, 1.328_861_773_123_242],
+        ];
+        let three = Closed {
+            compliance: DMatrix::from_fn(5, 5, |i, j| g[i][j]),
+            rows: vec![vec![0, 1], vec![2], vec![3, 4]],
+            friction: vec![Some(0.78), None, Some(0.08)],
+        };
+        let c = DVector::from_vec(vec![
+            -9.476_405_074_815_432,
+            -0.704_821_167_727_817_7,
+            -9.812_030_410_216_18,
+            -9.147_180_939_245_233,
+            -0.040_794_709_212_863_24,
+        ]);
+        let found = three.ways(&c, &[Some(1.0), None, Some(-1.0)]).unwrap();
+        assert_eq!(found[0].modes, [Mode::Slips(1.0), Mode::Pushes, Mode::Slips(-1.0)]);
+        let (forces, after) = (&found[0].forces, &three.compliance * &found[0].forces + &c);
+        assert!([0, 2, 3].iter().all(|row| after[*row].abs() < 1e-13 && forces[*row] > 1.0), "{forces}{after}");
+        assert!((forces[1] + 0.78 * forces[0]).abs() < 1e-13 && (forces[4] - 0.08 * forces[3]).abs() < 1e-13);
+    }
 }

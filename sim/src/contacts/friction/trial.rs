@@ -1,7 +1,7 @@
 //! Trial of one set of contact modes after the other: its forces, and whether these agree with the modes.
 
 use super::{Found, Mode};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 /// Fraction of the largest singular value below which a singular value counts as rounding.
 const DEPENDENT: f64 = 1e-11;
@@ -10,6 +10,8 @@ const LIGHT: f64 = 1e-6;
 /// Factor on the weights of forces along slips if friction could not bear its share of the forces. Friction then takes
 /// no more than needed.
 const FAINT: f64 = 1e-3;
+/// Number of refinements of a solution by singular values.
+const REFINEMENTS: usize = 2;
 
 /// A closed contact of a trial, in the units of its rows.
 pub(crate) struct Touch<'t> {
@@ -149,7 +151,7 @@ impl Trial<'_> {
         let sides = DVector::from_iterator(unknown.len(), unknown.iter().map(|(row, _)| -c[*row]));
         let svd = part.clone().svd(true, true);
         let rounding = DEPENDENT * svd.singular_values.max();
-        let mut values = svd.solve(&sides, rounding).ok()?;
+        let mut values = refined(&svd, &part, &sides, rounding)?;
         if svd.singular_values.min() <= rounding
             && let Some(weights) = self.weights(chosen, (&unknown, &values))
         {
@@ -251,6 +253,17 @@ fn chosen(modes: &[Mode]) -> Vec<Choice> {
 /// Solution x of A x = b with the smallest sum of squares of x over weights; `None` if there is no solution.
 fn shared(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f64>) -> Option<DVector<f64>> {
     let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] * weights[j]);
-    let svd = scaled.svd(true, true);
-    Some(svd.solve(b, DEPENDENT * svd.singular_values.max()).ok()?.component_mul(weights))
+    let svd = scaled.clone().svd(true, true);
+    let rounding = DEPENDENT * svd.singular_values.max();
+    Some(refined(&svd, &scaled, b, rounding)?.component_mul(weights))
+}
+
+/// Least solution of A x = b by the singular values of A above `rounding`, refined by its residuals: those values and
+/// their vectors may be known to ten digits alone, where entries of A have very different sizes.
+fn refined(svd: &SVD<f64, Dyn, Dyn>, a: &DMatrix<f64>, b: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
+    let mut x = svd.solve(b, rounding).ok()?;
+    for _ in 0..REFINEMENTS {
+        x += svd.solve(&(b - a * &x), rounding).ok()?;
+    }
+    Some(x)
 }
