@@ -13,16 +13,16 @@ const STEP: f64 = 1e-3;
 const G: f64 = 9.81;
 
 /// Small generator of numbers (Knuth's linear congruential one).
-struct Chance(u64);
+pub struct Chance(pub u64);
 
 impl Chance {
-    fn below(&mut self, n: usize) -> usize {
+    pub fn below(&mut self, n: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         usize::try_from((self.0 >> 33) % n as u64).unwrap()
     }
 
     /// Between −1 and 1, in hundredths, and never near 0.
-    fn number(&mut self) -> f64 {
+    pub fn number(&mut self) -> f64 {
         let size = 20 + self.below(80);
         f64::from(u32::try_from(size).unwrap()) / 100.0 * if self.below(2) == 0 { 1.0 } else { -1.0 }
     }

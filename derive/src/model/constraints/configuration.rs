@@ -85,10 +85,12 @@ pub struct Solved {
 /// Coordinates that equations of closed joints fix, and that would move if these joints were open.
 #[derive(Default)]
 pub struct Opened {
+    /// Symbols of the coordinates.
     pub symbols: Vec<Expr>,
     /// Rates of the coordinates, in the same order.
     pub rates: Vec<Expr>,
-    /// Coordinates that the model file's own constraints fix, and their rates, each with its value in all others.
+    /// Coordinates that the model file's own constraints fix, and their rates, each with its value in the coordinates
+    /// that these constraints leave.
     pub before: Vec<(Expr, Expr)>,
 }
 

@@ -116,7 +116,7 @@ impl Apart<'_> {
                 let rounding = if at < quantities { larger(known(&above, at), known(&below, at)) } else { 0.0 };
                 table.add((pick(&above) - pick(&below)) / (2.0 * step), rounding / step);
             }
-            // An instant that is not compared ends no search.
+            // Another run may lack an event, so that its instant has no derivative: only the others prolong the search.
             if tables[..=quantities].iter().all(Table::is_done) {
                 break;
             }

@@ -139,7 +139,9 @@ impl Question {
 }
 
 /// Derives the equations of a model for steady motions. They do not depend on time, though the model may name it.
-/// # Errors [`Error`] if the model has no speeds, cannot be derived, or depends on time.
+///
+/// # Errors
+/// [`Error`] if the model has no speeds, cannot be derived, or depends on time.
 fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
     model.has_speeds("there is no motion near another, and every pose in which the loops are closed is at rest")?;
     let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
