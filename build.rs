@@ -27,7 +27,7 @@ fn main() {
         // Of a model that was never generated nothing is found.
         let compiled = read_to_string(Path::new("generated/src").join(&*name).join("mod.rs")).unwrap_or_default();
         let is_current = |key: &str, hash: &str| compiled.contains(&format!("{key}: \"{hash}\""));
-        if !is_current("text_hash", &hash(without_shapes(&model))) {
+        if !is_current("text_hash", &hash(equations_text(&model))) {
             println!(
                 "cargo::warning=models/{name}/model.toml is not what its equations were generated from: it runs interpreted until `tripos regenerate {name}`"
             );
@@ -55,13 +55,13 @@ fn is_feature(manifest: &str, name: &str) -> bool {
     lines.filter_map(|line| line.split_once(" = ")).any(|(feature, _)| feature == name)
 }
 
-/// The text of a model without the sections `[shapes]` at its end, which no equation depends on.
+/// The text of a model without the sections `[shapes]` and `[notation]` at its end, which no equation depends on.
 #[must_use]
-pub fn without_shapes(text: &str) -> &str {
-    let is_shapes = |line: &str| line.starts_with("[shapes]") || line.starts_with("[shapes.");
+pub fn equations_text(text: &str) -> &str {
+    let is_look = |line: &str| ["[shapes]", "[shapes.", "[notation]"].iter().any(|look| line.starts_with(look));
     let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
-    let mut headers = starts.filter(|at| text[*at..].starts_with('[')).skip_while(|at| !is_shapes(&text[*at..]));
-    let Some(first) = headers.next().filter(|_| headers.all(|at| is_shapes(&text[at..]))) else { return text };
+    let mut headers = starts.filter(|at| text[*at..].starts_with('[')).skip_while(|at| !is_look(&text[*at..]));
+    let Some(first) = headers.next().filter(|_| headers.all(|at| is_look(&text[at..]))) else { return text };
     let mut rest = &text[..first];
     while rest.ends_with("\n\n") {
         rest = &rest[..rest.len() - 1];

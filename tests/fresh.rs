@@ -50,11 +50,13 @@ fn the_build_hashes_as_the_deriving_crate_does() {
     }
 }
 
-/// The build leaves the same shapes out of a text.
+/// The build leaves the same sections out of a text.
 #[test]
 fn the_build_leaves_out_the_same_shapes() {
-    for shapes in ["", "[shapes]\nx = 1\n", "\n\n[shapes.x]\ny = 1\n[shapes.z]\n", "[shapes]\nx = 1\n[points]\n"] {
+    for shapes in
+        ["", "[shapes]\nx = 1\n", "\n\n[shapes.x]\ny = 1\n[notation]\n[shapes.z]\n", "[shapes]\nx = 1\n[points]\n"]
+    {
         let text = format!("name = \"a\"\n{shapes}");
-        assert_eq!(build::without_shapes(&text), tripos_derive::model::without_shapes(&text), "{shapes}");
+        assert_eq!(build::equations_text(&text), tripos_derive::model::equations_text(&text), "{shapes}");
     }
 }

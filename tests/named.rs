@@ -11,7 +11,7 @@ use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::By;
-use tripos_derive::mechanics::{Kinematics, derive_all_with};
+use tripos_derive::mechanics::{Form, Kinematics, derive_all_with};
 use tripos_derive::{Equations, Formulation, Model, model};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
@@ -25,10 +25,10 @@ fn entries(arena: &mut Arena, e: &Equations) -> Vec<Expr> {
 
 /// The places where the two ways differ by meaning, with the formulations.
 fn differences(model: &Model) -> Vec<(Formulation, usize)> {
-    let named = derive_all_with(model, Kinematics::in_form(model, true).unwrap()).unwrap();
+    let named = derive_all_with(model, Kinematics::in_form(model, Form::Steps).unwrap()).unwrap();
     // Both in one store, so that terms can be subtracted.
     let again = Model { arena: named.kinematics.arena.clone(), ..model.clone() };
-    let written = derive_all_with(&again, Kinematics::in_form(&again, false).unwrap()).unwrap();
+    let written = derive_all_with(&again, Kinematics::in_form(&again, Form::Closed).unwrap()).unwrap();
     let mut arena = written.kinematics.arena.clone();
     let mut found = Vec::new();
     for f in Formulation::ALL {
@@ -79,7 +79,7 @@ fn random_mechanisms_have_the_same_equations_with_names_and_without() {
         let text = Mechanism::new(&mut Random(seed)).text();
         let model = model::load(&Source::from_text("model.toml", &text)).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(differences(&model), [], "seed {seed}:\n{text}");
-        let mut named = derive_all_with(&model, Kinematics::in_form(&model, true).unwrap()).unwrap();
+        let mut named = derive_all_with(&model, Kinematics::in_form(&model, Form::Steps).unwrap()).unwrap();
         let kane = named.get(Formulation::Kane).unwrap().clone();
         assert!(is_solved(&mut named.kinematics.arena, &kane), "seed {seed}:\n{text}");
     }

@@ -29,6 +29,9 @@ pub enum Command {
         /// kane, lagrange or newton-euler; all that the model supports if not given
         #[arg(long)]
         by: Option<String>,
+        /// Formulas written out, or in steps that have names; written out where they fit some two pages if not given
+        #[arg(long, value_enum)]
+        form: Option<Form>,
         /// Notation of the mathematics
         #[arg(long, value_enum, default_value_t = Format::Text)]
         format: Format,
@@ -533,6 +536,15 @@ pub enum Format {
     Mathml,
     /// Text inside JSON
     Json,
+}
+
+/// Form of printed equations.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Form {
+    /// Every formula written out
+    Closed,
+    /// Terms that grow have names, and each formula contains the names before it
+    Steps,
 }
 
 /// Language of a printed linear system.

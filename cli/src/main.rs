@@ -71,8 +71,8 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Man { out } => commands::manual::man(out.as_deref()),
         Command::Schema { format } => commands::schema::schema(&format),
         Command::Page(request) => commands::page::page(request.model.as_deref(), &request.out),
-        Command::Derive { model, by, format, fragment } => {
-            commands::derive::derive(&model, by.as_deref(), format, fragment)
+        Command::Derive { model, by, form, format, fragment } => {
+            commands::derive::derive(&model, by.as_deref(), form, (format, fragment))
         }
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
         Command::Check { model, json } => commands::check::check(&model, json),

@@ -21,7 +21,7 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Vector, apply_tensor};
-use crate::mechanics::{Derivation, DeriveError, Formulation, Kinematics, derive, is_large, load_divisors};
+use crate::mechanics::{Derivation, DeriveError, Form, Formulation, Kinematics, derive, load_divisors};
 use crate::model::{Branch, DependentConstraint, Model, MotionConstraint, Tie};
 
 /// Kind of a constraint: an equation between coordinates or between velocities.
@@ -147,7 +147,7 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         }
         Err(error) => return Err(error),
     }
-    let loads = if is_large(model) { Vec::new() } else { creates::effects(model)? };
+    let loads = if Form::computed(model) == Form::Steps { Vec::new() } else { creates::effects(model)? };
     if loads.is_empty() && model.forces.len() + model.torques.len() > 0 {
         notes.push("what its loads do to the energy was not asked: the model is too large".to_owned());
     }

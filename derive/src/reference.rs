@@ -26,7 +26,7 @@ pub struct Reference {
     pub file: PathBuf,
     /// Short name of the model, as the reference states it.
     pub model: String,
-    /// Hash of the model text that the reference was derived from, without shapes at its end; see
+    /// Hash of the model text that the reference was derived from, without shapes and notation at its end; see
     /// [`crate::model::text_hash`].
     pub text_hash: String,
     /// Version of SymPy that derived the reference.
@@ -169,7 +169,7 @@ impl Reference {
     /// # Errors
     /// [`ReferenceError::OtherText`].
     pub fn check_text(&self, text: &str) -> Result<(), ReferenceError> {
-        let current = text_hash(crate::model::without_shapes(text));
+        let current = text_hash(crate::model::equations_text(text));
         if self.text_hash == current {
             return Ok(());
         }

@@ -38,6 +38,7 @@ mod near_points;
 mod notations;
 mod oblique_axes;
 mod potentials;
+mod printed_symbols;
 mod proofs;
 mod properties;
 mod publication_files;
@@ -46,6 +47,7 @@ mod publications;
 #[path = "../../tests/support/random.rs"]
 mod random;
 mod random_trees;
+mod readable;
 #[path = "common/reduced.rs"]
 mod reduced;
 mod reduction_properties;

@@ -16,7 +16,7 @@ use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr, Node};
-use tripos_derive::mechanics::{Derivation, Divisors, Kinematics, Solved, derive_all, derive_all_with, is_large};
+use tripos_derive::mechanics::{Derivation, Divisors, Form, Kinematics, Solved, derive_all, derive_all_with};
 use tripos_derive::prove::prove;
 use tripos_derive::{Equations, Formulation, Model, derive};
 
@@ -31,9 +31,9 @@ fn entries(e: &Equations) -> Vec<Expr> {
 fn trees_have_the_same_equations_with_names_and_without() {
     let slide = |i: usize| i == 2;
     for model in [arm(2, true), arm(3, true), tree(3, |i| i / 2, slide, true), tree(4, |i| i / 3, slide, false)] {
-        let named = derive_all_with(&model, Kinematics::in_form(&model, true).unwrap()).unwrap();
+        let named = derive_all_with(&model, Kinematics::in_form(&model, Form::Steps).unwrap()).unwrap();
         let again = Model { arena: named.kinematics.arena.clone(), ..model.clone() };
-        let plain = derive_all_with(&again, Kinematics::in_form(&again, false).unwrap()).unwrap();
+        let plain = derive_all_with(&again, Kinematics::in_form(&again, Form::Closed).unwrap()).unwrap();
         let mut arena = plain.kinematics.arena.clone();
         for f in Formulation::ALL.into_iter().filter(|f| !f.carries_reactions() || !model.reactions.is_empty()) {
             let [a, b] =
@@ -50,12 +50,12 @@ fn trees_have_the_same_equations_with_names_and_without() {
 #[test]
 fn small_models_are_written_out() {
     for model in [chain(1), chain(3), chain(6), arm(2, true)] {
-        assert!(!is_large(&model), "{}", model.title);
+        assert_eq!(Form::computed(&model), Form::Closed, "{}", model.title);
         let Derivation { arena, equations } = derive(&model, Formulation::Kane).unwrap();
         let parts = arena.reachable(&entries(&equations));
         assert!(parts.iter().all(|e| arena.behind(*e).is_none()), "{}", model.title);
     }
-    assert!(is_large(&arm(3, false)) && is_large(&chain(20)));
+    assert!([arm(3, false), chain(20)].iter().all(|model| Form::computed(model) == Form::Steps));
 }
 
 /// Operations of these values and of the steps that they need, one for each + − × ÷: (with what moves, of parameters

@@ -33,6 +33,21 @@ fn every_kind_of_shape_is_read_where_its_body_is() {
     assert_eq!(of("wheel").about, "turns with the rod");
 }
 
+/// Goal: a length may be a number with its unit, as no equation contains it. Method: centimetres and millimetres beside
+/// formulas; a number without a unit, and one in kilograms, are refused.
+#[test]
+fn lengths_of_shapes_are_formulas_or_numbers_with_units() {
+    let shapes = "[shapes]\nbob = { kind = \"sphere\", body = \"rod\", radius = \"2 cm\", position = [\"5 mm\", \"length\", 0] }\n";
+    let model = read(&edited(&[], shapes)).unwrap();
+    let ShapeForm::Sphere { radius } = &model.shapes[0].form else { panic!("a sphere") };
+    let number = |e| model.arena.as_number(e).map(|value| value.to_string());
+    assert_eq!(number(*radius).as_deref(), Some("1/50"));
+    assert_eq!(number(model.shapes[0].position[0]).as_deref(), Some("1/200"));
+    for wrong in ["0.02", "\"2 kg\"", "\"cm\""] {
+        assert!(read(&edited(&[], &shapes.replace("\"2 cm\"", wrong))).is_err(), "{wrong}");
+    }
+}
+
 /// Goal: a model whose shapes are edited keeps the equations that were compiled. Method: hashes with, without and with
 /// other shapes; and of an edit outside the shapes.
 #[test]

@@ -17,6 +17,7 @@ use tripos_derive::algebra::{Arena, Expr};
 pub fn faults(text: &str) -> Vec<String> {
     let (mut open, mut in_formula, mut faults) = (Vec::<String>::new(), false, Vec::new());
     let lines = text.lines().filter(|line| !line.starts_with('%'));
+    let is_formula = |after: &str| after.starts_with("{align}") || after.starts_with("{equation}");
     for (number, line) in lines.enumerate() {
         let mut rest = line;
         while let Some(c) = rest.chars().next() {
@@ -38,11 +39,11 @@ pub fn faults(text: &str) -> Vec<String> {
                 "}" => close("{"),
                 "\\right" => close("\\left"),
                 "\\begin" => {
-                    in_formula |= after.starts_with("{align*}");
+                    in_formula |= is_formula(after);
                     open.push(after[..after.find('}').unwrap_or(0)].to_owned());
                 }
                 "\\end" => {
-                    in_formula &= !after.starts_with("{align*}");
+                    in_formula &= !is_formula(after);
                     close(&after[..after.find('}').unwrap_or(0)]);
                 }
                 "\\(" | "\\[" => in_formula = true,
@@ -204,9 +205,9 @@ fn rows(text: &str, section: &str) -> Vec<(String, String)> {
     let begin = text.find(section).unwrap_or_else(|| panic!("no {section}"));
     let section = &text[begin + section.len()..];
     let section = &section[..section.find("\\subsection").or(section.find("\\section")).unwrap_or(section.len())];
-    let block = section.split("\\begin{align*}").skip(1).filter_map(|rest| rest.split("\\end{align*}").next());
+    let block = section.split("\\begin{align}").skip(1).filter_map(|rest| rest.split("\\end{align}").next());
     let mut list: Vec<(String, String)> = Vec::new();
-    for line in block.flat_map(|block| block.split("\\\\\n")) {
+    for line in block.flat_map(|block| block.split("\\\\\n")).map(|line| line.trim_end_matches("\\notag ")) {
         match (line.split_once(" &= "), list.last_mut()) {
             (Some((left, right)), _) => list.push((left.trim().to_owned(), right.to_owned())),
             (None, Some((_, right))) => right.push_str(line.trim_start().trim_start_matches("&\\qquad")),

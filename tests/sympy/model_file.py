@@ -22,7 +22,7 @@ from low_level import low_level
 # Keys of an entry of each section; "" is the file itself. What is not listed is not supported.
 KEYS = {
     "": "schema name source parameters coordinates speeds inertial frames points bodies particles gravity"
-    " forces torques springs potentials reactions constraints rolling domain shapes",
+    " forces torques springs potentials reactions constraints rolling domain shapes notation",
     "parameters": "unit value positive about",
     "coordinates": "unit about",
     "inertial": "frame origin",
@@ -63,10 +63,10 @@ def names_time(entry):
     return isinstance(entry, str) and TIME in re.findall(r"\w+", entry)
 
 
-def without_shapes(content):
-    """The bytes of a model without the sections [shapes] at their end, which no equation depends on."""
+def equations_text(content):
+    """The bytes of a model without the sections [shapes] and [notation] at their end, which no equation depends on."""
     headers = [match.start() for match in re.finditer(rb"^\[", content, re.M)]
-    shapes = [at for at in headers if re.match(rb"\[shapes[].]", content[at:])]
+    shapes = [at for at in headers if re.match(rb"\[(shapes[].]|notation])", content[at:])]
     if not shapes or headers[-len(shapes):] != shapes:
         return content
     rest = re.sub(rb"\n\n+$", b"\n", content[:shapes[0]])
@@ -79,7 +79,7 @@ def without_shapes(content):
 
 def read_tables(path):
     """The file's tables, decimals exact, and the hash of their bytes."""
-    content = without_shapes(path.read_bytes())
+    content = equations_text(path.read_bytes())
     exact = lambda number: Fraction(number.replace("_", ""))
     tables = low_level(tomllib.loads(content.decode("utf-8-sig"), parse_float=exact))
     check_keys(tables, "", "the model file")

@@ -9,8 +9,8 @@ mod markdown;
 mod sympy;
 mod typst;
 
-use crate::arguments::Format;
-use crate::failure::{Failure, print, say};
+use crate::arguments::{self, Format};
+use crate::failure::{Failure, print, print_json, say};
 use crate::words::NAMED;
 use crate::workspace::{read_model, short_name};
 use document::Document;
@@ -26,7 +26,7 @@ use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::text::print::{mathml, text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
-    DerivationInSteps, MovingPlace, accelerations, derive_all, derive_in_steps, moving_places,
+    DerivationInSteps, Form, MovingPlace, accelerations, derive_all, derive_in_steps, moving_places,
 };
 use tripos_derive::prove::{first_integrals, write_integral_names};
 
@@ -37,12 +37,21 @@ struct Derived {
 }
 
 /// Runs `tripos derive`: derives the equations and prints them in a format. Returns the exit status.
-pub fn derive(model: &Path, by: Option<&str>, format: Format, is_fragment: bool) -> Result<u8, Failure> {
+pub fn derive(
+    model: &Path,
+    by: Option<&str>,
+    form: Option<arguments::Form>,
+    (format, is_fragment): (Format, bool),
+) -> Result<u8, Failure> {
     if is_fragment && format != Format::Latex {
         return Err(Failure::request("only LaTeX has fragments", "add --format latex, or leave out --fragment"));
     }
     let model = read_model(model)?;
-    let derived = derivations(&model, by)?;
+    let form = form.map(|form| match form {
+        arguments::Form::Closed => Form::Closed,
+        arguments::Form::Steps => Form::Steps,
+    });
+    let derived = derivations(&model, by, form)?;
     let moving = moving_places(&model).map_err(|error| model.diagnose(&error))?;
     let document = || document(&model, &moving, &derived);
     let out = match format {
@@ -56,8 +65,10 @@ pub fn derive(model: &Path, by: Option<&str>, format: Format, is_fragment: bool)
         Format::Mathml => as_mathml(&derived),
         Format::Json => {
             let list: Vec<Value> = derived.iter().map(|d| json::formulation(&model, d)).collect();
-            let value = json!({ "model": short_name(&model), "title": model.title, "count": model.count(), "formulations": list });
-            format!("{value:#}\n")
+            let (name, title) = (short_name(&model), &model.title);
+            let value = json!({ "model": name, "title": title, "count": model.count(), "formulations": list });
+            print_json(&value)?;
+            return Ok(0);
         }
     };
     print(&out)?;
@@ -66,14 +77,14 @@ pub fn derive(model: &Path, by: Option<&str>, format: Format, is_fragment: bool)
 
 /// Derives the named formulation, or all that the model supports. Formulations that it does not support are named on
 /// standard error.
-fn derivations(model: &Mechanism, by: Option<&str>) -> Result<Vec<Derived>, Failure> {
+fn derivations(model: &Mechanism, by: Option<&str>, form: Option<Form>) -> Result<Vec<Derived>, Failure> {
     if let Some(name) = by {
-        let derivation = derive_in_steps(model, formulation(name)?).map_err(|error| model.diagnose(&error))?;
+        let derivation = derive_in_steps(model, formulation(name)?, form).map_err(|error| model.diagnose(&error))?;
         return Ok(vec![Derived::new(derivation)]);
     }
     let mut list = Vec::new();
     for f in Formulation::ALL {
-        match derive_in_steps(model, f) {
+        match derive_in_steps(model, f, form) {
             Ok(derivation) => list.push(Derived::new(derivation)),
             Err(error) if error.is_unsupported() => say(&format!("not shown: {error}")),
             Err(error) => return Err(model.diagnose(&error).into()),

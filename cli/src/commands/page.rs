@@ -138,7 +138,7 @@ fn derivations(model: &Mechanism, bar: &ProgressBar) -> Result<Derivations, Fail
     let mut list = Vec::new();
     for f in Formulation::ALL {
         bar.set_message(format!("deriving by {}", f.name()));
-        match derive_in_steps(model, f) {
+        match derive_in_steps(model, f, None) {
             Ok(derivation) => list.push((f, Ok(derivation))),
             Err(error) if error.is_unsupported() => list.push((f, Err(error.to_string()))),
             Err(error) => return Err(model.diagnose(&error).into()),

@@ -147,7 +147,7 @@ pub fn page() -> String {
 
 fn page_of(model: &Model) -> String {
     let derivations =
-        Formulation::ALL.map(|f| (f, derive_in_steps(model, f).map_err(|error| error.to_string()))).to_vec();
+        Formulation::ALL.map(|f| (f, derive_in_steps(model, f, None).map_err(|error| error.to_string()))).to_vec();
     let (study, broken) = Study::new(model).unwrap();
     assert!(broken.is_none(), "{}", broken.unwrap());
     let file = "<x>".to_owned();

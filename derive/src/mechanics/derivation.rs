@@ -4,9 +4,11 @@ use super::budget::check_terms;
 use super::equations::{Equations, complete};
 use super::error::DeriveError;
 use super::formulations::formulation::Formulation;
+use super::motion::form::Form;
 use super::motion::kinematics::Kinematics;
 use super::rows::{RowName, Step};
 use crate::algebra::text::definitions::{adopt, write_down, written};
+use crate::algebra::text::print::length;
 use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
@@ -38,6 +40,25 @@ pub struct DerivationInSteps {
     pub equations: Equations,
     /// Steps from which the equations come, in the order of the derivation.
     pub steps: Vec<Step>,
+}
+
+/// Most nodes of M, f, T, V and the definitions together in equations that are shown in closed form: some two pages.
+const MOST_IN_ALL: usize = 2_000;
+
+/// Most nodes of one formula in equations that are shown in closed form: some twenty lines.
+const MOST_IN_ONE: usize = 500;
+
+impl DerivationInSteps {
+    /// True if M, f, T, V and the definitions are short enough to be read without names.
+    fn is_short(&self) -> bool {
+        let Self { arena, equations: e, .. } = self;
+        let scalars = [e.kinetic_energy, e.potential_energy];
+        let definitions = e.definitions.iter().map(|definition| definition.value);
+        let formulas = e.matrix.iter().flatten().chain(&e.forcing).copied().chain(scalars).chain(definitions);
+        let lengths: Vec<usize> = formulas.map(|formula| length(arena, formula)).collect();
+        let total = lengths.iter().fold(0_usize, |sum, length| sum.saturating_add(*length));
+        total <= MOST_IN_ALL && lengths.iter().all(|length| *length <= MOST_IN_ONE)
+    }
 }
 
 /// All formulations of a model over one store of terms, so that they can be compared.
@@ -86,12 +107,33 @@ pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, Der
     Ok(Derivation { arena: kinematics.arena, equations })
 }
 
-/// Derives the equations of motion of a model, with the steps that lead to them.
+/// Derives the equations of motion of a model for a reader, with the steps that lead to them. If no form is given, they
+/// are in closed form if M, f, T and V then fit some two pages, else in named terms.
 ///
 /// # Errors
 /// [`DeriveError`], for the same reasons as [`derive()`].
-pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<DerivationInSteps, DeriveError> {
-    let mut kinematics = Kinematics::new(model)?;
+pub fn derive_in_steps(
+    model: &Model,
+    formulation: Formulation,
+    form: Option<Form>,
+) -> Result<DerivationInSteps, DeriveError> {
+    let computed = Form::computed(model);
+    match form {
+        Some(form) => shown(model, formulation, form),
+        None if computed == Form::Steps && Form::is_closed_tried(model) => {
+            match shown(model, formulation, Form::Closed) {
+                Ok(closed) if closed.is_short() => Ok(closed),
+                Ok(_) | Err(DeriveError::TooLarge { .. }) => shown(model, formulation, computed),
+                Err(error) => Err(error),
+            }
+        }
+        None => shown(model, formulation, computed),
+    }
+}
+
+/// Derives the equations of motion of a model in a given form, with the steps that lead to them.
+fn shown(model: &Model, formulation: Formulation, form: Form) -> Result<DerivationInSteps, DeriveError> {
+    let mut kinematics = Kinematics::in_form(model, form)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;
     let steps = (formulation.method().steps)(model, &mut kinematics)?;
     let mut arena = kinematics.arena;
@@ -99,7 +141,7 @@ pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<Deriva
     let equations = Equations { required: Vec::new(), ..equations };
     if formulation != REFERENCE {
         if arena.has_names() {
-            adopt(&mut arena, &with_names(model, formulation)?);
+            adopt(&mut arena, &with_names(model, formulation, form)?);
         }
         write_names(&mut arena, formulation, &equations);
     }
@@ -107,8 +149,8 @@ pub fn derive_in_steps(model: &Model, formulation: Formulation) -> Result<Deriva
 }
 
 /// Store of the terms of all formulations up to this one, with the names that every document about the model uses.
-fn with_names(model: &Model, formulation: Formulation) -> Result<Arena, DeriveError> {
-    let mut kinematics = Kinematics::new(model)?;
+fn with_names(model: &Model, formulation: Formulation, form: Form) -> Result<Arena, DeriveError> {
+    let mut kinematics = Kinematics::in_form(model, form)?;
     let mut list = Vec::new();
     for f in Formulation::ALL.into_iter().filter(|f| *f <= formulation) {
         list.push((f, derive_with(model, &mut kinematics, f)));

@@ -17,7 +17,7 @@ mod velocities;
 pub use crate::geometry::{Frame, Point, Turn};
 pub(crate) use bodies::joint_kinds::JOINT_KINDS;
 pub(crate) use bodies::shapes::SHAPE_KINDS;
-pub use bodies::shapes::{Shape, ShapeForm, without_shapes};
+pub use bodies::shapes::{Shape, ShapeForm, equations_text};
 pub use constraint::{
     AddedVelocity, Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Opening, Rolled, Tie,
 };
@@ -170,7 +170,8 @@ pub struct Force {
     /// Potential energy of a spring in q, J: that of the force and its opposite without damping. `None` if no potential
     /// is known.
     pub energy: Option<Expr>,
-    /// Coefficient c of a damper, in parameters, and rate ḋ of its length, in q and q̇. The damper takes the power c ḋ².
+    /// Coefficient c of a damper, in parameters, and rate ḋ of its length, in q and q̇. The damper takes the power c
+    /// ḋ².
     pub damper: Option<[Expr; 2]>,
 }
 
@@ -442,11 +443,11 @@ impl Model {
         self.parameters.iter().map(|p| p.symbol).collect()
     }
 
-    /// Hash of the model text, without shapes at its end, and of the formulas of inputs. Equations that carry this hash
-    /// were derived from exactly this text and these formulas.
+    /// Hash of the model text, without shapes and notation at its end, and of the formulas of inputs. Equations that
+    /// carry this hash were derived from exactly this text and these formulas.
     #[must_use]
     pub fn text_hash(&self) -> String {
-        let text = without_shapes(&self.source.text);
+        let text = equations_text(&self.source.text);
         let bound = self.bindings.iter().map(|b| format!("\n{} = {}", b.input, b.formula));
         text_hash(&bound.fold(text.to_owned(), |text, bound| text + &bound))
     }

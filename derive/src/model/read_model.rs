@@ -24,7 +24,7 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use toml::de::DeTable;
 
-const KEYS: [&str; 25] = [
+const KEYS: [&str; 26] = [
     "schema",
     "name",
     "source",
@@ -50,6 +50,7 @@ const KEYS: [&str; 25] = [
     "rolling",
     "domain",
     "shapes",
+    "notation",
 ];
 
 impl Model {
@@ -100,7 +101,10 @@ pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) ->
     let varied = varied.to_vec();
     let mut loading =
         Loading { reader, arena: Arena::new(), names: Names::default(), units: FxHashMap::default(), bindings, varied };
-    let model = loading.model(table, source);
+    let mut model = loading.model(table, source);
+    if let Some(model) = &mut model {
+        loading.notation(table, model);
+    }
     loading.reader.finish()?;
     Ok(model.expect("a model without errors is complete"))
 }

@@ -21,9 +21,11 @@ pub(crate) use motions::fields as rigid_motions;
 pub use singular::{Place, Singularity, There, singularity, zeros};
 pub(crate) use verdicts::all;
 
-use crate::algebra::Expr;
+use crate::algebra::form::readable::readable;
+use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::text::definitions::write_down;
+use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Derivations, DeriveError, Formulation, LoadDivisor, load_divisors};
 use crate::model::Model;
 
@@ -66,7 +68,17 @@ impl Proof {
 /// First integrals of a model, without the proof of equivalence, which takes nearly all of the time in models with
 /// loops. [`prove`] finds the integrals too.
 pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
-    integrals::find(model, derivations, &mut Comparer::default()).0
+    let mut integrals = integrals::find(model, derivations, &mut Comparer::default()).0;
+    write_out(&mut derivations.kinematics.arena, integrals.iter_mut().map(|integral| &mut integral.expression));
+    integrals
+}
+
+/// Writes out the named terms of formulas that then stay short enough to be read.
+fn write_out<'a>(arena: &mut Arena, formulas: impl Iterator<Item = &'a mut Expr>) {
+    let mut simplifier = Simplifier::default();
+    for formula in formulas {
+        *formula = readable(arena, &mut simplifier, *formula);
+    }
 }
 
 /// Gives the named terms of first integrals the names that every document about the model uses. Call it once the
@@ -79,8 +91,8 @@ pub fn write_integral_names(integrals: &[Integral], derivations: &mut Derivation
 /// Proves the formulations of a model equivalent and finds its first integrals.
 pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
     let mut comparer = Comparer::default();
-    let (pairs, reactions) = equivalence::prove(model, derivations, &mut comparer);
-    let (integrals, search) = integrals::find(model, derivations, &mut comparer);
+    let (pairs, mut reactions) = equivalence::prove(model, derivations, &mut comparer);
+    let (mut integrals, mut search) = integrals::find(model, derivations, &mut comparer);
     let loads = load_divisors(&mut derivations.kinematics.arena, model);
     let mut singular_where = model.kinematic_equations.divisors.clone();
     for divisor in &loads {
@@ -88,6 +100,10 @@ pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
             singular_where.push(divisor.value);
         }
     }
+    let arena = &mut derivations.kinematics.arena;
+    let shown = reactions.iter_mut().map(|reaction| &mut reaction.value);
+    let shown = shown.chain(integrals.iter_mut().map(|integral| &mut integral.expression));
+    write_out(arena, shown.chain(&mut search.power));
     let missing = derivations.list.iter().filter_map(|(f, result)| Some((*f, result.as_ref().err()?.clone())));
     Proof { pairs, missing: missing.collect(), reactions, integrals, search, singular_where, loads }
 }

@@ -37,9 +37,16 @@ impl Spellings {
             return;
         }
         if let Some(symbol) = read_symbol(&latex_name(name)) {
-            let names = self.usual.entry(symbol.still()).or_default();
-            if !names.iter().any(|n| n == name) {
-                names.push(name.to_owned());
+            let mut spelled = vec![symbol.clone()];
+            // u_{psi} is u_{\psi}, too.
+            if symbol.subscript.starts_with('\\') {
+                spelled.push(Symbol { subscript: symbol.subscript.replace(['\\', '_'], ""), ..symbol });
+            }
+            for symbol in spelled {
+                let names = self.usual.entry(symbol.still()).or_default();
+                if !names.iter().any(|n| n == name) {
+                    names.push(name.to_owned());
+                }
             }
         }
         if name.len() > 1 {

@@ -36,6 +36,7 @@ pub(crate) const KEYS: &[Key] = &[
     key("rolling", Named(&ROLLING), "what does not slip at a point"),
     key("domain", Named(&Formula), "strict inequalities where the model holds"),
     key("shapes", Named(&SHAPE), "how it looks in views; no equation knows of it"),
+    key("notation", Named(&Text), "the symbols by which documents show names, such as `omega_1` or `psi'`"),
 ];
 
 const UNIT: Key = needed("unit", Text, "a product of powers of SI units, such as \"kg*m^2\"");

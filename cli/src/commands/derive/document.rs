@@ -9,12 +9,13 @@ use tripos_derive::Model;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::definitions::glossary;
-use tripos_derive::algebra::text::print::{symbol_view, view_of};
+use tripos_derive::algebra::text::print::{printed_name, symbol_view, view_of};
 use tripos_derive::algebra::text::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
     DerivationInSteps, Equations, LineName, MovingPlace, QuantityKind, Stage, Step, VectorName,
 };
+use tripos_derive::model::{Body, Inertia};
 use tripos_derive::prove::Integral;
 
 /// A document about the derivation of a model's equations.
@@ -25,8 +26,18 @@ pub struct Document {
     pub about: Vec<String>,
     /// Meanings of the model's symbols.
     pub symbols: Vec<Meaning>,
-    /// Headings, paragraphs and equations after the symbols, in order.
+    /// Bodies of the model, in the order of the model file.
+    pub bodies: Vec<BodyEntry>,
+    /// Headings, paragraphs and equations after the bodies, in order.
     pub blocks: Vec<Block>,
+}
+
+/// Entry of a body in the list of bodies.
+pub struct BodyEntry {
+    /// Formula that shows the body's name.
+    pub name: View,
+    /// Mass, mass centre and inertia of the body, as words and formulas.
+    pub about: Vec<Run>,
 }
 
 /// Meaning of a symbol of the model.
@@ -129,7 +140,8 @@ impl Document {
     pub fn new(model: &Model, moving: &[MovingPlace]) -> Self {
         let about = std::iter::once(format!("{}.", model.count()));
         let about = about.chain(moving.iter().map(|place| place.text(model))).collect();
-        Self { title: model.title.clone(), about, symbols: symbols(model), blocks: Vec::new() }
+        let bodies = model.bodies.iter().map(|body| body_entry(model, body)).collect();
+        Self { title: model.title.clone(), about, symbols: symbols(model), bodies, blocks: Vec::new() }
     }
 
     /// Adds a formulation to the document: steps, equations of motion, accelerations, energies, and divisors of the
@@ -201,7 +213,7 @@ impl Document {
             Stage::Velocities { vector, of, frame } => vec![
                 words("Velocity and partial velocities: "),
                 Run::Formula(Left::Vector(Vector::new(model, vector, of))),
-                words(&format!(", components in {}", model.frames[frame].name)),
+                words(&format!(", components in {}", printed_name(&model.arena, &model.frames[frame].name))),
             ],
             stage => vec![words(&stage.title(model))],
         };
@@ -226,6 +238,32 @@ fn symbols(model: &Model) -> Vec<Meaning> {
     parameters.chain(coordinates).chain(speeds).chain(reactions).collect()
 }
 
+/// Entry of a body: its mass, its mass centre, and its inertia about the mass centre.
+fn body_entry(model: &Model, body: &Body) -> BodyEntry {
+    let words = |text: &str| Run::Words(text.to_owned());
+    let value = |e: Expr| Run::Formula(Left::Symbol(view_of(&model.arena, e)));
+    let name = |name: &str| Run::Formula(Left::Symbol(symbol_view(&model.arena, name)));
+    let mut about =
+        vec![words("mass "), value(body.mass), words(", mass centre "), name(&model.points[body.centre].name)];
+    let Some((_, Inertia { frame, tensor })) = &body.rigid else {
+        let about =
+            vec![words("particle of mass "), value(body.mass), words(" at "), name(&model.points[body.centre].name)];
+        return BodyEntry { name: symbol_view(&model.arena, &body.name), about };
+    };
+    let axes = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+    let filled = axes.into_iter().filter(|(i, j)| tensor[*i][*j] != Expr::ZERO);
+    let mut before = ", inertia about the mass centre ";
+    for (i, j) in filled {
+        let entry = Left::Entry('I', vec![i + 1, j + 1]);
+        about.extend([words(before), Run::Formula(entry), words(" = "), value(tensor[i][j])]);
+        before = ", ";
+    }
+    let frame = printed_name(&model.arena, &model.frames[*frame].name);
+    let end = if before == ", " { format!(" in {frame}") } else { ", no inertia about the mass centre".to_owned() };
+    about.push(words(&end));
+    BodyEntry { name: symbol_view(&model.arena, &body.name), about }
+}
+
 impl System {
     fn new(model: &Model, arena: &Arena, equations: &Equations) -> Self {
         let views = |list: &[Expr]| list.iter().map(|e| view_of(arena, *e)).collect::<Vec<_>>();
@@ -243,15 +281,18 @@ impl System {
 impl Vector {
     /// Vector of a point, frame or body in the inertial frame; `of` is its index in the model.
     fn new(model: &Model, name: VectorName, of: usize) -> Self {
-        Self { name, frame: model.frames[0].name.clone(), of: name.owner_name(model, of).to_owned() }
+        let printed = |name: &str| printed_name(&model.arena, name);
+        Self { name, frame: printed(&model.frames[0].name), of: printed(name.owner_name(model, of)) }
     }
 }
 
 impl Left {
     /// Left side for the name of a line of a derivation.
     fn of_line(model: &Model, name: &LineName) -> Self {
-        let basis =
-            |frame: usize, axis: usize| Axis { frame: model.frames[frame].name.to_lowercase(), number: axis + 1 };
+        let basis = |frame: usize, axis: usize| Axis {
+            frame: printed_name(&model.arena, &model.frames[frame].name).to_lowercase(),
+            number: axis + 1,
+        };
         let named = |name: &str| symbol_view(&model.arena, name);
         match name {
             LineName::Quantity(QuantityKind::Component { vector, of, frame, axis }) => {

@@ -83,7 +83,8 @@ fn typst_word(word: &str) -> String {
     if word.len() == 1 { word.to_owned() } else { format!("\"{word}\"") }
 }
 
-/// Places of an entry as text, with commas between them.
+/// Places of an entry as text, with commas between them if one has several digits: 12 and 1,12.
 fn listed(places: &[usize]) -> String {
-    places.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
+    let comma = if places.iter().any(|place| *place > 9) { "," } else { "" };
+    places.iter().map(usize::to_string).collect::<Vec<_>>().join(comma)
 }

@@ -3,7 +3,7 @@
 //! Invariant: for any names in a model, the result compiles with `amsmath` alone. Text is escaped, and printed formulas
 //! are read back as their terms by [`tripos_derive::algebra::text::notation`].
 
-use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
+use super::document::{Block, BodyEntry, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
 use super::layout::{Extent, TOO_LONG, entries, extent, lay, raised};
 use crate::latex::escape;
@@ -27,7 +27,8 @@ pub enum Part {
 pub fn latex(document: &Document, part: Part) -> String {
     let title = escape(&document.title);
     let about: Vec<String> = document.about.iter().map(|words| escape(words) + "\n").collect();
-    let body = about.join("\n") + &symbols(&document.symbols) + &document.blocks.iter().map(block).collect::<String>();
+    let blocks = document.blocks.iter().map(block).collect::<String>();
+    let body = about.join("\n") + &symbols(&document.symbols) + &bodies(&document.bodies) + &blocks;
     match part {
         Part::Fragment => format!(
             "% Needs \\usepackage{{amsmath}} and \\allowdisplaybreaks in the preamble.\n\\section*{{{title}}}\n{body}"
@@ -39,9 +40,20 @@ pub fn latex(document: &Document, part: Part) -> String {
     }
 }
 
+/// Beginning of a list of names with their meanings.
+const LIST: &str = "\\begin{description}\n\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n";
+
+fn bodies(list: &[BodyEntry]) -> String {
+    let mut out = format!("\n\\section{{Bodies}}\n{LIST}");
+    for BodyEntry { name, about } in list {
+        let about: String = about.iter().map(run).collect();
+        let _ = writeln!(out, "\\item[\\({}\\)] {about}", latex_of(name));
+    }
+    out + "\\end{description}\n"
+}
+
 fn symbols(list: &[Meaning]) -> String {
-    let mut out = "\n\\section{Symbols}\n\\begin{description}\n\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n"
-        .to_owned();
+    let mut out = format!("\n\\section{{Symbols}}\n{LIST}");
     for Meaning { symbol, about, unit } in list {
         let unit = raised(unit, escape, |power| format!("\\textsuperscript{{{}}}", escape(power)));
         let parts: Vec<String> = [escape(about), unit].into_iter().filter(|part| !part.is_empty()).collect();
@@ -86,26 +98,28 @@ fn system(system: &System) -> String {
     let m = || matrix(system.matrix.iter().map(row).collect());
     if extent == Extent::Whole {
         let (unknowns, right) = (matrix(column(&system.unknowns)), matrix(column(&system.forcing)));
-        let _ = writeln!(out, "\\[\n{}\n{unknowns}\n=\n{right}\n\\]", m());
+        let _ = writeln!(out, "\\begin{{equation}}\n{}\n{unknowns}\n=\n{right}\n\\end{{equation}}", m());
         return out;
     }
-    let _ = writeln!(out, "\\(M x = f\\) with \\(x = ({})\\).", column(&system.unknowns).join(", "));
+    // Each unknown is a formula of its own, so that lines break between them.
+    let unknowns: Vec<String> = column(&system.unknowns).iter().map(|x| format!("\\({x}\\)")).collect();
+    let _ = writeln!(out, "\\(M x = f\\), where \\(x\\) has the components {}.", unknowns.join(", "));
     if extent == Extent::Matrix {
-        let _ = writeln!(out, "\\[\nM = {}\n\\]", m());
+        let _ = writeln!(out, "\\begin{{equation}}\nM = {}\n\\end{{equation}}", m());
     } else {
         out.push_str("Entries of \\(M\\) that are not listed are 0.\n");
     }
     out + &equations(&entries(system, extent))
 }
 
-/// Writes equations below one another, each in as many lines as it needs.
+/// Writes equations below one another, each with a number and in as many lines as it needs.
 fn equations(list: &[Equation]) -> String {
     if list.is_empty() {
         return String::new();
     }
     let rows = lay(list, &LATEX).into_iter().map(|laid| match laid.lines {
-        Some(lines) => format!("{} &= {}", laid.left, lines.join(" \\\\\n  &\\qquad ")),
+        Some(lines) => format!("{} &= {}", laid.left, lines.join(" \\notag \\\\\n  &\\qquad ")),
         None => format!("{} &= \\text{{{TOO_LONG}}}", laid.left),
     });
-    format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", rows.collect::<Vec<_>>().join(" \\\\\n"))
+    format!("\\begin{{align}}\n{}\n\\end{{align}}\n", rows.collect::<Vec<_>>().join(" \\\\\n"))
 }

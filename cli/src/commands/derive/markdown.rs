@@ -3,7 +3,7 @@
 //! Invariant: for any names in a model, its words stay words. Characters that Markdown, HTML or the search for formulas
 //! would read otherwise are escaped.
 
-use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
+use super::document::{Block, BodyEntry, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::LATEX;
 use super::layout::{Extent, Laid, TOO_LONG, entries, extent, lay, raised};
 use std::fmt::Write;
@@ -20,6 +20,7 @@ pub fn markdown(document: &Document) -> String {
         let _ = write!(out, "\n{}\n", escape(words));
     }
     out += &symbols(&document.symbols);
+    out += &bodies(&document.bodies);
     out + &document.blocks.iter().map(block).collect::<String>()
 }
 
@@ -28,6 +29,15 @@ fn symbols(list: &[Meaning]) -> String {
     for Meaning { symbol, about, unit } in list {
         let unit = raised(unit, escape, |power| format!("<sup>{}</sup>", escape(power)));
         let _ = writeln!(out, "| {} | {} | {unit} |", inline(&latex_of(symbol)), escape(about));
+    }
+    out
+}
+
+fn bodies(list: &[BodyEntry]) -> String {
+    let mut out = "\n## Bodies\n\n| body | mass and inertia |\n|---|---|\n".to_owned();
+    for BodyEntry { name, about } in list {
+        let about: String = about.iter().map(run).collect();
+        let _ = writeln!(out, "| {} | {about} |", inline(&latex_of(name)));
     }
     out
 }

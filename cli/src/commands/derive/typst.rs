@@ -2,7 +2,7 @@
 //!
 //! Invariant: for any names in a model, the result compiles, and its words stay words.
 
-use super::document::{Block, Document, Equation, Level, Meaning, Run, System};
+use super::document::{Block, BodyEntry, Document, Equation, Level, Meaning, Run, System};
 use super::formulas::TYPST;
 use super::layout::{Extent, Laid, TOO_LONG, entries, extent, lay, raised};
 use std::fmt::Write;
@@ -12,12 +12,13 @@ use tripos_derive::algebra::text::view::View;
 /// Writes a document in Typst.
 pub fn typst(document: &Document) -> String {
     let mut out =
-        "#set page(paper: \"a4\", margin: 25mm)\n#show math.equation: set block(breakable: true)\n".to_owned();
+        "#set page(paper: \"a4\", margin: 25mm)\n#show math.equation: set block(breakable: true)\n#set math.equation(numbering: \"(1)\")\n".to_owned();
     let _ = write!(out, "\n= {}\n", escape(&document.title));
     for words in &document.about {
         let _ = write!(out, "\n{}\n", escape(words));
     }
     out += &symbols(&document.symbols);
+    out += &bodies(&document.bodies);
     out + &document.blocks.iter().map(block).collect::<String>()
 }
 
@@ -27,6 +28,15 @@ fn symbols(list: &[Meaning]) -> String {
         let unit = raised(unit, escape, |power| format!("#super[{}]", escape(power)));
         let parts: Vec<String> = [escape(about), unit].into_iter().filter(|part| !part.is_empty()).collect();
         let _ = writeln!(out, "/ ${}$: {}", typst_of(symbol), parts.join(", "));
+    }
+    out
+}
+
+fn bodies(list: &[BodyEntry]) -> String {
+    let mut out = "\n== Bodies\n\n".to_owned();
+    for BodyEntry { name, about } in list {
+        let about: String = about.iter().map(run).collect();
+        let _ = writeln!(out, "/ ${}$: {about}", typst_of(name));
     }
     out
 }

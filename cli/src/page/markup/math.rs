@@ -221,6 +221,7 @@ pub fn symbol(name: &str) -> String {
 pub fn told_apart(model: &Model, name: &str) -> String {
     match print::symbol_view(&model.arena, name) {
         word @ View::Word(_) => print::mathml_of(&word),
+        View::Name(printed) => symbol(&printed),
         _ => symbol(name),
     }
 }

@@ -4,6 +4,7 @@ pub(super) mod atoms;
 pub(super) mod fraction;
 pub mod normal;
 pub mod polynomial;
+pub mod readable;
 pub(super) mod ring;
 pub mod sharing;
 pub mod simplify;

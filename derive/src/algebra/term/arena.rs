@@ -134,6 +134,8 @@ pub(in crate::algebra) struct Names {
     pub(in crate::algebra) written: FxHashMap<String, usize>,
     /// Part of a document that names are written for; `None` for names that all documents have.
     pub(in crate::algebra) part: Option<String>,
+    /// Names by which documents show symbols, for symbols that have another name in documents than in files.
+    pub(in crate::algebra) printed: FxHashMap<String, String>,
 }
 
 /// The symbol that a named term is written with.

@@ -15,7 +15,7 @@ pub use latex::latex_name;
 pub use lines::{formula_width, latex_lines, mathml_pieces, typst_lines};
 pub use mathml::mathml_name;
 pub use name::name_parts;
-pub use parts::long_parts;
+pub use parts::{length, long_parts};
 pub use typst::typst_name;
 
 use super::view::{Shared, View, view};
@@ -33,7 +33,7 @@ pub const BUDGET: usize = 20_000;
 /// Prints an expression as plain text in the language of model files.
 #[must_use]
 pub fn text(arena: &Arena, e: Expr) -> String {
-    text_of(&view_of(arena, e))
+    text_of(&view(arena, e, &FxHashMap::default(), BUDGET))
 }
 
 /// Prints a tree of marks as plain text, like [`text`].
@@ -120,9 +120,30 @@ pub fn view_of(arena: &Arena, e: Expr) -> View {
     told_apart(arena, view(arena, e, &FxHashMap::default(), BUDGET))
 }
 
-/// Tree of marks of a symbol, told apart from another symbol that would look like it.
+impl Arena {
+    /// Shows a symbol by another name in documents: LaTeX, Typst, Markdown and `MathML`. Primes after the symbol's name
+    /// become primes after the other name. Text and programs keep the name of the model file.
+    pub fn print_as(&mut self, name: &str, printed: &str) {
+        self.names.printed.insert(name.to_owned(), printed.to_owned());
+    }
+}
+
+/// Name by which documents show a name: that of [`Arena::print_as`], else the name itself. Primes are kept.
+#[must_use]
+pub fn printed_name(arena: &Arena, name: &str) -> String {
+    let stem = name.trim_end_matches('\'');
+    match arena.names.printed.get(stem) {
+        Some(printed) => format!("{printed}{}", &name[stem.len()..]),
+        None => name.to_owned(),
+    }
+}
+
+/// Tree of marks of a symbol, by its printed name, or told apart from another symbol that would look like it.
 #[must_use]
 pub fn symbol_view(arena: &Arena, name: &str) -> View {
+    if arena.names.printed.contains_key(name.trim_end_matches('\'')) {
+        return View::Name(printed_name(arena, name));
+    }
     let looks_like_another = twin(name).is_some_and(|other| arena.find_symbol(&other).is_some());
     if looks_like_another { View::Word(name.to_owned()) } else { View::Name(name.to_owned()) }
 }

@@ -4,78 +4,12 @@
 //! up the vectors that it meets. The angular velocity of a frame is that of its parent, turned once, plus its own. So
 //! velocities become recursions along the tree without being written as such (J. Y. S. Luh, M. W. Walker & R. P. C.
 //! Paul, "On-line computational scheme for mechanical manipulators", ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76).
-//! [`is_large`] alone decides which models are derived with carried vectors.
+//! [`Form`](super::form::Form) decides which models are derived with carried vectors.
 
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Turn, Vector};
-use crate::model::Model;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Approximate number of terms in the closed form of a mass matrix above which growing terms get names.
-const MOST_TERMS: usize = 50;
-
-/// True if the closed form of the equations of a model would be too long to be read or computed with.
-///
-/// The test counts products of two parts of velocities, with the speeds that each part depends on and the terms of the
-/// rotation between the parts. A mass matrix multiplied out consists of such products. The count depends only on the
-/// model's tree, so it is the same for every formulation and on every machine.
-#[must_use]
-pub fn is_large(model: &Model) -> bool {
-    has_more_closed_terms(model, MOST_TERMS)
-}
-
-/// Most terms of the closed form of a model whose scenes get reduced equations, which are written out.
-const MOST_REDUCED: usize = 400;
-
-/// True if the reduced equations of a scene may be made from the equations of this model. Reduced equations are written
-/// out, replace speeds by momenta and leave out unneeded variables. Larger models run by whole equations. So do models
-/// with loops, because no variable can be left out if the loops are to stay closed. So do models whose rates have
-/// names.
-#[must_use]
-pub fn is_reducible(model: &Model) -> bool {
-    let rates = model.arena.reachable(&model.kinematic_equations.rates);
-    let has_names = rates.iter().any(|part| model.arena.behind(*part).is_some());
-    !has_more_closed_terms(model, MOST_REDUCED) && model.loops.is_empty() && !has_names
-}
-
-/// True if the closed form of the mass matrix has more than about `most` terms. The count stops at `most`: a chain of
-/// hundreds of bodies has a hundred thousand pairs of parts with hundreds of turns between them.
-fn has_more_closed_terms(model: &Model, most: usize) -> bool {
-    let frames = Frames::new(&model.frames);
-    let (q, arena) = (model.q(), &model.arena);
-    let moves = |turn: &Turn| turn.quantities().iter().any(|e| q.iter().any(|q| arena.mentions(*e, *q)));
-    // Number of turns above a frame that depend on q, and so about the number of speeds.
-    let moved = |frame: &usize| frames.turned_into(*frame).is_some_and(moves);
-    let depth = |frame: usize| frames.ancestors(frame).into_iter().filter(moved).count();
-    // A turn that only exchanges axes, such as the frame of a joint along the first or second axis, does not lengthen
-    // the closed form.
-    let counts = |turn: &Turn| moves(turn) || !turn.is_exchange();
-    let terms = |a: usize, b: usize| {
-        let speeds = depth(a).max(1).saturating_mul(depth(b).max(1));
-        let turns = u32::try_from(frames.axes_between(a, b, counts)).unwrap_or(u32::MAX);
-        2_usize.checked_pow(turns).map_or(usize::MAX, |terms| terms.saturating_mul(speeds))
-    };
-    let mut counted: BTreeSet<(usize, usize)> = BTreeSet::new();
-    let mut sum = 0_usize;
-    for body in &model.bodies {
-        let mut parts: BTreeSet<usize> = BTreeSet::new();
-        let mut point = body.centre;
-        while let Some((parent, frame, _)) = model.points[point].position {
-            parts.insert(frame);
-            point = parent;
-        }
-        for (a, b) in parts.iter().flat_map(|a| parts.range(a..).map(move |b| (*a, *b))) {
-            if counted.insert((a, b)) {
-                sum = sum.saturating_add(terms(a, b));
-            }
-            if sum > most {
-                return true;
-            }
-        }
-    }
-    false
-}
 
 impl Frames {
     /// Frame in which vectors have short components: the deepest frame of their parts if all others lie above it, else

@@ -3,7 +3,7 @@
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
 //! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
 
-use super::carry::is_large;
+use super::form::Form;
 use crate::mechanics::budget::check_tree;
 use crate::mechanics::error::DeriveError;
 
@@ -55,24 +55,24 @@ pub struct Velocities {
 }
 
 impl Kinematics {
-    /// Kinematics of a model. Growing terms are named if the model is large.
+    /// Kinematics of a model in the form that is computed ([`Form::computed`]).
     ///
     /// # Errors
     /// [`DeriveError`] if the model is too large, if the stated inertia of a body is not constant in the body, if a
     /// stated reaction does work, or if a load divides by a velocity that is zero.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
-        Self::in_form(model, is_large(model))
+        Self::in_form(model, Form::computed(model))
     }
 
-    /// Kinematics of a model. If `named`, growing terms are named; else every term is written out.
+    /// Kinematics of a model in a given form, which all equations derived from them have.
     ///
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`Self::new`].
-    pub fn in_form(model: &Model, named: bool) -> Result<Self, DeriveError> {
+    pub fn in_form(model: &Model, form: Form) -> Result<Self, DeriveError> {
         check_tree(model)?;
         let mut arena = model.arena.clone();
         let mut frames = Frames::new(&model.frames);
-        frames.carries = named;
+        frames.carries = form == Form::Steps;
         let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut rates = Differential::along(&rates);
         let angular = angular_velocities(&mut arena, &model.frames, &mut rates);

@@ -5,6 +5,7 @@ pub(super) mod carried_accelerations;
 pub(super) mod carry;
 pub(super) mod composite;
 pub(super) mod energy;
+pub(super) mod form;
 pub(super) mod inertial;
 pub(super) mod kinematics;
 pub(super) mod loads;

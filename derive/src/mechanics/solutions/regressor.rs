@@ -21,6 +21,7 @@ use crate::mechanics::error::DeriveError;
 use crate::mechanics::formulations::formulation::Formulation;
 use crate::mechanics::motion::anchor::Anchor;
 use crate::mechanics::motion::carried_accelerations::Accelerations;
+use crate::mechanics::motion::form::Form;
 use crate::mechanics::motion::inertial::Inertial;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
 use crate::mechanics::motion::loads::Load;
@@ -81,7 +82,7 @@ impl Regressor {
     /// # Errors
     /// [`DeriveError`] if the model cannot be derived.
     pub fn new(model: &Model, varied: Varied) -> Result<Self, DeriveError> {
-        let mut kinematics = Kinematics::in_form(model, true)?;
+        let mut kinematics = Kinematics::in_form(model, Form::Steps)?;
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
         let proved = equations.with_inverse_dynamics(&mut kinematics.arena);
         let required = proved.map_err(|why| DeriveError::Unsolved(why.into()))?.required;

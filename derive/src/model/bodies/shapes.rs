@@ -1,16 +1,16 @@
 //! Shapes of a mechanism, from `[shapes]` of a model file. Views draw them; no equation uses them.
 //!
 //! Invariant: no derived result depends on a shape. The hash of a model's text does not depend on shapes at the end of
-//! the file ([`without_shapes`]).
+//! the file ([`equations_text`]).
 
-use super::elements::{Elements, vector};
+use super::elements::Elements;
 use crate::algebra::Expr;
 use crate::diagnostic::{nearest, shown};
 use crate::model::Parameter;
 use crate::model::physics::{defaults, values_at};
-use crate::model::reading::names::{Kind, PARAMETERS};
+use crate::model::reading::names::{CONSTANT, Kind, PARAMETERS};
 use crate::model::reading::reader::Loading;
-use crate::model::units::Unit;
+use crate::model::units::{StatedUnit, Unit};
 use crate::read::{Located, Reader};
 use std::ops::Range;
 use toml::Spanned;
@@ -168,10 +168,7 @@ impl<'a> Loading<'a> {
         let (body, frame, point) =
             if *kind == "line" { (None, 0, 0) } else { self.where_it_is(elements, kind, entry)? };
         let position = match self.reader.get(entry.table, "position") {
-            Some(_) => {
-                let metre = Unit::new(1, 0, 0);
-                vector(self, entry.table, "position", entry.what, entry.owner, PARAMETERS, &metre)?
-            }
+            Some(_) => self.lengths(entry, "position")?,
             None => [Expr::ZERO; 3],
         };
         Some(Shape { name: name.text.clone(), about, form: form?, body, frame, point, position })
@@ -193,8 +190,7 @@ impl<'a> Loading<'a> {
                 ShapeForm::Cylinder { axis, radius: self.size(entry, "radius")?, length: length? }
             }
             "box" => {
-                let metre = Unit::new(1, 0, 0);
-                let size = vector(self, entry.table, "size", entry.what, entry.owner, PARAMETERS, &metre)?;
+                let size = self.lengths(entry, "size")?;
                 ShapeForm::Box { size }
             }
             "line" => {
@@ -226,8 +222,27 @@ impl<'a> Loading<'a> {
     fn optional_size(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
         let value = self.reader.get(entry.table, key)?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
+        self.shape_length(&formula, &format!("the {key} of {}", entry.what))
+    }
+
+    /// Reads three lengths of a shape, m.
+    fn lengths(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<[Expr; 3]> {
+        let value = self.reader.need(entry.table, key, entry.what, entry.owner)?;
+        let triple = self.reader.triple(value, &format!("`{key}`"))?;
         let what = format!("the {key} of {}", entry.what);
-        self.quantity(&formula, PARAMETERS, &Unit::new(1, 0, 0), &what)
+        let [a, b, c] = triple.map(|formula| self.shape_length(&formula, &what));
+        Some([a?, b?, c?])
+    }
+
+    /// Reads a length of a shape, m: a formula of parameters, or a number with a unit of length. No equation contains
+    /// it, so no other formula has to fit its unit.
+    fn shape_length(&mut self, formula: &Located, what: &str) -> Option<Expr> {
+        let metre = Unit::new(1, 0, 0);
+        let Some(stated) = StatedUnit::of(&formula.text).filter(|stated| stated.unit == metre) else {
+            return self.quantity(formula, PARAMETERS, &metre, what);
+        };
+        let number = self.names.formula(&mut self.reader, &mut self.arena, &stated.number(formula), CONSTANT, what)?;
+        Some(stated.apply(&mut self.arena, number))
     }
 
     /// Indices of the points of a line; reports fewer than two.
@@ -309,17 +324,18 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Text of a model without the sections `[shapes]` at its end, and without blank lines before them. Equations are
-/// derived from this text.
+/// Text of a model from which equations are derived: without the sections `[shapes]` and `[notation]` at its end, and
+/// without blank lines before them.
 ///
-/// Shapes elsewhere in the file stay. Text that only looks like a section stays too, such as a line in a longer text.
+/// Such sections elsewhere in the file stay. Text that only looks like a section stays too, such as a line in a longer
+/// text.
 #[must_use]
-pub fn without_shapes(text: &str) -> &str {
-    let is_shapes = |line: &str| line.starts_with("[shapes]") || line.starts_with("[shapes.");
+pub fn equations_text(text: &str) -> &str {
+    let is_look = |line: &str| ["[shapes]", "[shapes.", "[notation]"].iter().any(|look| line.starts_with(look));
     let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
-    let mut headers = starts.filter(|at| text[*at..].starts_with('[')).skip_while(|at| !is_shapes(&text[*at..]));
+    let mut headers = starts.filter(|at| text[*at..].starts_with('[')).skip_while(|at| !is_look(&text[*at..]));
     let Some(first) = headers.next() else { return text };
-    if !headers.all(|at| is_shapes(&text[at..])) {
+    if !headers.all(|at| is_look(&text[at..])) {
         return text;
     }
     let mut rest = &text[..first];
@@ -333,16 +349,19 @@ pub fn without_shapes(text: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::without_shapes;
+    use super::equations_text;
 
-    /// Goal: only shapes at the end are left out. Method: texts with them there, elsewhere, and in what is no section.
+    /// Goal: only shapes and notation at the end are left out. Method: texts with them there, elsewhere, and in what is
+    /// no section.
     #[test]
     fn shapes_at_the_end_of_a_file_are_no_part_of_its_equations() {
         let model = "name = \"a\"\n[points]\nP = 1\n";
-        for shapes in
-            ["[shapes]\nx = 1\n", "\n\n[shapes]\n# a\nx = { y = 1 }\n", "[shapes.x]\ny = 1\n[shapes.z]\ny = 2\n"]
-        {
-            assert_eq!(without_shapes(&format!("{model}{shapes}")), model, "{shapes}");
+        for shapes in [
+            "[shapes]\nx = 1\n",
+            "\n\n[shapes]\n# a\nx = { y = 1 }\n",
+            "[shapes.x]\ny = 1\n[notation]\nx = \"y\"\n[shapes.z]\ny = 2\n",
+        ] {
+            assert_eq!(equations_text(&format!("{model}{shapes}")), model, "{shapes}");
         }
         for whole in [
             model.to_owned(),
@@ -350,9 +369,9 @@ mod tests {
             format!("{model}[shapes]\nx = 1\n[frames]\n"),
             format!("{model}about = \"\"\"\n[shapes]\n\"\"\"\n"),
             format!("{model}list = [\n[shapes]\n]\n"),
-            format!("{model}[shapesque]\nx = 1\n"),
+            format!("{model}[notations]\nx = 1\n"),
         ] {
-            assert_eq!(without_shapes(&whole), whole);
+            assert_eq!(equations_text(&whole), whole);
         }
     }
 }

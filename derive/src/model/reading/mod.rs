@@ -1,8 +1,9 @@
-//! Basic parts of the reading of model files: names, parameters, expressions, repetition and domain.
+//! Basic parts of the reading of model files: names, notation, parameters, expressions, repetition and domain.
 
 pub(super) mod domain;
 pub(super) mod expressions;
 pub(super) mod names;
+pub(super) mod notation;
 pub(super) mod parameters;
 pub(super) mod reader;
 pub(super) mod repetition;

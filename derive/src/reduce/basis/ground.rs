@@ -10,7 +10,7 @@ use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::flow::candidates;
 use crate::mechanics::{
-    Derivations, DeriveError, Equations, Formulation, Kinematics, derive_all_with, is_reducible, motion_rates,
+    Derivations, DeriveError, Equations, Form, Formulation, Kinematics, derive_all_with, is_reducible, motion_rates,
     rates_to_speeds,
 };
 use crate::model::{Model, Unit};
@@ -120,7 +120,8 @@ impl Ground {
     /// # Errors
     /// [`DeriveError`] if Kane's equations cannot be derived.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
-        let mut derivations = derive_all_with(model, Kinematics::in_form(model, !is_reducible(model))?)?;
+        let form = if is_reducible(model) { Form::Closed } else { Form::Steps };
+        let mut derivations = derive_all_with(model, Kinematics::in_form(model, form)?)?;
         let kane = derivations.result(Formulation::Kane)?.clone();
         let balance = derivations.result(Formulation::NewtonEuler).cloned();
         let balance = balance.map(|equations| ForceBalance::new(model, &mut derivations.kinematics, &equations));

@@ -1,10 +1,10 @@
 //! Printing of formulas in LaTeX, for math mode.
 
-use super::name::{GREEK, split_name};
+use super::name::{GREEK, greek_index, is_word, split_name};
 use crate::algebra::text::view::View;
 use std::fmt::Write;
 
-/// A symbol's name in LaTeX, `q1'` as `\dot{q}_{1}`.
+/// A symbol's name in LaTeX: `q1'` as `\dot{q}_{1}`, `u_psi` as `u_{\psi}`, `q_track` as `q_{\mathrm{track}}`.
 #[must_use]
 pub fn latex_name(name: &str) -> String {
     let (letters, subscript, primes) = split_name(name);
@@ -14,7 +14,18 @@ pub fn latex_name(name: &str) -> String {
         None => letters.to_owned(),
     };
     let dotted = dotted(letters, primes);
-    if subscript.is_empty() { dotted } else { format!("{dotted}_{{{}}}", subscript.replace('_', "\\_")) }
+    if subscript.is_empty() { dotted } else { format!("{dotted}_{{{}}}", latex_subscript(subscript)) }
+}
+
+/// A subscript in LaTeX: a Greek letter with its index, a word in roman type, or indices.
+fn latex_subscript(subscript: &str) -> String {
+    let escaped = subscript.replace('_', "\\_");
+    match greek_index(subscript) {
+        Some(((greek, _), "")) => format!("\\{greek}"),
+        Some(((greek, _), index)) => format!("\\{greek}_{{{index}}}"),
+        None if is_word(subscript) => format!("\\mathrm{{{escaped}}}"),
+        None => escaped,
+    }
 }
 
 /// A symbol's name in LaTeX as one word, without a subscript.

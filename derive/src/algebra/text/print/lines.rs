@@ -25,8 +25,10 @@ struct Marks {
     /// Parentheses around content that may break over lines, of fixed height.
     broken: [&'static str; 2],
     power: fn(i32) -> String,
-    /// Mark between the parts of a fraction that is broken. `None` in a language in which n a/b becomes (n/b) a.
-    slash: Option<&'static str>,
+    /// Mark between the parts of a fraction that is broken.
+    slash: &'static str,
+    /// True if a fraction with a wide numerator gets a slash; false if n a/b becomes (n/b) a.
+    slashes_numerators: bool,
 }
 
 const LATEX: Marks = Marks {
@@ -38,7 +40,8 @@ const LATEX: Marks = Marks {
     whole: ["\\left(", "\\right)"],
     broken: ["\\bigl(", "\\bigr)"],
     power: |n| format!("^{{{n}}}"),
-    slash: None,
+    slash: " / ",
+    slashes_numerators: false,
 };
 
 /// Marks of Typst. Its parentheses are escaped, since Typst breaks no line between parentheses that it pairs.
@@ -51,7 +54,8 @@ const TYPST: Marks = Marks {
     whole: ["(", ")"],
     broken: ["\\( ", "\\)"],
     power: |n| format!("^{n}"),
-    slash: None,
+    slash: " \\/ ",
+    slashes_numerators: false,
 };
 
 /// Marks of `MathML`. Each piece is an element `math` of its own, so nothing stretches to the height of another piece.
@@ -64,7 +68,8 @@ const MATHML: Marks = Marks {
     whole: ["<mrow><mo>(</mo>", "<mo>)</mo></mrow>"],
     broken: ["<mo form=\"prefix\" stretchy=\"false\">(</mo>", "<mo form=\"postfix\" stretchy=\"false\">)</mo>"],
     power: |n| format!("<msup><mrow></mrow><mn>{n}</mn></msup>"),
-    slash: Some("<mo>/</mo>"),
+    slash: "<mo>/</mo>",
+    slashes_numerators: true,
 };
 
 /// Part of a formula within which no line breaks.
@@ -167,8 +172,7 @@ impl Breaking {
             }
             View::Fraction(above, below) if self.is_slashed(view) => {
                 self.factor(above, out);
-                let text = self.marks.slash.unwrap_or_default().to_owned();
-                out.push(Piece { text, width: 5, breaks: false });
+                out.push(Piece { text: self.marks.slash.to_owned(), width: 5, breaks: false });
                 match **below {
                     View::Sum(_) | View::Product(_) => self.enclosed(below, out),
                     _ => self.factor(below, out),
@@ -176,7 +180,7 @@ impl Breaking {
             }
             // n a/b as (n/b) a.
             View::Fraction(above, below)
-                if self.marks.slash.is_none() && matches!(**above, View::Sum(_) | View::Product(_)) =>
+                if !self.marks.slashes_numerators && matches!(**above, View::Sum(_) | View::Product(_)) =>
             {
                 let (number, rest) = without_number(above);
                 let first = View::Fraction(Box::new(View::Number(number)), below.clone());
@@ -196,7 +200,8 @@ impl Breaking {
     /// factor behind it would seem to belong to the denominator.
     fn is_slashed(&self, view: &View) -> bool {
         let breaks = |part: &View| formula_width(part) > self.widest && has_signs(part);
-        self.marks.slash.is_some() && matches!(view, View::Fraction(above, below) if breaks(above) || breaks(below))
+        let numerators = self.marks.slashes_numerators;
+        matches!(view, View::Fraction(above, below) if breaks(below) || numerators && breaks(above))
     }
 
     /// Appends a factor: a sum that does not fit stands in parentheses that lines may break.

@@ -1,6 +1,6 @@
 //! Printing of formulas in presentation `MathML`.
 
-use super::name::{GREEK, split_name};
+use super::name::{GREEK, greek_index, split_name};
 use crate::algebra::text::view::View;
 use std::fmt::Write;
 
@@ -16,12 +16,22 @@ fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
     let letters = format!("<mi>{letters}</mi>");
     let dotted = dotted(letters, primes);
-    let kind = if subscript.bytes().all(|b| b.is_ascii_digit()) { "mn" } else { "mi" };
+    let below = mathml_subscript(subscript);
     match (subscript.is_empty(), power) {
         (true, None) => dotted,
         (true, Some(n)) => format!("<msup>{dotted}<mn>{n}</mn></msup>"),
-        (false, None) => format!("<msub>{dotted}<{kind}>{subscript}</{kind}></msub>"),
-        (false, Some(n)) => format!("<msubsup>{dotted}<{kind}>{subscript}</{kind}><mn>{n}</mn></msubsup>"),
+        (false, None) => format!("<msub>{dotted}{below}</msub>"),
+        (false, Some(n)) => format!("<msubsup>{dotted}{below}<mn>{n}</mn></msubsup>"),
+    }
+}
+
+/// A subscript in `MathML`: a Greek letter with its index, a number, or letters.
+fn mathml_subscript(subscript: &str) -> String {
+    match greek_index(subscript) {
+        Some(((_, greek), "")) => format!("<mi>{greek}</mi>"),
+        Some(((_, greek), index)) => format!("<msub><mi>{greek}</mi><mn>{index}</mn></msub>"),
+        None if subscript.bytes().all(|b| b.is_ascii_digit()) => format!("<mn>{subscript}</mn>"),
+        None => format!("<mi>{subscript}</mi>"),
     }
 }
 

@@ -73,18 +73,33 @@ pub(super) const GREEK: [(&str, &str); 29] = [
     ("Omega", "Ω"),
 ];
 
-/// Splits a symbol's name into its letters, with a Greek letter as its character, its subscript, and the number of its
-/// dots.
+/// Name and character of the Greek letter at the beginning of a word, and the digits after it: `theta12` is θ and 12.
+/// `None` if the word is anything else.
+pub(super) fn greek_index(word: &str) -> Option<((&'static str, &'static str), &str)> {
+    let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
+    let greek = GREEK.iter().find(|(name, _)| *name == letters)?;
+    Some((*greek, &word[letters.len()..]))
+}
+
+/// True if a subscript is a word, which is set in roman type: `track` is one, `xy` and `12` are indices.
+pub(super) fn is_word(subscript: &str) -> bool {
+    subscript.len() > 2 && subscript.bytes().any(|b| b.is_ascii_alphabetic())
+}
+
+/// Splits a symbol's name into its letters, its subscript, and the number of its dots. Greek letters are characters.
 ///
 /// ```
 /// use tripos_derive::algebra::text::print::name_parts;
 ///
 /// assert_eq!(name_parts("theta1'"), ("θ".to_owned(), "1".to_owned(), 1));
+/// assert_eq!(name_parts("u_psi"), ("u".to_owned(), "ψ".to_owned(), 0));
 /// assert_eq!(name_parts("m_p"), ("m".to_owned(), "p".to_owned(), 0));
 /// ```
 #[must_use]
 pub fn name_parts(name: &str) -> (String, String, usize) {
     let (letters, subscript, primes) = split_name(name);
     let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
-    (letters.to_owned(), subscript.to_owned(), primes)
+    let subscript =
+        greek_index(subscript).map_or_else(|| subscript.to_owned(), |((_, c), index)| format!("{c}{index}"));
+    (letters.to_owned(), subscript, primes)
 }

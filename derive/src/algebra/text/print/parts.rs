@@ -18,6 +18,12 @@ pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
     shown.into_iter().filter(|e| sizes[e].1).collect()
 }
 
+/// Number of nodes of a formula as it is printed. A print has three to four characters a node.
+#[must_use]
+pub fn length(arena: &Arena, formula: Expr) -> usize {
+    sizes(arena, &arena.shown(&[formula]), usize::MAX)[&formula].0
+}
+
 /// Number of nodes of each term, operands first, and true if the term is a part. A sum or product of more than `part`
 /// nodes is a part, and counts as one node in other terms.
 fn sizes(arena: &Arena, terms: &[Expr], part: usize) -> FxHashMap<Expr, (usize, bool)> {

@@ -1,6 +1,6 @@
 //! Printing of formulas in Typst, for math mode.
 
-use super::name::{GREEK, split_name};
+use super::name::{GREEK, greek_index, split_name};
 use crate::algebra::text::view::View;
 use std::fmt::Write;
 
@@ -10,10 +10,12 @@ pub fn typst_name(name: &str) -> String {
     let (letters, subscript, primes) = split_name(name);
     let letters = if GREEK.iter().any(|(greek, _)| *greek == letters) { letters.to_owned() } else { upright(letters) };
     let dotted = dotted(letters, primes);
-    match subscript {
-        "" => dotted,
-        digits if digits.bytes().all(|b| b.is_ascii_digit()) => format!("{dotted}_{digits}"),
-        word => format!("{dotted}_{}", upright(word)),
+    match (subscript, greek_index(subscript)) {
+        ("", _) => dotted,
+        (_, Some(((greek, _), ""))) => format!("{dotted}_{greek}"),
+        (_, Some(((greek, _), index))) => format!("{dotted}_({greek}_{index})"),
+        (digits, None) if digits.bytes().all(|b| b.is_ascii_digit()) => format!("{dotted}_{digits}"),
+        (word, None) => format!("{dotted}_{}", upright(word)),
     }
 }
 

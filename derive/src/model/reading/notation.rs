@@ -1,0 +1,83 @@
+//! Symbols by which documents show the names of a model file.
+
+use super::names::Kind;
+use super::reader::Loading;
+use crate::algebra::text::print::name_parts;
+use crate::diagnostic::{nearest, shown};
+use crate::model::Model;
+use crate::read::Located;
+use toml::de::DeTable;
+
+/// Kinds of names that documents show as symbols.
+const SHOWN: [Kind; 8] =
+    [Kind::Parameter, Kind::Coordinate, Kind::Speed, Kind::Input, Kind::Reaction, Kind::Frame, Kind::Point, Kind::Body];
+
+/// Most dots over a symbol.
+const MOST_DOTS: usize = 2;
+
+impl<'a> Loading<'a> {
+    /// Reads the section `[notation]` of a model file: the symbol by which documents show each listed name. Two names of
+    /// a model never have one symbol, except a speed and the rate that it equals.
+    pub fn notation(&mut self, table: &'a DeTable<'a>, model: &mut Model) {
+        let mut list: Vec<(String, Located)> = Vec::new();
+        for (name, value) in self.section(table, "notation", &[]) {
+            let Some(symbol) = self.reader.string(value, &format!("the symbol of `{}`", shown(&name.text))) else {
+                continue;
+            };
+            if !self.names.kind(&name.text).is_some_and(|kind| SHOWN.contains(&kind)) {
+                let help = nearest(&name.text, self.names.of_kind(&SHOWN));
+                self.reader.error(name.span, format!("no symbol is named `{}`", shown(&name.text)), help);
+            } else if is_symbol(&symbol.text) {
+                list.push((name.text, symbol));
+            } else {
+                let help = "write a letter or the name of a Greek letter, `_` with a subscript, and `'` for each dot, as in \"omega_1\" or \"psi'\"";
+                self.reader.error(symbol.span.clone(), format!("`{}` is no symbol", shown(&symbol.text)), help);
+            }
+        }
+        for (name, symbol) in &list {
+            model.arena.print_as(name, &symbol.text);
+        }
+        for (name, symbol) in &list {
+            if let Some(other) = other_with(model, name, &symbol.text, &list) {
+                let message = format!("`{name}` and `{other}` would both be shown as `{}`", symbol.text);
+                self.reader.error(symbol.span.clone(), message, "give each name a symbol of its own");
+            }
+        }
+    }
+}
+
+/// True if a text is a symbol: letters and digits, `_` with a subscript, and at most two primes.
+fn is_symbol(text: &str) -> bool {
+    let stem = text.trim_end_matches('\'');
+    let is_part = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_alphanumeric());
+    stem.starts_with(|c: char| c.is_ascii_alphabetic())
+        && stem.len() <= 30
+        && stem.splitn(2, '_').all(|part| part.split('_').all(is_part))
+        && text.len() - stem.len() <= MOST_DOTS
+}
+
+/// Another quantity of the model that looks like the symbol of a name, or like a rate of it; `None` if there is none.
+fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)]) -> Option<String> {
+    let printed = |name: &str| {
+        let stated = list.iter().find(|(stated, _)| stated == name);
+        stated.map_or_else(|| name.to_owned(), |(_, symbol)| symbol.text.clone())
+    };
+    let parameters = model.parameters.iter().map(|p| (&p.name, 0));
+    let coordinates = model.coordinates.iter().map(|c| (&c.name, 2));
+    let speeds = model.speeds.iter().map(|s| (&s.name, 1));
+    let reactions = model.reactions.iter().map(|r| (&r.name, 0));
+    let quantities: Vec<(&String, usize)> = parameters.chain(coordinates).chain(speeds).chain(reactions).collect();
+    let dots = quantities.iter().find(|(other, _)| *other == name)?.1;
+    // A speed that is a rate may look like it.
+    let equal = model.speeds.iter().find(|speed| speed.name == *name);
+    let equal = equal.and_then(|speed| model.coordinates.iter().find(|c| c.rate == speed.definition));
+    let is_equal = |other: &str, order: usize, own: usize| equal.is_some_and(|c| c.name == other && order == own + 1);
+    let looks = |own: usize| name_parts(&format!("{symbol}{}", "'".repeat(own)));
+    quantities.iter().filter(|(other, _)| *other != name).find_map(|(other, order)| {
+        let alike = (0..=*order).any(|order| {
+            let other_looks = name_parts(&format!("{}{}", printed(other), "'".repeat(order)));
+            (0..=dots).any(|own| looks(own) == other_looks && !is_equal(other, order, own))
+        });
+        alike.then(|| (*other).clone())
+    })
+}
