@@ -38,6 +38,9 @@ pub enum Command {
         /// Sections of LaTeX for another document to \\input, and not a document
         #[arg(long)]
         fragment: bool,
+        /// Print JSON, as --format json does
+        #[arg(long, conflicts_with = "format")]
+        json: bool,
     },
     /// Say what a model is: its freedoms, integrable or redundant constraints, singularities of its speeds, and unused
     /// declarations
@@ -166,6 +169,9 @@ pub enum Command {
         /// Only say what would change; exit status 1 if anything would
         #[arg(long)]
         check: bool,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
     },
     /// Write a commented model and a scene of it into a new folder, to begin from
     New {
@@ -217,6 +223,9 @@ pub enum Command {
         /// it runs; taylor, recurrences for Taylor's method
         #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
         with: Vec<String>,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
     },
     /// Evaluate the equations of motion at one state
     Evaluate {
@@ -273,6 +282,9 @@ pub enum Command {
         /// File of the picture: .svg, .png, .pdf, or .tex for LaTeX with TikZ
         #[arg(long, value_name = "FILE", default_value = "sketch.svg")]
         out: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
     },
     /// Write a scene's motion as a 3-D view that plays: one file that needs nothing else
     ///
@@ -307,6 +319,9 @@ pub enum Command {
         /// Folder for the table and the figures
         #[arg(long, default_value = "target/stability")]
         out: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
     },
     /// Measure a scene by every formulation, solve and method at many tolerances: speed against accuracy
     Chart {
@@ -323,6 +338,9 @@ pub enum Command {
         /// Folder for the tables and the chart
         #[arg(long, default_value = "target/chart")]
         out: PathBuf,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
     },
 }
 
@@ -334,6 +352,9 @@ pub struct Page {
     /// Folder for index.html
     #[arg(long, default_value = "target/page")]
     pub out: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// A run of a scene.
@@ -390,6 +411,9 @@ pub struct Plot {
     /// Pixels of an inch of a .png
     #[arg(long, value_name = "DOTS", default_value_t = crate::picture::DPI)]
     pub dpi: u32,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
     #[command(flatten)]
     pub set: Set,
     #[command(flatten)]
@@ -412,6 +436,9 @@ pub struct View {
     /// File of the view
     #[arg(long, value_name = "FILE.html", default_value = "view.html")]
     pub out: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Runs of a scene from many starts or with many parameters.
@@ -564,8 +591,13 @@ impl Command {
     /// True if the command prints JSON.
     pub fn is_json(&self) -> bool {
         match self {
-            Self::Derive { format, .. } => *format == Format::Json,
+            Self::Derive { format, json, .. } => *json || *format == Format::Json,
             Self::Check { json, .. }
+            | Self::Regenerate { json, .. }
+            | Self::Emit { json, .. }
+            | Self::Sketch { json, .. }
+            | Self::Stability { json, .. }
+            | Self::Chart { json, .. }
             | Self::Equilibria { json, .. }
             | Self::Linearise { json, .. }
             | Self::Inverse { json, .. }
@@ -574,6 +606,9 @@ impl Command {
             | Self::Diff { json, .. }
             | Self::Evaluate { json, .. }
             | Self::Scene { json, .. } => *json,
+            Self::Page(request) => request.json,
+            Self::Plot(request) => request.json,
+            Self::View(request) => request.json,
             Self::Simulate(request) => request.json,
             Self::Sweep(request) => request.json,
             _ => false,

@@ -167,6 +167,14 @@ pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     write_out(&out)
 }
 
+/// Prints the result of a command: lines for people, or JSON for programs.
+///
+/// # Errors
+/// [`Failure`] if standard output cannot be written.
+pub fn print_either(as_json: bool, lines: &str, value: &serde_json::Value) -> Result<(), Failure> {
+    if as_json { print_json(value) } else { print(lines) }
+}
+
 fn write_out(text: &str) -> Result<(), Failure> {
     use std::io::Write;
     let mut out = std::io::stdout().lock();

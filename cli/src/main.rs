@@ -70,8 +70,9 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Completions { shell } => commands::manual::completions(shell),
         Command::Man { out } => commands::manual::man(out.as_deref()),
         Command::Schema { format } => commands::schema::schema(&format),
-        Command::Page(request) => commands::page::page(request.model.as_deref(), &request.out),
-        Command::Derive { model, by, form, format, fragment } => {
+        Command::Page(request) => commands::page::page(&request),
+        Command::Derive { model, by, form, format, fragment, json } => {
+            let format = if json { arguments::Format::Json } else { format };
             commands::derive::derive(&model, by.as_deref(), form, (format, fragment))
         }
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
@@ -92,22 +93,22 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::identify::identify(&model, varied, at.as_deref(), Shape::of(json, csv))
         }
         Command::Prove { model, json } => commands::prove::prove(&model, json),
-        Command::Regenerate { models, check: true } => commands::regenerate::check(&models),
-        Command::Regenerate { models, check: false } => commands::regenerate::regenerate(&models),
-        Command::Emit { model, out, language, formulations, with } => {
-            commands::emit::emit(&model, &out, &language, &formulations, &with)
+        Command::Regenerate { models, check: true, json } => commands::regenerate::check(&models, json),
+        Command::Regenerate { models, check: false, json } => commands::regenerate::regenerate(&models, json),
+        Command::Emit { model, out, language, formulations, with, json } => {
+            commands::emit::emit(&model, &out, &language, (&formulations, &with), json)
         }
         Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),
-        Command::Stability { scene, set, quick, out } => {
-            commands::stability::stability(&read_scene_with(&scene, &set.set)?, quick, &out)
+        Command::Stability { scene, set, quick, out, json } => {
+            commands::stability::stability(&read_scene_with(&scene, &set.set)?, quick, &out, json)
         }
-        Command::Chart { scene, set, quick, printed, out } => {
-            commands::chart::chart(&read_scene_with(&scene, &set.set)?, quick, printed, &out)
+        Command::Chart { scene, set, quick, printed, out, json } => {
+            commands::chart::chart(&read_scene_with(&scene, &set.set)?, (quick, printed), &out, json)
         }
         Command::Scene { scene, set, json } => commands::scene::scene(&read_scene_with(&scene, &set.set)?, json),
         Command::Plot(request) => commands::plot::plot(&request),
         Command::Simulate(request) => commands::simulate::simulate(&request),
-        Command::Sketch { model, at, out } => commands::sketch::sketch(&model, at.as_deref(), &out),
+        Command::Sketch { model, at, out, json } => commands::sketch::sketch(&model, at.as_deref(), &out, json),
         Command::View(request) => commands::view::view(&request),
         Command::Sweep(request) => commands::sweep::sweep(&request),
     }

@@ -75,13 +75,22 @@ pub enum Placed {
     Removed(String),
 }
 
+impl Placed {
+    /// Word for the change, and name of the file.
+    #[must_use]
+    pub fn word_and_file(&self) -> (&'static str, &str) {
+        match self {
+            Self::Written(file) => ("written", file),
+            Self::Unchanged(file) => ("unchanged", file),
+            Self::Removed(file) => ("removed", file),
+        }
+    }
+}
+
 impl fmt::Display for Placed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Written(file) => write!(f, "written    {file}"),
-            Self::Unchanged(file) => write!(f, "unchanged  {file}"),
-            Self::Removed(file) => write!(f, "removed    {file}"),
-        }
+        let (word, file) = self.word_and_file();
+        write!(f, "{word:9}  {file}")
     }
 }
 

@@ -17,6 +17,7 @@ mod gradients;
 mod hostile;
 mod javascript;
 mod javascript_constraints;
+mod json_everywhere;
 mod large;
 mod latex;
 #[path = "../support/left_out.rs"]

@@ -1,20 +1,22 @@
 //! `tripos chart`: speed against accuracy for every formulation, solve and method.
 
 use crate::chart::{figure, files};
-use crate::failure::{Failure, print, say, warn};
+use crate::failure::{Failure, print_either, say, warn};
 use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs, text};
 use crate::scene_file::VariedScene;
 use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
 use std::path::{Path, PathBuf};
 use tripos::studies::chart::{Plan, session};
+use tripos_derive::plain::path_in_line;
 
 /// Measures the speed of a scene by all ways, and writes the tables and the chart to `out`. Returns the exit status.
 pub fn chart(
     VariedScene { model, scene, .. }: &VariedScene,
-    quick: bool,
-    printed: bool,
+    (quick, printed): (bool, bool),
     out: &Path,
+    as_json: bool,
 ) -> Result<u8, Failure> {
     let names = ["work_precision.csv", "times.csv", "drifts.csv", "work_precision.svg"].map(|name| out.join(name));
     keep_inputs(model, Some(scene), names.iter().map(PathBuf::as_path))?;
@@ -35,15 +37,22 @@ pub fn chart(
     files::write(out, &session.list, &session.watch.integrals)?;
     let svg = figure::chart(&session.list, session.reference.uncertainty)?;
     text(&out.join("work_precision.svg"), &svg)?;
-    let compared = session.compared.map_or_else(String::new, |said| format!("{said}\n"));
-    print(&format!(
+    let (compared, advice) = (session.compared.clone().unwrap_or_default(), files::advice(&session.list));
+    let value = json!({
+        "model": model.title, "until": session.until, "reference": session.reference.how,
+        "uncertainty": session.reference.uncertainty, "compared": session.compared, "advice": advice,
+        "not_charted": session.left_out, "files": names.iter().map(|name| path_in_line(name)).collect::<Vec<_>>(),
+    });
+    let compared = if compared.is_empty() { compared } else { compared + "\n" };
+    let lines = format!(
         "{}\nreference at t = {} s: {}\n{compared}\n{}\n{}\n",
         model.title,
         session.until,
         session.reference.how,
-        files::advice(&session.list),
+        advice,
         out.join("work_precision.svg").display()
-    ))?;
+    );
+    print_either(as_json, &lines, &value)?;
     if follow::asked() {
         let (count, place) = (session.list.len(), out.display());
         return Err(Failure::Interrupted(format!(

@@ -1,11 +1,12 @@
 //! `tripos emit`: the generated code of any model file, for a program of the user's own.
 
-use crate::failure::{Failure, print, say};
+use crate::failure::{Failure, print_either, say};
 use crate::workspace::model_file;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tripos::code::formulation;
 use tripos_codegen::Extras;
-use tripos_codegen::emit::{Emission, PlaceError, emit as emission, place};
+use tripos_codegen::emit::{Emission, PlaceError, Placed, emit as emission, place};
 use tripos_codegen::js::RUNNERS;
 use tripos_codegen::js::emit::{EXTENSION, emit_model};
 use tripos_derive::diagnostic::nearest;
@@ -16,7 +17,13 @@ use tripos_derive::{Formulation, Model};
 const LANGUAGES: [&str; 2] = ["rust", "js"];
 
 /// Writes the equations of a model in a language to files of `out`, and prints the outcome for each file.
-pub fn emit(model: &Path, out: &Path, language: &str, formulations: &[String], with: &[String]) -> Result<u8, Failure> {
+pub fn emit(
+    model: &Path,
+    out: &Path,
+    language: &str,
+    (formulations, with): (&[String], &[String]),
+    as_json: bool,
+) -> Result<u8, Failure> {
     let formulations = formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
     let extras = Extras::named(with.iter().map(String::as_str)).map_err(|(what, help)| Failure::request(what, help))?;
     let (emission, then) = match language {
@@ -42,7 +49,12 @@ pub fn emit(model: &Path, out: &Path, language: &str, formulations: &[String], w
         PlaceError::Io(path, error) => Failure::Output(path_in_line(&path), error),
     })?;
     let lines: Vec<String> = placed.iter().map(|file| format!("{file}\n")).collect();
-    print(&lines.concat())?;
+    let left_out: Vec<Value> =
+        emission.left_out.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why.to_string() })).collect();
+    let files: Vec<Value> =
+        placed.iter().map(Placed::word_and_file).map(|(word, file)| json!({ "file": file, "change": word })).collect();
+    let value = json!({ "folder": path_in_line(out), "files": files, "left_out": left_out, "use": then });
+    print_either(as_json, &lines.concat(), &value)?;
     say(&then);
     Ok(0)
 }

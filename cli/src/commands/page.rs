@@ -8,8 +8,9 @@ mod rows;
 mod sketched;
 mod standing;
 
+use crate::arguments::Page as Request;
 use crate::commands::chart::progress;
-use crate::failure::{Failure, say, status, warn};
+use crate::failure::{Failure, print_json, say, status, warn};
 use crate::figures::{self, Curve};
 use crate::follow;
 use crate::output::{folder, keep_inputs, text};
@@ -22,6 +23,7 @@ use measured::Measured;
 use moving::moving;
 use own::{Own, shown};
 use rows::{UNWATCHED, facts, impacts, own_row, row, title};
+use serde_json::json;
 use sketched::sketched;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -43,8 +45,9 @@ use tripos_sim::Method;
 const MOST_PRINTED_STEPS: u64 = 10_000;
 
 /// Runs `tripos page`: derives, runs and writes the page of a model. Returns the exit status.
-pub fn page(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
-    let argument = argument.map_or_else(usual_model, |given| Ok(given.to_owned()))?;
+pub fn page(request: &Request) -> Result<u8, Failure> {
+    let out = request.out.as_path();
+    let argument = request.model.as_deref().map_or_else(usual_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
     if let Some(note) = edited(&model) {
         warn(&note);
@@ -87,7 +90,14 @@ pub fn page(argument: Option<&Path>, out: &Path) -> Result<u8, Failure> {
     for line in &done.doubts {
         warn(line);
     }
-    say(&page.display().to_string());
+    if request.json {
+        let value = json!({
+            "files": [path_in_line(&page)], "warnings": done.doubts, "unfinished": unfinished, "stopped": done.stopped,
+        });
+        print_json(&value)?;
+    } else {
+        say(&page.display().to_string());
+    }
     if let Some(unfinished) = unfinished {
         return Err(Failure::Interrupted(format!("the page is partial: {unfinished}")));
     }

@@ -1,12 +1,13 @@
 //! `tripos plot`: quantities of one or several runs in a figure, with its data beside it.
 
 use crate::arguments::Plot;
-use crate::failure::{Failure, print, say, status, warn};
+use crate::failure::{Failure, print_either, say, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, table};
 use crate::picture::{self, Kind};
 use crate::plot::{Panel, Scale, Series, draw, pretty};
 use crate::scene_file::{VariedScene, read_scene_with};
+use serde_json::json;
 use std::path::{Path, PathBuf};
 use tripos::code::by_or_first;
 use tripos::{Error, Mechanism, Overrides, Run, Watch, simulate};
@@ -60,14 +61,26 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
     }
     let panels = panels(&wanted, &curves)?;
     let columns = if panels.len() > ONE_COLUMN { 2 } else { 1 };
+    let mut lines = String::new();
     if let Some(kind) = kind {
         let svg = draw(&panels, columns).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
         picture::write(&out, kind, &svg, dpi)?;
-        print(&format!("figure   {}\n", path_in_line(&out)))?;
+        lines += &format!("figure   {}\n", path_in_line(&out));
     }
     let data = data_place(&out);
     write_data(&data, &panels)?;
-    print(&format!("data     {}\n", path_in_line(&data)))?;
+    lines += &format!("data     {}\n", path_in_line(&data));
+    let runs = curves.iter().map(|curve| {
+        json!({
+            "label": curve.label, "equations": curve.run.by.title(), "failure": curve.run.failure(),
+            "notes": curve.run.notes, "warnings": curve.run.warnings,
+        })
+    });
+    let value = json!({
+        "figure": kind.is_some().then(|| path_in_line(&out)), "data": path_in_line(&data), "runs": runs.collect::<Vec<_>>(),
+        "panels": panels.iter().map(|panel| pretty(&panel.title)).collect::<Vec<_>>(),
+    });
+    print_either(request.json, &lines, &value)?;
     let interrupted = curves.iter().any(|curve| curve.run.solution.stop == Stop::Interrupted);
     Ok(match interrupted {
         true => status::INTERRUPTED,

@@ -4,9 +4,10 @@ mod changes;
 mod python;
 mod reference;
 
-use crate::failure::{Failure, print, status};
+use crate::failure::{Failure, print, print_either, print_json, status};
 use crate::workspace::workspace_here;
 use changes::{Equations, equations_of};
+use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -18,29 +19,42 @@ use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
 
 /// Runs `tripos regenerate --check`: prints the files that differ; exit status 1 if there are any.
-pub fn check(models: &[PathBuf]) -> Result<u8, Failure> {
+pub fn check(models: &[PathBuf], as_json: bool) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
-    print(&summary(&root, &found, &committed, asked.len()))?;
-    let references = reference::check(&root, &sound(&found, asked));
-    for line in &references {
-        print(&format!("{line}\n"))?;
+    let text = summary(&root, &found, &committed, asked.len());
+    if !as_json {
+        print(&text)?;
     }
+    let references = reference::check(&root, &sound(&found, asked));
+    let lines: String = references.iter().map(|line| format!("{line}\n")).collect();
+    print_either(as_json, &lines, &json_of(&found, &text, &references))?;
     complain(&found)?;
     Ok(if found.differences.is_empty() && references.is_empty() { 0 } else { status::NO })
 }
 
 /// Runs `tripos regenerate`: writes files that differ, prints the changes of the equations, and renews the references.
 /// Exit status 1 if a reference disagrees.
-pub fn regenerate(models: &[PathBuf]) -> Result<u8, Failure> {
+pub fn regenerate(models: &[PathBuf], as_json: bool) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
     let text = summary(&root, &found, &committed, asked.len());
     write(&found, &committed)?;
-    print(&text)?;
-    let answer = reference::renew(&root, &sound(&found, asked))?;
+    if !as_json {
+        print(&text)?;
+    }
+    let (answer, references) = reference::renew(&root, &sound(&found, asked), as_json)?;
+    if as_json {
+        print_json(&json_of(&found, &text, &references))?;
+    }
     complain(&found)?;
     Ok(answer)
+}
+
+/// Files that differ, the summary of the changes, and lines about the references, as JSON.
+fn json_of(found: &Freshness, summary: &str, references: &[String]) -> Value {
+    let files: Vec<String> = found.differences.iter().map(|difference| difference.file().to_owned()).collect();
+    json!({ "differ": files, "summary": summary.lines().collect::<Vec<_>>(), "references": references })
 }
 
 /// Names of those models, among `asked`, that have no errors.

@@ -1,11 +1,12 @@
 //! `tripos sketch`: a mechanism as textbooks draw it, as SVG or LaTeX.
 
-use crate::failure::{Failure, print};
+use crate::failure::{Failure, print_either};
 use crate::output::{keep_inputs, text};
 use crate::picture;
 use crate::scene_file::read_scene;
 use crate::sketch::{document, picture as tikz};
 use crate::workspace::{model_file, read_model};
+use serde_json::json;
 use std::path::Path;
 use tripos::Mechanism;
 use tripos::pictures::sketch::Sketch;
@@ -28,7 +29,7 @@ enum Kind {
 ///
 /// # Errors
 /// [`Failure`] if a file cannot be read or written, `out` names no kind of picture, or no body has a place.
-pub fn sketch(what: &Path, at: Option<&Path>, out: &Path) -> Result<u8, Failure> {
+pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, as_json: bool) -> Result<u8, Failure> {
     let kind = kind(out)?;
     let (mut mechanism, scene) = read(what)?;
     keep_inputs(&mechanism, scene.as_ref(), [out])?;
@@ -49,7 +50,9 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path) -> Result<u8, Failure>
         Kind::Figure(kind) => picture::write(out, kind, &document(&sketch), picture::DPI)?,
         Kind::Latex => text(out, &tikz(&sketch))?,
     }
-    print(&format!("{}\n{}\n{}\n", path_in_line(out), sketch.about, sketch.drawn))?;
+    let lines = format!("{}\n{}\n{}\n", path_in_line(out), sketch.about, sketch.drawn);
+    let value = json!({ "files": [path_in_line(out)], "about": sketch.about, "drawn": sketch.drawn });
+    print_either(as_json, &lines, &value)?;
     Ok(0)
 }
 

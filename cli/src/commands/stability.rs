@@ -1,17 +1,24 @@
 //! `tripos stability`: limits of runs of a scene, such as passages near singular places and growth of errors.
 
 use crate::commands::chart::progress;
-use crate::failure::{Failure, print};
+use crate::failure::{Failure, print_either};
 use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs};
 use crate::scene_file::VariedScene;
 use crate::stability::{statements, write};
+use serde_json::json;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::studies::stability::{Study, all};
+use tripos_derive::plain::path_in_line;
 
 /// Runs every study that applies to the scene, and writes its numbers and figures to `out`. Returns the exit status.
-pub fn stability(VariedScene { model, scene, .. }: &VariedScene, quick: bool, out: &Path) -> Result<u8, Failure> {
+pub fn stability(
+    VariedScene { model, scene, .. }: &VariedScene,
+    quick: bool,
+    out: &Path,
+    as_json: bool,
+) -> Result<u8, Failure> {
     let files = ["stability.csv", "passages.csv"].map(|name| out.join(name));
     keep_inputs(model, Some(scene), files.iter().map(PathBuf::as_path))?;
     folder(out)?;
@@ -25,14 +32,22 @@ pub fn stability(VariedScene { model, scene, .. }: &VariedScene, quick: bool, ou
     write(&findings, out)?;
     let scene_title = if scene.title.is_empty() { String::new() } else { format!(", {}", scene.title) };
     let mut text = format!("{}{scene_title}\n\n", model.title);
-    for statement in statements(model, &findings) {
+    let statements = statements(model, &findings);
+    for statement in &statements {
         let _ = writeln!(text, "- {statement}");
     }
     let _ = writeln!(text, "\n{} numbers in {}", findings.rows.len(), out.join("stability.csv").display());
     for (name, _) in &findings.figures {
         let _ = writeln!(text, "{}", out.join(name).display());
     }
-    print(&text)?;
+    let figures = findings.figures.iter().map(|(name, _)| out.join(name));
+    let files: Vec<String> =
+        files.iter().cloned().chain(figures).filter(|file| file.exists()).map(|file| path_in_line(&file)).collect();
+    let value = json!({
+        "model": model.title, "scene": scene.title, "statements": statements, "numbers": findings.rows.len(),
+        "unfinished": findings.unfinished.map(|topic| topic.name()), "files": files,
+    });
+    print_either(as_json, &text, &value)?;
     if let Some(topic) = findings.unfinished {
         let what = format!("{} is partial: the study of {} was not finished", out.display(), topic.name());
         return Err(Failure::Interrupted(what));

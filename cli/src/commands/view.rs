@@ -1,11 +1,12 @@
 //! `tripos view`: a scene's motion as a moving picture, in one file.
 
 use crate::arguments::View as Request;
-use crate::failure::{Failure, print, status, warn};
+use crate::failure::{Failure, print_either, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, text};
 use crate::scene_file::{VariedScene, read_scene_with};
 use crate::view::{Home, Live, Seen, document, turns_truly};
+use serde_json::json;
 use tripos::Mechanism;
 use tripos::pictures::view::{Motion, View};
 use tripos_derive::plain::path_in_line;
@@ -39,7 +40,9 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     }
     let live = Live::of(&seen, request.how.by.as_deref(), Home::Alone)?;
     text(&request.out, &document(&seen, &live))?;
-    print(&format!("{}\n", request.out.display()))?;
+    let objections: Vec<&String> = seen.motions.iter().flat_map(|motion| &motion.objections).collect();
+    let value = json!({ "files": [path_in_line(&request.out)], "stopped": stopped, "warnings": objections });
+    print_either(request.json, &format!("{}\n", request.out.display()), &value)?;
     Ok(if stopped { status::STOPPED } else { 0 })
 }
 

@@ -32,17 +32,18 @@ enum Outcome {
     Refused(String),
 }
 
-/// Derives every model anew by SymPy and records references that agree; exit status 1 if one does not.
-pub fn renew(root: &Path, models: &[String]) -> Result<u8, Failure> {
+/// Derives every model anew by SymPy and records references that agree. Returns the exit status, 1 if a reference does
+/// not agree, and a line for each model. The lines are printed as they come, unless the result is JSON.
+pub fn renew(root: &Path, models: &[String], as_json: bool) -> Result<(u8, Vec<String>), Failure> {
     let python = match find(root) {
         Ok(python) => python,
         Err(why) => {
             let count = if models.len() == 1 { "1 model".to_owned() } else { format!("{} models", models.len()) };
             warn(&format!("the SymPy reference of {count} was not renewed: {why}"));
-            return Ok(0);
+            return Ok((0, Vec::new()));
         }
     };
-    let mut answer = 0;
+    let (mut answer, mut lines) = (0, Vec::new());
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     for some in models.chunks(workers) {
         let outcomes: Vec<Outcome> = std::thread::scope(|scope| {
@@ -52,19 +53,26 @@ pub fn renew(root: &Path, models: &[String]) -> Result<u8, Failure> {
             tasks.into_iter().map(|task| task.join().unwrap_or_else(defect)).collect()
         });
         for (model, outcome) in some.iter().zip(outcomes) {
-            match outcome {
-                Outcome::Recorded(n) => print(&format!("{model}: SymPy agrees in {n} entries; reference recorded\n"))?,
-                Outcome::Unchanged(n) => print(&format!("{model}: SymPy agrees in {n} entries\n"))?,
-                Outcome::NotDerived(why) => print(&format!("{model}: not derived by SymPy: {why}\n"))?,
-                Outcome::NotRenewed(why) => warn(&format!("the SymPy reference of {model} was not renewed: {why}")),
+            let line = match outcome {
+                Outcome::Recorded(n) => format!("{model}: SymPy agrees in {n} entries; reference recorded"),
+                Outcome::Unchanged(n) => format!("{model}: SymPy agrees in {n} entries"),
+                Outcome::NotDerived(why) => format!("{model}: not derived by SymPy: {why}"),
+                Outcome::NotRenewed(why) => {
+                    warn(&format!("the SymPy reference of {model} was not renewed: {why}"));
+                    continue;
+                }
                 Outcome::Refused(lines) => {
                     answer = status::NO;
-                    print(&format!("{model}: {}\n", lines.trim_end()))?;
+                    format!("{model}: {}", lines.trim_end())
                 }
+            };
+            if !as_json {
+                print(&format!("{line}\n"))?;
             }
+            lines.push(line);
         }
     }
-    Ok(answer)
+    Ok((answer, lines))
 }
 
 fn outcome(root: &Path, python: &Path, name: &str) -> Outcome {
