@@ -28,7 +28,7 @@ const GAP: f64 = 22.0;
 const LINE: f64 = 17.0;
 /// Width of a band, in pixels, that is not seen beside its curve: a band that is nowhere wider is not drawn.
 const BAND: f64 = 1.0;
-/// Largest number of names in a legend; if all panels together have more, each panel has its own legend.
+/// Largest number of names in a legend for all panels; with more, each panel has its own legend.
 const MOST_NAMES: usize = 8;
 
 /// Draws panels in a grid, row by row, with one legend if that is enough, as one `<svg>` element.
@@ -96,9 +96,15 @@ fn describe(panels: &[Panel]) -> String {
     if shares_names(panels) { of(panels) } else { panels.chunks(1).map(of).collect::<Vec<_>>().join(". ") }
 }
 
-/// True if one legend is enough for all panels.
+/// True if one legend is enough for all panels: it is short, and no look stands for two names.
 fn shares_names(panels: &[Panel]) -> bool {
-    panels.len() == 1 || legend(panels, WIDTH).len() <= MOST_NAMES
+    let entries = legend(panels, WIDTH);
+    let is_clear = |(series, ..): &Entry| {
+        entries
+            .iter()
+            .all(|(other, ..)| other.label == series.label || !std::ptr::eq(look(other.style), look(series.style)))
+    };
+    panels.len() == 1 || (entries.len() <= MOST_NAMES && entries.iter().all(is_clear))
 }
 
 /// Number of lines of a legend.

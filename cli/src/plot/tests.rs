@@ -48,6 +48,26 @@ fn degenerate_panels_draw() {
     assert!(draw(&[], 0).is_ok());
 }
 
+/// Goal: one look has one name in a legend. Method: panels whose first curves have different names have legends of their
+/// own, so that the first name does not stand above the second panel; panels with the same names share one.
+#[test]
+fn a_legend_is_shared_where_no_look_has_two_names() {
+    let points = vec![(0.0, 1.0), (1.0, 2.0)];
+    let named = |names: [&str; 2]| {
+        let mut panel = panel(&[points.clone(), points.clone()]);
+        panel.series.iter_mut().zip(names).for_each(|(series, name)| series.label = name.to_owned());
+        panel
+    };
+    let height_of = |svg: &str, text: &str| -> Option<f64> {
+        let tag = svg[..svg.find(&format!(">\n{text}\n<"))?].rsplit('<').next()?.to_owned();
+        tag.split("y=\"").nth(1)?.split('"').next()?.parse().ok()
+    };
+    let apart = draw(&[named(["q1", "q2"]), named(["u1", "u2"])], 1).unwrap();
+    let shared = draw(&[named(["kane", "lagrange"]), named(["kane", "lagrange"])], 1).unwrap();
+    assert!(height_of(&apart, "u1") > height_of(&apart, "q2").map(|y| y + 1000.0), "{apart}");
+    assert_eq!(shared.matches(">\nkane\n<").count(), 1);
+}
+
 #[test]
 fn a_figure_is_the_same_each_time() {
     let points: Vec<_> = (0..9000).map(|i| (f64::from(i), f64::from(i).sin())).collect();
