@@ -40,7 +40,7 @@ fn lengths_of_shapes_are_formulas_or_numbers_with_units() {
     let shapes = "[shapes]\nbob = { kind = \"sphere\", body = \"rod\", radius = \"2 cm\", position = [\"5 mm\", \"length\", 0] }\n";
     let model = read(&edited(&[], shapes)).unwrap();
     let ShapeForm::Sphere { radius } = &model.shapes[0].form else { panic!("a sphere") };
-    let number = |e| model.arena.as_number(e).map(|value| value.to_string());
+    let number = |e| model.arena.as_number(e).map(ToString::to_string);
     assert_eq!(number(*radius).as_deref(), Some("1/50"));
     assert_eq!(number(model.shapes[0].position[0]).as_deref(), Some("1/200"));
     for wrong in ["0.02", "\"2 kg\"", "\"cm\""] {

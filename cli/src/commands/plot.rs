@@ -61,15 +61,15 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
     }
     let panels = panels(&wanted, &curves)?;
     let columns = if panels.len() > ONE_COLUMN { 2 } else { 1 };
-    let mut lines = String::new();
+    let mut lines = Vec::new();
     if let Some(kind) = kind {
         let svg = draw(&panels, columns).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
         picture::write(&out, kind, &svg, dpi)?;
-        lines += &format!("figure   {}\n", path_in_line(&out));
+        lines.push(format!("figure   {}\n", path_in_line(&out)));
     }
     let data = data_place(&out);
     write_data(&data, &panels)?;
-    lines += &format!("data     {}\n", path_in_line(&data));
+    lines.push(format!("data     {}\n", path_in_line(&data)));
     let runs = curves.iter().map(|curve| {
         json!({
             "label": curve.label, "equations": curve.run.by.title(), "failure": curve.run.failure(),
@@ -80,7 +80,7 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
         "figure": kind.is_some().then(|| path_in_line(&out)), "data": path_in_line(&data), "runs": runs.collect::<Vec<_>>(),
         "panels": panels.iter().map(|panel| pretty(&panel.title)).collect::<Vec<_>>(),
     });
-    print_either(request.json, &lines, &value)?;
+    print_either(request.json, &lines.concat(), &value)?;
     let interrupted = curves.iter().any(|curve| curve.run.solution.stop == Stop::Interrupted);
     Ok(match interrupted {
         true => status::INTERRUPTED,

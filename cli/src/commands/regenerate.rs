@@ -27,8 +27,8 @@ pub fn check(models: &[PathBuf], as_json: bool) -> Result<u8, Failure> {
         print(&text)?;
     }
     let references = reference::check(&root, &sound(&found, asked));
-    let lines: String = references.iter().map(|line| format!("{line}\n")).collect();
-    print_either(as_json, &lines, &json_of(&found, &text, &references))?;
+    let lines: Vec<String> = references.iter().map(|line| format!("{line}\n")).collect();
+    print_either(as_json, &lines.concat(), &json_of(&found, &text, &references))?;
     complain(&found)?;
     Ok(if found.differences.is_empty() && references.is_empty() { 0 } else { status::NO })
 }

@@ -9,7 +9,7 @@ use crate::stability::{statements, write};
 use serde_json::json;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use tripos::studies::stability::{Study, all};
+use tripos::studies::stability::{Study, Topic, all};
 use tripos_derive::plain::path_in_line;
 
 /// Runs every study that applies to the scene, and writes its numbers and figures to `out`. Returns the exit status.
@@ -45,7 +45,7 @@ pub fn stability(
         files.iter().cloned().chain(figures).filter(|file| file.exists()).map(|file| path_in_line(&file)).collect();
     let value = json!({
         "model": model.title, "scene": scene.title, "statements": statements, "numbers": findings.rows.len(),
-        "unfinished": findings.unfinished.map(|topic| topic.name()), "files": files,
+        "unfinished": findings.unfinished.map(Topic::name), "files": files,
     });
     print_either(as_json, &text, &value)?;
     if let Some(topic) = findings.unfinished {
