@@ -17,8 +17,8 @@ fn library(name: &str) -> Model {
     Model::read(&models.join(name).join("model.toml")).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Formulas of a derivation that are read, by their names: M, f, T, V and every line of the steps, with named symbols put
-/// in. Lines of partial velocities that are 0 are absent.
+/// Formulas of a derivation that are read, by their names: M, f, T, V and every line of the steps, with named symbols
+/// put in. Lines of partial velocities that are 0 are absent.
 fn formulas(derivation: &DerivationInSteps) -> (Arena, BTreeMap<String, Expr>) {
     let DerivationInSteps { arena, equations: e, steps } = derivation;
     let mut arena = arena.clone();
@@ -57,8 +57,8 @@ fn both_forms_are_the_same_equations() {
     }
 }
 
-/// Goal: three bodies are read without names, and what would fill pages is not written out. Method: the numbers of names
-/// in library models by default, and the length of the longest formula.
+/// Goal: three bodies are read without names, and what would fill pages is not written out. Method: the numbers of
+/// names in library models by default, and the length of the longest formula.
 #[test]
 fn equations_of_three_bodies_are_written_out() {
     let names =

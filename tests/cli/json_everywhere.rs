@@ -13,8 +13,8 @@ fn object(folder: &Path, arguments: &[&str]) -> (i32, Value) {
     (status, value)
 }
 
-/// Goal: a program reads the answer of every command that works on a model or a scene. Method: the cart of `tripos new`;
-/// each command that writes files names them, and they are there.
+/// Goal: a program reads the answer of every command that works on a model or a scene. Method: the cart of `tripos
+/// new`; each command that writes files names them, and they are there.
 #[test]
 fn every_command_answers_in_json() {
     let folder = tempfile::tempdir().unwrap();

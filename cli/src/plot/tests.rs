@@ -48,8 +48,8 @@ fn degenerate_panels_draw() {
     assert!(draw(&[], 0).is_ok());
 }
 
-/// Goal: one look has one name in a legend. Method: panels whose first curves have different names have legends of their
-/// own, so that the first name does not stand above the second panel; panels with the same names share one.
+/// Goal: one look has one name in a legend. Method: panels whose first curves have different names have legends of
+/// their own, so that the first name does not stand above the second panel; panels with the same names share one.
 #[test]
 fn a_legend_is_shared_where_no_look_has_two_names() {
     let points = vec![(0.0, 1.0), (1.0, 2.0)];

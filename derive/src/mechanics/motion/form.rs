@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 /// Approximate number of terms in the closed form of a mass matrix above which growing terms get names.
 const MOST_TERMS: usize = 50;
 
-/// Approximate number of terms in the closed form of a mass matrix above which the closed form is not tried for readers.
+/// Approximate number of terms in the closed form of a mass matrix above which the closed form is not tried for
+/// readers.
 const MOST_TRIED: usize = 20_000;
 
 /// Form of derived equations: their terms are written out or have names. Both forms have the same meaning.
@@ -23,9 +24,9 @@ impl Form {
     /// Form in which the equations of a model are proved, computed and emitted: steps if the closed form is too long to
     /// be computed with.
     ///
-    /// The choice counts products of two parts of velocities, with the speeds that each part depends on and the terms of
-    /// the rotation between the parts. A mass matrix multiplied out consists of such products. The count depends only on
-    /// the model's tree, so it is the same for every formulation and on every machine.
+    /// The choice counts products of two parts of velocities, with the speeds that each part depends on and the terms
+    /// of the rotation between the parts. A mass matrix multiplied out consists of such products. The count depends
+    /// only on the model's tree, so it is the same for every formulation and on every machine.
     #[must_use]
     pub fn computed(model: &Model) -> Self {
         if has_more_closed_terms(model, MOST_TERMS) { Self::Steps } else { Self::Closed }

@@ -16,8 +16,8 @@ const SHOWN: [Kind; 8] =
 const MOST_DOTS: usize = 2;
 
 impl<'a> Loading<'a> {
-    /// Reads the section `[notation]` of a model file: the symbol by which documents show each listed name. Two names of
-    /// a model never have one symbol, except a speed and the rate that it equals.
+    /// Reads the section `[notation]` of a model file: the symbol by which documents show each listed name. Two names
+    /// of a model never have one symbol, except a speed and the rate that it equals.
     pub fn notation(&mut self, table: &'a DeTable<'a>, model: &mut Model) {
         let mut list: Vec<(String, Located)> = Vec::new();
         for (name, value) in self.section(table, "notation", &[]) {
