@@ -8,6 +8,7 @@ use crate::differences::solved;
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::meaning::compare::{Verdict, Witness};
+use tripos_derive::algebra::meaning::permitted::Permitted;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::text::print::text;
 use tripos_derive::algebra::value::evaluate::Tape;
@@ -580,4 +581,21 @@ fn random_systems_with_multipliers_are_judged_as_their_accelerations_are() {
         }
     }
     assert!(right >= 8 && wrong >= 8, "{right} right, {wrong} wrong");
+}
+
+/// Goal: an equality that needs the constraints and the domain together is found, and told to need both. Method: √(b²) is
+/// a where b = a and a > 0; neither fact alone is enough.
+#[test]
+fn an_equality_may_need_the_constraints_and_the_domain() {
+    let mut arena = Arena::new();
+    let [a, b] = ["a", "b"].map(|name| arena.symbol(name));
+    let root = parse_free(&mut arena, "sqrt(b^2)").unwrap();
+    let mut permitted = Permitted::new(&mut arena, vec![(b, a)], vec![a]);
+    let views = permitted.views(&mut arena, root, a).unwrap();
+    let equal: Vec<(bool, bool)> = views
+        .iter()
+        .filter(|view| view.sides.0 == view.sides.1)
+        .map(|view| (view.holds.on_constraints, view.holds.in_domain))
+        .collect();
+    assert_eq!(equal, [(true, true)]);
 }

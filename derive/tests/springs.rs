@@ -6,7 +6,7 @@ use crate::common;
 
 use common::{edited, errors, read};
 use tripos_derive::algebra::value::evaluate::Tape;
-use tripos_derive::mechanics::{Derivation, Solved, derive};
+use tripos_derive::mechanics::{Derivation, Solved, derive, load_divisors};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model};
 
@@ -136,4 +136,19 @@ fn constraints_name_positions() {
         Tape::new(&derivation.arena, &inputs, &entries).unwrap().evaluate(&state)
     };
     close(&kane(&named), &kane(text));
+}
+
+/// Goal: places where loads divide by zero are listed, each with its load. Method: a spring whose ends meet, a potential
+/// whose slope divides by a coordinate, and one that divides by a positive sum, which is never zero.
+#[test]
+fn loads_that_divide_by_what_may_vanish_are_listed() {
+    let potentials = "[potentials]\nwell = \"k*length^3/x\"\nsmooth = \"k*length^4/(x^2 + length^2)\"\n";
+    let model = read(&(sprung(TO_THE_WALL) + potentials)).unwrap_or_else(|e| panic!("{e}"));
+    let mut arena = model.arena.clone();
+    let list = load_divisors(&mut arena, &model);
+    let found: Vec<(&str, bool)> = list.iter().map(|divisor| (divisor.load.as_str(), divisor.is_distance)).collect();
+    assert_eq!(found, [("s", true), ("well", false)]);
+    let x = model.coordinates[0].symbol;
+    assert!(arena.mentions(list[1].value, x) && list[1].meaning().contains("the load `well` divides by it"));
+    assert_eq!(list[0].meaning(), "the ends of the spring `s` meet");
 }
