@@ -293,10 +293,11 @@ fn argument_width(view: &View) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::mathml_pieces;
+    use super::{latex_lines, mathml_pieces, typst_lines};
     use crate::algebra::Arena;
     use crate::algebra::text::parse::parse_free;
     use crate::algebra::text::print::{mathml_of, view_of};
+    use crate::algebra::text::view::View;
 
     /// Visible text of `MathML`, without tags and without the invisible mark of function application.
     fn seen(mathml: &str) -> String {
@@ -340,6 +341,27 @@ mod tests {
         assert_eq!(list, [whole], "nothing is won where no sign stands");
         let (list, _) = pieces("m*(m*u1 + m*u2 + l*u1)^2", 60);
         assert_eq!((list.len(), list.concat()), (3, format!("m({sum})2")));
+    }
+
+    /// Goal: a wide denominator breaks in LaTeX and Typst, and stays one. Method: a factor behind it stands outside of the
+    /// parentheses around the fraction.
+    #[test]
+    fn a_wide_denominator_has_a_slash_in_every_language() {
+        let mut arena = Arena::new();
+        for name in ["m", "l", "q1", "q2", "u1", "u2"] {
+            arena.symbol(name);
+        }
+        let e = parse_free(&mut arena, "(m*u1 + m*u2 + l*u1)*sin(q1)/(l*q1 + l*q2 + m*q2)").unwrap();
+        let view = view_of(&arena, e);
+        let latex = latex_lines(&view, 80);
+        assert!(latex.len() > 2, "{latex:?}");
+        let below = "\\bigl(l \\, q_{1}{} + m \\, q_{2}{} + l \\, q_{2}\\bigr)";
+        assert!(latex.concat().contains(&format!(" / {below}")), "{latex:?}");
+        let typst = typst_lines(&view, 80);
+        assert!(typst.concat().contains(" \\/ \\( l thin q_1"), "{typst:?}");
+        let product = View::Product(vec![view, View::Name("u2".to_owned())]);
+        let latex = latex_lines(&product, 80).concat();
+        assert!(latex.ends_with(&format!("{below}\\bigr) \\, u_{{2}}")), "{latex}");
     }
 
     #[test]
