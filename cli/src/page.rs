@@ -19,7 +19,6 @@ pub use content::{
     Advice, Choice, Drawing, Fact, Figure, Moving, Nearest, Needs, Page, RunRow, SceneSection, Standing, Viewer,
 };
 pub use markup::html::{escape, rounded};
-pub use scenes::standing::two_digits;
 
 use markup::html::{anchor, link};
 use scenes::scene::Shown;
@@ -116,7 +115,7 @@ fn contents(page: &Page) -> String {
         let inside = if inside.is_empty() { String::new() } else { format!(": {}", inside.join(" · ")) };
         let _ = writeln!(out, "<li>{}{inside}</li>", link(place, title));
     }
-    out + "</ul>\n</nav>\n"
+    out + "</ul>\n<button type=\"button\" id=\"unfold\" hidden>Unfold all parts, for printing</button>\n</nav>\n"
 }
 
 /// HTML of the entry of a formulation in the table of contents.

@@ -35,14 +35,15 @@
     }
   });
   for (const box of document.querySelectorAll('.formula, .card')) boxes.observe(box);
-  // Paper cannot be unfolded.
-  let closed = [];
-  window.addEventListener('beforeprint', () => {
-    closed = [...document.querySelectorAll('main details:not([open])')].filter((each) => !each.closest('figure.view'));
-    for (const each of closed) each.open = true;
-  });
-  window.addEventListener('afterprint', () => {
-    for (const each of closed) each.open = false;
-    closed = [];
-  });
+  // Paper shows the parts that are open.
+  const unfold = document.getElementById('unfold');
+  if (unfold) {
+    unfold.hidden = false;
+    unfold.addEventListener('click', () => {
+      for (const part of document.querySelectorAll('main details')) {
+        if (!part.closest('figure.view')) part.open = true;
+      }
+      unfold.hidden = true;
+    });
+  }
 })();

@@ -7,8 +7,8 @@ use crate::page::content::{RunRow, SceneSection, Standing};
 use crate::page::markup::html::{count, escape, listed, number, rounded, words};
 use crate::page::scenes::runs::energy;
 use crate::page::scenes::singular::name;
-use crate::page::scenes::standing::two_digits;
 use std::fmt::Write;
+use tripos_derive::plain::significant;
 
 /// Largest number of printed runs that a sentence names.
 const NAMED: usize = 4;
@@ -70,7 +70,7 @@ pub fn derived(scene: &SceneSection) -> String {
 fn loose(run: &RunRow) -> String {
     let Standing::Loose { how, error } = &run.standing else { return String::new() };
     let few = run.few_from.map(|t| format!("fewer than three digits from t = {} s on", number(&rounded(t, 4))));
-    let error = error.as_ref().ok().map(|error| format!("an error of {} at the end", number(&two_digits(*error))));
+    let error = error.as_ref().ok().map(|error| format!("an error of {} at the end", number(&significant(*error, 2))));
     let left: Vec<String> = few.into_iter().chain(error).collect();
     match run.warnings.first() {
         Some(warning) if run.few_from.is_none() => format!("{}; {}", words(how), words(warning.trim_end_matches('.'))),

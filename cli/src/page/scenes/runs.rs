@@ -7,6 +7,7 @@ use crate::page::model::proof::{integral_name, integral_symbol};
 use crate::page::scenes::standing::{self, class};
 use std::fmt::Write;
 use tripos_derive::algebra::meaning::compare::Verdict;
+use tripos_derive::plain::significant;
 
 const HEAD: [&str; 8] = [
     "Equations",
@@ -150,9 +151,5 @@ pub fn energy(drift: f64) -> String {
     if !drift.is_finite() {
         return "<strong>not finite</strong>".to_owned();
     }
-    let digits = format!("{drift:.1e}");
-    match digits.parse::<f64>() {
-        Ok(short) if short == 0.0 || (1e-2..1e4).contains(&short.abs()) => number(&short.to_string()),
-        _ => number(&digits),
-    }
+    number(&significant(drift, 2))
 }

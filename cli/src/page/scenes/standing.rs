@@ -5,6 +5,7 @@
 
 use crate::page::content::{RunRow, Standing};
 use crate::page::markup::html::escape;
+use tripos_derive::plain::significant;
 
 impl Standing {
     /// Word for the standing; `None` for right equations that run well.
@@ -26,7 +27,7 @@ impl Standing {
             Self::Loose { how, error: Ok(error) } => Some(format!(
                 "right equations, loosely integrated: {how} leaves an error of {} at t = {t_end} s, the largest \
                  |e| / (1 + |value|) of what is shown, by comparison with a second run",
-                two_digits(*error)
+                significant(*error, 2)
             )),
             Self::Loose { how, error: Err(why) } => Some(format!(
                 "right equations, loosely integrated by {how}; the error at t = {t_end} s is not known: {why}"
@@ -35,15 +36,6 @@ impl Standing {
                 Some(format!("whether these equations give the derived accelerations is not known: {why}"))
             }
         }
-    }
-}
-
-/// Positive number as text with two significant digits.
-pub fn two_digits(size: f64) -> String {
-    let short = format!("{size:.1e}");
-    match short.parse::<f64>() {
-        Ok(size) if (1e-2..1e4).contains(&size) => size.to_string(),
-        _ => short,
     }
 }
 
