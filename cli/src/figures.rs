@@ -1,10 +1,11 @@
 //! Panels of the figures of a scene, drawn from its runs.
 
-use crate::page::{Standing, two_digits};
+use crate::page::Standing;
 use crate::plot::{Panel, Scale, Series};
 use std::fmt::Write;
 use tripos::{Conserved, Course, Run, Watch};
 use tripos_derive::Model;
+use tripos_derive::plain::significant;
 use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
 use tripos_sim::Stop;
 
@@ -110,7 +111,7 @@ fn loose(curves: &[Curve]) -> String {
     for curve in curves {
         if let Standing::Loose { how: words, error } = curve.standing {
             how = words;
-            let error = error.as_ref().map_or_else(|_| "not known".to_owned(), |error| two_digits(*error));
+            let error = error.as_ref().map_or_else(|_| "not known".to_owned(), |error| significant(*error, 2));
             list.push(format!("{error} by {}", curve.label));
         }
     }

@@ -48,6 +48,25 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
+/// Number with this many significant digits: as a decimal fraction from 0.01 to 10 000 in size, else with a power of
+/// ten.
+///
+/// ```
+/// use tripos_derive::plain::significant;
+///
+/// assert_eq!(significant(3.0321, 4), "3.032");
+/// assert_eq!(significant(0.0000193, 2), "1.9e-5");
+/// assert_eq!(significant(0.0, 2), "0");
+/// ```
+#[must_use]
+pub fn significant(x: f64, digits: usize) -> String {
+    let short = format!("{x:.*e}", digits.saturating_sub(1));
+    match short.parse::<f64>() {
+        Ok(value) if value == 0.0 || (1e-2..1e4).contains(&value.abs()) => value.to_string(),
+        _ => short,
+    }
+}
+
 /// Path as one line of text for a message: line breaks and forbidden characters in its names are written out.
 #[must_use]
 pub fn path_in_line(path: &Path) -> String {

@@ -126,7 +126,7 @@ fn text_of(found: &Found) -> String {
             return format!("balanced at {}, and not linearised: {}\n", x.join(", "), why.first_line());
         }
     };
-    let _ = writeln!(out, "{}, what is left of the balance {:.1e}", kind_of(about), about.steady.residual);
+    let _ = writeln!(out, "{}, largest residual {:.1e}", kind_of(about), about.steady.residual);
     for (name, x) in about.states() {
         let _ = writeln!(out, "  {name} = {x:?}");
     }

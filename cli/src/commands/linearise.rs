@@ -210,7 +210,7 @@ pub fn modes_text(found: &About) -> String {
 fn text_of(model: &Mechanism, found: &About) -> String {
     let system = &found.system;
     let mut out = format!("{}: near {}\n", model.title, kind_of(found));
-    let _ = writeln!(out, "what is left of the balance: {:.1e}\n", found.steady.residual);
+    let _ = writeln!(out, "largest residual of the equations of steady motion: {:.1e}\n", found.steady.residual);
     for (name, x) in found.states() {
         let _ = writeln!(out, "  {name} = {x:?}");
     }

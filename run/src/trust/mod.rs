@@ -16,6 +16,7 @@ use crate::preparation::problem::Problem;
 use crate::trust::digits::{Digits, FEW};
 use crate::trust::invariants::{Conserved, Excursion, Watch};
 use crate::trust::residuals::{broken, opened};
+use tripos_derive::plain::significant;
 use tripos_derive::scene::Solve;
 use tripos_sim::{Solution, Stop};
 
@@ -64,7 +65,8 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
     }
     let end = digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} are left again"));
     Some(format!(
-        "fewer than three digits are left from t = {t:.4} s on, where `{name}` may be off by {error:.1e}: so far apart are this run and another, {}{}",
+        "fewer than three digits are left from t = {t:.4} s on, where `{name}` may be off by {}: so far apart are this run and another, {}{}",
+        significant(error, 2),
         digits.by,
         end.unwrap_or_default()
     ))
@@ -135,7 +137,9 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
     // The reason of the end reports a run that ended because its energy has no value.
     (drift > (THREE_DIGITS * scale).max(nothing)).then(|| {
         format!(
-            "{what}, constant in this motion, changed by {drift:.3e} J of {scale:.3e} J: fewer than three digits are left"
+            "{what}, constant in this motion, changed by {} J of {} J: fewer than three digits are left",
+            significant(drift, 4),
+            significant(scale, 4)
         )
     })
 }
@@ -159,7 +163,8 @@ fn said((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
         return format!("{name}, constant in this motion, has no value at t = {t:.4} s: do not trust this run");
     }
     format!(
-        "{name}, constant in this motion, has changed by {change:.3e} {unit} at t = {t:.4} s: fewer than three digits are left there"
+        "{name}, constant in this motion, has changed by {} {unit} at t = {t:.4} s: fewer than three digits are left there",
+        significant(*change, 4)
     )
 }
 
