@@ -583,8 +583,8 @@ fn random_systems_with_multipliers_are_judged_as_their_accelerations_are() {
     assert!(right >= 8 && wrong >= 8, "{right} right, {wrong} wrong");
 }
 
-/// Goal: an equality that needs the constraints and the domain together is found, and told to need both. Method: √(b²) is
-/// a where b = a and a > 0; neither fact alone is enough.
+/// Goal: an equality that needs the constraints and the domain together is found, and told to need both. Method: √(b²)
+/// is a where b = a and a > 0; neither fact alone is enough.
 #[test]
 fn an_equality_may_need_the_constraints_and_the_domain() {
     let mut arena = Arena::new();

@@ -138,8 +138,8 @@ fn constraints_name_positions() {
     close(&kane(&named), &kane(text));
 }
 
-/// Goal: places where loads divide by zero are listed, each with its load. Method: a spring whose ends meet, a potential
-/// whose slope divides by a coordinate, and one that divides by a positive sum, which is never zero.
+/// Goal: places where loads divide by zero are listed, each with its load. Method: a spring whose ends meet, a
+/// potential whose slope divides by a coordinate, and one that divides by a positive sum, which is never zero.
 #[test]
 fn loads_that_divide_by_what_may_vanish_are_listed() {
     let potentials = "[potentials]\nwell = \"k*length^3/x\"\nsmooth = \"k*length^4/(x^2 + length^2)\"\n";
