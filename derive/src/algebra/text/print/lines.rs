@@ -343,8 +343,8 @@ mod tests {
         assert_eq!((list.len(), list.concat()), (3, format!("m({sum})2")));
     }
 
-    /// Goal: a wide denominator breaks in LaTeX and Typst, and stays one. Method: a factor behind it stands outside of the
-    /// parentheses around the fraction.
+    /// Goal: a wide denominator breaks in LaTeX and Typst, and stays one. Method: a factor behind it stands outside of
+    /// the parentheses around the fraction.
     #[test]
     fn a_wide_denominator_has_a_slash_in_every_language() {
         let mut arena = Arena::new();
