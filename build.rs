@@ -60,7 +60,10 @@ fn is_feature(manifest: &str, name: &str) -> bool {
 pub fn equations_text(text: &str) -> &str {
     let is_look = |line: &str| ["[shapes]", "[shapes.", "[notation]"].iter().any(|look| line.starts_with(look));
     let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
-    let mut headers = starts.filter(|at| text[*at..].starts_with('[')).skip_while(|at| !is_look(&text[*at..]));
+    // A header may be indented.
+    let mut headers = starts
+        .filter(|at| text[*at..].trim_start_matches([' ', '\t']).starts_with('['))
+        .skip_while(|at| !is_look(&text[*at..]));
     let Some(first) = headers.next().filter(|_| headers.all(|at| is_look(&text[at..]))) else { return text };
     let mut rest = &text[..first];
     while rest.ends_with("\n\n") {

@@ -53,9 +53,13 @@ fn the_build_hashes_as_the_deriving_crate_does() {
 /// The build leaves the same sections out of a text.
 #[test]
 fn the_build_leaves_out_the_same_shapes() {
-    for shapes in
-        ["", "[shapes]\nx = 1\n", "\n\n[shapes.x]\ny = 1\n[notation]\n[shapes.z]\n", "[shapes]\nx = 1\n[points]\n"]
-    {
+    for shapes in [
+        "",
+        "[shapes]\nx = 1\n",
+        "\n\n[shapes.x]\ny = 1\n[notation]\n[shapes.z]\n",
+        "[shapes]\nx = 1\n[points]\n",
+        "[shapes]\nx = 1\n  [forces.f]\n",
+    ] {
         let text = format!("name = \"a\"\n{shapes}");
         assert_eq!(build::equations_text(&text), tripos_derive::model::equations_text(&text), "{shapes}");
     }

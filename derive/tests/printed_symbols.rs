@@ -15,6 +15,8 @@ fn subscripts_are_greek_letters_words_or_indices() {
         ("u_psi", "u_{\\psi}", "u_psi", "<msub><mi>u</mi><mi>ψ</mi></msub>"),
         ("u_theta12'", "\\dot{u}_{\\theta_{12}}", "dot(u)_(theta_12)", "<msub><mi>θ</mi><mn>12</mn></msub></msub>"),
         ("q_track", "q_{\\mathrm{track}}", "q_\"track\"", "<msub><mi>q</mi><mi>track</mi></msub>"),
+        ("Xi", "\\Xi", "Xi", "<mi>Ξ</mi>"),
+        ("Phi_1", "\\Phi_{1}", "Phi_1", "<msub><mi>Φ</mi><mn>1</mn></msub>"),
         ("I_xx", "I_{xx}", "I_\"xx\"", "<msub><mi>I</mi><mi>xx</mi></msub>"),
         ("q123", "q_{123}", "q_123", "<msub><mi>q</mi><mn>123</mn></msub>"),
     ] {
@@ -51,6 +53,9 @@ fn a_speed_may_look_like_the_rate_that_it_is() {
     assert_eq!(latex(&model.arena, speed), "\\dot{q}");
     let found = errors(&edited(&[], "[notation]\nu2 = \"x'\"\n"));
     assert!(found.to_string().contains("`u2` and `x` would both be shown as `x'`"), "{found}");
+    // The coordinate may have another symbol itself.
+    let model = read(&edited(&[], "[notation]\nq = \"phi\"\nu2 = \"phi'\"\n")).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(latex(&model.arena, model.speeds[1].rate), "\\ddot{\\phi}");
     let found = errors(&edited(&[("u2 = \"q'\"", "u2 = \"2*q'\"")], "[notation]\nu2 = \"q'\"\n"));
     assert!(found.to_string().contains("`u2` and `q` would both be shown as `q'`"), "{found}");
 }
@@ -65,6 +70,11 @@ fn wrong_symbols_are_told_at_their_place() {
         ("m = \"m_\"", "m_", "`m_` is no symbol", "write a letter"),
         ("m = \"m'''\"", "m'''", "`m'''` is no symbol", "write a letter"),
         ("m = \"g\"", "g\"", "`m` and `g` would both be shown as `g`", "a symbol of its own"),
+        ("A = \"N\"", "N\"", "`A` and `N` would both be shown as `N`", "a symbol of its own"),
+        ("P = \"c\"", "c\"", "`P` and `C` would both be shown as `c`", "a symbol of its own"),
+        ("A = \"B'\"", "B'", "`B'` is no symbol", "write a letter"),
+        ("m = \"V\"", "V\"", "documents write `V` for something else", "T and V are energies"),
+        ("m = \"M_12\"", "M_12", "documents write `M_12` for something else", "entries of equations"),
         ("m = 7", "7", "the symbol of `m` must be a string", ""),
     ] {
         let text = edited(&[], &format!("[notation]\n{entry}\n"));

@@ -65,7 +65,7 @@ def names_time(entry):
 
 def equations_text(content):
     """The bytes of a model without the sections [shapes] and [notation] at their end, which no equation depends on."""
-    headers = [match.start() for match in re.finditer(rb"^\[", content, re.M)]
+    headers = [match.start() for match in re.finditer(rb"^[ \t]*\[", content, re.M)]
     shapes = [at for at in headers if re.match(rb"\[(shapes[].]|notation])", content[at:])]
     if not shapes or headers[-len(shapes):] != shapes:
         return content

@@ -49,6 +49,8 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
     let out = request.out.as_path();
     let argument = request.model.as_deref().map_or_else(usual_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
+    // The page names places and files of the model beside its formulas, so it has one set of names: those of the file.
+    model.arena.print_plainly();
     if let Some(note) = edited(&model) {
         warn(&note);
     }

@@ -128,6 +128,13 @@ impl Arena {
     }
 }
 
+impl Arena {
+    /// Shows all symbols by their own names again, as if [`Arena::print_as`] had not been called.
+    pub fn print_plainly(&mut self) {
+        self.names.printed.clear();
+    }
+}
+
 /// Name by which documents show a name: that of [`Arena::print_as`], else the name itself. Primes are kept.
 #[must_use]
 pub fn printed_name(arena: &Arena, name: &str) -> String {

@@ -238,9 +238,15 @@ impl<'a> Loading<'a> {
     /// it, so no other formula has to fit its unit.
     fn shape_length(&mut self, formula: &Located, what: &str) -> Option<Expr> {
         let metre = Unit::new(1, 0, 0);
-        let Some(stated) = StatedUnit::of(&formula.text).filter(|stated| stated.unit == metre) else {
+        let Some(stated) = StatedUnit::of(&formula.text) else {
             return self.quantity(formula, PARAMETERS, &metre, what);
         };
+        if stated.unit != metre {
+            let unit = stated.unit.words();
+            let message = format!("{what} must be in m, but `{}` is in {unit}", shown(&formula.text));
+            self.reader.error(formula.span.clone(), message, "give a length, such as \"2 cm\"");
+            return None;
+        }
         let number = self.names.formula(&mut self.reader, &mut self.arena, &stated.number(formula), CONSTANT, what)?;
         Some(stated.apply(&mut self.arena, number))
     }
@@ -333,7 +339,10 @@ impl<'a> Loading<'a> {
 pub fn equations_text(text: &str) -> &str {
     let is_look = |line: &str| ["[shapes]", "[shapes.", "[notation]"].iter().any(|look| line.starts_with(look));
     let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
-    let mut headers = starts.filter(|at| text[*at..].starts_with('[')).skip_while(|at| !is_look(&text[*at..]));
+    // A header may be indented. A line that only looks like one keeps the whole text.
+    let mut headers = starts
+        .filter(|at| text[*at..].trim_start_matches([' ', '\t']).starts_with('['))
+        .skip_while(|at| !is_look(&text[*at..]));
     let Some(first) = headers.next() else { return text };
     if !headers.all(|at| is_look(&text[at..])) {
         return text;
@@ -370,6 +379,8 @@ mod tests {
             format!("{model}about = \"\"\"\n[shapes]\n\"\"\"\n"),
             format!("{model}list = [\n[shapes]\n]\n"),
             format!("{model}[notations]\nx = 1\n"),
+            format!("{model}[shapes]\nx = 1\n  [forces.f]\ny = 2\n"),
+            format!("{model}[notation]\nx = 1\n\t[ forces . f ]\ny = 2\n"),
         ] {
             assert_eq!(equations_text(&whole), whole);
         }

@@ -12,6 +12,13 @@ use toml::de::DeTable;
 const SHOWN: [Kind; 8] =
     [Kind::Parameter, Kind::Coordinate, Kind::Speed, Kind::Input, Kind::Reaction, Kind::Frame, Kind::Point, Kind::Body];
 
+/// Kinds of names that have no rate, and so no dots.
+const PLACES: [Kind; 3] = [Kind::Frame, Kind::Point, Kind::Body];
+
+/// Letters that documents give a meaning of their own: energies alone; M, f, F, Q and C with numbers.
+const ENERGIES: [&str; 2] = ["T", "V"];
+const NUMBERED: [&str; 5] = ["M", "f", "F", "Q", "C"];
+
 /// Most dots over a symbol.
 const MOST_DOTS: usize = 2;
 
@@ -24,10 +31,12 @@ impl<'a> Loading<'a> {
             let Some(symbol) = self.reader.string(value, &format!("the symbol of `{}`", shown(&name.text))) else {
                 continue;
             };
-            if !self.names.kind(&name.text).is_some_and(|kind| SHOWN.contains(&kind)) {
+            let kind = self.names.kind(&name.text).filter(|kind| SHOWN.contains(kind));
+            let is_place = kind.is_some_and(|kind| PLACES.contains(&kind));
+            if kind.is_none() {
                 let help = nearest(&name.text, self.names.of_kind(&SHOWN));
                 self.reader.error(name.span, format!("no symbol is named `{}`", shown(&name.text)), help);
-            } else if is_symbol(&symbol.text) {
+            } else if is_symbol(&symbol.text) && !(is_place && symbol.text.ends_with('\'')) {
                 list.push((name.text, symbol));
             } else {
                 let help = "write a letter or the name of a Greek letter, `_` with a subscript, and `'` for each dot, as in \"omega_1\" or \"psi'\"";
@@ -36,11 +45,17 @@ impl<'a> Loading<'a> {
         }
         for (name, symbol) in &list {
             model.arena.print_as(name, &symbol.text);
+            // No named term gets a name that looks like the symbol.
+            model.arena.symbol(&symbol.text);
         }
         for (name, symbol) in &list {
             if let Some(other) = other_with(model, name, &symbol.text, &list) {
                 let message = format!("`{name}` and `{other}` would both be shown as `{}`", symbol.text);
                 self.reader.error(symbol.span.clone(), message, "give each name a symbol of its own");
+            } else if has_meaning(&symbol.text) {
+                let message = format!("documents write `{}` for something else", symbol.text);
+                let help = "T and V are energies; M, f, F, Q and C with numbers are entries of equations";
+                self.reader.error(symbol.span.clone(), message, help);
             }
         }
     }
@@ -56,6 +71,13 @@ fn is_symbol(text: &str) -> bool {
         && text.len() - stem.len() <= MOST_DOTS
 }
 
+/// True if documents write a symbol for energies or for entries of equations.
+fn has_meaning(symbol: &str) -> bool {
+    let (letters, subscript, _) = name_parts(symbol);
+    let is_number = !subscript.is_empty() && subscript.bytes().all(|b| b.is_ascii_digit());
+    ENERGIES.contains(&letters.as_str()) && subscript.is_empty() || NUMBERED.contains(&letters.as_str()) && is_number
+}
+
 /// Another quantity of the model that looks like the symbol of a name, or like a rate of it; `None` if there is none.
 fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)]) -> Option<String> {
     let printed = |name: &str| {
@@ -67,11 +89,17 @@ fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)
     let speeds = model.speeds.iter().map(|s| (&s.name, 1));
     let reactions = model.reactions.iter().map(|r| (&r.name, 0));
     let quantities: Vec<(&String, usize)> = parameters.chain(coordinates).chain(speeds).chain(reactions).collect();
-    let dots = quantities.iter().find(|(other, _)| *other == name)?.1;
+    let Some(dots) = quantities.iter().find(|(other, _)| *other == name).map(|(_, dots)| *dots) else {
+        return other_place(model, name, symbol, &printed);
+    };
     // A speed that is a rate may look like it.
-    let equal = model.speeds.iter().find(|speed| speed.name == *name);
-    let equal = equal.and_then(|speed| model.coordinates.iter().find(|c| c.rate == speed.definition));
-    let is_equal = |other: &str, order: usize, own: usize| equal.is_some_and(|c| c.name == other && order == own + 1);
+    let is_rate = |speed: &str, of: &str| {
+        let speed = model.speeds.iter().find(|one| one.name == speed);
+        speed.is_some_and(|speed| model.coordinates.iter().any(|c| c.name == of && c.rate == speed.definition))
+    };
+    let is_equal = |other: &str, order: usize, own: usize| {
+        is_rate(name, other) && order == own + 1 || is_rate(other, name) && own == order + 1
+    };
     let looks = |own: usize| name_parts(&format!("{symbol}{}", "'".repeat(own)));
     quantities.iter().filter(|(other, _)| *other != name).find_map(|(other, order)| {
         let alike = (0..=*order).any(|order| {
@@ -80,4 +108,15 @@ fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)
         });
         alike.then(|| (*other).clone())
     })
+}
+
+/// Another frame, point or body that looks like the symbol of one; `None` if there is none. Basis vectors have small
+/// letters.
+fn other_place(model: &Model, name: &str, symbol: &str, printed: &dyn Fn(&str) -> String) -> Option<String> {
+    let frames: Vec<&String> = model.frames.iter().map(|frame| &frame.name).collect();
+    let points: Vec<&String> = model.points.iter().map(|point| &point.name).collect();
+    let bodies: Vec<&String> = model.bodies.iter().map(|body| &body.name).collect();
+    let own = [frames, points, bodies].into_iter().find(|list| list.iter().any(|other| *other == name))?;
+    let looks = |symbol: &str| name_parts(&symbol.to_lowercase());
+    own.into_iter().find(|other| *other != name && looks(&printed(other)) == looks(symbol)).cloned()
 }

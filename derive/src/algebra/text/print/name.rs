@@ -25,8 +25,11 @@ pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
     if letters.len() == 1 || letters.len() < stem.len() {
         return (letters, &stem[letters.len()..], primes);
     }
-    // I_xx written as Ixx: a capital and what follows.
-    if letters.len() <= 4 && letters.starts_with(|c: char| c.is_ascii_uppercase()) {
+    // I_xx written as Ixx: a capital and what follows, unless it is the name of a Greek letter.
+    if !GREEK.iter().any(|(greek, _)| *greek == letters)
+        && letters.len() <= 4
+        && letters.starts_with(|c: char| c.is_ascii_uppercase())
+    {
         return (&letters[..1], &letters[1..], primes);
     }
     (letters, "", primes)
@@ -41,7 +44,7 @@ pub(super) fn twin(name: &str) -> Option<String> {
 }
 
 /// Greek letters: name and character.
-pub(super) const GREEK: [(&str, &str); 29] = [
+pub(super) const GREEK: [(&str, &str); 33] = [
     ("alpha", "α"),
     ("beta", "β"),
     ("gamma", "γ"),
@@ -50,6 +53,7 @@ pub(super) const GREEK: [(&str, &str); 29] = [
     ("zeta", "ζ"),
     ("eta", "η"),
     ("theta", "θ"),
+    ("iota", "ι"),
     ("kappa", "κ"),
     ("lambda", "λ"),
     ("mu", "μ"),
@@ -58,6 +62,7 @@ pub(super) const GREEK: [(&str, &str); 29] = [
     ("rho", "ρ"),
     ("sigma", "σ"),
     ("tau", "τ"),
+    ("upsilon", "υ"),
     ("phi", "φ"),
     ("chi", "χ"),
     ("psi", "ψ"),
@@ -67,7 +72,9 @@ pub(super) const GREEK: [(&str, &str); 29] = [
     ("Theta", "Θ"),
     ("Lambda", "Λ"),
     ("Xi", "Ξ"),
+    ("Pi", "Π"),
     ("Sigma", "Σ"),
+    ("Upsilon", "Υ"),
     ("Phi", "Φ"),
     ("Psi", "Ψ"),
     ("Omega", "Ω"),
