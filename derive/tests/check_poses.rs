@@ -156,8 +156,9 @@ impl Train {
         Self { axles: (0..axles).map(|_| draw(chance)).collect() }
     }
 
-    /// Its model, with contacts in the frame that nobody states.
-    fn text(&self) -> String {
+    /// Its model, with contacts along the axes of the ground, as the file states or by default.
+    fn text(&self, is_stated: bool) -> String {
+        let along = if is_stated { "\nframe = \"N\"" } else { "" };
         let (mut parameters, mut coordinates, mut speeds) = (String::new(), String::new(), String::new());
         let (mut frames, mut points, mut bodies, mut rolling) =
             (String::new(), String::new(), String::new(), String::new());
@@ -200,7 +201,7 @@ impl Train {
                     bodies,
                     "[bodies.wheel{side}{at}]\nframe = \"W{side}{at}\"\ncentre = \"C{side}{at}\"\nmass = \"m\"\ninertia = {{ diagonal = [\"J\", \"J\", \"J\"] }}"
                 );
-                let _ = writeln!(rolling, "[rolling.r{side}{at}]\nbody = \"wheel{side}{at}\"\nat = \"P{side}{at}\"");
+                let _ = writeln!(rolling, "[rolling.r{side}{at}]\nbody = \"wheel{side}{at}\"\nat = \"P{side}{at}\"{along}");
             }
         }
         format!(
@@ -270,7 +271,7 @@ fn wheels_on_axles_are_regular_at_every_heading() {
     let mut chance = Chance(7);
     for axles in [1, 2, 2, 3] {
         let train = Train::drawn(&mut chance, axles);
-        let model = read(&train.text()).unwrap_or_else(|e| panic!("{e}"));
+        let model = read(&train.text(false)).unwrap_or_else(|e| panic!("{e}"));
         let found = check(&model).unwrap_or_else(|e| panic!("{}", model.diagnose(&e)));
         let loss = found.rank_loss.unwrap();
         assert_eq!((loss.rank, loss.pose.as_ref()), (3 * axles, None));
@@ -287,6 +288,15 @@ fn wheels_on_axles_are_regular_at_every_heading() {
             assert_eq!((rank(&all), rank(&own), rank(&both)), (3 * axles, 3 * axles, 3 * axles), "{q:?}");
         }
     }
+}
+
+/// Goal: axes along which a file states contacts make no heading singular, although slips along them follow from each
+/// other in most headings only. Method: one axle with two wheels, which has rank 3 in every heading.
+#[test]
+fn axes_of_contacts_make_no_heading_singular() {
+    let mut chance = Chance(8);
+    let loss = checked(&Train::drawn(&mut chance, 1).text(true)).rank_loss.unwrap();
+    assert_eq!((loss.rank, loss.nowhere, loss.pose), (3, true, None));
 }
 
 /// Goal: formulas that are never zero together give no pose, and the proof is stated. Closed forms: the edge of a
@@ -399,6 +409,16 @@ fn a_scissor_lift_is_judged_on_the_branch_with_as_many_freedoms_as_speeds() {
         // Folded flat, each stage may open alone.
         assert_eq!(branch.larger.as_ref().map(|(freedoms, _)| *freedoms), Some(stages), "{branch:?}");
     }
+}
+
+/// Goal: the branch with most freedoms is taken if the file declares as many speeds. Closed form: two stages folded flat
+/// turn and open independently.
+#[test]
+fn a_folded_lift_is_judged_on_its_own_branch() {
+    let text = scissor(2).replace("speeds = [\"u1\"]", "speeds = []");
+    let model = read(&format!("{text}[speeds]\nu1 = \"q1'\"\nu2 = \"q2'\"\n")).unwrap_or_else(|e| panic!("{e}"));
+    let branch = model.branch.as_ref().unwrap();
+    assert_eq!((model.speeds.len(), branch.rank, branch.larger.as_ref()), (2, 3, None));
 }
 
 /// Goal: sines and cosines of asin, acos and atan are algebraic. Method: a wheel on a wavy road does not leave it,
