@@ -201,7 +201,8 @@ impl Train {
                     bodies,
                     "[bodies.wheel{side}{at}]\nframe = \"W{side}{at}\"\ncentre = \"C{side}{at}\"\nmass = \"m\"\ninertia = {{ diagonal = [\"J\", \"J\", \"J\"] }}"
                 );
-                let _ = writeln!(rolling, "[rolling.r{side}{at}]\nbody = \"wheel{side}{at}\"\nat = \"P{side}{at}\"{along}");
+                let _ =
+                    writeln!(rolling, "[rolling.r{side}{at}]\nbody = \"wheel{side}{at}\"\nat = \"P{side}{at}\"{along}");
             }
         }
         format!(
@@ -411,8 +412,8 @@ fn a_scissor_lift_is_judged_on_the_branch_with_as_many_freedoms_as_speeds() {
     }
 }
 
-/// Goal: the branch with most freedoms is taken if the file declares as many speeds. Closed form: two stages folded flat
-/// turn and open independently.
+/// Goal: the branch with most freedoms is taken if the file declares as many speeds. Closed form: two stages that lie
+/// flat turn and open independently.
 #[test]
 fn a_folded_lift_is_judged_on_its_own_branch() {
     let text = scissor(2).replace("speeds = [\"u1\"]", "speeds = []");

@@ -69,9 +69,9 @@ fn linear_equations_are_right_about_their_point() {
     said(
         &text("-2*m*g*length*q"),
         &expect![[r#"
-        linear-row1 equal | to first order about x = 0, q = 0
-        linear-row2 different | it differs in the right-hand side by -m*length*g*q | wrong: the right-hand side by -m*length*g*q
-    "#]],
+            linear-row1 equal | to first order about x = 0, q = 0
+            linear-row2 different | in the right-hand side, -2*m*length*g*q should be -m*length*g*q | wrong: in the right-hand side, -2*m*length*g*q should be -m*length*g*q
+        "#]],
     );
 }
 

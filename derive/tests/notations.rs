@@ -125,7 +125,7 @@ fn latex_that_may_be_read_in_two_ways_is_refused_where_it_may() {
             (r"x^2^3", "^", "second exponent", "braces"),
             (r"\dddot{q}", r"\dddot{q}", "more than 2 primes", "second derivative"),
             (r"\frac{a}{b - b}", "b - b", "division by zero", "zero"),
-            (r"a + θ", "θ", "unexpected `θ`", r"\theta"),
+            (r"a + ж", "ж", "unexpected `ж`", r"\theta"),
             (r"\begin{split} a \end{split}", r"\begin", "is not known", "environment"),
             (r"a + ", "", "ends too early", "operand"),
             ("", "", "empty", "write 0"),

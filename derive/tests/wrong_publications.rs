@@ -195,7 +195,7 @@ fn wrong_unknowns_are_named() {
 }
 
 #[test]
-fn an_entry_that_contains_an_unknown_is_refused() {
+fn an_entry_of_the_matrix_that_contains_an_unknown_is_refused() {
     let edits = [
         ("[\"2*m\", \"m*length*cos(q)\"]", "[\"2*m\", \"m*length*cos(q)*x''\"]"),
         ("right = [\"bob*q'^2\", \"-g*bob\"]", "right = [\"bob*q'^2 - m*q''\", \"-q''*bob\"]"),
@@ -209,15 +209,63 @@ fn an_entry_that_contains_an_unknown_is_refused() {
         36 | matrix = [["2*m", "m*length*cos(q)*x''"], ["m*length*cos(q)", "I + m*length^2"]]
            |                    ^^^^^^^^^^^^^^^^^^^
            |
-           = help: a row reads Σ entry·unknown = right: put the factor of `x''` into its column of the matrix
+           = help: a row reads Σ entry·unknown = right: put the factor of `x''` into its column of the matrix"#]],
+    );
+    check_edit(
+        "right = [\"bob*q'^2\", \"-g*bob\"]",
+        "right = [\"bob*q''^2\", 0]",
+        &expect![[r#"
+        error: row 1 is not linear in accelerations and reactions
+          --> publication.toml:37:9
+           |
+        37 | right = ["bob*q''^2", 0]
+           |         ^^^^^^^^^^^^^^^^
+           |
+           = help: a row reads Σ entry·unknown = right"#]],
+    );
+    check_edit(
+        "unknowns = [",
+        "equations = [\"x'' = 0\"]\nunknowns = [",
+        &expect![[r#"
+        error: `unknowns` beside `equations`
+          --> publication.toml:36:12
+           |
+        36 | unknowns = ["x''", "q''"]
+           |            ^^^^^^^^^^^^^^
+           |
+           = help: a system is either `equations`, or `unknowns`, `matrix` and `right`
 
-        error: an entry of `right` contains the unknown `q''`
-          --> publication.toml:37:11
+        error: `matrix` beside `equations`
+          --> publication.toml:37:10
            |
-        37 | right = ["bob*q'^2 - m*q''", "-q''*bob"]
-           |           ^^^^^^^^^^^^^^^^    -------- also here
+        37 | matrix = [["2*m", "m*length*cos(q)"], ["m*length*cos(q)", "I + m*length^2"]]
+           |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
            |
-           = help: a row reads Σ entry·unknown = right: put the factor of `q''` into its column of the matrix"#]],
+           = help: a system is either `equations`, or `unknowns`, `matrix` and `right`
+
+        error: `right` beside `equations`
+          --> publication.toml:38:9
+           |
+        38 | right = ["bob*q'^2", "-g*bob"]
+           |         ^^^^^^^^^^^^^^^^^^^^^^
+           |
+           = help: a system is either `equations`, or `unknowns`, `matrix` and `right`
+
+        error: `matrix_ids` beside `equations`
+          --> publication.toml:39:14
+           |
+        39 | matrix_ids = "3-E{i}{j}"
+           |              ^^^^^^^^^^^
+           |
+           = help: a system is either `equations`, or `unknowns`, `matrix` and `right`
+
+        error: `right_ids` beside `equations`
+          --> publication.toml:40:13
+           |
+        40 | right_ids = "3-A{i}"
+           |             ^^^^^^^^
+           |
+           = help: a system is either `equations`, or `unknowns`, `matrix` and `right`"#]],
     );
 }
 
@@ -248,7 +296,7 @@ fn a_matrix_that_does_not_fit_is_refused() {
         47 | matrix = [[1, 0]]
            |          ^^^^^^^^
            |
-           = help: one row and one column for each entry of the state's second half"#]],
+           = help: one row and one column for each speed of the state"#]],
     );
     check_edit(
         "right = [\"bob*q'^2\", \"-g*bob\"]",
@@ -265,38 +313,48 @@ fn a_matrix_that_does_not_fit_is_refused() {
 }
 
 #[test]
-fn a_state_is_coordinates_then_speeds() {
+fn a_state_is_of_coordinates_and_speeds() {
     check_edit(
         "state = [\"q\", \"x\", \"u2\", \"u1\"]",
         "state = [\"q\", \"x\", \"u2\"]",
         &expect![[r#"
-            error: a state of 3 entries: coordinates and speeds must be as many
-              --> publication.toml:45:9
-               |
-            45 | state = ["q", "x", "u2"]
-               |         ^^^^^^^^^^^^^^^^
-               |
-               = help: list coordinates first, then as many speeds"#]],
+        error: `derivative` has 4 entries for a state of 3
+          --> publication.toml:46:14
+           |
+        46 | derivative = ["u2", "u1", "-g*bob", 0]
+           |              ^^^^^^^^^^^^^^^^^^^^^^^^^
+           |
+           = help: one derivative for each entry of the state, 0 where it is left zero
+
+        error: the matrix has 2 rows, not 1
+          --> publication.toml:47:10
+           |
+        47 | matrix = [[1, 0], [0, "m"]]
+           |          ^^^^^^^^^^^^^^^^^^
+           |
+           = help: one row and one column for each speed of the state"#]],
     );
     check_edit(
         "state = [\"q\", \"x\", \"u2\", \"u1\"]",
         "state = [\"q\", \"u1\", \"x'\", \"u1\"]",
         &expect![[r#"
-            error: `u1` is not a coordinate, as the first half of a state is
-              --> publication.toml:45:16
-               |
-            45 | state = ["q", "u1", "x'", "u1"]
-               |                ^^
-               |
-               = help: known here: `x`, `q`
+        error: `x'` is not a coordinate or a speed
+          --> publication.toml:45:22
+           |
+        45 | state = ["q", "u1", "x'", "u1"]
+           |                      ^^
+           |
+           = help: did you mean `x`?
 
-            error: `x'` is not a speed, as the second half of this state is
-              --> publication.toml:45:22
-               |
-            45 | state = ["q", "u1", "x'", "u1"]
-               |                      ^^
-               |
-               = help: known here: `u1`, `u2`"#]],
+        error: `u1` is named twice
+          --> publication.toml:45:28
+           |
+        45 | state = ["q", "u1", "x'", "u1"]
+           |                --          ^^
+           |                |
+           |                first named here
+           |
+           = help: name each once"#]],
     );
 }
 

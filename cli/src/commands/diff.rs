@@ -58,6 +58,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
                 "section": f.section,
                 "verdict": f.judgement.word(),
                 "holds": holds(f),
+                "up_to": f.up_to,
                 "factor": shown(f.factor),
                 "printed": f.printed,
                 "derived": shown(f.derived).or_else(|| number(|w| w.right)),
@@ -198,9 +199,11 @@ fn printed(difference: &Difference) -> Vec<Expr> {
     findings.chain(difference.consequences.iter().flat_map(Consequences::shown)).collect()
 }
 
-/// Words for the domain in which an entry holds; empty if it holds everywhere.
+/// Words for the difference that an entry may have and the domain in which it holds; empty if it holds exactly and
+/// everywhere.
 fn place(finding: &Finding) -> String {
-    finding.holds.words().map_or_else(String::new, |words| format!("  {words}"))
+    let words: Vec<&str> = finding.up_to.into_iter().chain(finding.holds.words()).collect();
+    if words.is_empty() { String::new() } else { format!("  {}", words.join(", ")) }
 }
 
 /// Writes a verdict in a line; a wrong entry also gets its printed and derived form and its remarks.

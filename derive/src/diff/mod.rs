@@ -8,6 +8,7 @@ mod edits;
 pub mod equations;
 mod formulas;
 pub mod printed;
+mod repairs;
 mod roots;
 mod states;
 
@@ -78,6 +79,7 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     let mut comparer = Comparer::within(permitted.clone());
     let mut anywhere = Comparer::default();
     let names = Names::new(publication, &mut quantities);
+    let numbers = numbers(model, &mut quantities, publication);
     let mut found = Found::default();
     for entry in &publication.entries {
         let first = found.findings.len();
@@ -86,7 +88,9 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
         let words = near.as_ref().map(|near| near.words.clone());
         // A formula that is printed up to an order near a point is compared as printed, not in permitted states.
         let comparer = if near.is_some() { &mut anywhere } else { &mut comparer };
-        let mut judge = formulas::entries::Judge { quantities: &mut quantities, comparer, names: &names, tables, near };
+        let numbers = numbers.as_slice();
+        let mut judge =
+            formulas::entries::Judge { quantities: &mut quantities, comparer, names: &names, tables, near, numbers };
         match &entry.kind {
             EntryKind::Definition { text } => {
                 found.push((Finding::new(&entry.id, &entry.section, Judgement::Stated, text), Claim::Other));
@@ -110,6 +114,25 @@ pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publicat
     let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables);
     let (consequences, agreements) = printed::consequences::draw(model, derivations, &mut comparer, proof, &motions);
     Difference { findings, roots, consequences, agreements }
+}
+
+/// Parameters with their numbers: those that the publication states first, or else those of the model, or 0 for
+/// inputs.
+fn numbers(model: &Model, quantities: &mut Quantities<'_>, publication: &Publication) -> Vec<(Expr, Expr)> {
+    let arena = &mut quantities.derivations.kinematics.arena;
+    let stated = publication.entries.iter().filter_map(|entry| match &entry.kind {
+        EntryKind::Initial(initial) => Some((initial.quantity, initial.value)),
+        _ => None,
+    });
+    let stated: Vec<(Expr, Expr)> = stated.collect();
+    let mut list = Vec::new();
+    for p in &model.parameters {
+        let own = stated.iter().find(|(symbol, _)| *symbol == p.symbol).map(|(_, value)| *value);
+        let value = own.or_else(|| p.value.as_ref().map(|value| arena.number(value.clone())));
+        let value = value.or(p.is_input.then_some(Expr::ZERO));
+        list.extend(value.map(|value| (p.symbol, value)));
+    }
+    list
 }
 
 /// Findings, claims, tables and motions, gathered entry by entry.

@@ -404,6 +404,14 @@ impl Model {
     /// unit.
     #[must_use]
     pub fn unit_of(&self, arena: &Arena, e: Expr) -> Option<Unit> {
+        self.checked_unit_of(arena, e).ok().flatten()
+    }
+
+    /// Unit of a term of `arena` in parameters, coordinates and speeds; `None` if it has none.
+    ///
+    /// # Errors
+    /// Message that parts of the term do not fit one another, such as a sum of a mass and a length.
+    pub fn checked_unit_of(&self, arena: &Arena, e: Expr) -> Result<Option<Unit>, String> {
         let per_second = |unit: &Unit| unit.times(&Unit::new(0, 0, -1));
         let parameters = self.parameters.iter().map(|p| (p.symbol, p.unit.clone()));
         let coordinates = self.coordinates.iter().flat_map(|c| {
@@ -416,7 +424,7 @@ impl Model {
             (reaction.symbol, Unit::new(1 + lever, 1, -2))
         });
         let symbols = parameters.chain(coordinates).chain(speeds).chain(reactions);
-        unit_of(arena, e, &symbols.collect()).ok().flatten()
+        unit_of(arena, e, &symbols.collect()).map_err(|(message, _)| message)
     }
 
     /// Symbols of the generalized coordinates.

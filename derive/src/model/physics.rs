@@ -72,6 +72,9 @@ pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str)
             "a moment of inertia is not negative; one stated about another point must be at least m d^2".to_owned(),
         ));
     }
+    // The rest of a rotor with one moment of inertia and no mass is counted with the body that carries it.
+    let is_rotor = body.mass == Expr::ZERO && only_axis(&values).is_some();
+    let broken = broken && !is_rotor;
     let moments = format!("moments {}, {}, {}", at(0), at(4), at(8));
     let why = if [1, 5, 6].iter().all(|i| values[*i] == 0.0) {
         format!("{moments} break the triangle inequality")
@@ -81,17 +84,22 @@ pub fn objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str)
     broken.then(|| (format!("no body has the central inertia of `{}`: {why}", body.name), way_out(&values)))
 }
 
+/// Axis of the only moment of an inertia; `None` if it has others, or products.
+fn only_axis(values: &[f64]) -> Option<usize> {
+    let moments = [values[0], values[4], values[8]];
+    let only = (0..3).find(|i| (0..3).all(|j| (i == &j) == (moments[j] != 0.0)));
+    only.filter(|_| [1, 5, 6].iter().all(|i| values[*i] == 0.0))
+}
+
 /// Advice on stating an inertia that a body can have.
 fn way_out(values: &[f64]) -> String {
     let rule = "each principal moment is at most the sum of the other two (equal for a thin plate)";
-    let moments = [values[0], values[4], values[8]];
-    let only = (0..3).find(|i| (0..3).all(|j| (i == &j) == (moments[j] != 0.0)));
-    match only.filter(|_| [1, 5, 6].iter().all(|i| values[*i] == 0.0)) {
+    match only_axis(values) {
         Some(axis) => {
             let entry = |i: usize| if i == axis { "\"J\"" } else { "\"J/2\"" };
             let plate = format!("[{}, {}, {}]", entry(0), entry(1), entry(2));
             format!(
-                "{rule}: of a body that moves in a plane only the moment about the normal counts, so state a thin plate, diagonal = {plate} with J that moment"
+                "{rule}: of a body that moves in a plane only the moment about the normal counts, so state a thin plate, diagonal = {plate} with J that moment; of a rotor whose mass is counted with the body that carries it, state mass = 0"
             )
         }
         None => rule.to_owned(),

@@ -1,11 +1,13 @@
 //! Entries of a publication: the keys common to all, and entries with a single formula.
 
+use super::matrix::cells;
 use super::read::{KEYS, Loading};
 use super::{Entry, EntryKind, Initial};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::algebra::value::evaluate::Tape;
 use crate::diagnostic::{Diagnostic, nearest, shown};
+use crate::mechanics::Quantity;
 use crate::read::Located;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
@@ -19,6 +21,7 @@ const MAX_ID: usize = 80;
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Equation,
+    Matrix,
     Definition,
     System,
     Listing,
@@ -26,8 +29,9 @@ enum Kind {
 }
 
 /// Kinds of entries, each with its key and its name in messages.
-const KINDS: [(Kind, &str, &str); 5] = [
+const KINDS: [(Kind, &str, &str); 6] = [
     (Kind::Equation, "equation", "an equation"),
+    (Kind::Matrix, "matrix", "a matrix"),
     (Kind::Definition, "definition", "a definition"),
     (Kind::System, "system", "a system"),
     (Kind::Listing, "listing", "a listing"),
@@ -37,18 +41,35 @@ const KINDS: [(Kind, &str, &str); 5] = [
 /// Keys that an entry of this kind may have: those of every entry, then its own.
 fn keys(kind: Kind) -> Vec<&'static str> {
     let own: &[&str] = match kind {
-        Kind::Equation => &["quantity", "printed"],
+        Kind::Equation => &["quantity", "printed", "formulation", "frame"],
+        Kind::Matrix => &["quantity", "printed"],
         Kind::Definition => &["printed"],
-        Kind::System => &["formulation", "frame", "unknowns", "matrix", "right", "matrix_ids", "right_ids"],
+        Kind::System => {
+            &["formulation", "frame", "equations", "unknowns", "matrix", "right", "matrix_ids", "right_ids"]
+        }
         Kind::Listing => &["formulation", "state", "derivative", "matrix"],
         Kind::Initial => &["set", "quantity", "printed"],
     };
     let formulas: &[&str] = match kind {
         Kind::Definition => &[],
         Kind::Initial => &["notation"],
-        Kind::Equation | Kind::System | Kind::Listing => &["notation", "about", "order"],
+        Kind::Equation | Kind::Matrix | Kind::System | Kind::Listing => &["notation", "about", "order"],
     };
     [&["id", "section", "repaired", "note"], formulas, own].concat()
+}
+
+/// Entries that one table of the publication file states.
+enum Read {
+    One(Box<Entry>),
+    /// Entries of a matrix.
+    Matrix(Vec<Entry>),
+}
+
+/// Part of a range of a text without space around it.
+fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
+    let part = &text[range.clone()];
+    let start = range.start + part.len() - part.trim_start().len();
+    start..start + part.trim().len()
 }
 
 /// An entry as it stands in the publication file.
@@ -93,20 +114,50 @@ impl<'a> Loading<'a, '_> {
             self.reader.error(item.span.clone(), message, "split the publication into several files");
             items.truncate(MAX_ENTRIES);
         }
-        items.iter().filter_map(|(kind, item)| self.entry(*kind, item)).collect()
+        let mut entries = Vec::new();
+        for (kind, item) in &items {
+            if let Some(entry) = self.entry(*kind, item) {
+                match entry {
+                    Read::One(entry) => entries.push(*entry),
+                    Read::Matrix(list) => entries.extend(list),
+                }
+            }
+        }
+        if entries.len() > MAX_ENTRIES {
+            let message = format!("more than {MAX_ENTRIES} entries with those of matrices");
+            self.reader.errors.push(Diagnostic::of_file(message, "split the publication into several files"));
+        }
+        entries
     }
 
-    fn entry(&mut self, kind: Kind, item: &Item<'a>) -> Option<Entry> {
+    fn entry(&mut self, kind: Kind, item: &Item<'a>) -> Option<Read> {
         self.reader.allow(item.table, item.what, &keys(kind));
         let id = self.id(item);
         let section = self.required_text(item, "section");
         let repaired = self.text(item.table, "repaired");
         let note = self.text(item.table, "note");
         let near = match kind {
-            Kind::Equation | Kind::System | Kind::Listing => self.near(item.table),
+            Kind::Equation | Kind::Matrix | Kind::System | Kind::Listing => self.near(item.table),
             Kind::Definition | Kind::Initial => None,
         };
+        if kind == Kind::Matrix {
+            let (id, section) = (id?, section?.text);
+            let list = self.matrix_entries(item)?;
+            let (rows, columns) = (list.len(), list.first().map_or(0, Vec::len));
+            let mut entries = Vec::new();
+            for (at, kind) in list.into_iter().flatten().enumerate() {
+                let (i, j) = (at / columns + 1, at % columns + 1);
+                let comma = if rows.max(columns) > 9 { "," } else { "" };
+                let part = format!("{}-{i}{comma}{j}", id.text);
+                self.claim(&part, &id.span, ", of a part of this entry,");
+                let (repaired, note) = (repaired.clone().filter(|_| at == 0), note.clone().filter(|_| at == 0));
+                let (section, near, span) = (section.clone(), near.clone(), id.span.clone());
+                entries.push(Entry { id: part, section, repaired, note, notation: item.notation, near, span, kind });
+            }
+            return Some(Read::Matrix(entries));
+        }
         let kind = match kind {
+            Kind::Matrix => unreachable!("read above"),
             Kind::Equation => self.equation(item),
             Kind::Definition => {
                 self.required_text(item, "printed").map(|text| EntryKind::Definition { text: text.text })
@@ -131,7 +182,44 @@ impl<'a> Loading<'a, '_> {
                 self.claim(&part, &entry.span, ", of a part of this entry,");
             }
         }
-        Some(entry)
+        Some(Read::One(Box::new(entry)))
+    }
+
+    /// Reads a quantity with two indices, or a vector, whose entries are printed together, row by row.
+    fn matrix_entries(&mut self, item: &Item<'a>) -> Option<Vec<Vec<EntryKind>>> {
+        let quantity = self.required_text(item, "quantity");
+        let printed = self.required_text(item, "printed")?;
+        let rows = match cells(&printed.text, item.notation) {
+            Ok(rows) => rows,
+            Err(why) => {
+                let help = "print the whole matrix, or give each component an [[equation]] of its own";
+                self.reader.error(printed.span, why, help);
+                return None;
+            }
+        };
+        let quantity = quantity?;
+        let is_vector = rows.len() == 1 || rows[0].len() == 1;
+        let named = |index: &str| Located { text: format!("{} {index}", quantity.text), ..quantity.clone() };
+        let by_one = is_vector && Quantity::parse(&named("[1]").text, self.model).is_ok();
+        let mut list = Vec::new();
+        for (i, row) in rows.into_iter().enumerate() {
+            let mut entries = Vec::new();
+            for (j, cell) in row.into_iter().enumerate() {
+                let index = if by_one { format!("[{}]", i.max(j) + 1) } else { format!("[{},{}]", i + 1, j + 1) };
+                let name = Located { exact: false, ..named(&index) };
+                let formula = Located {
+                    text: printed.text[cell.clone()].trim().to_owned(),
+                    span: printed.part(trimmed(&printed.text, cell)),
+                    exact: printed.exact,
+                };
+                let (quantity, value) = (self.quantity(&name), self.formula(&formula, item.notation));
+                // One reason for an unknown quantity is enough.
+                let quantity = quantity?;
+                entries.push(value.map(|printed| EntryKind::Equation { quantity, printed, text: formula.text }));
+            }
+            list.push(entries.into_iter().collect::<Option<Vec<_>>>());
+        }
+        list.into_iter().collect()
     }
 
     /// String under a key that must be present.
@@ -176,9 +264,22 @@ impl<'a> Loading<'a, '_> {
         self.ids.insert(id.to_owned(), span.clone());
     }
 
+    /// Reads an entry `[[equation]]`: the printed value of a quantity, or an equation of motion if no quantity, or 0, is
+    /// stated.
     fn equation(&mut self, item: &Item<'a>) -> Option<EntryKind> {
-        let quantity = self.required_text(item, "quantity").and_then(|name| self.quantity(&name));
         let printed = self.required_formula(item, "printed");
+        let is_zero = |value: &toml::Spanned<DeValue<'a>>| match value.get_ref() {
+            DeValue::String(name) => name.trim() == "0",
+            DeValue::Integer(n) => n.as_str() == "0",
+            _ => false,
+        };
+        let quantity = self.reader.get(item.table, "quantity");
+        let is_equation = printed.as_ref().is_some_and(|formula| formula.text.contains('='));
+        if quantity.map_or(is_equation, is_zero) {
+            return self.equation_of_motion(item, &printed?).map(EntryKind::System);
+        }
+        let quantity = self.required_text(item, "quantity").and_then(|name| self.quantity(&name));
+        let printed = printed.map(|formula| right_side(&formula));
         let formula = printed.as_ref().and_then(|f| self.formula(f, item.notation));
         Some(EntryKind::Equation { quantity: quantity?, printed: formula?, text: printed?.text })
     }
@@ -232,6 +333,17 @@ impl<'a> Loading<'a, '_> {
             return None;
         }
         Some(e)
+    }
+}
+
+/// Right side of an equation whose left side is the name of a quantity; the whole formula if it has no `=`.
+fn right_side(formula: &Located) -> Located {
+    match formula.text.split_once('=') {
+        Some((left, right)) if !right.contains('=') && !left.contains(['+', '/']) => {
+            let start = left.len() + 1;
+            Located { text: right.to_owned(), span: formula.part(start..formula.text.len()), exact: formula.exact }
+        }
+        _ => formula.clone(),
     }
 }
 

@@ -2,8 +2,10 @@
 
 use super::entries::Item;
 use super::read::Loading;
+use super::row_text::row_text;
 use super::{Listing, System};
 use crate::algebra::Expr;
+use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::mechanics::{Formulation, MotionVariables};
@@ -37,13 +39,18 @@ struct Fit<'a> {
 }
 
 impl<'a> Loading<'a, '_> {
-    /// Reads an entry `[[system]]`: a linear system, matrix · unknowns = right.
+    /// Reads an entry `[[system]]`: a linear system, matrix · unknowns = right, or equations that are linear in the
+    /// unknowns.
     pub fn system(&mut self, item: &Item<'a>) -> Option<System> {
+        if self.reader.get(item.table, "equations").is_some() {
+            return self.system_of_equations(item);
+        }
         let formulation = self.formulation(item);
         let frame = self.frame(item, formulation);
         let unknowns = self.required_array(item, "unknowns", "[\"u1'\", \"u2'\"]");
         let unknowns = unknowns.and_then(|(array, span)| {
-            let known = formulation?.unknowns(self.model);
+            let mut known = formulation?.unknowns(self.model);
+            known.extend(self.accelerations(array));
             let (what, of) = ("an unknown", formulation?.name());
             self.members(array, &span, &known, &format!("{what} of {of}"))
         });
@@ -60,12 +67,12 @@ impl<'a> Loading<'a, '_> {
                 self.reader.error(span, message, "one right-hand side for each row of the matrix");
                 return None;
             }
-            self.formulas(array, "an entry of `right`", &solved_for, item.notation)
+            self.formulas(array, "an entry of `right`", &[], item.notation)
         });
         let matrix_ids = self.template(item, "matrix_ids", &["{i}", "{j}"]);
         let right_ids = self.template(item, "right_ids", &["{i}"]);
         let ((unknowns, unknown_names), (matrix, matrix_texts), (right, right_texts)) = (unknowns?, matrix?, right?);
-        Some(System {
+        let system = System {
             formulation: formulation?,
             frame: frame.ok()?,
             unknowns,
@@ -74,8 +81,156 @@ impl<'a> Loading<'a, '_> {
             matrix_texts,
             right,
             right_texts,
+            row_texts: None,
+            is_single: false,
             matrix_ids: matrix_ids.ok()?,
             right_ids: right_ids.ok()?,
+        };
+        self.in_its_unknowns(system, item)
+    }
+
+    /// System whose right-hand sides contain none of its unknowns: their terms move to the matrix. Accelerations of
+    /// the publication's own coordinates are written in those of the model.
+    fn in_its_unknowns(&mut self, system: System, item: &Item<'a>) -> Option<System> {
+        let arena = &mut self.model.arena;
+        let parts = arena.reachable(&system.right);
+        let is_plain = |u: &Expr| arena.symbol_name(*u).is_some() && parts.binary_search(u).is_err();
+        if system.unknowns.iter().all(is_plain) {
+            return Some(system);
+        }
+        let known = system.formulation.unknowns(self.model);
+        let arena = &mut self.model.arena;
+        let symbols: Vec<Expr> = known.iter().map(|(_, symbol)| *symbol).collect();
+        let mut form = LinearForm::new(&symbols);
+        let (mut matrix, mut rests) = (Vec::new(), Vec::new());
+        for (row, right) in system.matrix.iter().zip(&system.right) {
+            let mut terms: Vec<Expr> = row.iter().zip(&system.unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
+            terms.push(arena.neg(*right));
+            let residual = arena.sum(&terms);
+            let Ok((entries, rest)) = form.coefficients(arena, residual) else {
+                let span = self.reader.get(item.table, "right").map_or_else(|| item.span.clone(), toml::Spanned::span);
+                let message = format!("row {} is not linear in accelerations and reactions", matrix.len() + 1);
+                self.reader.error(span, message, "a row reads Σ entry·unknown = right");
+                return None;
+            };
+            matrix.push(entries);
+            rests.push(arena.neg(rest));
+        }
+        let row = |at: usize| {
+            let (entries, right) = (&system.matrix_texts[at], &system.right_texts[at]);
+            row_text(entries, &system.unknown_names, right, item.notation)
+        };
+        let row_texts = (0..matrix.len()).map(row).collect();
+        let (names, unknowns) = known.into_iter().unzip();
+        let row_texts = Some(row_texts);
+        Some(System { unknowns, unknown_names: names, matrix, right: rests, row_texts, matrix_ids: None, ..system })
+    }
+
+    /// Reads a system that is printed as equations, each linear in the accelerations and reactions.
+    fn system_of_equations(&mut self, item: &Item<'a>) -> Option<System> {
+        for key in ["unknowns", "matrix", "right", "matrix_ids", "right_ids"] {
+            if let Some(value) = self.reader.get(item.table, key) {
+                let help = "a system is either `equations`, or `unknowns`, `matrix` and `right`";
+                self.reader.error(value.span(), format!("`{key}` beside `equations`"), help);
+            }
+        }
+        let formulation = self.formulation(item);
+        let frame = self.frame(item, formulation);
+        let (array, _) = self.required_array(item, "equations", "[\"m*x'' = -k*x\"]")?;
+        let residuals: Vec<Option<(Expr, String)>> = array
+            .iter()
+            .map(|value| {
+                let formula = self.reader.formula(value, "an equation")?;
+                let residual = self.residual(&formula, item.notation)?;
+                Some((residual, formula.text))
+            })
+            .collect();
+        let residuals = residuals.into_iter().collect::<Option<Vec<_>>>()?;
+        let span = item.span.clone();
+        self.rows(formulation?, frame.ok()?, residuals, &span, false)
+    }
+
+    /// Reads an equation of motion `left = right`, or a formula that is zero, as a system of one row. Without a stated
+    /// formulation, its accelerations and reactions tell which.
+    pub fn equation_of_motion(&mut self, item: &Item<'a>, formula: &Located) -> Option<System> {
+        let residual = self.residual(formula, item.notation)?;
+        let formulation = match self.reader.get(item.table, "formulation") {
+            Some(_) => self.formulation(item)?,
+            None => self.formulation_of(residual),
+        };
+        let frame = self.frame(item, Some(formulation)).ok()?;
+        self.rows(formulation, frame, vec![(residual, formula.text.clone())], &formula.span, true)
+    }
+
+    /// Formulation whose unknowns an equation mentions.
+    fn formulation_of(&self, residual: Expr) -> Formulation {
+        let parts = self.model.arena.reachable(&[residual]);
+        let mentions = |symbol: Expr| parts.binary_search(&symbol).is_ok();
+        if self.model.reactions.iter().any(|r| mentions(r.symbol)) {
+            Formulation::NewtonEuler
+        } else if self.model.speeds.iter().any(|s| mentions(s.rate)) {
+            Formulation::Kane
+        } else {
+            Formulation::Lagrange
+        }
+    }
+
+    /// Difference left − right of an equation; the whole formula if it has no `=`.
+    fn residual(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
+        let mut places = formula.text.match_indices('=').map(|(at, _)| at);
+        let (first, second) = (places.next(), places.next());
+        if let Some(second) = second {
+            let help = "a chain a = b = c is two entries";
+            self.reader.error(formula.part(second..second + 1), "a second `=` in one equation", help);
+            return None;
+        }
+        let Some(at) = first else { return self.formula(formula, notation) };
+        let part = |range: Range<usize>| Located {
+            text: formula.text[range.clone()].to_owned(),
+            span: formula.part(range),
+            exact: formula.exact,
+        };
+        let (left, right) = (part(0..at), part(at + 1..formula.text.len()));
+        let (left, right) = (self.formula(&left, notation), self.formula(&right, notation));
+        Some(self.model.arena.sub(left?, right?))
+    }
+
+    /// System of equations residual = 0, each with its text.
+    fn rows(
+        &mut self,
+        formulation: Formulation,
+        frame: Option<usize>,
+        residuals: Vec<(Expr, String)>,
+        span: &Range<usize>,
+        is_single: bool,
+    ) -> Option<System> {
+        let (unknown_names, unknowns): (Vec<String>, Vec<Expr>) = formulation.unknowns(self.model).into_iter().unzip();
+        let mut form = LinearForm::new(&unknowns);
+        let (mut matrix, mut right, mut texts) = (Vec::new(), Vec::new(), Vec::new());
+        for (residual, text) in residuals {
+            let arena = &mut self.model.arena;
+            let Ok((entries, rest)) = form.coefficients(arena, residual) else {
+                let message = "the equation is not linear in accelerations and reactions";
+                self.reader.error(span.clone(), message, "an equation of motion reads Σ factor·acceleration = right");
+                return None;
+            };
+            matrix.push(entries);
+            right.push(arena.neg(rest));
+            texts.push(text);
+        }
+        Some(System {
+            formulation,
+            frame,
+            matrix_texts: vec![vec![String::new(); unknowns.len()]; matrix.len()],
+            unknowns,
+            unknown_names,
+            matrix,
+            right_texts: vec![String::new(); right.len()],
+            right,
+            row_texts: Some(texts),
+            is_single,
+            matrix_ids: None,
+            right_ids: None,
         })
     }
 
@@ -83,8 +238,7 @@ impl<'a> Loading<'a, '_> {
     pub fn listing(&mut self, item: &Item<'a>) -> Option<Listing> {
         let formulation = self.formulation(item);
         let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
-        // An odd length of the state is reported by itself, and decides nothing about the other lengths.
-        let length = state.as_ref().map(|(array, _)| array.len()).filter(|n| n.is_multiple_of(2));
+        let length = state.as_ref().map(|(array, _)| array.len());
         let state = state.and_then(|(array, span)| self.state(array, &span, formulation?));
         let derivative = self.required_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");
         let derivative = derivative.and_then(|(array, span)| {
@@ -95,23 +249,24 @@ impl<'a> Loading<'a, '_> {
             }
             self.formulas(array, "an entry of `derivative`", &[], item.notation)
         });
-        let half = length.map(|n| n / 2);
+        let moving = state.as_ref().map(|(_, _, moving)| moving.len());
         let matrix = match self.reader.get(item.table, "matrix") {
             None => Some(None),
             Some(value) => self.array(value, "`matrix`", "rows, as in [[\"m\", 0], [0, \"I\"]]").and_then(|array| {
-                let (span, help) = (value.span(), "one row and one column for each entry of the state's second half");
-                if let Some(half) = half.filter(|half| *half != array.len()) {
-                    let message = format!("the matrix has {}, not {half}", count(array.len(), "row"));
+                let (span, help) = (value.span(), "one row and one column for each speed of the state");
+                if let Some(moving) = moving.filter(|moving| *moving != array.len()) {
+                    let message = format!("the matrix has {}, not {moving}", count(array.len(), "row"));
                     self.reader.error(span, message, help);
                     return None;
                 }
-                self.matrix(array, &span, Fit { columns: half, help, unknowns: &[], notation: item.notation }).map(Some)
+                self.matrix(array, &span, Fit { columns: moving, help, unknowns: &[], notation: item.notation })
+                    .map(Some)
             }),
         };
-        let ((state, state_names), (derivative, derivative_texts)) = (state?, derivative?);
+        let ((state, state_names, moving), (derivative, derivative_texts)) = (state?, derivative?);
         let (matrix, matrix_texts) = matrix?.unzip();
         let formulation = formulation?;
-        Some(Listing { formulation, state, state_names, derivative, derivative_texts, matrix, matrix_texts })
+        Some(Listing { formulation, state, state_names, derivative, derivative_texts, moving, matrix, matrix_texts })
     }
 
     fn formulation(&mut self, item: &Item<'a>) -> Option<Formulation> {
@@ -142,34 +297,36 @@ impl<'a> Loading<'a, '_> {
         found.map(Some).ok_or(Reported)
     }
 
-    /// Reads a state: coordinates, then as many speeds. For Lagrange, rates of coordinates take the place of speeds.
+    /// Reads a state: coordinates and speeds in any order, and the indices of the speeds. For Lagrange, rates of
+    /// coordinates take the place of speeds.
     fn state(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
         span: &Range<usize>,
         formulation: Formulation,
-    ) -> Option<Formulas> {
-        if !array.len().is_multiple_of(2) {
-            let message = format!("a state of {}: coordinates and speeds must be as many", count(array.len(), "entry"));
-            self.reader.error(span.clone(), message, "list coordinates first, then as many speeds");
-            return None;
-        }
+    ) -> Option<(Vec<Expr>, Vec<String>, Vec<usize>)> {
         let model = &self.model;
-        let coordinates: Vec<_> = model.coordinates.iter().map(|c| (c.name.clone(), c.symbol)).collect();
         let variables = formulation.variables(model);
         let named = |symbol: &Expr| (model.arena.symbol_name(*symbol).unwrap_or_default().to_owned(), *symbol);
-        let speeds: Vec<(String, Expr)> = variables.iter().map(named).collect();
+        let known: Vec<(String, Expr)> = model.q().iter().chain(&variables).map(named).collect();
         let what = match formulation.method().variables {
-            MotionVariables::Rates => "a coordinate's derivative, as the second half of this state is",
-            MotionVariables::Speeds => "a speed, as the second half of this state is",
+            MotionVariables::Rates => "a coordinate or its derivative, as a state of Lagrange's equations has",
+            MotionVariables::Speeds => "a coordinate or a speed",
         };
-        let (first, second) = array.split_at(array.len() / 2);
-        let first = self.members(first, span, &coordinates, "a coordinate, as the first half of a state is");
-        let second = self.members(second, span, &speeds, what);
-        let ((mut state, mut names), (more, more_names)) = (first?, second?);
-        state.extend(more);
-        names.extend(more_names);
-        Some((state, names))
+        let (state, names) = self.members(array, span, &known, what)?;
+        let moving = (0..state.len()).filter(|at| variables.contains(&state[*at])).collect();
+        Some((state, names, moving))
+    }
+
+    /// Accelerations of the publication's own coordinates and speeds among these names.
+    fn accelerations(&self, names: &'a [Spanned<DeValue<'a>>]) -> Vec<(String, Expr)> {
+        let name = |value: &'a Spanned<DeValue<'a>>| match value.get_ref() {
+            DeValue::String(name) => {
+                Some((name.to_string(), self.words.declared(name).filter(|_| name.ends_with('\''))?))
+            }
+            _ => None,
+        };
+        names.iter().filter_map(name).collect()
     }
 
     /// Reads at least one name out of the list `known`, each once.

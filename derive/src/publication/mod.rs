@@ -47,15 +47,18 @@
 mod beside;
 mod entries;
 mod linear;
+mod matrix;
 mod names;
 mod near;
 mod read;
+mod row_text;
 mod spelling;
 mod words;
 
 pub use beside::{beside, hash_beside, is_beside, load_beside};
 pub use names::Names;
 pub use read::load;
+pub(crate) use row_text::row_text;
 
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
@@ -165,18 +168,23 @@ pub struct System {
     pub right: Vec<Expr>,
     /// Texts of the right-hand sides.
     pub right_texts: Vec<String>,
+    /// Texts of whole rows; `None` if the rows are printed as entries of a matrix.
+    pub row_texts: Option<Vec<String>>,
+    /// True if the system is one printed equation, whose row has the id of the entry.
+    pub is_single: bool,
     /// Template of the ids of single matrix entries, with `{i}` for the row and `{j}` for the column.
     pub matrix_ids: Option<String>,
     /// Template of the ids of single right-hand sides, with `{i}` for the row.
     pub right_ids: Option<String>,
 }
 
-/// A printed program that computes the derivative of a state (q, v), where v is u, or q̇ for Lagrange.
+/// A printed program that computes the derivative of a state: coordinates q and motion variables v in any order, where v
+/// is u, or q̇ for Lagrange.
 #[derive(Clone, Debug)]
 pub struct Listing {
     /// Formulation that the listing is compared with.
     pub formulation: Formulation,
-    /// State z(1), z(2), …: coordinates, then as many speeds, each once. For Lagrange, rates take the place of speeds.
+    /// State z(1), z(2), …: coordinates and speeds, each once. For Lagrange, rates take the place of speeds.
     pub state: Vec<Expr>,
     /// Names of the state's variables.
     pub state_names: Vec<String>,
@@ -184,7 +192,9 @@ pub struct Listing {
     pub derivative: Vec<Expr>,
     /// Texts of the assigned derivatives.
     pub derivative_texts: Vec<String>,
-    /// Square matrix E of dz = E \ dz for the second half of the state; `None` if the program has none.
+    /// Indices, in the state, of the motion variables.
+    pub moving: Vec<usize>,
+    /// Square matrix E of dz = E \ dz for the motion variables of the state; `None` if the program has none.
     pub matrix: Option<Vec<Vec<Expr>>>,
     /// Texts of the matrix entries, row by row.
     pub matrix_texts: Option<Vec<Vec<String>>>,
@@ -207,6 +217,13 @@ pub struct Initial {
     pub decimals: Option<u32>,
 }
 
+/// True if a printed formula has a decimal number, such as 2.5 or .5.
+#[must_use]
+pub fn has_decimals(text: &str) -> bool {
+    let is_digit = |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_digit);
+    text.match_indices('.').any(|(at, _)| is_digit(Some(at + 1)))
+}
+
 impl Publication {
     /// Title of the publication for headings, or "A publication without a title" if it is blank.
     #[must_use]
@@ -222,7 +239,7 @@ impl System {
     /// Id of a row, counted from 0, of the system whose id is `id`.
     #[must_use]
     pub fn row_id(&self, id: &str, row: usize) -> String {
-        format!("{id}-row{}", row + 1)
+        if self.is_single { id.to_owned() } else { format!("{id}-row{}", row + 1) }
     }
 
     /// Id of a single matrix entry, row and column counted from 0; `None` if the publication file names none.

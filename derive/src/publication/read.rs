@@ -17,7 +17,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys at the top of a publication file.
-pub const KEYS: [&str; 14] = [
+pub const KEYS: [&str; 16] = [
     "schema",
     "equation",
     "definition",
@@ -30,6 +30,8 @@ pub const KEYS: [&str; 14] = [
     "about",
     "order",
     "symbols",
+    "coordinates",
+    "matrix",
     "abbreviations",
     "names",
 ];
@@ -166,6 +168,7 @@ impl<'a> Loading<'a, '_> {
             let symbol = quantity.as_ref().map(|q| self.model.arena.symbol(&format!("derived {q}")));
             let declared = self.words.declare(&mut self.reader, &name, symbol);
             if let (true, Some(quantity), Some(symbol)) = (declared, quantity, symbol) {
+                self.words.keep_still(symbol);
                 names.push((name.text, quantity, symbol));
             }
         }
@@ -181,12 +184,27 @@ impl<'a> Loading<'a, '_> {
         }
     }
 
+    /// Reads `[coordinates]`: coordinates and speeds of the publication as formulas in those of the model. Their time
+    /// derivatives follow.
+    fn coordinates(&mut self, section: Vec<Field<'a>>) {
+        for (name, value) in section {
+            let formula = self.reader.formula(value, &format!("`{}`", shown(&name.text)));
+            let formula = formula.and_then(|f| self.formula(&f, Notation::default()));
+            self.words.declare_moving(&mut self.reader, &mut self.model.arena, &name, formula);
+        }
+    }
+
     /// Reads `[abbreviations]`: names of formulas in the model's names and earlier abbreviations.
     fn abbreviations(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Expr)> {
         let section = self.section(table, "abbreviations", "s1 = \"sin(q1)\"");
         for (name, _) in &section {
             self.words.announce(&name.text);
         }
+        let own = self.section(table, "coordinates", "alpha = \"q2 - q1\"");
+        for (name, _) in &own {
+            self.words.announce(&name.text);
+        }
+        self.coordinates(own);
         self.symbols(table);
         let mut abbreviations = Vec::new();
         for (name, value) in section {

@@ -1,7 +1,7 @@
 //! Symbols that a publication writes for the names of a model: those of `[symbols]`, and the usual LaTeX form of a
 //! name.
 
-use crate::algebra::text::notation::{Notation, Spell, Symbol, Unknown, read_symbol};
+use crate::algebra::text::notation::{Notation, Spell, Symbol, Unknown, ascii_names, is_index, read_symbol};
 use crate::algebra::text::print::latex_name;
 use crate::diagnostic::shown;
 use rustc_hash::FxHashMap;
@@ -58,7 +58,12 @@ impl Spellings {
     pub fn state(&mut self, symbol: &str, name: &str) -> Stated {
         let variable = variable(symbol);
         // A name in the form of a program variable is a LaTeX symbol too, as names of a model are.
-        let latex = if is_name(symbol) { read_symbol(&latex_name(symbol)) } else { read_symbol(symbol) };
+        let latex = match ascii_names(symbol).first() {
+            Some(name) if is_name(name) => read_symbol(&latex_name(name)),
+            Some(name) if !symbol.is_ascii() => read_symbol(&latex_name(name.trim_end_matches('\'')))
+                .map(|still| Symbol { dots: name.len() - name.trim_end_matches('\'').len(), ..still }),
+            _ => read_symbol(symbol),
+        };
         if variable.is_none() && latex.is_none() {
             return Stated::NoSymbol;
         }
@@ -83,6 +88,13 @@ impl Spellings {
         }
         let stem = text.trim_end_matches('\'');
         self.variables.get(stem).map(|name| format!("{name}{}", &text[stem.len()..]))
+    }
+
+    /// True if this is a name of the model or of the publication file; it may end in primes.
+    fn has(&self, name: &str) -> bool {
+        let stem = name.trim_end_matches('\'');
+        let of = |symbol: Symbol| self.usual.get(&symbol.still()).is_some_and(|names| names.iter().any(|n| n == stem));
+        read_symbol(&latex_name(stem)).is_some_and(of)
     }
 
     /// Names for which a LaTeX symbol may stand: none, one, or several that look alike.
@@ -138,6 +150,10 @@ impl Spell for Speller<'_> {
         if is_name(name) {
             return Ok(name.to_owned());
         }
+        let mut names = ascii_names(name);
+        if let Some(at) = names.iter().position(|name| self.spellings.has(name)) {
+            return Ok(names.swap_remove(at));
+        }
         self.repeated = true;
         let help = format!("say in [symbols] what it stands for, as in {} = \"u1\"", quoted(name));
         Err((format!("unknown name `{}`", shown(name)), Some(help)))
@@ -155,17 +171,26 @@ fn is_name(text: &str) -> bool {
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
-/// A program variable in one form: a name, members after points, an index. `None` if the text is no variable.
+/// A program variable in one form: a name, members after points, indices. `None` if the text is no variable.
 fn variable(text: &str) -> Option<String> {
-    let text = text.replace("->", ".").replace(' ', "");
-    let (name, index) = match text.find(['(', '[']) {
+    let text = text.replace("->", ".").replace(' ', "").replace('"', "'");
+    let (name, mut rest) = match text.find(['(', '[']) {
         Some(at) => text.split_at(at),
         None => (text.as_str(), ""),
     };
-    let inside = |open, close| index.strip_prefix(open).and_then(|rest| rest.strip_suffix(close));
-    let is_index = |index: &str| index.split(',').all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
-    let fits = index.is_empty() || inside('(', ')').or_else(|| inside('[', ']')).is_some_and(is_index);
-    (fits && name.split('.').all(is_name)).then_some(text)
+    while !rest.is_empty() {
+        let (inside, after) = match rest.strip_prefix('(') {
+            Some(rest) => rest.split_once(')')?,
+            None => rest.strip_prefix('[')?.split_once(']')?,
+        };
+        if !is_index(inside) {
+            return None;
+        }
+        rest = after;
+    }
+    let is_spelled = |name: &String| is_name(name.trim_end_matches('\''));
+    let is_word = |part: &str| is_name(part) || ascii_names(part).first().is_some_and(is_spelled);
+    name.split('.').all(is_word).then_some(text)
 }
 
 /// Names of notations that a publication file may state.

@@ -3,7 +3,7 @@
 use super::spelling::{Speller, Spellings, Stated};
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::notation::{Notation, translate};
-use crate::algebra::text::parse::{ParseError, is_reserved, parse_primed};
+use crate::algebra::text::parse::{ParseError, is_reserved, parse_published};
 use crate::algebra::{Arena, Expr, Node};
 use crate::diagnostic::{Diagnostic, nearest, shown};
 use crate::model::{Model, TIME};
@@ -42,6 +42,36 @@ pub struct Words {
     spellings: Spellings,
     /// Number of terms that abbreviations have added to formulas so far.
     expansion: usize,
+    clock: Clock,
+}
+
+/// Time derivatives of the symbols of a model.
+struct Clock {
+    d_dt: Differential,
+    /// Symbols that have no time derivative here: accelerations, reactions and the symbols of derived quantities.
+    still: Vec<Expr>,
+}
+
+impl Clock {
+    fn new(model: &Model) -> Self {
+        let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
+        rates.extend(model.speeds.iter().map(|s| (s.symbol, s.rate)));
+        let accelerations = model.coordinates.iter().map(|c| c.second_rate).chain(model.speeds.iter().map(|s| s.rate));
+        let still = accelerations.chain(model.reactions.iter().map(|r| r.symbol)).collect();
+        Self { d_dt: Differential::along(&rates), still }
+    }
+
+    /// Time derivative of a term; the error is the reason why there is none, and advice.
+    fn rate(&mut self, arena: &mut Arena, e: Expr) -> Result<Expr, (String, Option<String>)> {
+        let parts = arena.reachable(&[e]);
+        if let Some(still) = self.still.iter().find(|symbol| parts.binary_search(symbol).is_ok()) {
+            let name = arena.symbol_name(*still).unwrap_or_default();
+            let help = "a time derivative here is of coordinates, their rates and speeds";
+            return Err((format!("no time derivative of `{name}` is known"), Some(help.to_owned())));
+        }
+        Ok(self.d_dt.apply(arena, e))
+    }
 }
 
 impl Words {
@@ -53,6 +83,7 @@ impl Words {
             order: Vec::new(),
             spellings: Spellings::default(),
             expansion: 0,
+            clock: Clock::new(model),
         };
         for p in &model.parameters {
             words.insert(&p.name, Word::Model("parameter", p.symbol));
@@ -69,8 +100,48 @@ impl Words {
         for r in &model.reactions {
             words.insert(&r.name, Word::Model("reaction", r.symbol));
         }
+        for c in &model.motion_constraints {
+            let name = model.arena.symbol_name(c.multiplier).unwrap_or_default().to_owned();
+            if !words.known.contains_key(&name) {
+                words.insert(&name, Word::Model("multiplier", c.multiplier));
+            }
+        }
         words.constrained(model);
         words
+    }
+
+    /// Notes a symbol that has no time derivative, such as that of a derived quantity.
+    pub fn keep_still(&mut self, symbol: Expr) {
+        self.clock.still.push(symbol);
+    }
+
+    /// Declares a coordinate or speed of the publication, with its time derivatives as far as they are known, under its
+    /// name with primes. Returns false for a name that cannot be declared, which is reported.
+    pub fn declare_moving(
+        &mut self,
+        reader: &mut Reader<'_>,
+        arena: &mut Arena,
+        name: &Located,
+        value: Option<Expr>,
+    ) -> bool {
+        let is_declared = self.declare(reader, name, value);
+        let (mut rate, mut primed) = (value.filter(|_| is_declared), name.text.clone());
+        for _ in 0..PRIMES {
+            rate = rate.and_then(|e| self.clock.rate(arena, e).ok());
+            primed.push('\'');
+            if let Some(rate) = rate {
+                self.insert(&primed, Word::Declared(rate));
+            }
+        }
+        is_declared
+    }
+
+    /// Values of a declared name that may stand for an acceleration, such as `alpha''`.
+    pub fn declared(&self, name: &str) -> Option<Expr> {
+        match self.known.get(name) {
+            Some(Word::Declared(value)) => Some(*value),
+            _ => None,
+        }
     }
 
     /// Adds variables that constraints fix, with their values in the generalized coordinates, and their time
@@ -199,8 +270,10 @@ impl Words {
         let mut speller = Speller { spellings: &self.spellings, repeated: false };
         let plain = translate(&formula.text, notation, &mut speller).inspect_err(|_| *repeated = speller.repeated)?;
         let (known, spellings, expansion) = (&self.known, &self.spellings, &mut self.expansion);
+        let clock = &mut self.clock;
         let mut unknown = None;
-        let read = parse_primed(arena, plain.text(), PRIMES, &mut |arena, name| {
+        let mut rate = |arena: &mut Arena, e: Expr| clock.rate(arena, e);
+        let mut resolve = |arena: &mut Arena, name: &str| {
             // Other notations have replaced their symbols already.
             let stated = spellings.variable(name).filter(|_| notation == Notation::Tripos);
             let name = stated.as_deref().unwrap_or(name);
@@ -229,7 +302,8 @@ impl Words {
                     Err((format!("unknown name `{}`", shown(name)), None))
                 }
             }
-        });
+        };
+        let read = parse_published(arena, plain.text(), PRIMES, &mut resolve, &mut rate);
         read.map_err(|error| {
             let help = unknown.map(|name| self.advice(&name)).or(error.help);
             ParseError { span: plain.source(error.span), help, ..error }

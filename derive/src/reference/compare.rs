@@ -5,7 +5,7 @@ use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
 use crate::algebra::text::parse::parse_primed;
 use crate::diagnostic::nearest;
-use crate::diff::equations::rows::{Match, Row as Entries, judge};
+use crate::diff::equations::rows::{Match, Row as Entries, Terms, judge};
 use crate::mechanics::{
     Derivations, Energy, Formulation, Kinematics, Quantities, Quantity, QuantityKind, Row, VectorName,
 };
@@ -175,8 +175,10 @@ impl Judge<'_, '_> {
             (own.into_iter().collect(), others)
         };
         for i in others {
+            let parameters = self.quantities.model.p();
             let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-            let judged = judge(arena, simplifier, &mut self.comparer, &stated[i], derived, i);
+            let mut terms = Terms { arena, simplifier, comparer: &mut self.comparer };
+            let judged = judge(&mut terms, &parameters, &stated[i], derived, i);
             let Match::Row { at, .. } = judged.by else { continue };
             if !judged.is_right() || !taken.insert(at) {
                 continue;

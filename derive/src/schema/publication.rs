@@ -9,7 +9,8 @@ const ID: Key = needed("id", Text, "unique in the file, the equation number firs
 const SECTION: Key = needed("section", Text, "where it is printed");
 const REPAIRED: Key = key("repaired", Text, "what is garbled here, and how it was read");
 const NOTE: Key = key("note", Text, "a remark");
-const FORMULATION: Key = needed("formulation", Word(&["kane", "lagrange", "newton-euler"]), "what it is compared with");
+const FORMULATIONS: &[&str] = &["kane", "lagrange", "newton-euler"];
+const FORMULATION: Key = needed("formulation", Word(FORMULATIONS), "what it is compared with");
 
 const NOTATION: Key = key(
     "notation",
@@ -30,9 +31,11 @@ pub(crate) const KEYS: &[Key] = &[
     ABOUT,
     ORDER,
     key("symbols", Named(&Text), "symbols of the text, each with the name that it stands for"),
+    key("coordinates", Named(&Formula), "coordinates and speeds of the text, as formulas in those of the model"),
     key("abbreviations", Named(&Formula), "shorthand of the text"),
     key("names", Named(&Text), "symbols of the text that stand for derived quantities"),
     key("equation", List(&Table(EQUATION)), "printed values of named quantities"),
+    key("matrix", List(&Table(WHOLE_MATRIX)), "printed matrices and vectors as a whole"),
     key("definition", List(&Table(DEFINITION)), "what nothing can contradict"),
     key("system", List(&Table(SYSTEM)), "linear systems: matrix · unknowns = right"),
     key("listing", List(&Table(LISTING)), "programs that compute the derivative of a state"),
@@ -47,8 +50,22 @@ const EQUATION: &[Key] = &[
     NOTATION,
     ABOUT,
     ORDER,
-    needed("quantity", Text, "the derived quantity, such as v(P) @ A [1]"),
+    key("quantity", Text, "the derived quantity, such as v(P) @ A [1]; nothing for an equation of motion"),
     needed("printed", Formula, "as it is printed"),
+    key("formulation", Word(FORMULATIONS), "what an equation of motion is compared with"),
+    key("frame", Text, "the frame of the components of a Newton-Euler equation"),
+];
+
+const WHOLE_MATRIX: &[Key] = &[
+    ID,
+    SECTION,
+    REPAIRED,
+    NOTE,
+    NOTATION,
+    ABOUT,
+    ORDER,
+    needed("quantity", Text, "a quantity with indices, without them, such as M or I(disk) @ B"),
+    needed("printed", Text, "the whole matrix, as in [a, b; c, d]"),
 ];
 
 const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, needed("printed", Text, "as it is printed")];
@@ -63,9 +80,10 @@ const SYSTEM: &[Key] = &[
     ORDER,
     FORMULATION,
     key("frame", Text, "the frame of the components of a Newton-Euler system"),
-    needed("unknowns", List(&Text), "what it is solved for"),
-    needed("matrix", MATRIX, "its rows"),
-    needed("right", FORMULAS, "the right-hand side"),
+    key("equations", FORMULAS, "its rows as equations, in the place of unknowns, matrix and right"),
+    key("unknowns", List(&Text), "what it is solved for"),
+    key("matrix", MATRIX, "its rows"),
+    key("right", FORMULAS, "the right-hand side"),
     key("matrix_ids", Text, "ids of single entries, with {i} and {j}"),
     key("right_ids", Text, "ids of single entries, with {i}"),
 ];
@@ -81,7 +99,7 @@ const LISTING: &[Key] = &[
     FORMULATION,
     needed("state", List(&Text), "what is integrated"),
     needed("derivative", FORMULAS, "its derivative as assigned"),
-    key("matrix", MATRIX, "E of dz = E \\ dz for the second half"),
+    key("matrix", MATRIX, "E of dz = E \\ dz for the speeds"),
 ];
 
 const INITIAL: &[Key] = &[

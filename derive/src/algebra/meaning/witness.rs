@@ -22,8 +22,8 @@ pub struct Witness {
 
 /// Number of states tried for a witness.
 const STATES: usize = 100;
-/// Number of states tried if conditions exclude many states.
-const STATES_WITH_CONDITIONS: usize = 2000;
+/// Number of states tried until one has values, since roots and conditions may exclude many states.
+const MOST_STATES: usize = 2000;
 
 /// Requirements on a witness.
 #[derive(Clone, Debug)]
@@ -58,10 +58,12 @@ pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
     let outputs = [&asked.sides, positive.as_slice(), values_shown.as_slice(), asked.defined.as_slice()].concat();
     let tape = Tape::new(arena, &symbols, &outputs).ok()?;
     let (after, count) = (3 + positive.len(), asked.shown.len());
-    let states = if positive.is_empty() { STATES } else { STATES_WITH_CONDITIONS };
     // Ranked by whether the difference is proved, then by the share of the sides that it makes.
     let mut best: Option<((bool, f64), Witness)> = None;
-    for _ in 0..states {
+    for tried in 0..MOST_STATES {
+        if tried >= STATES && best.is_some() {
+            break;
+        }
         let values: Vec<f64> = symbols.iter().map(|s| value_of(arena, asked.signs, *s, &mut generator)).collect();
         let found = tape.evaluate(&values);
         let (left, right, difference) = (found[0], found[1], found[2]);

@@ -348,7 +348,7 @@ impl Arena {
 
     /// Terms that the roots are built from, in the order of handles. Terms for which `known` holds are left out, and so
     /// are terms that only known terms are built from.
-    pub(in crate::algebra) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
+    pub(crate) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
         self.walk(roots, known, |_| false)
     }
 

@@ -48,6 +48,24 @@ pub fn parse(arena: &mut Arena, text: &str, resolve: &mut Resolve<'_>) -> Result
     parse_primed(arena, text, 1, resolve)
 }
 
+/// Time derivative of a term: returns it, or the reason why there is none, as (message, help).
+pub type ResolveRate<'a> = dyn FnMut(&mut Arena, Expr) -> Result<Expr, (String, Option<String>)> + 'a;
+
+/// Reads a formula of a publication: names may end in up to `primes` primes, since published equations have second
+/// derivatives `q1''`, and `ddt(…)` is the time derivative of a term, given by `rate`.
+///
+/// # Errors
+/// The first [`ParseError`] in the text.
+pub fn parse_published(
+    arena: &mut Arena,
+    text: &str,
+    primes: usize,
+    resolve: &mut Resolve<'_>,
+    rate: &mut ResolveRate<'_>,
+) -> Result<Expr, ParseError> {
+    Parser { primes, rate: Some(rate), ..Parser::new(arena, text, resolve) }.whole()
+}
+
 /// Reads a formula in which names may end in up to `primes` primes: a published equation has second derivatives,
 /// `q1''`.
 ///
@@ -112,12 +130,14 @@ struct Parser<'a, 'b> {
     resolve: &'a mut Resolve<'b>,
     velocity: Option<&'a mut ResolveVelocity<'b>>,
     interaction: Option<&'a mut ResolveInteraction<'b>>,
+    rate: Option<&'a mut ResolveRate<'b>>,
 }
 
 impl<'a, 'b> Parser<'a, 'b> {
     fn new(arena: &'a mut Arena, text: &'a str, resolve: &'a mut Resolve<'b>) -> Self {
-        let (velocity, interaction) = (None, None);
-        Self { arena, text, at: 0, depth: 0, work: 0, primes: 1, partial: Vec::new(), resolve, velocity, interaction }
+        let partial = Vec::new();
+        let (velocity, interaction, rate) = (None, None, None);
+        Self { arena, text, at: 0, depth: 0, work: 0, primes: 1, partial, resolve, velocity, interaction, rate }
     }
 }
 
@@ -360,6 +380,14 @@ impl Parser<'_, '_> {
         }
         if called && velocity::is_velocity(name) && self.velocity.is_some() {
             return self.component(name, start);
+        }
+        if called && name == "ddt" && self.rate.is_some() {
+            let open = self.at;
+            self.take(b'(');
+            let argument = self.parenthesized(open)?;
+            let rate = self.rate.as_mut().expect("asked before");
+            let span = start..self.at;
+            return rate(self.arena, argument).map_err(|(message, help)| ParseError { span, message, help });
         }
         if called && interaction::is_interaction(name) && self.interaction.is_some() {
             return self.interaction(name, start);

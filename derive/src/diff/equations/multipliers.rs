@@ -3,30 +3,19 @@
 //! Aᵀλ = Aᵀ B μ for λ = B μ. Equations of motion with μ are equivalent to those with λ for every regular B. Rows that
 //! agree with the derived rows up to their multipliers determine B. B is used if it explains more rows than λ = μ does.
 
+use super::matching::explained;
 use super::ordered::Ordered;
-use super::rows::{Row, explained, seen};
-use crate::algebra::form::simplify::Simplifier;
-use crate::algebra::meaning::compare::Comparer;
+use super::rows::{Row, Terms, seen};
+use crate::algebra::Expr;
 use crate::algebra::solve::linear::{determinant, solve};
 use crate::algebra::text::print::text;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::rank::echelon;
-use crate::algebra::{Arena, Expr};
 
 /// Coefficients of the multipliers in a derived and a printed row that agree in all other coefficients.
 struct Pair {
     derived: Row,
     printed: Row,
-}
-
-/// Tools for the comparison of terms.
-pub struct Terms<'a> {
-    /// Store of all terms.
-    pub arena: &'a mut Arena,
-    /// Simplifier, which finds short forms of terms.
-    pub simplifier: &'a mut Simplifier,
-    /// Comparer, which decides the equality of terms.
-    pub comparer: &'a mut Comparer,
 }
 
 impl Terms<'_> {

@@ -1,17 +1,17 @@
 //! Comparison of linear systems row by row. Each printed row may have a factor of its own.
 //!
-//! The factor is searched: every ratio of a printed entry to a derived entry is tried, and the ratio that explains most
-//! entries wins. So a row with one wrong entry is still matched, and this entry is named. The search runs modulo random
-//! primes and proves nothing. Its result is then proved entry by entry.
+//! The factor is searched (`matching`), so that a row with one wrong entry is still matched, and this entry is
+//! named. The search proves nothing. Its result is then proved entry by entry.
 
+use super::matching::{Found, best_match};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
 use crate::algebra::meaning::permitted::Holds;
 use crate::algebra::solve::linear::solve;
 use crate::algebra::text::print::text;
 use crate::algebra::value::modular::has_roots;
-use crate::algebra::value::rank::{echelon, in_fields};
-use crate::algebra::{Arena, Expr, Function, Node};
+use crate::algebra::value::rank::echelon;
+use crate::algebra::{Arena, Expr};
 
 /// Row of a linear system: entries, then the right-hand side.
 pub type Row = Vec<Expr>;
@@ -26,11 +26,21 @@ pub enum Match {
         /// Factor with printed = factor · derived in most entries.
         factor: Expr,
     },
-    /// The printed row is exactly a combination of derived rows.
+    /// The printed row is a combination of derived rows, in all entries or in all but one.
     Combination {
         /// Multipliers, one for each derived row; empty if they are too long or too many to be stated.
         multipliers: Vec<Expr>,
     },
+}
+
+/// Tools for the comparison of terms.
+pub struct Terms<'a> {
+    /// Store of all terms.
+    pub arena: &'a mut Arena,
+    /// Simplifier, which finds short forms of terms.
+    pub simplifier: &'a mut Simplifier,
+    /// Comparer, which decides the equality of terms.
+    pub comparer: &'a mut Comparer,
 }
 
 /// Judgement of a printed row against the derived rows.
@@ -44,6 +54,8 @@ pub struct RowJudgement {
     pub expected: Row,
     /// Regions in which equal entries are equal, for each entry and the right-hand side.
     pub holds: Vec<Holds>,
+    /// True if entries are equal to the digits printed only.
+    pub is_rounded: bool,
 }
 
 impl RowJudgement {
@@ -66,14 +78,9 @@ const WRITTEN: usize = 6;
 const LONGEST: usize = 200;
 
 /// Judges a printed row against the derived rows; `index` is its number from 0. All rows must have the same length.
-pub fn judge(
-    arena: &mut Arena,
-    simplifier: &mut Simplifier,
-    comparer: &mut Comparer,
-    printed: &Row,
-    derived: &[Row],
-    index: usize,
-) -> RowJudgement {
+/// `parameters` are the symbols that do not depend on the state.
+pub fn judge(terms: &mut Terms<'_>, parameters: &[Expr], printed: &Row, derived: &[Row], index: usize) -> RowJudgement {
+    let Terms { arena, simplifier, comparer } = terms;
     // The search runs modulo primes, where different angles are unrelated. So equal angles must be equal terms.
     let mut plain = |row: &Row| row.iter().map(|e| comparer.with_plain_angles(arena, *e)).collect::<Row>();
     let (printed, derived) = (&plain(printed), derived.iter().map(&mut plain).collect::<Vec<Row>>());
@@ -81,23 +88,33 @@ pub fn judge(
     // The search runs in permitted states, where equal entries are equal by plain algebra.
     let seen_printed = seen(arena, comparer, printed);
     let seen_derived: Vec<Row> = derived.iter().map(|row| seen(arena, comparer, row)).collect();
-    let (at, by) = best_factor(arena, &seen_printed, &seen_derived, index);
-    // Equal entries may be written in different terms, and then the ratio does not simplify to 1.
-    let ratio = match by {
-        Some(column) if !comparer.compare(arena, printed[column], derived[at][column]).is_equal() => {
-            arena.div(printed[column], derived[at][column]).unwrap_or(Expr::ONE)
+    let found = best_match(arena, simplifier, parameters, (&seen_printed, &seen_derived), index);
+    let by = match found {
+        // Equal entries may be written in different terms, and then the ratio does not simplify to 1.
+        Found::Row { at, column: Some(column) }
+            if !comparer.compare(arena, printed[column], derived[at][column]).is_equal() =>
+        {
+            let ratio = arena.div(printed[column], derived[at][column]).unwrap_or(Expr::ONE);
+            Match::Row { at, factor: simplifier.simplify(arena, ratio) }
         }
-        _ => Expr::ONE,
+        Found::Row { at, .. } => Match::Row { at, factor: Expr::ONE },
+        Found::Combination(multipliers) => Match::Combination { multipliers },
     };
-    let factor = simplifier.simplify(arena, ratio);
-    let mut expected = Vec::new();
-    for entry in &derived[at] {
-        let product = arena.mul(factor, *entry);
-        expected.push(simplifier.simplify(arena, product));
-    }
+    let sums: Row = (0..printed.len())
+        .map(|column| {
+            let parts: Vec<Expr> = match &by {
+                Match::Row { at, factor } => vec![arena.mul(*factor, derived[*at][column])],
+                Match::Combination { multipliers } => {
+                    multipliers.iter().zip(derived).map(|(m, row)| arena.mul(*m, row[column])).collect()
+                }
+            };
+            arena.sum(&parts)
+        })
+        .collect();
+    let expected: Row = sums.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
     let compared = printed.iter().zip(&expected).map(|(p, e)| comparer.compare_where(arena, *p, *e));
     let (entries, holds): (Vec<Verdict>, Vec<Holds>) = compared.unzip();
-    let judged = RowJudgement { by: Match::Row { at, factor }, entries, expected, holds };
+    let judged = RowJudgement { by, entries, expected, holds, is_rounded: false };
     if judged.is_right() {
         return judged;
     }
@@ -115,6 +132,7 @@ pub fn judge(
             entries: vec![Verdict::Equal(Engine::NormalForm); printed.len()],
             expected: printed.clone(),
             holds: vec![holds; printed.len()],
+            is_rounded: false,
         },
         Ok(None) => judged,
         // The row may be a combination of derived rows, and then no entry is wrong.
@@ -129,64 +147,6 @@ pub fn judge(
 pub fn seen(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
     let put: Row = row.iter().map(|e| comparer.permitted().put(arena, *e)).collect();
     put.into_iter().map(|e| comparer.with_plain_angles(arena, e)).collect()
-}
-
-/// Derived row of which a printed row is a multiple in all entries, and a column whose quotient is the factor. `None`
-/// if there is no such row.
-#[must_use]
-pub fn explained(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> Option<(usize, usize)> {
-    let (at, column) = best_factor(arena, printed, derived, index);
-    let column = column?;
-    let both = [printed.clone(), derived[at].clone()];
-    let is_multiple = in_fields(arena, &both).all(|(f, rows)| {
-        let (p, d) = (&rows[0], &rows[1]);
-        (0..p.len()).all(|k| f.mul(p[k], d[column]) == f.mul(p[column], d[k]))
-    });
-    is_multiple.then_some((at, column))
-}
-
-/// Best match of a printed row: the index of the derived row, and the column whose quotient is the factor. Row number
-/// `index` is preferred unless another row explains more entries. The column is `None` if no row explains an entry.
-fn best_factor(arena: &Arena, printed: &Row, derived: &[Row], index: usize) -> (usize, Option<usize>) {
-    let own = index.min(derived.len() - 1);
-    let mut all = derived.to_vec();
-    all.push(printed.clone());
-    let points: Vec<_> = in_fields(arena, &all).collect();
-    let order = std::iter::once(own).chain((0..derived.len()).filter(|at| *at != own));
-    let mut best = (own, None, 0);
-    for at in order {
-        // Matrix entries come before the right-hand side: if two factors are equally good, the matrix entry gives the
-        // factor.
-        for j in 0..printed.len() {
-            let (p, d) = (printed[j], derived[at][j]);
-            let both = points.iter().all(|(_, rows)| rows[derived.len()][j] != 0 && rows[at][j] != 0);
-            if points.is_empty() || !both || is_one_sided(arena, p) || is_one_sided(arena, d) {
-                continue;
-            }
-            let mut weight = 0;
-            for k in 0..printed.len() {
-                // p_k : d_k = p_j : d_j at every point.
-                let agrees = points.iter().all(|(f, rows)| {
-                    let (p, d) = (&rows[derived.len()], &rows[at]);
-                    f.mul(p[k], d[j]) == f.mul(p[j], d[k])
-                });
-                if agrees {
-                    // Two zeros agree with any factor, so they count little.
-                    weight += if printed[k] == Expr::ZERO { 1 } else { 100 };
-                }
-            }
-            if weight > best.2 {
-                best = (at, Some(j), weight);
-            }
-        }
-    }
-    (best.0, best.1)
-}
-
-/// True if a term contains |x| or sign x. Such a term may vanish on one side of a surface, where a row with the term as
-/// factor states nothing.
-fn is_one_sided(arena: &Arena, e: Expr) -> bool {
-    arena.reachable(&[e]).iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Abs | Function::Sign, _)))
 }
 
 /// Multipliers λ with Σ λ_i derived_i = printed; empty for large systems. `None` if the printed row is no combination

@@ -1,21 +1,64 @@
 //! Judgement of printed values of named quantities.
 
 use super::constant::is_constant;
-use super::finding::{Finding, Judgement};
+use super::finding::{Finding, Judgement, Mistake, ROUNDED};
 use super::near::Near;
 use super::ratio::constant_ratio;
-use super::terms::wrong_terms;
+use super::rounding::agrees_as_rounded;
+use super::terms::{WrongTerm, wrong_terms};
 use crate::diff::equations::claim::Claim;
+use crate::diff::repairs::{Repair, repair};
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::permitted::Holds;
+use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::print::text;
-use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
-use crate::publication::Names;
+use crate::mechanics::{Energy, Formulation, Kinematics, Quantities, Quantity, QuantityKind};
+use crate::publication::{Names, has_decimals};
 
 /// Most rounds in which sums of a derived value are shortened.
 const MOST_ROUNDS: usize = 4;
+
+/// Longest text of a printed and of a derived value that are set against one another as a whole, in bytes.
+const LONGEST: usize = 70;
+
+/// Variables in which a printed formula is compared.
+#[derive(Clone, Copy, Debug)]
+pub struct Reading {
+    /// True if the variables are q and q̇, false if they are q and u.
+    pub in_rates: bool,
+    /// True if accelerations in the formula stand for their derived values.
+    pub is_solved: bool,
+}
+
+impl Reading {
+    /// Reading of the formulas of a system, in the variables of its formulation.
+    pub fn of(formulation: Formulation) -> Self {
+        Self { in_rates: formulation.is_in_rates(), is_solved: false }
+    }
+
+    /// Value of a printed term, with derived quantities in the place of their names.
+    ///
+    /// # Errors
+    /// The reason why the term has no value.
+    pub fn value(self, quantities: &mut Quantities<'_>, names: &Names, e: Expr) -> Result<Expr, String> {
+        let e = names.resolve(quantities, e)?;
+        let e = if self.is_solved { quantities.solved(e)? } else { e };
+        Ok(if self.in_rates { quantities.in_rates(e) } else { quantities.in_speeds(e) })
+    }
+}
+
+/// A formula as printed, and its value.
+#[derive(Clone, Copy, Debug)]
+pub struct Printed {
+    /// Formula as printed, with the names of the publication.
+    pub raw: Expr,
+    /// Value of the formula, in the variables in which it is compared.
+    pub value: Expr,
+    /// Variables in which the formula is compared.
+    pub reading: Reading,
+}
 
 /// Judge of the entries of a publication, one by one.
 pub struct Judge<'a, 'b> {
@@ -29,16 +72,18 @@ pub struct Judge<'a, 'b> {
     pub tables: usize,
     /// Point near which the formula claims to hold; `None` if the formula claims to hold everywhere.
     pub near: Option<Near>,
+    /// Parameters with the numbers that the publication, or else the model, gives them.
+    pub numbers: &'a [(Expr, Expr)],
 }
 
 impl Judge<'_, '_> {
     /// Judges `quantity = printed`, and returns the claim of the entry.
     pub fn equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> (Finding, Claim) {
-        let in_rates = self.quantities.mentions_rates(printed);
+        let (raw, in_rates) = (printed, self.quantities.mentions_rates(printed));
+        // An acceleration in the formula for an acceleration stands for its derived value.
+        let is_solved = matches!(quantity.kind(), QuantityKind::SpeedRate(_) | QuantityKind::SecondRate(_));
         let both = self.names.resolve(self.quantities, printed).and_then(|printed| {
             let derived = self.quantities.value(quantity)?;
-            // An acceleration in the formula for an acceleration stands for its derived value.
-            let is_solved = matches!(quantity.kind(), QuantityKind::SpeedRate(_) | QuantityKind::SecondRate(_));
             let printed = if is_solved { self.quantities.solved(printed)? } else { printed };
             Ok((printed, derived))
         });
@@ -52,27 +97,39 @@ impl Judge<'_, '_> {
         let mut rewrite = |e: Expr| if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) };
         let (printed, derived) = (rewrite(printed), rewrite(derived));
         let derived = self.simplify(derived);
+        let printed = Printed { raw, value: printed, reading: Reading { in_rates, is_solved } };
         let (finding, claim) = self.value(finding, quantity.kind(), printed, derived);
         match quantity.kind() {
+            QuantityKind::Energy(Energy::Lagrangian) => {
+                let finding = self.up_to_its_zero(finding);
+                (self.up_to_a_rate(finding), claim)
+            }
             QuantityKind::Energy(energy) if energy.has_a_zero() => (self.up_to_its_zero(finding), claim),
             _ => (finding, claim),
         }
     }
 
     /// Judges a printed value of a quantity against the derived value; both are in the same variables.
-    pub fn value(&mut self, finding: Finding, kind: &QuantityKind, printed: Expr, derived: Expr) -> (Finding, Claim) {
+    pub fn value(
+        &mut self,
+        finding: Finding,
+        kind: &QuantityKind,
+        printed: Printed,
+        derived: Expr,
+    ) -> (Finding, Claim) {
         if let Some(near) = &mut self.near {
             // A difference beyond the order of an approximation is not traced to other entries.
-            let both =
-                near.formula(self.quantities, printed).and_then(|p| Ok((p, near.formula(self.quantities, derived)?)));
+            let both = near
+                .formula(self.quantities, printed.value)
+                .and_then(|p| Ok((p, near.formula(self.quantities, derived)?)));
             let finding = match both {
-                Ok((printed, derived)) => self.compare(finding, printed, derived),
+                Ok((value, derived)) => self.compare(finding, Printed { value, ..printed }, derived),
                 Err(why) => Finding { judgement: Judgement::Undecided(why), ..finding },
             };
             return (finding, Claim::Other);
         }
         let finding = self.compare(finding, printed, derived);
-        (finding, Claim::Value { kind: kind.clone(), printed, derived })
+        (finding, Claim::Value { kind: kind.clone(), printed: printed.value, derived })
     }
 
     /// Accepts a potential energy that differs by a constant: it is the same potential with another zero.
@@ -85,38 +142,116 @@ impl Judge<'_, '_> {
         }
         let arena = &self.quantities.derivations.kinematics.arena;
         let remark = format!("its zero is elsewhere: printed − derived = {}, a constant", text(arena, difference));
-        let remarks = finding.remarks.into_iter().chain([remark]).collect();
-        Finding {
-            judgement: Judgement::Equal,
-            remarks,
-            difference: None,
-            wrong: None,
-            witness: None,
-            factor: None,
-            ..finding
+        finding.accepted("up to a constant", remark)
+    }
+
+    /// Accepts a Lagrangian that differs by the total time derivative of a function of q and t: Lagrange's equations are
+    /// the same.
+    fn up_to_a_rate(&mut self, finding: Finding) -> Finding {
+        let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
+            return finding;
+        };
+        let model = self.quantities.model;
+        let difference = self.quantities.in_rates(difference);
+        let mut moving: Vec<(Expr, Expr)> = Vec::new();
+        for (at, c) in model.coordinates.iter().enumerate() {
+            if model.time() == Some(at) {
+                moving.push((c.symbol, Expr::ONE));
+            } else {
+                moving.extend([(c.symbol, c.rate), (c.rate, c.second_rate)]);
+            }
         }
+        let mut d_dt = Differential::along(&moving);
+        for (at, c) in model.coordinates.iter().enumerate() {
+            if model.time() == Some(at) {
+                continue;
+            }
+            let arena = &mut self.quantities.derivations.kinematics.arena;
+            let momentum = Differential::partial(c.rate).apply(arena, difference);
+            let slope = Differential::partial(c.symbol).apply(arena, difference);
+            let rate = d_dt.apply(arena, momentum);
+            if !self.comparer.compare(arena, rate, slope).is_equal() {
+                return finding;
+            }
+        }
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let words = text(arena, difference);
+        let shown = if words.len() <= LONGEST { format!(" = {words}") } else { String::new() };
+        let remark = format!("printed − derived{shown} is the time derivative of a function of q and t");
+        finding.accepted("up to a time derivative", remark)
     }
 
     /// Judges a printed against a derived value. Adds the difference and, if the values have a constant ratio, the
-    /// factor.
-    pub fn compare(&mut self, finding: Finding, printed: Expr, derived: Expr) -> Finding {
+    /// factor; else the mistake.
+    pub fn compare(&mut self, finding: Finding, printed: Printed, derived: Expr) -> Finding {
         let arena = &mut self.quantities.derivations.kinematics.arena;
-        let verdict = self.comparer.compare_where(arena, printed, derived);
+        let verdict = self.comparer.compare_where(arena, printed.value, derived);
         let is_everywhere = verdict.0.is_equal() && verdict.1 == Holds::EVERYWHERE;
         let derived = if is_everywhere { derived } else { self.shortened(derived) };
         let mut finding = finding.judged(verdict, derived);
         if finding.judgement == Judgement::Different {
+            if has_decimals(&finding.printed)
+                && agrees_as_rounded(self.quantities, self.comparer, self.numbers, printed.value, derived)
+            {
+                return finding.accepted("to the digits printed", ROUNDED.to_owned());
+            }
+            finding.remarks.extend(self.units(printed.raw, derived));
             let arena = &mut self.quantities.derivations.kinematics.arena;
-            let difference = arena.sub(printed, derived);
+            let difference = arena.sub(printed.value, derived);
             let difference = self.simplify(difference);
             finding.difference = Some(difference);
-            finding.factor = constant_ratio(self.quantities, self.comparer, printed, derived);
+            finding.factor = constant_ratio(self.quantities, self.comparer, printed.value, derived);
             if finding.factor.is_none() {
-                let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-                finding.name_terms(wrong_terms(arena, simplifier, printed, difference));
+                finding.name_mistake(self.mistake(printed, derived, difference));
             }
         }
         finding
+    }
+
+    /// Remark that the units of a printed value convict it; `None` if they fit.
+    fn units(&self, printed: Expr, derived: Expr) -> Option<String> {
+        let (model, arena) = (self.quantities.model, &self.quantities.derivations.kinematics.arena);
+        let has_parameters = |e: Expr| model.parameters.iter().any(|p| arena.mentions(e, p.symbol));
+        if !has_parameters(printed) && has_parameters(derived) {
+            // Numbers stand for parameters.
+            return None;
+        }
+        match (model.checked_unit_of(arena, printed), model.checked_unit_of(arena, derived)) {
+            (Err(message), _) => Some(format!("units alone show it: {message}")),
+            (Ok(Some(own)), Ok(Some(right))) if own != right => {
+                Some(format!("units alone show it: it is in {}, and should be in {}", own.words(), right.words()))
+            }
+            _ => None,
+        }
+    }
+
+    /// Mistake in a printed value: the wrong term of a sum, the smallest change that makes the formula right, all wrong
+    /// terms of a sum, or the whole values if they are short.
+    pub fn mistake(&mut self, printed: Printed, derived: Expr, difference: Expr) -> Mistake {
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        let terms = wrong_terms(arena, simplifier, printed.value, difference);
+        let words: Vec<String> = terms.iter().map(|term| term.words(arena)).collect();
+        match *terms.as_slice() {
+            [WrongTerm::Extra(own)] => return Mistake { words, change: Some((own, Expr::ZERO)) },
+            [WrongTerm::Other(own, right)] => return Mistake { words, change: Some((own, right)) },
+            _ => {}
+        }
+        if self.near.is_none() {
+            let (names, reading) = (self.names, printed.reading);
+            let mut rewriting = |quantities: &mut Quantities<'_>, e: Expr| reading.value(quantities, names, e);
+            let found = repair(self.quantities, self.comparer, printed.raw, derived, &mut rewriting);
+            if let Some(Repair { words, parts }) = found {
+                return Mistake { words: vec![words], change: parts };
+            }
+        }
+        let arena = &self.quantities.derivations.kinematics.arena;
+        let [before, after] = [printed.value, derived].map(|e| text(arena, e));
+        let is_long = before.len() > LONGEST || after.len() > LONGEST;
+        let is_each_printed = !terms.is_empty() && terms.iter().all(|term| !matches!(term, WrongTerm::Missing(_)));
+        if is_long || is_each_printed {
+            return Mistake { words, change: None };
+        }
+        Mistake { words: vec![format!("{before} should be {after}")], change: Some((printed.value, derived)) }
     }
 
     /// Shortest form of a term that is equal in permitted states.

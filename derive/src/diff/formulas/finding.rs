@@ -4,6 +4,10 @@ use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Verdict, Witness};
 use crate::algebra::meaning::permitted::Holds;
 
+/// Remark on an entry that is equal to the digits printed only.
+pub(in crate::diff) const ROUNDED: &str =
+    "to the digits printed, with the numbers of the parameters, and 0 for inputs without one";
+
 /// Judgement of a printed entry against the derived value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Judgement {
@@ -33,6 +37,33 @@ impl Judgement {
     }
 }
 
+impl Finding {
+    /// Finding of an entry that is equal up to a difference that does not count, with a remark on it.
+    pub(in crate::diff) fn accepted(self, up_to: &'static str, remark: String) -> Self {
+        Self {
+            judgement: Judgement::Equal,
+            up_to: Some(up_to),
+            // Remarks on units and terms are about a difference.
+            remarks: vec![remark],
+            difference: None,
+            wrong: None,
+            change: None,
+            witness: None,
+            factor: None,
+            ..self
+        }
+    }
+}
+
+/// Mistake in a printed formula.
+#[derive(Clone, Debug, Default)]
+pub(in crate::diff) struct Mistake {
+    /// Descriptions of the wrong parts; empty if none is short.
+    pub(in crate::diff) words: Vec<String>,
+    /// Wrong part, and the right part in its place, if this is the whole mistake.
+    pub(in crate::diff) change: Option<(Expr, Expr)>,
+}
+
 /// One entry of a publication with its judgement.
 #[derive(Clone, Debug)]
 pub struct Finding {
@@ -44,6 +75,8 @@ pub struct Finding {
     pub judgement: Judgement,
     /// Region in which the printed and the derived value are equal, if they are.
     pub holds: Holds,
+    /// Difference that an equal entry may have, in words, such as "up to a constant"; `None` for an exact equality.
+    pub up_to: Option<&'static str>,
     /// Printed text of the entry, as transcribed.
     pub printed: String,
     /// Derived value; for scaled entries it is multiplied by the factor.
@@ -55,6 +88,8 @@ pub struct Finding {
     /// Description of the mistake, in words: wrong terms with their right values, and wrong entries of rows. `None` if
     /// it would be long.
     pub wrong: Option<String>,
+    /// Wrong part of the printed formula, and the right part in its place, if this is the whole mistake.
+    pub change: Option<(Expr, Expr)>,
     /// State in which the printed and the derived value differ.
     pub witness: Option<Witness>,
     /// Further remarks, such as the matched row or the garbled part of the scan.
@@ -69,11 +104,13 @@ impl Finding {
             section: section.to_owned(),
             judgement,
             holds: Holds::EVERYWHERE,
+            up_to: None,
             printed: printed.to_owned(),
             derived: None,
             factor: None,
             difference: None,
             wrong: None,
+            change: None,
             witness: None,
             remarks: Vec::new(),
         }
@@ -84,10 +121,12 @@ impl Finding {
         [self.derived, self.factor, self.difference].into_iter().flatten()
     }
 
-    /// Adds descriptions of the wrong terms, if there are any.
-    pub(in crate::diff) fn name_terms(&mut self, terms: Vec<String>) {
-        self.wrong = (!terms.is_empty()).then(|| terms.join("; "));
-        self.remarks.extend(terms);
+    /// Adds the description of the mistake, if there is one.
+    pub(in crate::diff) fn name_mistake(&mut self, mistake: Mistake) {
+        let Mistake { words, change } = mistake;
+        self.wrong = (!words.is_empty()).then(|| words.join("; "));
+        self.remarks.extend(words);
+        self.change = change;
     }
 
     /// Adds the verdict of a comparison with the derived value.

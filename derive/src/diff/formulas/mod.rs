@@ -6,4 +6,5 @@ pub(super) mod finding;
 pub(super) mod initial;
 pub(super) mod near;
 pub(super) mod ratio;
+pub(super) mod rounding;
 pub(super) mod terms;

@@ -13,9 +13,31 @@ const MOST: usize = 3;
 /// Longest text of a named term, in bytes.
 const LONGEST: usize = 80;
 
-/// Describes the mistakes in single terms of a printed value, from `difference` = printed − derived. Empty if there are
-/// too many or too long terms.
-pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr, difference: Expr) -> Vec<String> {
+/// Mistake in one term of a sum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WrongTerm {
+    /// A printed term that belongs to no derived value.
+    Extra(Expr),
+    /// A printed term, and the right term in its place.
+    Other(Expr, Expr),
+    /// A derived term that is not printed.
+    Missing(Expr),
+}
+
+impl WrongTerm {
+    /// Description of the mistake in words.
+    pub fn words(self, arena: &Arena) -> String {
+        match self {
+            Self::Extra(own) => format!("the term {} should not be there", text(arena, own)),
+            Self::Other(own, right) => format!("the term {} should be {}", text(arena, own), text(arena, right)),
+            Self::Missing(term) => format!("the term {} is missing", text(arena, term)),
+        }
+    }
+}
+
+/// Mistakes in single terms of a printed value, from `difference` = printed − derived. Empty if there are too many or
+/// too long terms.
+pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr, difference: Expr) -> Vec<WrongTerm> {
     let (printed, wrong) = (spread(arena, printed), spread(arena, difference));
     if printed.len() < 2 || wrong.len() > MOST {
         return Vec::new();
@@ -25,18 +47,12 @@ pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr
         let own = printed.iter().find_map(|own| Some((*own, multiple(arena, simplifier, term, *own)?)));
         // With term = k own, the right term is own − term, which vanishes if k = 1.
         found.push(match own {
-            Some((own, k)) if k.is_one() => format!("the term {} should not be there", text(arena, own)),
-            Some((own, k)) => {
-                let right = arena.scale(own, &Rational::ONE.add(&k.neg()));
-                format!("the term {} should be {}", text(arena, own), text(arena, right))
-            }
-            None => {
-                let missing = arena.neg(term);
-                format!("the term {} is missing", text(arena, missing))
-            }
+            Some((own, k)) if k.is_one() => WrongTerm::Extra(own),
+            Some((own, k)) => WrongTerm::Other(own, arena.scale(own, &Rational::ONE.add(&k.neg()))),
+            None => WrongTerm::Missing(arena.neg(term)),
         });
     }
-    if found.iter().any(|words| words.len() > 2 * LONGEST) { Vec::new() } else { found }
+    if found.iter().any(|term| term.words(arena).len() > 2 * LONGEST) { Vec::new() } else { found }
 }
 
 /// Terms of a sum, or of a product of one sum with other factors, multiplied out.

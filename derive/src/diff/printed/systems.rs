@@ -2,22 +2,20 @@
 
 use super::motion::Motion;
 use crate::diff::equations::claim::{Claim, Table};
-use crate::diff::equations::multipliers::Terms;
 use crate::diff::equations::ordered::{Ordered, derived};
-use crate::diff::equations::row_text::row_text;
-use crate::diff::equations::rows::{Match, Row, RowJudgement, judge};
-use crate::diff::formulas::entries::Judge;
-use crate::diff::formulas::finding::{Finding, Judgement};
-use crate::diff::formulas::terms::wrong_terms;
+use crate::diff::equations::rows::{Match, Row, RowJudgement, Terms, judge};
+use crate::diff::formulas::entries::{Judge, Printed, Reading};
+use crate::diff::formulas::finding::{Finding, Judgement, Mistake, ROUNDED};
+use crate::diff::formulas::rounding::agrees_as_rounded;
 
 use crate::algebra::Expr;
-use crate::algebra::meaning::compare::Verdict;
+use crate::algebra::meaning::compare::{Engine, Verdict};
 use crate::algebra::meaning::permitted::Holds;
-use crate::algebra::solve::linear::solve;
+use crate::algebra::solve::linear::{LinearForm, solve};
 use crate::algebra::text::print::text;
 use crate::algebra::value::rank::rank;
 use crate::mechanics::{Formulation, Kinematics, Quantities, QuantityKind};
-use crate::publication::{Entry, Listing, Names, System};
+use crate::publication::{Entry, Listing, Names, System, has_decimals, row_text};
 
 /// Derived matrix with which a printed system is compared, and the matches of the printed rows.
 #[derive(Clone, Debug)]
@@ -38,31 +36,41 @@ pub struct Judged {
     pub motion: Option<(Motion, Matched)>,
 }
 
-/// Printed rows in the order of the derived unknowns. Unknowns that are not printed have the coefficient 0.
+/// Rows of a system as printed, in the order of the derived unknowns. Unknowns that are not printed have the
+/// coefficient 0.
+fn rows_as_printed(system: &System, order: &[Expr]) -> Vec<Row> {
+    let columns: Vec<Option<usize>> = order.iter().map(|x| system.unknowns.iter().position(|u| u == x)).collect();
+    let row = |(entries, right): (&Vec<Expr>, &Expr)| {
+        let entries = columns.iter().map(|at| at.map_or(Expr::ZERO, |at| entries[at]));
+        entries.chain([*right]).collect()
+    };
+    system.matrix.iter().zip(&system.right).map(row).collect()
+}
+
+/// Printed rows in the order of the derived unknowns, with derived quantities in the place of their names.
 fn printed(
     quantities: &mut Quantities<'_>,
     names: &Names,
     system: &System,
     order: &[Expr],
 ) -> Result<Vec<Row>, String> {
-    let in_rates = system.formulation.is_in_rates();
+    let reading = Reading::of(system.formulation);
+    let mut form = LinearForm::new(order);
     let mut rows = Vec::new();
-    for (entries, right) in system.matrix.iter().zip(&system.right) {
-        let mut row = Vec::new();
-        for unknown in order {
-            let at = system.unknowns.iter().position(|u| u == unknown);
-            row.push(at.map_or(Expr::ZERO, |at| entries[at]));
+    for row in rows_as_printed(system, order) {
+        let mut row = row.into_iter().map(|e| reading.value(quantities, names, e)).collect::<Result<Row, String>>()?;
+        // Names of derived quantities may stand for accelerations.
+        let arena = &mut quantities.derivations.kinematics.arena;
+        let right = row.pop().unwrap_or(Expr::ZERO);
+        let not_linear = |_| "it is not linear in the unknowns".to_owned();
+        let (entries, rest) = form.coefficients(arena, right).map_err(not_linear)?;
+        for (entry, more) in row.iter_mut().zip(entries) {
+            *entry = arena.sub(*entry, more);
         }
-        row.push(*right);
-        let resolved: Result<Row, String> = row.into_iter().map(|e| value(quantities, names, e, in_rates)).collect();
-        rows.push(resolved?);
+        row.push(rest);
+        rows.push(row);
     }
     Ok(rows)
-}
-
-fn value(quantities: &mut Quantities<'_>, names: &Names, e: Expr, in_rates: bool) -> Result<Expr, String> {
-    let e = names.resolve(quantities, e)?;
-    Ok(if in_rates { quantities.in_rates(e) } else { quantities.in_speeds(e) })
 }
 
 /// Printed system as equations of motion; `None` unless it has all unknowns and rows of the derived system.
@@ -93,6 +101,11 @@ fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>
     (model.q().iter().map(place).collect(), variables.iter().map(place).collect())
 }
 
+/// Column of a listing's matrix for the motion variable at a place of its state.
+fn column_of(listing: &Listing, at: usize) -> usize {
+    listing.moving.iter().position(|moving| *moving == at).expect("a motion variable")
+}
+
 /// Listing as equations of motion, with its own q̇ and its own system or accelerations. A variable that its state lacks
 /// has the derivative 0. The second value is true if no variable is lacking.
 pub fn listing_motion(
@@ -101,10 +114,10 @@ pub fn listing_motion(
     entry: &Entry,
     listing: &Listing,
 ) -> Result<(Motion, bool), String> {
-    let n = listing.state.len() / 2;
     let in_rates = listing.formulation.is_in_rates();
+    let reading = Reading::of(listing.formulation);
     let (coordinates, variables) = places(quantities, listing);
-    let mut resolved = |e: Expr| value(quantities, names, e, in_rates);
+    let mut resolved = |e: Expr| reading.value(quantities, names, e);
     let derivative: Vec<Expr> = listing.derivative.iter().map(|e| resolved(*e)).collect::<Result<_, _>>()?;
     let of_state = |at: &Option<usize>| at.map_or(Expr::ZERO, |at| derivative[at]);
     let count = variables.len();
@@ -114,10 +127,10 @@ pub fn listing_motion(
         Some(matrix) => {
             let mut ordered = Vec::new();
             for row in matrix {
-                let row = variables.iter().map(|at| at.map_or(Expr::ZERO, |at| row[at - n]));
+                let row = variables.iter().map(|at| at.map_or(Expr::ZERO, |at| row[column_of(listing, at)]));
                 ordered.push(row.map(&mut resolved).collect::<Result<_, _>>()?);
             }
-            (ordered, derivative[n..].to_vec())
+            (ordered, listing.moving.iter().map(|at| derivative[*at]).collect())
         }
         None => ((0..count).map(unit).collect(), variables.iter().map(of_state).collect()),
     };
@@ -140,29 +153,39 @@ impl Judge<'_, '_> {
                 return Judged { findings: vec![(finding, Claim::Other)], table: None, motion: None };
             }
         };
+        let raw = rows_as_printed(system, &order.unknowns);
+        let reading = Reading::of(system.formulation);
         let multipliers = self.own_multipliers(&mut order, &rows);
         let mut findings: Vec<(Finding, Claim)> = Vec::new();
         let mut matches = Vec::new();
         for (i, row) in rows.iter().enumerate() {
-            let judged = self.row(row, &order, i);
+            let texts = system.matrix_texts[i].iter().chain([&system.right_texts[i]]);
+            let has_decimals =
+                texts.chain(system.row_texts.iter().map(|texts| &texts[i])).any(|text| has_decimals(text));
+            let judged = self.row(row, &order, i, has_decimals);
             let id = system.row_id(&entry.id, i);
             let (entries, right) = (&system.matrix_texts[i], &system.right_texts[i]);
-            let shown = row_text(entries, &system.unknown_names, right, entry.notation);
+            let shown = match &system.row_texts {
+                Some(texts) => texts[i].clone(),
+                None => row_text(entries, &system.unknown_names, right, entry.notation),
+            };
             let finding = stated(&id, entry, &shown);
             let claim = Claim::Row { table: self.tables, row: i };
-            findings.push((self.row_finding(finding, row, &order, &judged, i), claim));
+            let row_printed: Vec<Printed> =
+                raw[i].iter().zip(row).map(|(raw, value)| Printed { raw: *raw, value: *value, reading }).collect();
+            findings.push((self.row_finding(finding, &row_printed, &order, &judged, i), claim));
             for (j, unknown) in system.unknowns.iter().enumerate() {
                 let Some(id) = system.matrix_id(i, j) else { break };
                 let Some(at) = order.unknowns.iter().position(|u| u == unknown) else { continue };
                 let text = &system.matrix_texts[i][j];
                 let claim = Claim::Entry { table: self.tables, row: i, column: at };
-                findings.push((self.entry_finding(stated(&id, entry, text), row[at], &judged, at), claim));
+                findings.push((self.entry_finding(stated(&id, entry, text), row_printed[at], &judged, at), claim));
             }
             if let Some(id) = system.right_id(i) {
                 let at = row.len() - 1;
                 let claim = Claim::Entry { table: self.tables, row: i, column: at };
                 let finding = stated(&id, entry, &system.right_texts[i]);
-                findings.push((self.entry_finding(finding, row[at], &judged, at), claim));
+                findings.push((self.entry_finding(finding, row_printed[at], &judged, at), claim));
             }
             matches.push(judged.by);
         }
@@ -258,7 +281,7 @@ impl Judge<'_, '_> {
             Ok(order) => order,
             Err(why) => return undecided(why),
         };
-        let n = listing.state.len() / 2;
+        let reading = Reading::of(listing.formulation);
         let model = self.quantities.model;
         let rates = if motion.in_rates { model.q_dot() } else { model.kinematic_equations.rates.clone() };
         let mut findings = Vec::new();
@@ -267,7 +290,8 @@ impl Judge<'_, '_> {
             let Some(at) = coordinates[i] else { continue };
             let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
             let finding = stated(&id, entry, text);
-            findings.push(self.value(finding, &QuantityKind::Rate(i), motion.coordinate_rates[i], *rate));
+            let own = Printed { raw: listing.derivative[at], value: motion.coordinate_rates[i], reading };
+            findings.push(self.value(finding, &QuantityKind::Rate(i), own, *rate));
         }
         let (mut rows, mut matches) = (Vec::new(), Vec::new());
         let Some(texts) = &listing.matrix_texts else {
@@ -282,22 +306,27 @@ impl Judge<'_, '_> {
             Err(why) => return undecided(why),
         };
         for (i, (texts, row)) in texts.iter().zip(stated_rows).enumerate() {
-            let judged = self.row(&row, &order, i);
-            let right = &listing.derivative_texts[n + i];
+            let at_right = listing.moving[i];
+            let right = &listing.derivative_texts[at_right];
+            let has_decimals = texts.iter().chain([right]).any(|text| has_decimals(text));
+            let judged = self.row(&row, &order, i, has_decimals);
             for (j, at) in variables.iter().enumerate() {
-                let Some(column) = at.map(|at| at - n) else { continue };
+                let Some(column) = at.map(|at| column_of(listing, at)) else { continue };
                 let text = &texts[column];
                 // A zero that no line of the program states is listed only if it is wrong.
                 if text != "0" || !judged.entries[j].is_equal() {
                     let id = listing.matrix_id(&entry.id, i, column);
                     let claim = Claim::Entry { table: self.tables, row: i, column: j };
-                    findings.push((self.entry_finding(stated(&id, entry, text), row[j], &judged, j), claim));
+                    let raw = listing.matrix.as_ref().map_or(row[j], |matrix| matrix[i][column]);
+                    let own = Printed { raw, value: row[j], reading };
+                    findings.push((self.entry_finding(stated(&id, entry, text), own, &judged, j), claim));
                 }
             }
-            let id = listing.derivative_id(&entry.id, n + i);
+            let id = listing.derivative_id(&entry.id, at_right);
             let column = row.len() - 1;
             let claim = Claim::Entry { table: self.tables, row: i, column };
-            findings.push((self.entry_finding(stated(&id, entry, right), row[column], &judged, column), claim));
+            let own = Printed { raw: listing.derivative[at_right], value: row[column], reading };
+            findings.push((self.entry_finding(stated(&id, entry, right), own, &judged, column), claim));
             rows.push(row);
             matches.push(judged.by);
         }
@@ -327,7 +356,11 @@ impl Judge<'_, '_> {
             let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
             let finding = stated(&id, entry, text);
             findings.push(match &solution {
-                Ok((values, _)) => self.value(finding, &kind(i), motion.right[i], values[i][0]),
+                Ok((values, _)) => {
+                    let reading = Reading::of(listing.formulation);
+                    let own = Printed { raw: listing.derivative[at], value: motion.right[i], reading };
+                    self.value(finding, &kind(i), own, values[i][0])
+                }
                 Err(_) => {
                     let why = "the derived system is singular everywhere".to_owned();
                     (Finding { judgement: Judgement::Undecided(why), ..finding }, Claim::Other)
@@ -337,15 +370,50 @@ impl Judge<'_, '_> {
         findings
     }
 
-    fn row(&mut self, row: &Row, order: &Ordered, index: usize) -> RowJudgement {
+    /// Judges a row. Its decimals, if it has some, may stand for parameters.
+    fn row(&mut self, row: &Row, order: &Ordered, index: usize, has_decimals: bool) -> RowJudgement {
+        if has_decimals && let Some(judged) = self.rounded(row, order, index) {
+            return judged;
+        }
+        let parameters = self.quantities.model.p();
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-        judge(arena, simplifier, self.comparer, row, &order.rows, index)
+        let mut terms = Terms { arena, simplifier, comparer: self.comparer };
+        judge(&mut terms, &parameters, row, &order.rows, index)
+    }
+
+    /// Judgement of a row that is a derived row to the digits printed, the one of equal number first; `None` if there is
+    /// no such row, or if the row is equal without rounding.
+    fn rounded(&mut self, row: &Row, order: &Ordered, index: usize) -> Option<RowJudgement> {
+        let own = index.min(order.rows.len() - 1);
+        for at in std::iter::once(own).chain((0..order.rows.len()).filter(|at| *at != own)) {
+            let expected = order.rows[at].clone();
+            let (mut entries, mut holds, mut is_rounded) = (Vec::new(), Vec::new(), false);
+            for (printed, derived) in row.iter().zip(&expected) {
+                let arena = &mut self.quantities.derivations.kinematics.arena;
+                let (mut verdict, place) = self.comparer.compare_where(arena, *printed, *derived);
+                if !verdict.is_equal()
+                    && agrees_as_rounded(self.quantities, self.comparer, self.numbers, *printed, *derived)
+                {
+                    (verdict, is_rounded) = (Verdict::Equal(Engine::NormalForm), true);
+                }
+                if !verdict.is_equal() {
+                    break;
+                }
+                entries.push(verdict);
+                holds.push(place);
+            }
+            if is_rounded && entries.len() == row.len() {
+                let by = Match::Row { at, factor: Expr::ONE };
+                return Some(RowJudgement { by, entries, expected, holds, is_rounded });
+            }
+        }
+        None
     }
 
     fn row_finding(
         &mut self,
         mut finding: Finding,
-        row: &Row,
+        row: &[Printed],
         order: &Ordered,
         judged: &RowJudgement,
         index: usize,
@@ -379,6 +447,10 @@ impl Judge<'_, '_> {
                 finding.remarks.push(format!("a combination: {by}"));
             }
         }
+        if judged.is_rounded {
+            finding.up_to = Some("to the digits printed");
+            finding.remarks.push(ROUNDED.to_owned());
+        }
         if judged.is_right() {
             return finding;
         }
@@ -395,15 +467,23 @@ impl Judge<'_, '_> {
             (None, Some(why)) => Judgement::Undecided(why),
             _ => Judgement::Different,
         };
+        let raw: Row = row.iter().map(|printed| printed.raw).collect();
+        let raw = as_term(self, &raw);
+        let (model, arena) = (self.quantities.model, &self.quantities.derivations.kinematics.arena);
+        if let Err(message) = model.checked_unit_of(arena, raw) {
+            finding.remarks.push(format!("units alone show it: {message}"));
+        }
         let wrong: Vec<usize> = (0..judged.entries.len()).filter(|at| !judged.entries[*at].is_equal()).collect();
-        let places: Vec<String> = wrong
-            .into_iter()
-            .map(|at| self.wrong_place(order.unknowns.get(at), row[at], judged.expected[at]))
-            .collect();
-        let wrong = places.join(", ");
+        let (places, changes): (Vec<String>, Vec<_>) =
+            wrong.into_iter().map(|at| self.wrong_place(order.unknowns.get(at), row[at], judged.expected[at])).unzip();
+        if let [change] = changes.as_slice() {
+            finding.change = *change;
+        }
+        let wrong = places.join("; ");
         finding.remarks.push(format!("wrong: {wrong}"));
-        finding.wrong = Some(format!("it differs in {wrong}"));
-        let printed = as_term(self, row);
+        finding.wrong = Some(wrong);
+        let values: Row = row.iter().map(|printed| printed.value).collect();
+        let printed = as_term(self, &values);
         let expected = as_term(self, &judged.expected);
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let difference = arena.sub(printed, expected);
@@ -416,21 +496,29 @@ impl Judge<'_, '_> {
         finding
     }
 
-    /// Description of a wrong entry of a row: its place, the difference and the wrong terms.
-    fn wrong_place(&mut self, unknown: Option<&Expr>, printed: Expr, expected: Expr) -> String {
-        let difference = self.quantities.derivations.kinematics.arena.sub(printed, expected);
-        let difference = self.simplify(difference);
-        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-        let terms = wrong_terms(arena, simplifier, printed, difference).join(", ");
-        let terms = if terms.is_empty() { terms } else { format!(" ({terms})") };
+    /// Description of a wrong entry of a row, its place and what should be there, and the change that makes it right.
+    fn wrong_place(
+        &mut self,
+        unknown: Option<&Expr>,
+        printed: Printed,
+        expected: Expr,
+    ) -> (String, Option<(Expr, Expr)>) {
+        let arena = &mut self.quantities.derivations.kinematics.arena;
         let place = match unknown {
             Some(unknown) => format!("the coefficient of {}", text(arena, *unknown)),
             None => "the right-hand side".to_owned(),
         };
-        format!("{place} by {}{terms}", text(arena, difference))
+        let difference = arena.sub(printed.value, expected);
+        let difference = self.simplify(difference);
+        let Mistake { words, change } = self.mistake(printed, expected, difference);
+        if !words.is_empty() {
+            return (format!("in {place}, {}", words.join(", ")), change);
+        }
+        let arena = &self.quantities.derivations.kinematics.arena;
+        (format!("{place} is off by {}", text(arena, difference)), None)
     }
 
-    fn entry_finding(&mut self, finding: Finding, value: Expr, judged: &RowJudgement, at: usize) -> Finding {
+    fn entry_finding(&mut self, finding: Finding, printed: Printed, judged: &RowJudgement, at: usize) -> Finding {
         let verdict = (judged.entries[at].clone(), judged.holds[at]);
         let mut finding = finding.judged(verdict, judged.expected[at]);
         match &judged.by {
@@ -440,15 +528,14 @@ impl Judge<'_, '_> {
                     finding.judgement = Judgement::Scaled;
                 }
             }
-            Match::Combination { .. } => finding.judgement = Judgement::Scaled,
-            Match::Row { .. } => {}
+            Match::Combination { .. } if finding.judgement == Judgement::Equal => finding.judgement = Judgement::Scaled,
+            Match::Combination { .. } | Match::Row { .. } => {}
         }
         if finding.judgement == Judgement::Different {
-            let difference = self.quantities.derivations.kinematics.arena.sub(value, judged.expected[at]);
+            let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, judged.expected[at]);
             let difference = self.simplify(difference);
             finding.difference = Some(difference);
-            let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-            finding.name_terms(wrong_terms(arena, simplifier, value, difference));
+            finding.name_mistake(self.mistake(printed, judged.expected[at], difference));
         }
         finding
     }

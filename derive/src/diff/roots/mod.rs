@@ -46,12 +46,29 @@ pub fn find(
     let ids: Vec<&str> = wrong.iter().map(|at| findings[*at].id.as_str()).collect();
     numbers::link(&stated, &ids, &mut reasons);
     let arena = &quantities.derivations.kinematics.arena;
+    alike(arena, &wrong.iter().map(|at| &findings[*at]).collect::<Vec<_>>(), &mut reasons);
     let words = |at: usize| match (&shared[at], stated[at]) {
         (Some(words), _) => words.clone(),
         (None, Claim::Number { .. }) => "it contradicts other printed numbers".to_owned(),
         _ => mistake(arena, &findings[wrong[at]]),
     };
     grouped(&wrong, &reasons, words)
+}
+
+/// Fewest parts of a term whose equal mistakes in two entries count as one.
+const FEWEST_PARTS: usize = 5;
+
+/// Links an entry without a reason to an earlier one in which the same term is wrong alike.
+fn alike(arena: &Arena, wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
+    for at in 0..wrong.len() {
+        let Some(change) = wrong[at].change.filter(|_| reasons[at].is_none()) else { continue };
+        if arena.reachable(&[change.0]).len() < FEWEST_PARTS {
+            continue;
+        }
+        if let Some(source) = (0..at).find(|source| wrong[*source].change == Some(change)) {
+            reasons[at] = Some(Reason::new(Link::Repeated, vec![source]));
+        }
+    }
 }
 
 /// Description of the mistake in an entry that is no follower.

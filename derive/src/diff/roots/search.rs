@@ -34,7 +34,8 @@ pub struct Reason {
 }
 
 impl Reason {
-    fn new(link: Link, from: Vec<usize>) -> Self {
+    /// Reason whose sources are all named.
+    pub fn new(link: Link, from: Vec<usize>) -> Self {
         Self { link, hangs_on: from.clone(), from }
     }
 }

@@ -89,7 +89,8 @@ const RENAMED: [(&str, &str); 13] = [
 ];
 
 /// Modules and namespaces in front of functions in programs.
-const MODULES: [&str; 8] = ["sp", "sympy", "sm", "np", "numpy", "math", "std", "me"];
+const MODULES: [&str; 15] =
+    ["sp", "sympy", "sm", "np", "numpy", "math", "std", "me", "ca", "casadi", "cs", "jnp", "jax", "torch", "xp"];
 
 /// Name in model files of the function that a command of LaTeX stands for; `None` if it is no function.
 pub(super) fn latex_function(command: &str) -> Option<&'static str> {
@@ -107,6 +108,12 @@ pub(super) fn function(word: &str) -> Option<&str> {
     let renamed = RENAMED.iter().find(|(name, _)| *name == word).map_or(word, |(_, function)| *function);
     let is_function = is_reserved(renamed) && renamed != "pi";
     (is_function || ["min", "max", "atan2"].contains(&renamed)).then_some(renamed)
+}
+
+/// Name in model files of a function of C, which may end in `f` or `l` for its precision, such as `cosf`; `None` if the
+/// word is no function.
+pub(super) fn function_of_c(word: &str) -> Option<&str> {
+    function(word).or_else(|| word.strip_suffix(['f', 'l']).and_then(function))
 }
 
 /// Word without a known module or namespace in front of it.

@@ -2,11 +2,12 @@
 
 use super::calls::Calls;
 use super::kind::Notation;
-use super::lexicon::{constant, function, without_module};
+use super::lexicon::{constant, function, function_of_c, without_module};
 use super::plain::Plain;
 use super::quotient::refuse_whole_quotients;
 use super::refusal::{found, unknown, wrong};
 use super::spell::Spell;
+use super::unicode;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
@@ -40,7 +41,7 @@ impl Program<'_, '_> {
             match c {
                 '0'..='9' => self.number(),
                 '.' if self.rest(1).starts_with(|c: char| c.is_ascii_digit()) => self.number(),
-                'a'..='z' | 'A'..='Z' | '_' => self.named()?,
+                c if unicode::begins_name(c) => self.named()?,
                 ';' if matches!(self.notation, Notation::Matlab | Notation::C) => {
                     self.at += 1;
                     self.skip();
@@ -115,7 +116,7 @@ impl Program<'_, '_> {
     pub(super) fn word(&mut self) -> (String, Range<usize>) {
         let start = self.at;
         loop {
-            let length = self.rest(0).find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+            let length = self.rest(0).find(|c: char| !unicode::is_of_name(c));
             self.at += length.unwrap_or(self.rest(0).len());
             let begins = |skip: usize| self.rest(skip).starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
             let step = match self.rest(0) {
@@ -153,19 +154,23 @@ impl Program<'_, '_> {
         Ok(())
     }
 
-    /// Reads the indices behind a name, `z(6)` in MATLAB and `z[5]` elsewhere, and returns the name with them.
-    fn indexed(&mut self, word: String) -> String {
+    /// Reads the indices behind a name, `z(6)` in MATLAB, `z[5]`, `x[2][0]` and `p['m']` elsewhere, and returns the name
+    /// with them.
+    fn indexed(&mut self, mut word: String) -> String {
         let (open, close) = if self.notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
-        let near = self.rest(0).get(..LONGEST_INDEX).unwrap_or(self.rest(0));
-        let inside =
-            near.strip_prefix(open).and_then(|rest| rest.split_once(close)).map(|(inside, _)| inside.to_owned());
-        let Some(inside) = inside else { return word };
-        let index = inside.replace(' ', "");
-        if index.is_empty() || !index.split(',').all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit())) {
-            return word;
+        loop {
+            let near =
+                self.rest(0).char_indices().nth(LONGEST_INDEX).map_or(self.rest(0), |(end, _)| &self.rest(0)[..end]);
+            let inside =
+                near.strip_prefix(open).and_then(|rest| rest.split_once(close)).map(|(inside, _)| inside.to_owned());
+            let Some(inside) = inside else { return word };
+            let index = inside.replace(' ', "").replace('"', "'");
+            if !is_index(&index) {
+                return word;
+            }
+            self.at += inside.len() + 2;
+            word = format!("{word}{open}{index}{close}");
         }
-        self.at += inside.len() + 2;
-        format!("{word}{open}{index}{close}")
     }
 
     fn operator(&mut self, c: char) -> Result<(), ParseError> {
@@ -177,7 +182,10 @@ impl Program<'_, '_> {
             '/' if rest.starts_with("//") => return Err(self.odd(c)),
             '^' if !matlab => return Err(self.odd(c)),
             '+' | '-' | '*' | '/' | '^' | '(' | ')' | ',' => (&rest[..1], 1),
-            _ => return Err(self.odd(c)),
+            _ => match unicode::operator(c).filter(|token| token.len() == 1) {
+                Some(token) => (token, c.len_utf8()),
+                None => return Err(self.odd(c)),
+            },
         };
         let token = token.to_owned();
         let place = self.at..self.at + length;
@@ -271,7 +279,8 @@ impl Program<'_, '_> {
             self.enter_call();
             return Ok(true);
         }
-        let Some(name) = function(word) else { return Ok(false) };
+        let found = if self.notation == Notation::C { function_of_c(word) } else { function(word) };
+        let Some(name) = found else { return Ok(false) };
         let name = name.to_owned();
         self.out.push(&name, place.clone());
         let open = self.at..self.at + 1;
@@ -279,4 +288,13 @@ impl Program<'_, '_> {
         self.calls.open(&mut self.out, &["("], &open);
         Ok(true)
     }
+}
+
+/// True if a text between brackets is an index: whole numbers, or a word in single quotes.
+pub(crate) fn is_index(text: &str) -> bool {
+    let is_word = |text: &str| {
+        let word = text.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\''));
+        word.is_some_and(|word| !word.is_empty() && word.chars().all(unicode::is_of_name))
+    };
+    is_word(text) || text.split(',').all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }

@@ -176,6 +176,7 @@ impl Formula<'_, '_> {
                 self.cursor = before;
                 return self.roman_function(function);
             }
+            self.end_of_time();
             return self.name(&symbol, place, first);
         }
         self.cursor = before;
@@ -213,7 +214,7 @@ impl Formula<'_, '_> {
     }
 
     /// Writes the name of a symbol whose first mark has the number `first`.
-    fn name(&mut self, symbol: &Symbol, place: Range<usize>, first: usize) -> Result<(), ParseError> {
+    pub(super) fn name(&mut self, symbol: &Symbol, place: Range<usize>, first: usize) -> Result<(), ParseError> {
         if symbol.base == "\\pi" && symbol.still() == "\\pi" && symbol.dots == 0 && !self.spell.knows(symbol) {
             self.out.push("pi", place);
             return Ok(());
@@ -222,6 +223,16 @@ impl Formula<'_, '_> {
         let name = self.spell.latex(symbol, &run).map_err(|why| unknown(place.clone(), why))?;
         self.out.push(&name, place);
         Ok(())
+    }
+
+    /// Reads the argument of time behind a symbol, as in \theta(t), if there is one.
+    pub(super) fn end_of_time(&mut self) {
+        let before = self.cursor.at;
+        let is_time = self.cursor.takes('(') && self.cursor.peek() == Some(&Mark::Letter('t'));
+        self.cursor.at += 1;
+        if !is_time || !self.cursor.takes(')') {
+            self.cursor.at = before;
+        }
     }
 
     /// Letters and digits that touch the mark with the number `first`, such as `den` for d e n; empty if there is only

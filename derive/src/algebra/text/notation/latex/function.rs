@@ -8,10 +8,14 @@ use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
 impl Formula<'_, '_> {
-    /// Reads a fraction whose command \frac is next.
+    /// Reads a fraction whose command \frac is next, or a derivative by time that is written as one.
     pub(super) fn fraction(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
-        self.cursor.at += 1;
+        let first = self.cursor.at;
+        if self.derivative()? {
+            return Ok(());
+        }
+        self.cursor.at = first + 1;
         self.out.push_all(&["(", "("], &place);
         // \frac12: one digit above, the other below.
         if let Some(Mark::Number(digits)) = self.cursor.peek()
@@ -30,6 +34,48 @@ impl Formula<'_, '_> {
         }
         self.out.push_all(&[")", ")"], &place);
         Ok(())
+    }
+
+    /// Reads a derivative by time, such as \frac{d\theta}{dt} or \frac{d}{dt}(…), whose command \frac is next; false if
+    /// the fraction is none.
+    fn derivative(&mut self) -> Result<bool, ParseError> {
+        let (first, place) = (self.cursor.at, self.cursor.here());
+        self.cursor.at += 1;
+        if !self.cursor.takes('{') || !self.cursor.takes_d() {
+            return Ok(false);
+        }
+        let order = self.cursor.takes_order();
+        let spell = &mut *self.spell;
+        let of = match self.cursor.peek() {
+            Some(Mark::Char('}')) => None,
+            _ => match self.cursor.symbol(&|symbol| spell.knows(symbol))? {
+                Some((symbol, at)) => Some((symbol, at)),
+                None => return Ok(false),
+            },
+        };
+        self.end_of_time();
+        let is_by_time = self.cursor.takes('}')
+            && self.cursor.takes('{')
+            && self.cursor.takes_d()
+            && self.cursor.peek() == Some(&Mark::Letter('t'));
+        self.cursor.at += 1;
+        let below = self.cursor.takes_order();
+        if !is_by_time || !self.cursor.takes('}') || below != order {
+            return Ok(false);
+        }
+        if let Some((mut symbol, at)) = of {
+            symbol.dots += order;
+            self.name(&symbol, at, first)?;
+            return Ok(true);
+        }
+        for _ in 0..order {
+            self.out.push_all(&["ddt", "("], &place);
+        }
+        self.factor()?;
+        for _ in 0..order {
+            self.out.push(")", place.clone());
+        }
+        Ok(true)
     }
 
     /// Reads a square root whose command \sqrt is next.
@@ -149,15 +195,26 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if symbol.base.len() == 1 || function(&symbol.base).is_none())
     }
 
+    /// True if a symbol with a dot or prime comes next: a rate, which nobody writes into the argument of a function.
+    fn begins_rate(&mut self) -> bool {
+        let before = self.cursor.clone();
+        let spell = &mut *self.spell;
+        let found = self.cursor.symbol(&|symbol| spell.knows(symbol));
+        self.cursor = before;
+        matches!(found, Ok(Some((symbol, _))) if symbol.dots > 0)
+    }
+
     /// Refuses a next mark of which it is unclear if it belongs to the argument of a function.
     fn end_of_argument(&mut self, name: &str, only_numbers: bool) -> Result<(), ParseError> {
         let apart = self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart);
-        let open = match self.cursor.peek() {
-            Some(Mark::Char('^' | '/') | Mark::Number(_) | Mark::Letter(_)) => true,
-            Some(Mark::Char('(' | '[' | '{')) => only_numbers || !apart,
-            Some(Mark::Command(_)) => self.begins_symbol(),
-            _ => false,
-        };
+        let is_rate = !only_numbers && self.begins_rate();
+        let open = !is_rate
+            && match self.cursor.peek() {
+                Some(Mark::Char('^' | '/') | Mark::Number(_) | Mark::Letter(_)) => true,
+                Some(Mark::Char('(' | '[' | '{')) => only_numbers || !apart,
+                Some(Mark::Command(_)) => self.begins_symbol(),
+                _ => false,
+            };
         if open {
             let help = format!("write \\{name}(…) with its argument in parentheses");
             return Err(wrong(self.cursor.here(), format!("does the argument of `{name}` go on here?"), &help));

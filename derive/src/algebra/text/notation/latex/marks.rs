@@ -2,6 +2,7 @@
 //! dropped.
 
 use crate::algebra::text::notation::refusal::{found, wrong};
+use crate::algebra::text::notation::unicode::{greek, operator};
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
@@ -99,8 +100,11 @@ pub(super) fn marks(text: &str) -> Result<Vec<Placed>, ParseError> {
             }
             '|' if side.is_some() => Mark::Command(side.unwrap_or_default().to_owned()),
             'a'..='z' | 'A'..='Z' => Mark::Letter(c),
-            '−' | '–' => Mark::Char('-'),
             _ if c.is_ascii() => Mark::Char(c),
+            _ if greek(c).is_some() => Mark::Command(greek(c).unwrap_or_default().to_owned()),
+            _ if matches!(operator(c), Some("*" | "-")) => {
+                Mark::Char(operator(c).and_then(|token| token.chars().next()).unwrap_or(c))
+            }
             _ => {
                 let (shown, span) = found(text, start);
                 let message = format!("unexpected `{shown}`");

@@ -73,6 +73,35 @@ impl<'a> Cursor<'a> {
         found
     }
 
+    /// Reads the d of a derivative, upright or not; false if none comes next.
+    pub(super) fn takes_d(&mut self) -> bool {
+        let before = self.at;
+        let is_face = matches!(self.peek(), Some(Mark::Command(name)) if UPRIGHT.contains(&name.as_str()));
+        self.at += usize::from(is_face);
+        let braced = is_face && self.takes('{');
+        let found = self.peek() == Some(&Mark::Letter('d'));
+        self.at += usize::from(found);
+        if found && (!braced || self.takes('}')) {
+            return true;
+        }
+        self.at = before;
+        false
+    }
+
+    /// Reads the order of a derivative, as in d^2; 1 if no power comes next, 0 for one that is no order.
+    pub(super) fn takes_order(&mut self) -> usize {
+        if !self.takes('^') {
+            return 1;
+        }
+        let braced = self.takes('{');
+        let order = match self.peek() {
+            Some(Mark::Number(digits)) => digits.parse().unwrap_or(0),
+            _ => 0,
+        };
+        self.at += 1;
+        if !braced || self.takes('}') { order } else { 0 }
+    }
+
     pub(super) fn enter(&mut self) -> Result<(), ParseError> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {

@@ -1,0 +1,167 @@
+//! Names and operators outside ASCII, as Julia, Python and people write them: `θ̇₁`, `2·x²`.
+
+use super::plain::Plain;
+use super::refusal::unknown;
+use super::spell::Spell;
+use crate::algebra::text::parse::ParseError;
+
+/// Greek letters, each with its name.
+const GREEK: [(char, &str); 37] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ϵ', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('ϑ', "theta"),
+    ('ι', "iota"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('π', "pi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('υ', "upsilon"),
+    ('φ', "phi"),
+    ('ϕ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('Γ', "Gamma"),
+    ('Δ', "Delta"),
+    ('Θ', "Theta"),
+    ('Λ', "Lambda"),
+    ('Ξ', "Xi"),
+    ('Π', "Pi"),
+    ('Σ', "Sigma"),
+    ('Υ', "Upsilon"),
+    ('Φ', "Phi"),
+    ('Ψ', "Psi"),
+    ('Ω', "Omega"),
+];
+
+/// Operators and powers, each with its form in the language of model files.
+const OPERATORS: [(char, &str); 8] =
+    [('·', "*"), ('⋅', "*"), ('×', "*"), ('−', "-"), ('–', "-"), ('²', "^2"), ('³', "^3"), ('⁴', "^4")];
+
+/// Name of a Greek letter; `None` for another character.
+pub(super) fn greek(c: char) -> Option<&'static str> {
+    GREEK.iter().find(|(letter, _)| *letter == c).map(|(_, name)| *name)
+}
+
+/// Operator or power, in the language of model files, that a character outside ASCII stands for; `None` if it is none.
+pub(super) fn operator(c: char) -> Option<&'static str> {
+    OPERATORS.iter().find(|(sign, _)| *sign == c).map(|(_, token)| *token)
+}
+
+/// True if a character may begin a name.
+pub(super) fn begins_name(c: char) -> bool {
+    c.is_ascii_alphabetic() || c == '_' || !c.is_ascii() && c.is_alphabetic()
+}
+
+/// True if a character may stand inside a name: letters, digits, subscript digits and dots above letters.
+pub(super) fn is_of_name(c: char) -> bool {
+    begins_name(c) || c.is_ascii_digit() || subscript(c).is_some() || dots(c) > 0
+}
+
+fn subscript(c: char) -> Option<char> {
+    let digit = u32::from(c).checked_sub(u32::from('₀')).filter(|digit| *digit < 10)?;
+    char::from_digit(digit, 10)
+}
+
+/// Number of time derivatives that an accent stands for.
+fn dots(c: char) -> usize {
+    match c {
+        '\u{307}' => 1,
+        '\u{308}' => 2,
+        _ => 0,
+    }
+}
+
+/// Names of model files that a name outside ASCII may stand for: θ̇₁ is `theta1'` or `theta_1'`. Empty if a character
+/// has no name.
+#[must_use]
+pub fn ascii_names(name: &str) -> Vec<String> {
+    let (mut plain, mut apart, mut primes) = (String::new(), String::new(), 0);
+    for c in name.chars() {
+        primes += dots(c);
+        if dots(c) > 0 {
+            continue;
+        }
+        if let Some(digit) = subscript(c) {
+            if apart == plain {
+                apart.push('_');
+            }
+            plain.push(digit);
+            apart.push(digit);
+        } else if c.is_ascii() {
+            plain.push(c);
+            apart.push(c);
+        } else if let Some(letter) = greek(c) {
+            plain += letter;
+            apart += letter;
+        } else {
+            return Vec::new();
+        }
+    }
+    let mut names = vec![plain, apart];
+    names.dedup();
+    names.iter().map(|name| format!("{name}{}", "'".repeat(primes))).collect()
+}
+
+/// Translates a formula in the language of model files that has names or operators outside ASCII.
+pub(super) fn translate(text: &str, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
+    let mut out = Plain::new();
+    let mut at = 0;
+    while let Some(c) = text[at..].chars().next() {
+        let start = at;
+        if begins_name(c) {
+            at += text[at..].find(|c| !is_of_name(c)).unwrap_or(text.len() - at);
+            let word = &text[start..at];
+            let primes = text[at..].bytes().take_while(|b| *b == b'\'').count();
+            at += primes;
+            let name = if word.is_ascii() {
+                word.to_owned()
+            } else {
+                spell.variable(word).map_err(|why| unknown(start..at, why))?
+            };
+            out.push(&format!("{name}{}", "'".repeat(primes)), start..at);
+        } else if c.is_ascii_digit() || c == '.' {
+            // A number with its exponent, such as 1.5e-3.
+            let bytes = text.as_bytes();
+            while bytes.get(at).is_some_and(|b| {
+                b.is_ascii_digit() || *b == b'.' || matches!(b, b'e' | b'E') || {
+                    matches!(b, b'+' | b'-') && at > start && matches!(bytes[at - 1], b'e' | b'E')
+                }
+            }) {
+                at += 1;
+            }
+            out.push(&text[start..at], start..at);
+        } else {
+            at += c.len_utf8();
+            if !c.is_whitespace() {
+                out.push(operator(c).unwrap_or(&text[start..at]), start..at);
+            }
+        }
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ascii_names;
+
+    #[test]
+    fn greek_names_are_spelled_out() {
+        assert_eq!(ascii_names("θ1dot"), ["theta1dot"]);
+        assert_eq!(ascii_names("θ\u{307}₁"), ["theta1'", "theta_1'"]);
+        assert_eq!(ascii_names("q\u{308}"), ["q''"]);
+        assert!(ascii_names("ж").is_empty());
+    }
+}

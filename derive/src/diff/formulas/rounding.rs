@@ -1,0 +1,128 @@
+//! Printed numbers in the place of parameters, such as 2.1853 θ: the same as the derived value to the digits printed.
+//!
+//! A decimal number stands for any number that rounds to it, half a unit of its last decimal up and down. Numbers stand
+//! for parameters only where no parameter is printed: a factor that is lost is a mistake, even where it is 1.
+
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::field::Generator;
+use crate::algebra::{Arena, Expr, Node, Rational};
+use crate::mechanics::Quantities;
+
+/// Number of states at which both values are compared.
+const STATES: usize = 6;
+/// Most decimals of a printed number.
+const MOST_DECIMALS: u32 = 15;
+/// Most printed numbers of a formula that may be rounded.
+const MOST_NUMBERS: usize = 40;
+/// Rounding of the comparison itself, relative to the values.
+const ROUNDING: f64 = 1e-9;
+
+/// True if a printed value that has decimal numbers in the place of all parameters is the derived value to the digits
+/// printed. `values` are the parameters with their numbers; inputs may be printed.
+pub fn agrees_as_rounded(
+    quantities: &mut Quantities<'_>,
+    comparer: &mut Comparer,
+    values: &[(Expr, Expr)],
+    printed: Expr,
+    derived: Expr,
+) -> bool {
+    let arena = &mut quantities.derivations.kinematics.arena;
+    let (own, other) = (arena.reachable(&[printed]), arena.reachable(&[derived]));
+    let is_lost = |(symbol, _): &&(Expr, Expr)| {
+        other.binary_search(symbol).is_ok()
+            && own.binary_search(symbol).is_err()
+            && arena.symbol_name(*symbol).is_some()
+    };
+    let model = quantities.model;
+    let is_printed = model.parameters.iter().any(|p| !p.is_input && own.binary_search(&p.symbol).is_ok());
+    if is_printed || values.iter().find(is_lost).is_none() {
+        return false;
+    }
+    let decimals = decimals(arena, &own);
+    if decimals.is_empty() || decimals.len() > MOST_NUMBERS {
+        return false;
+    }
+    let epsilon = fresh_symbol(arena, "rounding");
+    let mut terms = vec![printed, derived];
+    for Decimal { sum, term, .. } in &decimals {
+        let more = arena.mul(epsilon, *term);
+        let changed = arena.add(*sum, more);
+        let whole = Substitution::new(&[(*sum, changed)]).apply(arena, printed);
+        let slope = Differential::partial(epsilon).apply(arena, whole);
+        terms.push(Substitution::new(&[(epsilon, Expr::ZERO)]).apply(arena, slope));
+    }
+    let mut put = Substitution::new(values);
+    let terms: Vec<Expr> = terms
+        .into_iter()
+        .map(|e| {
+            let permitted = comparer.permitted().put(arena, e);
+            put.apply(arena, permitted)
+        })
+        .collect();
+    let symbols: Vec<Expr> = arena.reachable(&terms).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect();
+    let Ok(tape) = Tape::new(arena, &symbols, &terms) else { return false };
+    let mut generator = Generator(7);
+    (0..STATES).all(|_| {
+        let state: Vec<f64> = symbols.iter().map(|_| (generator.next() % 4001) as f64 * 1e-3 - 2.0).collect();
+        let found = tape.evaluate(&state);
+        let slack: f64 = decimals.iter().zip(&found[2..]).map(|(decimal, slope)| decimal.slack * slope.abs()).sum();
+        let size = found[0].abs().max(found[1].abs());
+        // A state without values decides against.
+        (found[0] - found[1]).abs() <= slack + ROUNDING * size
+    })
+}
+
+/// A printed decimal number: the constant of a sum, or the factor of a term of a sum.
+struct Decimal {
+    /// Sum, or number alone, that the decimal stands in.
+    sum: Expr,
+    /// Term whose factor the decimal is; 1 for a constant.
+    term: Expr,
+    /// Half a unit of the last decimal.
+    slack: f64,
+}
+
+/// Decimal numbers within these terms.
+fn decimals(arena: &Arena, parts: &[Expr]) -> Vec<Decimal> {
+    let mut list = Vec::new();
+    for sum in parts {
+        let mut add = |term: Expr, number: &Rational| {
+            if let Some(slack) = slack(number) {
+                list.push(Decimal { sum: *sum, term, slack });
+            }
+        };
+        match arena.node(*sum) {
+            Node::Number(value) => add(Expr::ONE, value),
+            Node::Sum(constant, terms) => {
+                add(Expr::ONE, constant);
+                terms.iter().for_each(|(term, k)| add(*term, k));
+            }
+            _ => {}
+        }
+    }
+    list
+}
+
+/// Half a unit of the last decimal of a number; `None` if it has no decimals, or does not end.
+fn slack(number: &Rational) -> Option<f64> {
+    let (_, denominator) = number.small()?;
+    let places = (1..=MOST_DECIMALS).find(|places| 10_i64.pow(*places) % denominator == 0)?;
+    (denominator > 1).then(|| 0.5 * 10_f64.powi(-i32::try_from(places).unwrap_or(0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::slack;
+    use crate::algebra::Rational;
+
+    #[test]
+    fn decimals_are_rounded_and_fractions_are_not() {
+        let of = |n, d| slack(&Rational::fraction(n, d).unwrap());
+        assert_eq!(of(25, 10), Some(0.05));
+        assert!((of(21853, 10_000).unwrap() - 5e-5).abs() < 1e-12);
+        assert_eq!((of(3, 1), of(2, 3)), (None, None));
+    }
+}

@@ -1,0 +1,233 @@
+//! Changes of one place of a formula.
+
+use super::pool::Pool;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use rustc_hash::FxHashSet;
+
+/// Most changes of one formula that are tried.
+const MOST: usize = 40_000;
+/// Numbers by which terms are multiplied, as fractions.
+const NUMBERS: [(i64, i64); 12] =
+    [(-1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (-1, 2)];
+
+/// Kind of a change, the likeliest mistake first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Rank {
+    /// A lost or gained sign.
+    Sign,
+    /// A wrong number.
+    Number,
+    /// A symbol in the place of another one, or a lost or gained dot.
+    Symbol,
+    /// A sine in the place of a cosine, or a wrong argument.
+    Function,
+    /// A wrong power.
+    Power,
+    /// A factor too many.
+    ExtraFactor,
+    /// A factor too few.
+    LostFactor,
+    /// A term too many.
+    ExtraTerm,
+}
+
+/// A formula in which one place is changed.
+#[derive(Clone, Copy, Debug)]
+pub struct Change {
+    /// Kind of the change.
+    pub rank: Rank,
+    /// Changed part, as printed.
+    pub before: Expr,
+    /// Changed part, as changed; 0 if the part is left out.
+    pub after: Expr,
+    /// Whole changed formula.
+    pub whole: Expr,
+    /// True if the part is changed wherever it stands.
+    pub throughout: bool,
+}
+
+impl Change {
+    /// Description of the change in words, with the texts of both parts.
+    pub fn words(&self, before: &str, after: &str) -> String {
+        match (self.after, self.throughout) {
+            (Expr::ZERO, _) => format!("the term {before} should not be there"),
+            (_, true) => format!("{before} should be {after} throughout"),
+            (_, false) => format!("{before} should be {after}"),
+        }
+    }
+}
+
+/// Part of a formula in the place of another one.
+struct Variant {
+    rank: Rank,
+    part: Expr,
+}
+
+/// Calls `tell` with every change of one place of a formula.
+pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, tell: &mut dyn FnMut(&mut Arena, Change)) {
+    let mut known: FxHashSet<Expr> = std::iter::once(root).collect();
+    let mut tell = |arena: &mut Arena, change: Change| {
+        let is_new = known.len() < MOST && known.insert(change.whole);
+        if is_new {
+            tell(arena, change);
+        }
+    };
+    let parts = arena.reachable(&[root]);
+    if !matches!(arena.node(root), Node::Sum(..)) {
+        for Variant { rank, part } in variants_of_term(arena, pool, root) {
+            tell(arena, Change { rank, before: root, after: part, whole: part, throughout: false });
+        }
+    }
+    for sum in parts.iter().copied() {
+        let Node::Sum(constant, terms) = arena.node(sum).clone() else { continue };
+        let parents: Vec<Expr> = parts.iter().copied().filter(|p| arena.operands(*p).any(|e| e == sum)).collect();
+        let constant = arena.number(constant);
+        let list: Vec<Expr> = terms.iter().map(|(term, k)| arena.scale(*term, k)).chain([constant]).collect();
+        for term in list.into_iter().filter(|e| *e != Expr::ZERO) {
+            for Variant { rank, part } in variants_of_term(arena, pool, term) {
+                let rest = arena.sub(sum, term);
+                let changed = arena.add(rest, part);
+                // A term too many within a formula is told with the sum that it stands in.
+                let is_inner = rank == Rank::ExtraTerm && sum != root;
+                let place = if is_inner { (sum, changed) } else { (term, part) };
+                let (before, after) = around(arena, &parents, (sum, changed), place);
+                let mut add = |arena: &mut Arena, whole: Option<Expr>| {
+                    if let Some(whole) = whole {
+                        tell(arena, Change { rank, before, after, whole, throughout: false });
+                    }
+                };
+                let whole = replaced(arena, root, sum, changed);
+                add(arena, whole);
+                for parent in parents.iter().filter(|_| parents.len() > 1) {
+                    let one = replaced(arena, *parent, sum, changed);
+                    let whole = one.and_then(|one| replaced(arena, root, *parent, one));
+                    add(arena, whole);
+                }
+            }
+        }
+    }
+    for part in parts {
+        let Some(list) = throughout(arena, pool, part) else { continue };
+        for Variant { rank, part: after } in list {
+            if let Some(whole) = replaced(arena, root, part, after) {
+                tell(arena, Change { rank, before: part, after, whole, throughout: true });
+            }
+        }
+    }
+}
+
+/// Variants of a symbol, a sine or a cosine, which may be wrong wherever it stands.
+fn throughout(arena: &mut Arena, pool: &Pool, part: Expr) -> Option<Vec<Variant>> {
+    match *arena.node(part) {
+        Node::Symbol(_) => {
+            Some(pool.swaps(part).iter().map(|other| Variant { rank: Rank::Symbol, part: *other }).collect())
+        }
+        Node::Apply(f, argument) => {
+            Some(turned(arena, f, argument).into_iter().map(|part| Variant { rank: Rank::Function, part }).collect())
+        }
+        _ => None,
+    }
+}
+
+/// Formula with `after` in the place of `before`; `None` if a divisor becomes 0.
+fn replaced(arena: &mut Arena, root: Expr, before: Expr, after: Expr) -> Option<Expr> {
+    let mut put = Substitution::new(&[(before, after)]);
+    let whole = put.apply(arena, root);
+    put.undefined.is_none().then_some(whole)
+}
+
+/// Changed part with what makes it understood: the function, if the sum is the argument of one.
+fn around(arena: &mut Arena, parents: &[Expr], sum: (Expr, Expr), term: (Expr, Expr)) -> (Expr, Expr) {
+    match parents {
+        [parent] => match *arena.node(*parent) {
+            Node::Apply(f, _) => (*parent, arena.apply(f, sum.1)),
+            _ => term,
+        },
+        _ => term,
+    }
+}
+
+/// Variants of a term of a sum, or of a whole formula that is no sum.
+fn variants_of_term(arena: &mut Arena, pool: &Pool, term: Expr) -> Vec<Variant> {
+    let mut list = Vec::new();
+    for (n, d) in NUMBERS {
+        let Some(k) = Rational::fraction(n, d) else { continue };
+        let rank = if (n, d) == (-1, 1) { Rank::Sign } else { Rank::Number };
+        list.push(Variant { rank, part: arena.scale(term, &k) });
+    }
+    let (content, bare) = arena.split_content(term);
+    for Variant { rank, part } in variants(arena, pool, bare) {
+        list.push(Variant { rank, part: arena.scale(part, &content) });
+    }
+    for factor in pool.factors() {
+        list.push(Variant { rank: Rank::LostFactor, part: arena.mul(term, *factor) });
+        if let Some(part) = arena.div(term, *factor) {
+            list.push(Variant { rank: Rank::LostFactor, part });
+        }
+    }
+    list.push(Variant { rank: Rank::ExtraTerm, part: Expr::ZERO });
+    list
+}
+
+/// Variants of a part that is no sum, by changes of the part and of its factors and arguments.
+fn variants(arena: &mut Arena, pool: &Pool, part: Expr) -> Vec<Variant> {
+    match arena.node(part).clone() {
+        Node::Product(factors) => {
+            let mut list = Vec::new();
+            for (base, n) in factors {
+                let Ok(power) = arena.pow(base, n) else { continue };
+                let Some(rest) = arena.div(part, power) else { continue };
+                list.push(Variant { rank: Rank::ExtraFactor, part: rest });
+                for other in [n + 1, n - 1, -n, 2 * n].into_iter().filter(|other| *other != 0 && *other != n) {
+                    if let Ok(power) = arena.pow(base, other) {
+                        list.push(Variant { rank: Rank::Power, part: arena.mul(rest, power) });
+                    }
+                }
+                if matches!(arena.node(base), Node::Sum(..)) {
+                    continue;
+                }
+                for Variant { rank, part } in variants(arena, pool, base) {
+                    if let Ok(power) = arena.pow(part, n) {
+                        list.push(Variant { rank, part: arena.mul(rest, power) });
+                    }
+                }
+            }
+            list
+        }
+        Node::Symbol(_) => {
+            let mut list: Vec<Variant> =
+                pool.swaps(part).iter().map(|other| Variant { rank: Rank::Symbol, part: *other }).collect();
+            list.push(Variant { rank: Rank::Power, part: arena.square(part) });
+            list
+        }
+        Node::Apply(f, argument) => {
+            let mut list: Vec<Variant> =
+                turned(arena, f, argument).into_iter().map(|part| Variant { rank: Rank::Function, part }).collect();
+            for (n, d) in [(2, 1), (1, 2), (-1, 1)] {
+                let Some(k) = Rational::fraction(n, d) else { continue };
+                let scaled = arena.scale(argument, &k);
+                list.push(Variant { rank: Rank::Function, part: arena.apply(f, scaled) });
+            }
+            if !matches!(arena.node(argument), Node::Sum(..)) {
+                let (content, bare) = arena.split_content(argument);
+                for Variant { rank, part } in variants(arena, pool, bare) {
+                    let scaled = arena.scale(part, &content);
+                    list.push(Variant { rank, part: arena.apply(f, scaled) });
+                }
+            }
+            list.push(Variant { rank: Rank::Power, part: arena.square(part) });
+            list
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Functions in the place of another one: cosine for sine, and sine for cosine.
+fn turned(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
+    match f {
+        Function::Sin => Some(arena.cos(argument)),
+        Function::Cos => Some(arena.sin(argument)),
+        _ => None,
+    }
+}

@@ -1,0 +1,137 @@
+//! Values of changed formulas at random permitted states, in doubles.
+//!
+//! Numbers reject, and prove nothing: a change that agrees here is proved by exact algebra afterwards.
+
+use super::Rewriting;
+use crate::algebra::meaning::compare::Comparer;
+use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::field::Generator;
+use crate::algebra::{Arena, Expr, Function, Node};
+use crate::mechanics::Quantities;
+use rustc_hash::FxHashMap;
+
+/// Number of states at which a change is evaluated.
+const POINTS: usize = 3;
+/// Number of states that are drawn until so many are permitted.
+const DRAWN: usize = 200;
+/// Largest difference of values that count as equal, relative to the size of the value.
+const SMALL: f64 = 1e-9;
+
+/// States with the values of symbols and of the right formula.
+pub struct Points {
+    values: FxHashMap<Expr, [f64; POINTS]>,
+    right: [f64; POINTS],
+}
+
+impl Points {
+    /// Draws permitted states. `symbols` are in `arena`, `derived` in the arena of the derivations. `None` if no such
+    /// states are found, or if a symbol has no value.
+    pub fn new(
+        quantities: &mut Quantities<'_>,
+        comparer: &mut Comparer,
+        arena: &Arena,
+        symbols: &[Expr],
+        derived: Expr,
+        rewriting: &mut Rewriting<'_>,
+    ) -> Option<Self> {
+        let mut outputs = vec![derived];
+        let mut valued = Vec::new();
+        for symbol in symbols {
+            let own = quantities.derivations.kinematics.arena.find_symbol(arena.symbol_name(*symbol)?)?;
+            if let Ok(value) = rewriting(quantities, own) {
+                valued.push(*symbol);
+                outputs.push(value);
+            }
+        }
+        let main = &mut quantities.derivations.kinematics.arena;
+        let mut outputs: Vec<Expr> = outputs.into_iter().map(|e| comparer.permitted().put(main, e)).collect();
+        let conditions = outputs.len();
+        outputs.extend(comparer.permitted().free_conditions());
+        let free: Vec<Expr> = main.reachable(&outputs).into_iter().filter(|e| main.symbol_name(*e).is_some()).collect();
+        let tape = Tape::new(main, &free, &outputs).ok()?;
+        let mut generator = Generator(1 + free.len() as u64);
+        let (mut columns, mut found) = (vec![[0.0; POINTS]; conditions], 0);
+        for _ in 0..DRAWN {
+            let inputs: Vec<f64> = free.iter().map(|s| drawn(&mut generator, main.is_positive(*s))).collect();
+            let results = tape.evaluate(&inputs);
+            let is_permitted = results[conditions..].iter().all(|x| *x > 0.0);
+            if results[..conditions].iter().all(|x| x.is_finite()) && is_permitted {
+                for (column, value) in columns.iter_mut().zip(&results) {
+                    column[found] = *value;
+                }
+                found += 1;
+            }
+            if found == POINTS {
+                let values = valued.into_iter().zip(columns[1..].iter().copied()).collect();
+                return Some(Self { values, right: columns[0] });
+            }
+        }
+        None
+    }
+
+    /// True if a changed formula has the right value at all states, up to rounding.
+    pub fn agree(&mut self, arena: &Arena, changed: Expr) -> bool {
+        for part in arena.reachable_until(&[changed], |e| self.values.contains_key(&e)) {
+            let Some(value) = self.value(arena, part) else { return false };
+            self.values.insert(part, value);
+        }
+        let values = self.values[&changed];
+        values.iter().zip(&self.right).all(|(value, right)| (value - right).abs() <= SMALL * right.abs().max(1e-3))
+    }
+
+    /// Values of a term from those of its operands; `None` for a symbol without a value.
+    fn value(&self, arena: &Arena, e: Expr) -> Option<[f64; POINTS]> {
+        let of = |e: &Expr, at: usize| self.values.get(e).map(|values| values[at]);
+        let mut out = [0.0; POINTS];
+        for (at, place) in out.iter_mut().enumerate() {
+            *place = match arena.node(e) {
+                Node::Number(value) => value.to_f64(),
+                Node::Pi => std::f64::consts::PI,
+                Node::Symbol(_) => return None,
+                Node::Sum(constant, terms) => {
+                    let mut sum = constant.to_f64();
+                    for (term, k) in terms {
+                        sum += k.to_f64() * of(term, at)?;
+                    }
+                    sum
+                }
+                Node::Product(factors) => {
+                    let mut product = 1.0;
+                    for (base, n) in factors {
+                        product *= of(base, at)?.powi(*n);
+                    }
+                    product
+                }
+                Node::Apply(f, argument) => applied(*f, of(argument, at)?),
+                Node::Named(_, term) => of(term, at)?,
+            };
+        }
+        Some(out)
+    }
+}
+
+/// Value of a function in doubles.
+fn applied(f: Function, x: f64) -> f64 {
+    match f {
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
+        Function::Sqrt => x.sqrt(),
+        Function::Exp => x.exp(),
+        Function::Log => x.ln(),
+        Function::Asin => x.asin(),
+        Function::Acos => x.acos(),
+        Function::Atan => x.atan(),
+        Function::Sinh => x.sinh(),
+        Function::Cosh => x.cosh(),
+        Function::Tanh => x.tanh(),
+        Function::Abs => x.abs(),
+        Function::Sign if x == 0.0 => 0.0,
+        Function::Sign => x.signum(),
+    }
+}
+
+/// Random number whose size is 0.3 to 1.7.
+fn drawn(generator: &mut Generator, is_positive: bool) -> f64 {
+    let size = 0.3 + (generator.next() % 1_400_000) as f64 * 1e-6;
+    if is_positive || generator.next().is_multiple_of(2) { size } else { -size }
+}

@@ -1,0 +1,97 @@
+//! Symbols and factors that a change of a formula may bring in.
+
+use crate::algebra::term::transfer::Transfer;
+use crate::algebra::{Arena, Expr, Function, Node};
+use crate::mechanics::Quantities;
+use crate::model::Unit;
+use rustc_hash::FxHashMap;
+
+/// Most symbols of a model that stand for others in changes; larger models offer those of the formulas alone.
+const MOST_SYMBOLS: usize = 40;
+/// Most factors by which terms are multiplied.
+const MOST_FACTORS: usize = 30;
+
+/// Symbols that may stand for others, and factors that may be lost.
+pub struct Pool {
+    swaps: FxHashMap<Expr, Vec<Expr>>,
+    symbols: Vec<Expr>,
+    factors: Vec<Expr>,
+}
+
+impl Pool {
+    /// Pool for changes of `root`, a formula in `arena`, whose right value is `derived`, a formula in the arena of the
+    /// derivations.
+    pub fn new(quantities: &Quantities<'_>, arena: &mut Arena, root: Expr, derived: Expr) -> Self {
+        let model = quantities.model;
+        let main = &quantities.derivations.kinematics.arena;
+        let mut transfer = Transfer::new(main);
+        let printed: Vec<Expr> =
+            arena.reachable(&[root]).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect();
+        let in_derived = main.reachable(&[derived]);
+        let all = model.parameters.len() + 3 * model.coordinates.len() + model.speeds.len();
+        let offered = |e: &Expr| all <= MOST_SYMBOLS || in_derived.binary_search(e).is_ok();
+        // Each symbol with its unit, and its number of dots with the symbol that has none.
+        let mut known: Vec<(Expr, Unit, Option<Expr>)> = Vec::new();
+        for p in model.parameters.iter().filter(|p| offered(&p.symbol)) {
+            known.push((transfer.term(arena, p.symbol), p.unit.clone(), None));
+        }
+        for c in model.coordinates.iter().filter(|c| offered(&c.symbol) || offered(&c.rate)) {
+            let base = transfer.term(arena, c.symbol);
+            known.push((base, c.unit.clone(), Some(base)));
+            known.push((transfer.term(arena, c.rate), c.unit.per_second(), Some(base)));
+        }
+        for s in model.speeds.iter().filter(|s| offered(&s.symbol)) {
+            known.push((transfer.term(arena, s.symbol), s.unit.clone(), None));
+        }
+        // A speed u = q' is the dot of q.
+        let dots: Vec<(Expr, Expr)> = model
+            .speeds
+            .iter()
+            .filter_map(|s| Some((s, model.coordinates.iter().find(|c| c.rate == s.definition)?)))
+            .map(|(s, c)| (transfer.term(arena, s.symbol), transfer.term(arena, c.symbol)))
+            .collect();
+        let mut swaps: FxHashMap<Expr, Vec<Expr>> = FxHashMap::default();
+        for symbol in &printed {
+            let Some((_, unit, base)) = known.iter().find(|(s, ..)| s == symbol) else { continue };
+            let same = |(other, its, of): &&(Expr, Unit, Option<Expr>)| {
+                let dotted = base.is_some() && of == base;
+                let speed = dots.iter().any(|(u, q)| (u == symbol && q == other) || (q == symbol && u == other));
+                other != symbol && (its == unit || dotted || speed)
+            };
+            swaps.insert(*symbol, known.iter().filter(same).map(|(other, ..)| *other).collect());
+        }
+        let mut symbols: Vec<Expr> = printed.iter().copied().chain(known.iter().map(|(s, ..)| *s)).collect();
+        symbols.sort_unstable();
+        symbols.dedup();
+        let mut factors = symbols.clone();
+        for part in in_derived {
+            if let Node::Apply(Function::Sin | Function::Cos, _) = main.node(part) {
+                factors.push(transfer.term(arena, part));
+            }
+        }
+        factors.truncate(MOST_FACTORS);
+        // Angles bring symbols with them.
+        for factor in &factors {
+            let more = arena.reachable(&[*factor]).into_iter().filter(|e| arena.symbol_name(*e).is_some());
+            symbols.extend(more.collect::<Vec<_>>());
+        }
+        symbols.sort_unstable();
+        symbols.dedup();
+        Self { swaps, symbols, factors }
+    }
+
+    /// Symbols that may stand for this one: those of the same unit, and those with a dot more or less.
+    pub fn swaps(&self, symbol: Expr) -> &[Expr] {
+        self.swaps.get(&symbol).map_or(&[], Vec::as_slice)
+    }
+
+    /// Symbols that changes may contain, sorted.
+    pub fn symbols(&self) -> &[Expr] {
+        &self.symbols
+    }
+
+    /// Factors by which a term may be multiplied or divided.
+    pub fn factors(&self) -> &[Expr] {
+        &self.factors
+    }
+}

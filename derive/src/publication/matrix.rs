@@ -1,0 +1,177 @@
+//! Matrices that are printed as a whole, in LaTeX, MATLAB, NumPy or SymPy: their entries, each with its place.
+
+use crate::algebra::text::notation::Notation;
+use std::ops::Range;
+
+/// Places, in bytes, of the entries of a printed matrix, row by row. The error is the reason why the text is no matrix.
+pub fn cells(text: &str, notation: Notation) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
+    let rows = if notation == Notation::Latex { latex(text)? } else { brackets(text)? };
+    match rows.first().map(Vec::len) {
+        None | Some(0) => Err("the matrix has no entries"),
+        Some(width) if rows.iter().any(|row| row.len() != width) => Err("the rows of the matrix differ in length"),
+        Some(_) => Ok(rows),
+    }
+}
+
+/// Entries of an environment such as bmatrix or array.
+fn latex(text: &str) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
+    let no_end = "the matrix has no `\\end{…}`";
+    let begin = text
+        .find("\\begin{")
+        .ok_or("the matrix has no `\\begin{…}`, as in \\begin{bmatrix} a & b \\\\ c & d \\end{bmatrix}")?;
+    let name_end = text[begin..].find('}').map(|at| begin + at + 1).ok_or(no_end)?;
+    let end = text.rfind("\\end{").filter(|end| *end >= name_end).ok_or(no_end)?;
+    let mut start = name_end;
+    // The columns of an array, as in {cc}, are no entry.
+    if text[begin..name_end].ends_with("array}") {
+        let rest = &text[start..end];
+        let space = rest.len() - rest.trim_start().len();
+        if rest[space..].starts_with('{') {
+            start += rest.find('}').ok_or(no_end)? + 1;
+        }
+    }
+    let mut rows = vec![Vec::new()];
+    let (mut open, mut from, mut at) = (0_usize, start, start);
+    while at < end {
+        let rest = &text[at..end];
+        let step = rest.chars().next().map_or(1, char::len_utf8);
+        match rest.as_bytes()[0] {
+            b'{' => open += 1,
+            b'}' => open = open.saturating_sub(1),
+            b'\\' if rest.starts_with("\\\\") && open == 0 => {
+                rows.last_mut().expect("one row at least").push(from..at);
+                rows.push(Vec::new());
+                at += 2;
+                // The distance of rows, as in \\[2pt], is no entry.
+                if text[at..end].starts_with('[') {
+                    at += text[at..end].find(']').map_or(0, |close| close + 1);
+                }
+                from = at;
+                continue;
+            }
+            // An escaped character, such as \&, is no mark.
+            b'\\' => {
+                at += 1 + rest[1..].chars().next().map_or(0, char::len_utf8);
+                continue;
+            }
+            b'&' if open == 0 => {
+                rows.last_mut().expect("one row at least").push(from..at);
+                from = at + 1;
+            }
+            _ => {}
+        }
+        at += step;
+    }
+    // \\ behind the last row begins no further one.
+    let is_open_row = rows.last().is_some_and(Vec::is_empty) && text[from..end].trim().is_empty();
+    if is_open_row && rows.len() > 1 {
+        rows.pop();
+    } else {
+        rows.last_mut().expect("one row at least").push(from..end);
+    }
+    Ok(rows)
+}
+
+/// Entries of `[a, b; c, d]`, `[a b; c d]` or `[[a, b], [c, d]]`, with anything in front, such as `np.array(`.
+fn brackets(text: &str) -> Result<Vec<Vec<Range<usize>>>, &'static str> {
+    let open = text.find('[').ok_or("the matrix has no `[`, as in [a, b; c, d] or [[a, b], [c, d]]")?;
+    let close = text.rfind(']').filter(|close| *close > open).ok_or("the `[` of the matrix is never closed")?;
+    let inside = open + 1..close;
+    if !text[inside.clone()].trim_start().starts_with('[') {
+        let rows = split(text, inside, |c| c == ';' || c == '\n');
+        return Ok(rows
+            .into_iter()
+            .filter(|row| !text[row.clone()].trim().is_empty())
+            .map(|row| row_of(text, row))
+            .collect());
+    }
+    let mut rows = Vec::new();
+    for part in split(text, inside, |c| c == ',') {
+        let row = &text[part.clone()];
+        if row.trim().is_empty() {
+            continue;
+        }
+        let (Some(from), Some(to)) = (row.find('['), row.rfind(']')) else {
+            return Err("each row of the matrix stands in brackets of its own");
+        };
+        rows.push(row_of(text, part.start + from + 1..part.start + to));
+    }
+    Ok(rows)
+}
+
+/// Entries of one row: between commas, else between spaces as MATLAB reads them.
+fn row_of(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
+    let by_comma: Vec<Range<usize>> = split(text, row.clone(), |c| c == ',')
+        .into_iter()
+        .filter(|cell| !text[cell.clone()].trim().is_empty())
+        .collect();
+    if by_comma.len() > 1 || text[row.clone()].contains(',') {
+        return by_comma;
+    }
+    // `a -b` is two entries, `a - b` and `a-b` are one.
+    let mut cells: Vec<Range<usize>> = Vec::new();
+    for word in split(text, row, char::is_whitespace).into_iter().filter(|word| !word.is_empty()) {
+        let binds = |c: char| matches!(c, '+' | '-' | '*' | '/' | '^');
+        let own = &text[word.clone()];
+        let goes_on = cells.last().is_some_and(|cell| {
+            text[cell.clone()].ends_with(binds) || own.starts_with(['*', '/', '^']) || own.chars().all(binds)
+        });
+        match cells.last_mut() {
+            Some(cell) if goes_on => cell.end = word.end,
+            _ => cells.push(word),
+        }
+    }
+    cells
+}
+
+/// Parts of a range of a text between marks that stand outside of all parentheses and brackets.
+fn split(text: &str, range: Range<usize>, is_mark: impl Fn(char) -> bool) -> Vec<Range<usize>> {
+    let (mut parts, mut depth, mut from) = (Vec::new(), 0_usize, range.start);
+    for (at, c) in text[range.clone()].char_indices() {
+        let at = range.start + at;
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            c if depth == 0 && is_mark(c) => {
+                parts.push(from..at);
+                from = at + c.len_utf8();
+            }
+            _ => {}
+        }
+    }
+    parts.push(from..range.end);
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cells;
+    use crate::algebra::text::notation::Notation;
+
+    fn read(text: &str, notation: Notation) -> Result<Vec<Vec<String>>, &'static str> {
+        let rows = cells(text, notation)?;
+        let cell = |cell: &std::ops::Range<usize>| text[cell.clone()].trim().to_owned();
+        Ok(rows.iter().map(|row| row.iter().map(cell).collect()).collect())
+    }
+
+    #[test]
+    fn matrices_are_read_in_each_notation() {
+        let expected = Ok(vec![vec!["a + b".to_owned(), "0".to_owned()], vec!["f(x, y)".to_owned(), "-c".to_owned()]]);
+        for text in ["[a + b, 0; f(x, y), -c]", "[a + b 0; f(x, y) -c]", "[a + b, 0\n f(x, y), -c]"] {
+            assert_eq!(read(text, Notation::Matlab), expected, "{text}");
+        }
+        for text in ["np.array([[a + b, 0], [f(x, y), -c]])", "Matrix([[a + b, 0], [f(x, y), -c],])"] {
+            assert_eq!(read(text, Notation::Python), expected, "{text}");
+        }
+        let latex = [
+            r"\begin{bmatrix} a + b & 0 \\ f(x, y) & -c \end{bmatrix}",
+            r"\left[\begin{array}{cc} a + b & 0 \\[2pt] f(x, y) & -c \\ \end{array}\right]",
+        ];
+        for text in latex {
+            assert_eq!(read(text, Notation::Latex), expected, "{text}");
+        }
+        assert_eq!(read("[1 2; 3]", Notation::Matlab), Err("the rows of the matrix differ in length"));
+        assert!(read("a, b", Notation::Python).is_err() && read("[]", Notation::Matlab).is_err());
+        assert!(read(r"\begin{bmatrix} a", Notation::Latex).is_err() && read("]é[", Notation::C).is_err());
+    }
+}
