@@ -153,7 +153,7 @@ impl Scene {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
         let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-        sensitivities(&self.mechanism, &scene, &self.set, (&names, at), how.by.as_deref())
+        sensitivities(&self.mechanism, &scene, &self.set, &names, at, how.by.as_deref())
     }
 
     /// Runs the scene by whole equations. Returns the derivatives of one number at its end with respect to all its
@@ -245,6 +245,6 @@ impl Scene {
     ) -> Result<SampledRun, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
-        sampled::simulate_sampled(&self.mechanism, &scene, (inputs, instants), controller, how.by.as_deref())
+        sampled::simulate_sampled(&self.mechanism, &scene, inputs, instants, controller, how.by.as_deref())
     }
 }

@@ -41,7 +41,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
         (&plain, None)
     } else {
         let at = if request.csv.is_some() { At::Samples } else { At::End };
-        with = sensitivities(&model, &scene, &set, (&request.sensitivity, at), by)?;
+        with = sensitivities(&model, &scene, &set, &request.sensitivity, at, by)?;
         (&with.run, Some(&with))
     };
     follow::hide();

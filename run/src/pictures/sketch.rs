@@ -90,7 +90,7 @@ impl Sketch {
         let name = path_in_line(&scene.source.path);
         let of =
             if name.is_empty() { "the start of the scene".to_owned() } else { format!("the start of {}", file(&name)) };
-        Self::seen(mechanism, (&scene.parameters, &scene.q), of)
+        Self::seen(mechanism, Configuration { parameters: &scene.parameters, q: &scene.q }, of)
     }
 
     /// Draws a mechanism without a scene, at the values of its file and in a pose that shows everything.
@@ -99,7 +99,7 @@ impl Sketch {
     /// Errors of [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no pose closes the loops.
     pub fn of_model(mechanism: &Mechanism) -> Result<Self, Error> {
         let (parameters, q) = without_scene(mechanism)?;
-        Self::seen(mechanism, (&parameters, &q), "the model by itself".to_owned())
+        Self::seen(mechanism, Configuration { parameters: &parameters, q: &q }, "the model by itself".to_owned())
     }
 
     /// Draws a mechanism in exactly the given state.
@@ -114,10 +114,10 @@ impl Sketch {
     }
 
     /// Draws a mechanism after coordinates whose marks could not be seen were changed. `of` names the pose.
-    fn seen(mechanism: &Mechanism, (parameters, q): (&[f64], &[f64]), of: String) -> Result<Self, Error> {
+    fn seen(mechanism: &Mechanism, at: Configuration<'_>, of: String) -> Result<Self, Error> {
         let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
-        let (q, changed) = shown::shown(mechanism, &terms, &poses, Configuration { parameters, q })?;
-        Self::new(mechanism, &terms, &poses, Given { parameters, q, changed, of })
+        let (q, changed) = shown::shown(mechanism, &terms, &poses, at)?;
+        Self::new(mechanism, &terms, &poses, Given { parameters: at.parameters, q, changed, of })
     }
 
     fn new(mechanism: &Mechanism, terms: &Terms, poses: &Poses, given: Given<'_>) -> Result<Self, Error> {
@@ -263,7 +263,7 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
             }
             names.push(named(c));
         }
-        angles::draw_together(subject, sheet, &mut arcs, (frame, names));
+        angles::draw_together(subject, sheet, &mut arcs, frame, names);
     }
     if let (false, Some((low, high))) = (alone.is_empty(), drawing::extent(&sheet.marks, &[])) {
         // These names are placed below all marks.

@@ -13,6 +13,7 @@ mod parts;
 pub use changes::{Change, said};
 pub use parts::{joined, rest};
 
+use super::initial::InitialState;
 use crate::code::Code;
 use parts::{coarsened, options_in_rates, widened};
 use std::cell::{Cell, RefCell};
@@ -25,11 +26,27 @@ use tripos_sim::{
 };
 use tripos_traits::System;
 
-/// Equations in all rates, equations in the chosen speeds, and the parameters of both.
-type Systems<'a> = (&'a dyn System<f64>, &'a dyn System<f64>, &'a [f64]);
+/// Equations of motion of one mechanism in all rates and in the chosen speeds.
+#[derive(Clone, Copy)]
+pub struct Systems<'a> {
+    /// Equations of motion in the rates of all coordinates.
+    pub rates: &'a dyn System<f64>,
+    /// Equations of motion in the chosen speeds.
+    pub speeds: &'a dyn System<f64>,
+    /// Parameters of both sets of equations.
+    pub parameters: &'a [f64],
+}
 
 /// Function that gives the power at an instant and a state (q, q̇), W.
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
+
+/// Power of a run, and its balance of energy.
+pub struct Energy<'a> {
+    /// Power whose integral is the work, W; `None` if no work is integrated.
+    pub power: Option<Power<'a>>,
+    /// True if T + V minus the work of the power is constant in every motion.
+    pub is_kept: bool,
+}
 
 /// Share of the best standing so far below which a run leaves the chosen speeds. The standing tells how well these
 /// speeds determine the motion.
@@ -89,7 +106,7 @@ struct Passage<'r> {
     keeps_energy: bool,
 }
 
-/// Integrates from y0 = (q, q̇) over a span. It uses the equations in chosen speeds, whose right-hand side is given, as
+/// Integrates from a start (q, q̇) over its span. It uses the equations in chosen speeds, whose right-hand side is given, as
 /// far as these speeds determine the motion. Elsewhere it uses the equations in all rates. Returns the solution in (q,
 /// q̇), and the parts that were computed in all rates.
 ///
@@ -98,17 +115,19 @@ struct Passage<'r> {
 pub fn solve(
     systems: Systems<'_>,
     rhs: &mut dyn RightHandSide<f64>,
-    (span, y0): ((f64, f64), &[f64]),
+    start: InitialState<'_>,
     options: &Options,
     events: &mut [Event<'_>],
-    (mut power, keeps_energy): (Option<Power<'_>>, bool),
+    energy: Energy<'_>,
 ) -> Result<(Solution, Vec<Change>), SimError> {
+    let InitialState { span, y: y0 } = start;
+    let Energy { mut power, is_kept: keeps_energy } = energy;
     let mut passage = Passage { keeps_energy, ..Passage::new(systems, options)? };
     let mut in_speeds = passage.begins_in_speeds(y0);
     let mut whole = if in_speeds {
-        passage.by_speeds(rhs, span, y0, options, events, power.as_mut())?
+        passage.by_speeds(rhs, start, options, events, power.as_mut())?
     } else {
-        passage.in_rates(span, y0, options, events, power.as_mut())?
+        passage.in_rates(start, options, events, power.as_mut())?
     };
     while match &whole.stop {
         Stop::HandedOver => true,
@@ -117,18 +136,18 @@ pub fn solve(
     } {
         in_speeds = !in_speeds;
         let (rest, y) = (rest(options, &whole, span), whole.y_end.clone());
-        let span = (whole.t_end, span.1);
+        let start = InitialState { span: (whole.t_end, span.1), y: &y };
         let leg = if in_speeds {
-            passage.by_speeds(rhs, span, &y, &rest, events, power.as_mut())?
+            passage.by_speeds(rhs, start, &rest, events, power.as_mut())?
         } else {
-            passage.in_rates(span, &y, &rest, events, power.as_mut())?
+            passage.in_rates(start, &rest, events, power.as_mut())?
         };
         whole = joined(whole, leg, options);
     }
     Ok((whole, passage.changes))
 }
 
-/// Runs from `y0` = (q, v) in the chosen speeds alone. `None` if these speeds fail on the way, or hardly determine the
+/// Runs from a start (q, v) in the chosen speeds alone. `None` if these speeds fail on the way, or hardly determine the
 /// motion: such runs need [`solve`].
 ///
 /// # Errors
@@ -136,17 +155,17 @@ pub fn solve(
 pub fn in_speeds_alone(
     systems: Systems<'_>,
     rhs: &mut dyn RightHandSide<f64>,
-    (span, y0): ((f64, f64), &[f64]),
+    start: InitialState<'_>,
     options: &Options,
     events: &mut [Event<'_>],
     mut power: Option<Power<'_>>,
 ) -> Result<Option<Solution>, SimError> {
     let passage = Passage::new(systems, options)?;
-    if !passage.begins_in_speeds(&told_in_rates(passage.speeds, passage.parameters, y0)) {
+    if !passage.begins_in_speeds(&told_in_rates(passage.speeds, passage.parameters, start.y)) {
         return Ok(None);
     }
     let power = power.as_mut().map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
-    let (run, _) = passage.leg(rhs, (span, y0), options, events, power)?;
+    let (run, _) = passage.leg(rhs, start, options, events, power)?;
     let is_whole = match &run.stop {
         Stop::StepLimit { .. } | Stop::Interrupted => true,
         stop => !stop.is_failure() && *stop != Stop::HandedOver,
@@ -155,7 +174,8 @@ pub fn in_speeds_alone(
 }
 
 impl<'r> Passage<'r> {
-    fn new((rates, speeds, parameters): Systems<'r>, options: &Options) -> Result<Self, SimError> {
+    fn new(systems: Systems<'r>, options: &Options) -> Result<Self, SimError> {
+        let Systems { rates, speeds, parameters } = systems;
         let none = || SimError::Option { name: "equations in all rates", must: "equations with multipliers" };
         Ok(Self {
             rates,
@@ -220,12 +240,12 @@ impl<'r> Passage<'r> {
     fn leg(
         &self,
         rhs: &mut dyn RightHandSide<f64>,
-        (span, y): ((f64, f64), &[f64]),
+        start: InitialState<'_>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<PowerAt<'_>>,
     ) -> Result<(Solution, f64), SimError> {
-        let beyond = Cell::new(span.0);
+        let beyond = Cell::new(start.span.0);
         let mut over = |t: f64, y: Option<&[f64]>| {
             beyond.set(t);
             y.is_none()
@@ -236,7 +256,7 @@ impl<'r> Passage<'r> {
         };
         let power = power.map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
         let with = Accompanied { rhs, power, over: Some(&mut over), yields: Some(&mut yields) };
-        let leg = run(with, span, y, options, events)?;
+        let leg = run(with, start, options, events)?;
         Ok((leg, beyond.get()))
     }
 
@@ -244,18 +264,17 @@ impl<'r> Passage<'r> {
     fn by_speeds(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,
-        span: (f64, f64),
-        y: &[f64],
+        start: InitialState<'_>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution, SimError> {
         let to_rates = |y: &[f64]| told_in_rates(self.speeds, self.parameters, y);
-        let start = self.told_in_speeds(y);
+        let (span, y) = (start.span, self.told_in_speeds(start.y));
         let mut watched: Vec<Event<'_>> = events.iter_mut().map(|event| told_by(event, &to_rates)).collect();
         let mut worked = power.map(|power| |t: f64, y: &[f64]| power(t, &to_rates(y)));
         let worked = worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
-        let (mut leg, beyond) = self.leg(rhs, (span, &start), options, &mut watched, worked)?;
+        let (mut leg, beyond) = self.leg(rhs, InitialState { span, y: &y }, options, &mut watched, worked)?;
         drop(watched);
         for y in leg.y.iter_mut().chain([&mut leg.y_end]).chain(leg.events.iter_mut().map(|event| &mut event.y)) {
             *y = to_rates(y);
@@ -271,12 +290,12 @@ impl<'r> Passage<'r> {
     /// there.
     fn in_rates(
         &mut self,
-        span: (f64, f64),
-        y: &[f64],
+        start: InitialState<'_>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution, SimError> {
+        let InitialState { span, y } = start;
         let options = options_in_rates(options, y.len() / 2);
         let mut power = power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
         // Near a singular pose rounding may exceed the tolerances, and steps become tiny. Wider tolerances lead across.
@@ -284,7 +303,7 @@ impl<'r> Passage<'r> {
         for times in COARSER {
             let few = Options { step_limit: options.step_limit.min(FEW), ..coarsened(&options, times) };
             let lent = power.as_mut().map(|power| &mut **power as &mut dyn FnMut(f64, &[f64]) -> f64);
-            let (found, nearest) = self.leg_in_rates((span, y), &few, events, lent)?;
+            let (found, nearest) = self.leg_in_rates(start, &few, events, lent)?;
             (is_singular, coarser) = (nearest < SINGULAR * self.best.borrow().constraints, times);
             let is_stuck = is_stuck(&found.stop);
             leg = Some(found);
@@ -294,7 +313,7 @@ impl<'r> Passage<'r> {
         }
         let mut leg = match leg {
             Some(leg) if !matches!(leg.stop, Stop::StepLimit { .. }) || options.step_limit <= FEW => leg,
-            _ => self.leg_in_rates((span, y), &options, events, power)?.0,
+            _ => self.leg_in_rates(start, &options, events, power)?.0,
         };
         self.lasted = (leg.t_end - span.0).abs();
         if is_singular && matches!(leg.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. }) {
@@ -324,20 +343,20 @@ impl<'r> Passage<'r> {
     /// part.
     fn leg_in_rates(
         &self,
-        (span, y): ((f64, f64), &[f64]),
+        start: InitialState<'_>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<PowerAt<'_>>,
     ) -> Result<(Solution, f64), SimError> {
         let mut rhs = self.multipliers.borrow().again();
         let mut over = |t: f64, y: Option<&[f64]>| {
-            let lasts = (t - span.0).abs() < self.dwell;
+            let lasts = (t - start.span.0).abs() < self.dwell;
             let stands = y.is_some_and(|y| self.stands(y, RETURNS) == Some(true));
             !lasts && stands && self.is_best_known.get()
         };
         let power = power.map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
         let with = Accompanied { rhs: &mut rhs, power, over: Some(&mut over), yields: None };
-        let leg = run(with, span, y, options, events)?;
+        let leg = run(with, start, options, events)?;
         Ok((leg, rhs.nearest()))
     }
 
@@ -390,12 +409,11 @@ fn told_by<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64
 /// Integrates equations whose steps are watched.
 fn run(
     mut rhs: Accompanied<'_>,
-    span: (f64, f64),
-    y0: &[f64],
+    start: InitialState<'_>,
     options: &Options,
     events: &mut [Event<'_>],
 ) -> Result<Solution, SimError> {
-    integrate(Lent(&mut rhs as &mut dyn RightHandSide<f64>), span, y0, options, events)
+    integrate(Lent(&mut rhs as &mut dyn RightHandSide<f64>), start.span, start.y, options, events)
 }
 
 /// Converts an integrated state (q, v) to (q, q̇).

@@ -147,7 +147,7 @@ pub fn simulate_held(
     };
     let decide =
         || |sample: &Sample<'_>| signals.iter().zip(&places).map(|(signal, at)| value(signal, at, sample.t)).collect();
-    simulate_sampled(mechanism, scene, (&inputs, &all), decide, by)
+    simulate_sampled(mechanism, scene, &inputs, &all, decide, by)
 }
 
 /// Runs a scene whose inputs `inputs` are set by a controller at the given instants, and held until the next instant.
@@ -162,7 +162,8 @@ pub fn simulate_held(
 pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
     mechanism: &Mechanism,
     scene: &Scene,
-    (inputs, instants): (&[&str], &[f64]),
+    inputs: &[&str],
+    instants: &[f64],
     controller: impl Fn() -> C,
     by: Option<&str>,
 ) -> Result<SampledRun, Error> {

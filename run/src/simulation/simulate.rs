@@ -269,14 +269,14 @@ fn run_reduced(
     let singular = Problem::reduced(model, reduced, scene, &code)?.singular_start()?;
     let is_plain = reduced.constants().next().is_none() && reduced.reduction.frame.is_none();
     let (Some(singular), false) = (singular, is_plain) else {
-        return run_own(model, scene, (reduced, &code), watch);
+        return run_own(model, scene, reduced, &code, watch);
     };
     let plain = Reduced::without_momenta(ground, model, scene)?;
     let code = plain.code(model)?;
     if Problem::reduced(model, &plain, scene, &code)?.singular_start()?.is_some() {
         return Err(Error::Stopped(format!("the run cannot start: {singular}")));
     }
-    let mut run = run_own(model, scene, (&plain, &code), watch)?;
+    let mut run = run_own(model, scene, &plain, &code, watch)?;
     run.notes.insert(0, format!("no momentum is held, since {singular}"));
     Ok(run)
 }
@@ -285,7 +285,8 @@ fn run_reduced(
 fn run_own(
     model: &Mechanism,
     scene: &Scene,
-    (reduced, code): (&Reduced, &Code),
+    reduced: &Reduced,
+    code: &Code,
     watch: Option<&Watch>,
 ) -> Result<Run, Error> {
     let problem = Problem::reduced(model, reduced, scene, code)?;
@@ -392,7 +393,7 @@ pub fn run_by(
         None => Ok(problem.state(t, y)),
     };
     let names = shown.map_or_else(|| shown_names(problem), |shown| shown.names.clone());
-    let digits = assess(problem, &y0, &options, &solution, (&values, &balance))?;
+    let digits = assess(problem, &y0, &options, &solution, &values, &balance)?;
     let mut run = finish(problem, solution, watch, names, digits, &values)?;
     run.notes.splice(..0, changes.into_iter().flatten());
     Ok(run)
@@ -424,7 +425,7 @@ fn finish(
     // Reduced equations may have no energy of their own, and the work of a drive is unknown.
     let has_energy = (!problem.by.is_reduced() || system.has_energy_gradient()) && !problem.mechanism.is_driven();
     let energy_drift = has_energy.then(|| dynamics.energy_drift(&solution));
-    let warnings = trust::objections(problem, &solution, watch, energy_drift, (digits.as_ref(), &names))?;
+    let warnings = trust::objections(problem, &solution, watch, energy_drift, digits.as_ref(), &names)?;
     let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
     let variables = problem.variables();
     let at = match &solution.stop {

@@ -78,8 +78,17 @@ pub struct Truth<'a> {
     pub watch: &'a Watch,
 }
 
+/// Measurements of the cases of a chart.
+#[derive(Default)]
+pub struct Measured {
+    /// Measured points, in the order of the cases and their methods and tolerances.
+    pub list: Vec<Measurement>,
+    /// Cases that cannot be measured, each with the reason.
+    pub left_out: Vec<String>,
+}
+
 /// Measures all cases against the reference at the end of the scene's span. An interrupted call returns the
-/// measurements so far. Cases that cannot be measured are added to `left_out`, each with the reason.
+/// measurements so far.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -89,16 +98,16 @@ pub fn measure(
     cases: &[Case],
     plan: &Plan,
     truth: &Truth<'_>,
-    (bar, left_out): (&dyn Progress, &mut Vec<String>),
-) -> Result<Vec<Measurement>, Error> {
+    bar: &dyn Progress,
+) -> Result<Measured, Error> {
     let prepared = cases.iter().map(|case| case.prepare(model, scene)).collect::<Result<Vec<_>, _>>()?;
     let problems: Vec<Problem<'_>> = prepared.iter().map(Prepared::problem).collect::<Result<_, _>>()?;
     let starts: Vec<Vec<f64>> = problems.iter().map(Problem::start).collect::<Result<_, _>>()?;
     let length = scene.span.1 - scene.span.0;
     let ways: Vec<Vec<Way>> = cases.iter().map(|case| case.ways(&plan.tolerances)).collect();
     bar.set_length((ways.iter().map(Vec::len).sum::<usize>() * (1 + plan.repeats)) as u64);
-    let mut list: Vec<Measurement> = Vec::new();
-    let mut again: Vec<(usize, usize, Way, Options)> = Vec::new();
+    let Measured { mut list, mut left_out } = Measured::default();
+    let mut repeats: Vec<Repeat> = Vec::new();
     for (at, (problem, y0)) in problems.iter().zip(&starts).enumerate() {
         let mut exhausted = None;
         for way in &ways[at] {
@@ -112,7 +121,7 @@ pub fn measure(
             let outcome = first(problem, y0, *way, &how, truth);
             if model.follow.asked() {
                 // The interrupted run is not measured.
-                return Ok(list);
+                return Ok(Measured { list, left_out });
             }
             let measurement = match outcome {
                 Ok(measurement) => measurement,
@@ -124,7 +133,7 @@ pub fn measure(
                 Err(failure) => return Err(failure),
             };
             if measurement.seconds.median <= plan.patience {
-                again.push((at, list.len(), *way, how));
+                repeats.push(Repeat { case: at, measurement: list.len(), way: *way, how });
             } else {
                 bar.inc(plan.repeats as u64);
             }
@@ -133,10 +142,10 @@ pub fn measure(
         }
     }
     bar.set_message("timing, all in turn");
-    let mut jobs: Vec<Box<dyn FnMut() + '_>> = again
+    let mut jobs: Vec<Box<dyn FnMut() + '_>> = repeats
         .iter()
-        .map(|(at, _, way, how)| -> Box<dyn FnMut() + '_> {
-            let (problem, y0) = (&problems[*at], &starts[*at]);
+        .map(|Repeat { case, way, how, .. }| -> Box<dyn FnMut() + '_> {
+            let (problem, y0) = (&problems[*case], &starts[*case]);
             Box::new(move || drop(way.run(problem, problem.scene.span, y0, how)))
         })
         .collect();
@@ -145,10 +154,23 @@ pub fn measure(
         model.follow.go_on()
     });
     drop(jobs);
-    for ((_, place, ..), times) in again.iter().zip(times) {
-        list[*place].seconds = Spread::of(&times).unwrap_or(list[*place].seconds);
+    for (repeat, times) in repeats.iter().zip(times) {
+        let seconds = &mut list[repeat.measurement].seconds;
+        *seconds = Spread::of(&times).unwrap_or(*seconds);
     }
-    Ok(list)
+    Ok(Measured { list, left_out })
+}
+
+/// Run that is repeated for its duration.
+struct Repeat {
+    /// Index of the case.
+    case: usize,
+    /// Index of the measurement that the durations belong to.
+    measurement: usize,
+    /// Method and tolerance of the run.
+    way: Way,
+    /// Options of the run.
+    how: Options,
 }
 
 /// Greatest number of steps of a run whose first integrals are checked at each step.

@@ -125,7 +125,8 @@ pub fn assess(
     y0: &[f64],
     options: &Options,
     solution: &Solution,
-    (values, balance): (&Values<'_>, &Balance),
+    values: &Values<'_>,
+    balance: &Balance,
 ) -> Result<Option<Digits>, Error> {
     if solution.steps == 0 || solution.stop == Stop::Interrupted || y0.is_empty() {
         return Ok(None);
@@ -160,7 +161,7 @@ pub fn assess(
     let sizes = sizes(problem.scene, &first);
     let (mut errors, mut digits, mut last) = (Vec::new(), Vec::new(), Vec::new());
     let mut apart: Vec<Vec<f64>> = first.iter().zip(&second).map(|(a, b)| differences(a, b)).collect();
-    leave_out_jumps(&mut apart, &times, (solution, &run), problem.scene.span);
+    leave_out_jumps(&mut apart, &times, solution, &run, problem.scene.span);
     for (instant, a) in first.iter().take(apart.len()).enumerate() {
         let near = up_to(&apart, instant);
         let own = |at: usize| a[at].abs() + sizes[at].min(1.0);
@@ -190,7 +191,7 @@ const ONE_IMPACT: f64 = 1e-3;
 /// Replaces differences of two runs at samples between the instants that the runs have for one impact. There one run
 /// has jumped and the other has not, so they differ by the jump; the uncertainty of the instant is given separately.
 /// Such samples get the differences at the sample before.
-fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], (first, second): (&Solution, &Solution), span: (f64, f64)) {
+fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], first: &Solution, second: &Solution, span: (f64, f64)) {
     let between: Vec<(f64, f64)> = first
         .impacts
         .iter()

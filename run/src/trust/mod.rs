@@ -34,7 +34,8 @@ pub fn objections(
     solution: &Solution,
     watch: Option<&Watch>,
     energy_drift: Option<f64>,
-    (digits, names): (Option<&Digits>, &[String]),
+    digits: Option<&Digits>,
+    names: &[String],
 ) -> Result<Vec<String>, Error> {
     let mut list: Vec<String> = solution.warnings.iter().map(|w| w.described(&problem.variables())).collect();
     if solution.stop == Stop::Interrupted {

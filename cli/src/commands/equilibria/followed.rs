@@ -54,7 +54,7 @@ pub fn over_two(
     let of_model = model.clone();
     let mut asked_at =
         |one: f64, two: f64| Ok(load_asked(source, model, &[(first.name.clone(), one), (second.name.clone(), two)])?);
-    let found = map(&of_model, &mut asked_at, (&first.values, &second.values))?;
+    let found = map(&of_model, &mut asked_at, &first.values, &second.values)?;
     let names = [first.name.as_str(), second.name.as_str()];
     if as_json {
         let row = |(value, course): &(f64, _)| match course {

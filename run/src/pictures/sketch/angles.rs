@@ -3,7 +3,7 @@
 use super::axes::{along_axis, is_drawn};
 use super::drawing::{Mark, Path, Role, Spot, Word, unit};
 use super::sheet::{Sheet, Subject};
-use super::terms::Told;
+use super::terms::{Told, Turn};
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, length, minus, plus, rotated, rotated_back, transposed};
 use std::f64::consts::{PI, TAU};
@@ -44,8 +44,8 @@ impl Angle {
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
         let frames = 0..subject.pose.rotations.len();
         frames.into_iter().find_map(|frame| {
-            let (parent, axis, term) = subject.terms.turn(frame)?;
-            let told = subject.terms.told(subject.mechanism, (subject.p, subject.q), term, coordinate)?;
+            let Turn { parent, axis, term } = subject.terms.turn(frame)?;
+            let told = subject.terms.told(subject.mechanism, subject.p, subject.q, term, coordinate)?;
             Some(Self { told, frame, parent, axis })
         })
     }
@@ -134,21 +134,21 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
     let (arm, axis, extent) = (angle.arm(subject), angle.about(subject), angle.extent());
     let apex = subject.camera.spot(arm.apex);
     let radius = arcs.radius(apex);
-    let zero = subject.turned((angle.parent, angle.axis), angle.told.zero, arm.direction);
+    let zero = subject.turned(angle.parent, angle.axis, angle.told.zero, arm.direction);
     let now = rotated(&subject.pose.rotations[angle.frame], arm.direction);
     let is_open = extent.abs() >= TINY;
     let (from, sweep) = if is_open { (zero, extent) } else { (now, angle.told.sign * SENSE) };
     // The arc begins at the direction `from`, and turns towards the direction that is a quarter turn further.
     let [a, b] = [from, cross(axis, from)].map(|e| subject.camera.seen(e).map(|x| radius * x));
-    let path = Path::arc(apex, a, b, (0.0, sweep));
+    let path = Path::arc(apex, a, b, 0.0, sweep);
     for (direction, frame) in [(zero, angle.parent), (now, angle.frame)] {
         let seen = subject.camera.seen(direction).map(|x| (radius + 12.0) * x);
         let to = [0, 1].map(|i| apex[i] + seen[i]);
         sheet.add([Mark::line(Role::Reference, Path::line(&[apex, to]))]);
-        name_axis(subject, sheet, (frame, direction), (arm.apex, to));
+        name_axis(subject, sheet, frame, direction, arm.apex, to);
     }
     sheet.add(Mark::arrow(Role::Coordinate, path, TIP));
-    let middle = Path::arc(apex, a, b, (0.0, 0.5 * sweep)).end();
+    let middle = Path::arc(apex, a, b, 0.0, 0.5 * sweep).end();
     let outwards = unit([middle[0] - apex[0], middle[1] - apex[1]]);
     let name = subject.mechanism.coordinates[angle.told.coordinate].name.clone();
     sheet.name(Role::Coordinate, vec![Word::Name(name)], middle, Some(outwards), 4.0);
@@ -156,12 +156,8 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
 }
 
 /// Puts the name of the axis that a line of reference is along on the sheet, if the axes of its frame are not drawn.
-fn name_axis(
-    subject: &Subject<'_>,
-    sheet: &mut Sheet,
-    (frame, direction): (usize, Triple),
-    (apex, to): (Triple, Spot),
-) {
+/// The line leads from `apex` to the spot `to`, and has the `direction` in the inertial frame.
+fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, frame: usize, direction: Triple, apex: Triple, to: Spot) {
     let is_at_origin = length(minus(apex, subject.pose.points[0])) < 1e-9;
     // In a planar mechanism the inertial axes are easily followed.
     if frame == 0 && (is_at_origin || subject.is_planar) || is_drawn(subject, frame) || subject.is_generated(frame) {
@@ -176,7 +172,7 @@ fn name_axis(
 
 /// Puts one arc on the sheet, with the names of all coordinates that turn a frame together. The arc leads from an axis
 /// of the parent frame to the same axis of the frame.
-pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, (frame, names): (usize, Vec<Word>)) {
+pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, frame: usize, names: Vec<Word>) {
     let Some((parent, _)) = subject.terms.links.frames[frame] else { return };
     let [before, after] = [parent, frame].map(|f| transposed(&subject.pose.rotations[f]));
     let bodies = &subject.mechanism.bodies;
@@ -193,11 +189,11 @@ pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, 
     let other = crate::pictures::view::space::unit(across).unwrap_or(before[(axis + 1) % 3]);
     let [a, b] = [before[axis], other].map(|e| subject.camera.seen(e).map(|x| radius * x));
     let sweep = turn(axis).max(SENSE);
-    let path = Path::arc(apex, a, b, (0.0, sweep));
+    let path = Path::arc(apex, a, b, 0.0, sweep);
     let to = [0, 1].map(|i| apex[i] + 1.25 * a[i]);
     sheet.add([Mark::line(Role::Reference, Path::line(&[apex, to]))]);
     sheet.add(Mark::arrow(Role::Coordinate, path, TIP));
-    let middle = Path::arc(apex, a, b, (0.0, 0.5 * sweep)).end();
+    let middle = Path::arc(apex, a, b, 0.0, 0.5 * sweep).end();
     let outwards = unit([middle[0] - apex[0], middle[1] - apex[1]]);
     sheet.name(Role::Coordinate, names, middle, Some(outwards), 4.0);
 }

@@ -67,7 +67,7 @@ fn drawn(subject: &Subject<'_>, solid: &Solid) -> Option<Drawn> {
         }
         Form::Cylinder { at, radius, length } => {
             let axis = rotated(&axes(subject, at), [0.0, 0.0, 1.0]);
-            (middle(subject, at), 1, cylinder(subject, middle(subject, at), axis, (*radius, *length)))
+            (middle(subject, at), 1, cylinder(subject, middle(subject, at), axis, *radius, *length))
         }
         Form::Box { at, size } => (middle(subject, at), 1, faces(subject, at, *size)),
         Form::Rod { ends, radius } => {
@@ -106,8 +106,8 @@ fn rotation([w, x, y, z]: Quaternion) -> Rotation {
     transposed(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
 }
 
-/// Marks of a cylinder about an axis of length 1: far end, side and near end.
-fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, (radius, long): (f64, f64)) -> Vec<Mark> {
+/// Marks of a cylinder about an axis of length 1: far end, side and near end. Its radius and its length `long` are in m.
+fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, radius: f64, long: f64) -> Vec<Mark> {
     let camera = &subject.camera;
     let towards = dot(axis, camera.towards);
     let axis = if towards < 0.0 { axis.map(|x| -x) } else { axis };

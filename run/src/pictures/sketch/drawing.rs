@@ -135,7 +135,7 @@ impl Path {
 
     /// Path of an arc c + cos t a + sin t b from one t to another, rad. It is part of an ellipse with the conjugate
     /// semi-diameters a and b, which is the projection of a circle in space.
-    pub(super) fn arc(c: Spot, a: Spot, b: Spot, (from, to): (f64, f64)) -> Self {
+    pub(super) fn arc(c: Spot, a: Spot, b: Spot, from: f64, to: f64) -> Self {
         let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
         let step = (to - from) / pieces;
         // 4/3 tan(step/4): the curve is within 3e-4 of the radius.
@@ -154,7 +154,7 @@ impl Path {
 
     /// Closed path of an ellipse about c with the conjugate semi-diameters a and b.
     pub(super) fn ellipse(c: Spot, a: Spot, b: Spot) -> Self {
-        Self { is_closed: true, ..Self::arc(c, a, b, (0.0, std::f64::consts::TAU)) }
+        Self { is_closed: true, ..Self::arc(c, a, b, 0.0, std::f64::consts::TAU) }
     }
 
     /// Closed path of a circle about c.

@@ -3,7 +3,7 @@
 
 use super::drawing::{Mark, Path, Role, Spot, Word, tip, unit};
 use super::sheet::{Sheet, Subject};
-use super::terms::Told;
+use super::terms::{Components, Told};
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{length, minus, plus, transposed};
 
@@ -30,10 +30,10 @@ impl Length {
     /// Finds the component of a point's position that a coordinate is; `None` if it is not such a component.
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
         (0..subject.pose.points.len()).find_map(|point| {
-            let (.., first) = subject.terms.components(point)?;
+            let Components { first, .. } = subject.terms.components(point)?;
             (0..3).find_map(|component| {
-                let at = (subject.p, subject.q);
-                let told = subject.terms.told(subject.mechanism, at, first + component, coordinate)?;
+                let (p, q) = (subject.p, subject.q);
+                let told = subject.terms.told(subject.mechanism, p, q, first + component, coordinate)?;
                 Some(Self { told, point, component })
             })
         })
@@ -42,7 +42,7 @@ impl Length {
     /// Ends of the length in the inertial frame, m, with the earlier components of the position added. `None` if the
     /// point has no components.
     fn ends(&self, subject: &Subject<'_>) -> Option<[Triple; 2]> {
-        let (from, frame, first) = subject.terms.components(self.point)?;
+        let Components { from, frame, first } = subject.terms.components(self.point)?;
         let values = subject.terms.values(subject.p, subject.q);
         let axes = transposed(&subject.pose.rotations[frame]);
         let corner = (0..self.component)
@@ -56,7 +56,7 @@ impl Length {
         if !subject.is_planar {
             return None;
         }
-        let (_, frame, first) = subject.terms.components(self.point)?;
+        let Components { frame, first, .. } = subject.terms.components(self.point)?;
         let values = subject.terms.values(subject.p, subject.q);
         let axes = transposed(&subject.pose.rotations[frame]);
         let other = (0..3).find(|k| *k != self.component && values[first + k].abs() > 0.02 * subject.view.size);
@@ -79,7 +79,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, lengths: &Length) -> bool 
     let [a, b] = [from, to].map(|place| subject.camera.spot(place));
     let long = (b[0] - a[0]).hypot(b[1] - a[1]);
     if long < TINY {
-        let (_, frame, _) = subject.terms.components(lengths.point).unwrap_or_default();
+        let Components { frame, .. } = subject.terms.components(lengths.point).unwrap_or_default();
         let axis = transposed(&subject.pose.rotations[frame])[lengths.component];
         grows(subject, sheet, b, subject.camera.seen(axis.map(|x| lengths.told.sign * x)), name);
         return false;

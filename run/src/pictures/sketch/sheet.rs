@@ -94,7 +94,7 @@ impl Subject<'_> {
 
     /// Direction in the inertial frame that a direction of a frame has if the frame is turned about an axis of its
     /// parent by an angle.
-    pub fn turned(&self, (parent, axis): (usize, usize), angle: f64, direction: Triple) -> Triple {
+    pub fn turned(&self, parent: usize, axis: usize, angle: f64, direction: Triple) -> Triple {
         let rotation: Rotation = product(&self.pose.rotations[parent], &about(axis, angle));
         rotated(&rotation, direction)
     }

@@ -40,11 +40,12 @@ pub struct Kinds {
 impl Kinds {
     /// Sorts the coordinates of a mechanism into angles and lengths; others are in neither list.
     pub fn new(mechanism: &Mechanism, terms: &Terms, at: Configuration<'_>) -> Self {
-        let told = |term: usize, c: usize| terms.told(mechanism, (at.parameters, at.q), term, c).is_some();
+        let told = |term: usize, c: usize| terms.told(mechanism, at.parameters, at.q, term, c).is_some();
         let frames = 0..mechanism.frames.len();
-        let turns = |c: &usize| frames.clone().any(|f| terms.turn(f).is_some_and(|(.., term)| told(term, *c)));
+        let turns = |c: &usize| frames.clone().any(|f| terms.turn(f).is_some_and(|turn| told(turn.term, *c)));
         let points = 0..mechanism.points.len();
-        let component = |p: usize, c: usize| terms.components(p).is_some_and(|(.., t)| (t..t + 3).any(|t| told(t, c)));
+        let component =
+            |p: usize, c: usize| terms.components(p).is_some_and(|of| (of.first..of.first + 3).any(|t| told(t, c)));
         let moves = |c: &usize| points.clone().any(|p| component(p, *c));
         let all = 0..mechanism.coordinates.len();
         let (angles, others): (Vec<usize>, Vec<usize>) = all.partition(turns);

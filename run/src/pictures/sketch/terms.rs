@@ -35,6 +35,27 @@ pub struct Told {
     pub now: f64,
 }
 
+/// Turn of a frame about a single axis of its parent.
+pub struct Turn {
+    /// Index of the parent frame.
+    pub parent: usize,
+    /// Index of the axis, from 0 to 2.
+    pub axis: usize,
+    /// Index of the term that is the angle.
+    pub term: usize,
+}
+
+/// Vector to a point in components of a frame.
+#[derive(Default)]
+pub struct Components {
+    /// Index of the point from which the vector is measured.
+    pub from: usize,
+    /// Index of the frame of the components.
+    pub frame: usize,
+    /// Index of the term that is the first of the three components.
+    pub first: usize,
+}
+
 impl Terms {
     /// Compiles the terms of a mechanism.
     ///
@@ -60,18 +81,16 @@ impl Terms {
         Ok(Self { tape, links, frames, points })
     }
 
-    /// Turn of a frame about a single axis: the parent frame, the axis, and the index of the angle's term. `None` if
-    /// the frame does not turn about a single axis.
-    pub fn turn(&self, frame: usize) -> Option<(usize, usize, usize)> {
+    /// Turn of a frame about a single axis; `None` if the frame does not turn about a single axis.
+    pub fn turn(&self, frame: usize) -> Option<Turn> {
         let (parent, axis) = self.links.frames[frame]?;
-        Some((parent, axis?, self.frames[frame]))
+        Some(Turn { parent, axis: axis?, term: self.frames[frame] })
     }
 
-    /// Vector to a point: the point from which it is measured, the frame of its components, and the index of the first
-    /// component's term. `None` for the origin.
-    pub fn components(&self, point: usize) -> Option<(usize, usize, usize)> {
-        let (parent, frame) = self.links.points[point]?;
-        Some((parent, frame, self.points[point]))
+    /// Components of the vector to a point; `None` for the origin.
+    pub fn components(&self, point: usize) -> Option<Components> {
+        let (from, frame) = self.links.points[point]?;
+        Some(Components { from, frame, first: self.points[point] })
     }
 
     /// True if a term mentions a coordinate.
@@ -96,13 +115,7 @@ impl Terms {
 
     /// Reads a coordinate from a term. `None` unless the term is the coordinate or its opposite, plus a rest that does
     /// not depend on it.
-    pub fn told(
-        &self,
-        mechanism: &Mechanism,
-        (p, q): (&[f64], &[f64]),
-        term: usize,
-        coordinate: usize,
-    ) -> Option<Told> {
+    pub fn told(&self, mechanism: &Mechanism, p: &[f64], q: &[f64], term: usize, coordinate: usize) -> Option<Told> {
         if self.links.values[term] == Expr::ZERO || !self.mentions(mechanism, term, coordinate) {
             return None;
         }

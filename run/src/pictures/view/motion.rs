@@ -125,7 +125,7 @@ impl Motion {
         let mut from = 0;
         while from < last {
             let mut to = from + 1;
-            while to < last && to - from < LONGEST && self.is_near(scale, (from, to + 1), looser) {
+            while to < last && to - from < LONGEST && self.is_near(scale, from, to + 1, looser) {
                 to += 1;
             }
             kept.push(to);
@@ -136,7 +136,7 @@ impl Motion {
 
     /// True if straight paths, even turns and evenly growing forces between two instants come close to all instants
     /// between them.
-    fn is_near(&self, Scale { turns, size }: &Scale, (from, to): (usize, usize), looser: f64) -> bool {
+    fn is_near(&self, Scale { turns, size }: &Scale, from: usize, to: usize, looser: f64) -> bool {
         let (a, b) = (&self.poses[from], &self.poses[to]);
         let span = self.t[to] - self.t[from];
         let has_one_way = turns[from].iter().zip(&turns[to]).all(|(a, b)| angle(*a, *b) <= ONE_WAY);

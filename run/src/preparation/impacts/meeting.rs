@@ -12,6 +12,8 @@ use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
 /// Contacts that are closed at one instant, the contacts that were held before it, and the change of a contact that
 /// caused it.
 pub struct Meeting<'m> {
+    /// Instant of the meeting, s.
+    pub t: f64,
     pub closed: &'m [usize],
     pub kept: &'m Kept,
     pub happening: Option<Happening>,
@@ -111,37 +113,35 @@ struct Blow {
 }
 
 impl Bouncing<'_> {
-    /// Handles contacts that are closed at an instant: an impact if one of them closes further, then the holding.
-    pub(super) fn meet(
-        &self,
-        (t, y): (f64, &[f64]),
-        meeting: &Meeting<'_>,
-    ) -> Result<Result<After, Failure>, SimError> {
+    /// Handles contacts that are closed at an instant, in the state `y`: an impact if one of them closes further, then the holding.
+    pub(super) fn meet(&self, y: &[f64], meeting: &Meeting<'_>) -> Result<Result<After, Failure>, SimError> {
         let mut free = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: &NONE };
         let mut held = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: meeting.kept };
-        Ok(self.met((&mut free, &mut held), (t, y), meeting))
+        Ok(self.met(&mut free, &mut held, y, meeting))
     }
 
-    /// Handles contacts that are closed at an instant. `free` are the equations without forces of contacts, `held`
+    /// Handles contacts that are closed at an instant, in the state `y`. `free` are the equations without forces of contacts, `held`
     /// those with the forces of the contacts held until then.
     fn met(
         &self,
-        (free, held): (&mut Held<'_>, &mut Held<'_>),
-        (t, y): (f64, &[f64]),
+        free: &mut Held<'_>,
+        held: &mut Held<'_>,
+        y: &[f64],
         meeting: &Meeting<'_>,
     ) -> Result<After, Failure> {
+        let t = meeting.t;
         // Accelerations remove a slower velocity within the shortest flight.
         let slowest = free.free(t, y)?.sizes * self.least;
-        let Hit { mut blow, hits, scale, changes } = self.hit((t, y), meeting, &slowest)?;
+        let Hit { mut blow, hits, scale, changes } = self.hit(y, meeting, &slowest)?;
         let is_hit = !hits.is_empty();
         let (mut is_impact, mut rested) = (is_hit, Kept::default());
         let scale = scale.zip_map(&self.speeds(&blow.y)?, f64::max);
-        let before = self.approach(held, (t, y))?;
+        let before = self.approach(held, t, y)?;
         let slips = meeting.opens().is_some() && meeting.kept.slipping().next().is_some();
         let is_jamming = slips && held.determinant(y).abs() < NEARLY;
         let changes = is_hit.then_some(&changes);
         let met = Met { meeting, changes, scale: &scale, slowest: &slowest, before: &before, is_jamming };
-        let Settled { mut kept, short, more } = self.settle(free, (t, &blow.y), &met)?;
+        let Settled { mut kept, short, more } = self.settle(free, &blow.y, &met)?;
         let mut all = kept.clone();
         more.iter().for_each(|(at, mode)| all.push(at, mode));
         if let Some((last, slips)) = self.bring_to_rest(&blow.y, &all, &met)? {
@@ -152,7 +152,7 @@ impl Bouncing<'_> {
                 loss: blow.loss + last.loss,
                 work: blow.work + last.work,
             };
-            kept = self.settle(free, (t, &blow.y), &met)?.kept;
+            kept = self.settle(free, &blow.y, &met)?.kept;
             rested = all;
         }
         let kept = self.pushing(free, t, &blow.y, kept)?;
@@ -204,7 +204,8 @@ impl Bouncing<'_> {
     ///
     /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact closes such a
     /// contact, another impact follows at the same instant.
-    fn hit(&self, (t, y): (f64, &[f64]), meeting: &Meeting<'_>, slowest: &DVector<f64>) -> Result<Hit, Failure> {
+    fn hit(&self, y: &[f64], meeting: &Meeting<'_>, slowest: &DVector<f64>) -> Result<Hit, Failure> {
+        let t = meeting.t;
         let rates = self.contacts.rates(y);
         let response = self.contacts.response(y, &rates)?;
         let mut scale = self.speeds(y)?;
@@ -261,8 +262,8 @@ impl Bouncing<'_> {
 
     /// Finds the closed contacts that are at rest and stay pushed together, and the further contacts whose next flight
     /// would be too short.
-    fn settle(&self, free: &mut Held<'_>, (t, y): (f64, &[f64]), met: &Met<'_>) -> Result<Settled, Failure> {
-        let (meeting, scale) = (met.meeting, met.scale);
+    fn settle(&self, free: &mut Held<'_>, y: &[f64], met: &Met<'_>) -> Result<Settled, Failure> {
+        let (meeting, scale, t) = (met.meeting, met.scale, met.meeting.t);
         let now = free.free(t, y)?;
         let normal = |contact: &usize| self.contacts.rows[*contact][0];
         let velocity = |contact: &usize| now.response.velocities[normal(contact)];
@@ -278,7 +279,7 @@ impl Bouncing<'_> {
         let stays = |at: &usize| meeting.opens() != Some(*at);
         let (rest, moving): (Vec<usize>, Vec<usize>) =
             meeting.closed.iter().copied().filter(stays).partition(|at| is_still(at) || is_slow(at));
-        let (modes, forces) = self.modes(free, (t, y), &now, &rest, met)?;
+        let (modes, forces) = self.modes(free, y, &now, &rest, met)?;
         let accelerations = &now.accelerations + &now.response.compliance * &forces;
         // Where friction adds as much pressure as causes it, a force passes infinity and the contact does not open.
         let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();

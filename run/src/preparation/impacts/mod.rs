@@ -31,6 +31,7 @@ pub use kept::{Kept, NONE};
 pub use meeting::After;
 pub use said::said;
 
+use super::initial::InitialState;
 use super::passage::{joined, rest};
 use meeting::Meeting;
 use tripos_sim::{
@@ -65,19 +66,20 @@ pub struct Bouncing<'a> {
 }
 
 impl Bouncing<'_> {
-    /// Integrates from y0 over a span that goes forward in time, in the numbers of a carrier. Passes from one part of
-    /// the run to the next at each change of a contact.
+    /// Integrates from a start over its span, which goes forward in time, in the numbers of a carrier. Passes from one
+    /// part of the run to the next at each change of a contact.
     ///
     /// # Errors
     /// [`SimError`] if the run cannot begin: an empty span, or an option out of range.
     pub fn solve<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
-        (span, y0): ((f64, f64), &[S]),
+        start: InitialState<'_, S>,
         options: &Options,
         events: &mut [Event<'_>],
         mut power: Option<Power<'_>>,
     ) -> Result<Solution<S>, SimError> {
+        let InitialState { span, y: y0 } = start;
         let base = events.len();
         let before = values(y0);
         let after = match self.begin(span.0, &before)? {
@@ -87,15 +89,15 @@ impl Bouncing<'_> {
         let begins = Crossing { t: span.0, happening: None, before: &before, kept: &NONE, after: &after };
         let mut y = carrier.across(&begins, y0);
         let (mut kept, mut changes) = (after.kept, 0);
-        let mut whole = self.part(carrier, (span, &y), &kept, options, events, power.as_mut())?;
-        whole.events.splice(..0, self.at_start(base, &kept, (span.0, &after.y)));
+        let mut whole = self.part(carrier, InitialState { span, y: &y }, &kept, options, events, power.as_mut())?;
+        whole.events.splice(..0, self.at_start(base, &kept, span.0, &after.y));
         // The first sample shows the state after the impact: its work need not be added.
         whole.impacts.extend(after.record);
         while let Some(happening) = self.happening(&whole, base) {
             let before = values(&whole.y_end);
-            let next = self.next(happening, (whole.t_end, &before), &kept)?;
+            let next = self.next(happening, whole.t_end, &before, &kept)?;
             if let Ok(after) = &next {
-                self.tell(&mut whole, base, (&kept, &after.kept));
+                self.tell(&mut whole, base, &kept, &after.kept);
             }
             whole.events.iter_mut().for_each(|event| event.terminal = false);
             match next {
@@ -126,7 +128,8 @@ impl Bouncing<'_> {
             }
             let mut how = rest(options, &whole, span);
             how.step_limit = how.step_limit.saturating_sub(changes);
-            let part = self.part(carrier, ((whole.t_end, span.1), &y), &kept, &how, events, power.as_mut())?;
+            let from = InitialState { span: (whole.t_end, span.1), y: &y };
+            let part = self.part(carrier, from, &kept, &how, events, power.as_mut())?;
             whole = joined(whole, part, options);
         }
         if let Stop::StepLimit { limit } = &mut whole.stop {
@@ -155,16 +158,11 @@ impl Bouncing<'_> {
         if closed.is_empty() {
             return Ok(Ok(After::unchanged(y)));
         }
-        self.meet((t, y), &Meeting { closed: &closed, kept: &NONE, happening: None })
+        self.meet(y, &Meeting { t, closed: &closed, kept: &NONE, happening: None })
     }
 
     /// Finds the state and the held contacts after the end of a part of the run.
-    fn next(
-        &self,
-        happening: Happening,
-        (t, y): (f64, &[f64]),
-        kept: &Kept,
-    ) -> Result<Result<After, Failure>, SimError> {
+    fn next(&self, happening: Happening, t: f64, y: &[f64], kept: &Kept) -> Result<Result<After, Failure>, SimError> {
         if let Happening::Jams(contact) = happening {
             return Ok(Err(self.jams(contact, t)));
         }
@@ -176,19 +174,20 @@ impl Bouncing<'_> {
                 || self.contacts.gap(*at, y) <= self.contacts.closing_gap(*at, y, &rates, self.least)
         };
         let closed: Vec<usize> = (0..self.contacts.impacts.len()).filter(is_closed).collect();
-        self.meet((t, y), &Meeting { closed: &closed, kept, happening: Some(happening) })
+        self.meet(y, &Meeting { t, closed: &closed, kept, happening: Some(happening) })
     }
 
     /// Integrates a part of the run in which the contacts `kept` are held.
     fn part<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
-        (span, y): ((f64, f64), &[S]),
+        start: InitialState<'_, S>,
         kept: &Kept,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution<S>, SimError> {
+        let InitialState { span, y } = start;
         let base = events.len();
         let anew = || Ok::<_, SimError>(Held { rhs: (self.equations)()?, contacts: self.contacts, kept });
         let mut list = self.watched(kept, &values(y), &anew)?;
@@ -240,18 +239,21 @@ impl Bouncing<'_> {
                 event.event = base + happening.event(self.contacts.impacts.len());
             }
         }
-        self.tell_approaches(carrier, &mut part, (base, span.0, &values(y)));
-        self.tidy(&mut part, (base, own), &mut anew()?);
+        self.tell_approaches(carrier, &mut part, base, span.0, &values(y));
+        self.tidy(&mut part, base, own, &mut anew()?);
         Ok(part)
     }
 
     /// Reports minima of gaps that are close to zero to the carrier, and removes the events of all minima from a part
-    /// of a run. The part began at `begun`, s, in the state `y`.
+    /// of a run. The part began at `begun`, s, in the state `y`. `base` is the number of events that belong to no
+    /// contact.
     fn tell_approaches<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
         part: &mut Solution<S>,
-        (base, begun, y): (usize, f64, &[f64]),
+        base: usize,
+        begun: f64,
+        y: &[f64],
     ) {
         let Some(near) = carrier.near() else { return };
         let count = self.contacts.impacts.len();
@@ -292,8 +294,9 @@ impl Bouncing<'_> {
     }
 
     /// Removes the events and projections of the contacts from a part of a run. The part fails if its state could not
-    /// be kept on the held contacts.
-    fn tidy<S: Real>(&self, part: &mut Solution<S>, (base, own): (usize, usize), forces: &mut Held<'_>) {
+    /// be kept on the held contacts. `base` is the number of events that belong to no contact, `own` the number of
+    /// constraints that belong to none.
+    fn tidy<S: Real>(&self, part: &mut Solution<S>, base: usize, own: usize, forces: &mut Held<'_>) {
         let kept = forces.kept;
         // A function that starts on a contact begins at 0, and a force that grows without bound does not cross 0.
         part.events.retain(|event| event.event < base || !matches!(event.kind, Kind::AtStart | Kind::Pole));

@@ -14,7 +14,7 @@ const AHEAD: f64 = 16384.0;
 impl Bouncing<'_> {
     /// Accelerations along all rows just before a meeting, with the forces of the contacts held until then; zeros if
     /// none of these has friction.
-    pub(super) fn approach(&self, held: &mut Held<'_>, (t, y): (f64, &[f64])) -> Result<DVector<f64>, Failure> {
+    pub(super) fn approach(&self, held: &mut Held<'_>, t: f64, y: &[f64]) -> Result<DVector<f64>, Failure> {
         if held.kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
             return Ok(DVector::zeros(self.contacts.count));
         }
@@ -44,11 +44,12 @@ impl Bouncing<'_> {
     pub(super) fn modes(
         &self,
         free: &mut Held<'_>,
-        (t, y): (f64, &[f64]),
+        y: &[f64],
         now: &Free,
         rest: &[usize],
         met: &Met<'_>,
     ) -> Result<(Vec<Mode>, DVector<f64>), Failure> {
+        let t = met.meeting.t;
         let slips: Vec<Option<f64>> = rest.iter().map(|at| self.slips(*at, &now.response.velocities, met)).collect();
         let (system, rows) = self.contacts.closed(&now.response, rest);
         let found = system.ways(&now.accelerations.select_rows(&rows), &slips);
@@ -62,7 +63,12 @@ impl Bouncing<'_> {
         if found.iter().any(begins) {
             found.retain(begins);
         }
-        let at = if found.len() > 1 { self.lasting(free, (t, y), now, (rest, &slips), &found) } else { 0 };
+        let at = if found.len() > 1 {
+            let (ahead, later) = self.ahead(t, y, now, &self.contacts.spread(&found[0].forces, &rows), 1.0);
+            free.free(ahead, &later).map_or(0, |then| self.lasting(&then, rest, &slips, &found))
+        } else {
+            0
+        };
         let one = found.swap_remove(at);
         Ok((one.modes, self.contacts.spread(&one.forces, &rows)))
     }
@@ -78,19 +84,10 @@ impl Bouncing<'_> {
         (t + ahead, y.iter().zip(&rates).map(|(y, rate)| y + ahead * rate).collect())
     }
 
-    /// Index of the first combination of modes that still satisfies the laws of contact shortly after the instant.
-    /// Zero, the firmest combination, if none does.
-    fn lasting(
-        &self,
-        free: &mut Held<'_>,
-        (t, y): (f64, &[f64]),
-        now: &Free,
-        (rest, slips): (&[usize], &[Option<f64>]),
-        found: &[Found],
-    ) -> usize {
-        let (_, rows) = self.contacts.closed(&now.response, rest);
-        let (ahead, later) = self.ahead(t, y, now, &self.contacts.spread(&found[0].forces, &rows), 1.0);
-        let Ok(then) = free.free(ahead, &later) else { return 0 };
+    /// Index of the first combination of modes that still satisfies the laws of contact shortly after the instant,
+    /// under the accelerations `then`. Zero, the firmest combination, if none does. `slips` has a sign for each contact
+    /// of `rest` that slips.
+    fn lasting(&self, then: &Free, rest: &[usize], slips: &[Option<f64>], found: &[Found]) -> usize {
         let (system, rows) = self.contacts.closed(&then.response, rest);
         let accelerations = then.accelerations.select_rows(&rows);
         found.iter().position(|found| system.allows(&accelerations, slips, &found.modes)).unwrap_or(0)

@@ -80,7 +80,9 @@ pub fn chart(
     }
     let watch = Watch::of_model(model)?;
     let truth = Truth { reference: &reference, compared: &compared, watch: &watch };
-    let list = measure(model, &scene, &cases, plan, &truth, (bar, &mut left_out))?;
+    let measured = measure(model, &scene, &cases, plan, &truth, bar)?;
+    left_out.extend(measured.left_out);
+    let list = measured.list;
     Ok(Session { list, compared: said, reference, watch, until: scene.span.1, cut, left_out })
 }
 

@@ -35,20 +35,21 @@ pub struct Bounced<'a, const K: usize> {
 }
 
 impl<'a, const K: usize> Bounced<'a, K> {
-    /// Prepares a run of a problem with contacts. Gaps below `near`, relative to the size of their terms, count as
-    /// touched if `is_watched` is true.
+    /// Prepares a run of a problem with contacts. Gaps below `near`, relative to the size of their terms, count as zero.
+    /// The drive has no corners, and touched contacts are not watched, until these fields are set.
     pub fn new(
         problem: &'a Problem<'a>,
         parts: Parts<'a, K>,
-        (parameters, seeds): (&'a [Tangent<K>], &'a [Seed]),
-        (contacts, corners): (&'a Contacts<'a>, &'a [Corner]),
-        (near, is_watched): (f64, bool),
+        parameters: &'a [Tangent<K>],
+        seeds: &'a [Seed],
+        contacts: &'a Contacts<'a>,
+        near: f64,
     ) -> Self {
         let wide = Wide::new(contacts, problem.code.extended(), near);
         let told = Told { gaps: contacts.gaps.iter().map(|(gap, _)| gap.to()).collect(), rates: contacts.rates.to() };
         let way = RefCell::new(Way::new(seeds.len()));
-        let (near, approaches) = (is_watched.then_some(near), RefCell::new(Vec::new()));
-        Self { problem, parts, parameters, seeds, corners, contacts, wide, told, near, approaches, way }
+        let approaches = RefCell::new(Vec::new());
+        Self { problem, parts, parameters, seeds, corners: &[], contacts, wide, told, near: None, approaches, way }
     }
 }
 

@@ -134,7 +134,7 @@ impl<'c> Crossed<'c> {
         let mut slopes: Vec<f64> = state.iter().zip(&self.zeros.coming.rates).map(|(s, f)| s + f * later).collect();
         let (mut changes, mut before): (Vec<Change>, _) = (Vec::new(), Vec::new());
         for strike in &self.strikes {
-            let change = self.strike((strike, &strike.grip), varied, &slopes, changes.last())?;
+            let change = self.strike(strike, &strike.grip, varied, &slopes, changes.last())?;
             before.push(slopes.clone());
             let first = slopes.len() - change.variables.len();
             slopes[first..].iter_mut().zip(change.variables.iter()).for_each(|(s, more)| *s += more);
@@ -157,7 +157,8 @@ impl<'c> Crossed<'c> {
     /// derivative of the strike before.
     fn strike(
         &self,
-        (strike, grip): (&Strike, &Grip),
+        strike: &Strike,
+        grip: &Grip,
         varied: &Varied<'_>,
         slopes: &[f64],
         last: Option<&Change>,
@@ -246,7 +247,7 @@ impl<'c> Crossed<'c> {
             }
             for grip in &strike.others {
                 let last = at.checked_sub(1).map(|before| &across.changes[before]);
-                let other = self.strike((strike, grip), varied, &across.before[at], last)?;
+                let other = self.strike(strike, grip, varied, &across.before[at], last)?;
                 let apart = inertia.l().transpose() * (&other.speeds - &change.speeds);
                 if apart.norm() > SMALL * largest.max(other.size) {
                     return Err(format!("whether contacts stick or slip in the impact changes with `{}`", varied.name));

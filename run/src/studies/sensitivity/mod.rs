@@ -45,7 +45,7 @@ use crate::simulation::run::Run;
 use crate::simulation::simulate::{changes_speeds, proved, run_by};
 use apart::Apart;
 use ends::{End, end, instants, second};
-use equations::{Carried, Equations, From};
+use equations::{Carried, Equations, SeededStart};
 use shown::Quantities;
 use start::Seed;
 use tripos_derive::mechanics::By;
@@ -133,7 +133,8 @@ pub fn sensitivities(
     mechanism: &Mechanism,
     scene: &Scene,
     set: &[(String, f64)],
-    (names, at): (&[String], At),
+    names: &[String],
+    at: At,
     by: Option<&str>,
 ) -> Result<Sensitivities, Error> {
     check_names(names)?;
@@ -144,7 +145,7 @@ pub fn sensitivities(
         return Err(Error::request("printed equations are not differentiated", help));
     }
     if let Some(run) = changes_speeds(mechanism, scene, &by)? {
-        return by_differences(mechanism, (scene, set), (names, at), run);
+        return by_differences(mechanism, scene, set, names, at, run);
     }
     let equations = Equations::new(mechanism, scene, &by, scene.integration.method.method().unwrap_or_default())?;
     let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(Solve::Eliminated))?;
@@ -155,14 +156,14 @@ pub fn sensitivities(
     let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
     let mut carried = None;
     let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
-        let from = From { span: scene.span, y: y0, slopes: &slopes };
-        let carried = carried.insert(equations.run(&problem, (&from, &seeds), options, events)?);
+        let from = SeededStart { span: scene.span, y: y0, seeds: &seeds, slopes: &slopes };
+        let carried = carried.insert(equations.run(&problem, &from, options, events)?);
         Ok(carried.solution.clone())
     })?;
     let carried = carried.ok_or_else(|| Error::Stopped("the run was not made".to_owned()))?;
     let parts = Parts { problem: &problem, equations: &equations, quantities: &quantities, seeds: &seeds };
     let own = end(&parts, &carried)?;
-    let (errors, assessed_by) = second(&parts, &carried, (&own, &slopes))?;
+    let (errors, assessed_by) = second(&parts, &carried, &own, &slopes)?;
     let samples = match at {
         At::End => Vec::new(),
         At::Samples => samples(&parts, &carried)?,
@@ -195,8 +196,10 @@ pub fn sensitivities(
 /// Computes the derivatives of a run that changes its speeds on the way, by differences of runs.
 fn by_differences(
     mechanism: &Mechanism,
-    (scene, set): (&Scene, &[(String, f64)]),
-    (names, at): (&[String], At),
+    scene: &Scene,
+    set: &[(String, f64)],
+    names: &[String],
+    at: At,
     run: Run,
 ) -> Result<Sensitivities, Error> {
     if at == At::Samples {

@@ -88,7 +88,7 @@ impl<'c> Zeros<'c> {
     /// Text that names the contacts and the number.
     pub fn stay_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
         let (wide, y) = (self.coming.wide, self.coming.crossing.before);
-        self.touched.iter().try_for_each(|contact| graze::check(wide, (*contact, y), varied, state))?;
+        self.touched.iter().try_for_each(|contact| graze::check(wide, *contact, y, varied, state))?;
         let Some(first) = self.first.as_ref().filter(|_| !self.others.is_empty()) else { return Ok(()) };
         let a = self.coming.moves(first, varied, state)?;
         for other in &self.others {

@@ -84,12 +84,13 @@ pub fn follow(
 ) -> Result<Course, Error> {
     let Some(first) = values.first() else { return Ok(Course::default()) };
     let mut question = Question::new(model, &asked(*first)?, &[])?;
-    along((model, &mut question), asked, values)
+    along(model, &mut question, asked, values)
 }
 
 /// Follows a steady motion, as [`follow`] does, for a mechanism that is already prepared.
 pub(super) fn along(
-    (model, question): (&Mechanism, &mut Question),
+    model: &Mechanism,
+    question: &mut Question,
     asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
     values: &[f64],
 ) -> Result<Course, Error> {

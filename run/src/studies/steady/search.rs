@@ -82,7 +82,7 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
         let others = (1..=starts).map(|start| spread.start(&x, &unknowns.states, start));
         for (start, x) in std::iter::once(x.clone()).chain(others).enumerate() {
             let steady = if start == 0 { first.clone() } else { question.settle(&x, &unknowns) };
-            let steady = rests.in_place_of(model, &question, steady, (&x, &unknowns));
+            let steady = rests.in_place_of(model, &question, steady, &x, &unknowns);
             if steady.is_steady() && !list.iter().any(|known| is_same(model, known, &steady)) {
                 list.push(steady);
             }

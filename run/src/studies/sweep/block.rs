@@ -248,7 +248,7 @@ impl Worker<'_> {
         let solution = solve(&y0, &options, &mut watched)?;
         drop(watched);
         let values = |problem: &Problem<'_>, t: f64, y: &[f64]| shown.of(problem, t, y);
-        let digits = if *tells_digits { assess(problem, &y0, &options, &solution, (&values, balance))? } else { None };
+        let digits = if *tells_digits { assess(problem, &y0, &options, &solution, &values, balance)? } else { None };
         self.ended(problem, &solution, digits.and_then(|digits| digits.end()))
     }
 

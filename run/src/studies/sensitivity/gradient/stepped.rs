@@ -2,6 +2,7 @@
 
 use crate::error::{Error, refused};
 use crate::preparation::impacts::{After, Approach, Carrier, Crossing, Doubles, Happening, Kept, NONE};
+use crate::preparation::initial::InitialState;
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::graze::near;
 use crate::trust::power::accounted;
@@ -153,8 +154,8 @@ impl Stepped {
         let doubles = Doubles { contacts: &contacts, equations: &equations };
         let parts = RefCell::new(Vec::new());
         let noting = Noting { doubles, parts, near: near(options), is_near: Cell::new(false) };
-        let from = (problem.scene.span, y0);
-        let run = problem.bounce(&contacts, &noting, from, options, events, accounted(problem)?);
+        let start = InitialState { span: problem.scene.span, y: y0 };
+        let run = problem.bounce(&contacts, &noting, start, options, events, accounted(problem)?);
         let solution = run.map_err(|error| refused(problem.scene, &error))?;
         Ok(Self { solution, parts: noting.parts.into_inner(), is_near: noting.is_near.get() })
     }
