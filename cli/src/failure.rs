@@ -167,12 +167,31 @@ pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     write_out(&out)
 }
 
+/// Form in which a command prints its result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// Lines for people.
+    Text,
+    /// JSON for programs.
+    Json,
+}
+
+impl Output {
+    /// Form for the flag `--json`: JSON if it is given.
+    pub fn of_flag(json: bool) -> Self {
+        if json { Self::Json } else { Self::Text }
+    }
+}
+
 /// Prints the result of a command: lines for people, or JSON for programs.
 ///
 /// # Errors
 /// [`Failure`] if standard output cannot be written.
-pub fn print_either(as_json: bool, lines: &str, value: &serde_json::Value) -> Result<(), Failure> {
-    if as_json { print_json(value) } else { print(lines) }
+pub fn print_either(output: Output, lines: &str, value: &serde_json::Value) -> Result<(), Failure> {
+    match output {
+        Output::Text => print(lines),
+        Output::Json => print_json(value),
+    }
 }
 
 fn write_out(text: &str) -> Result<(), Failure> {

@@ -100,7 +100,7 @@ fn derivations(page: &Page) -> String {
 fn contents(page: &Page) -> String {
     let scenes: Vec<String> =
         page.scenes.iter().enumerate().map(|(at, scene)| link(&anchor(at), &escape(&scene.title))).collect();
-    let formulations: Vec<String> = page.derivations.iter().map(contents_of).collect();
+    let formulations: Vec<String> = page.derivations.iter().map(|(of, result)| contents_of(*of, result)).collect();
     let entries = [
         page.moving.as_ref().map(|_| ("motion", "The motion", Vec::new())),
         page.study.published.as_ref().map(|_| ("errata", "Errata", Vec::new())),
@@ -119,7 +119,7 @@ fn contents(page: &Page) -> String {
 }
 
 /// HTML of the entry of a formulation in the table of contents.
-fn contents_of((formulation, result): &(Formulation, Result<DerivationInSteps, String>)) -> String {
+fn contents_of(formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
     let missing = if result.is_err() { " <span class=\"quiet\">(not derived)</span>" } else { "" };
     format!("{}{missing}", link(formulation.name(), &escape(formulation.title())))
 }

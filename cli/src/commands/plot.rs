@@ -1,7 +1,7 @@
 //! `tripos plot`: quantities of one or several runs in a figure, with its data beside it.
 
 use crate::arguments::Plot;
-use crate::failure::{Failure, print_either, say, status, warn};
+use crate::failure::{Failure, Output, print_either, say, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, table};
 use crate::picture::{self, Kind};
@@ -80,7 +80,7 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
         "figure": kind.is_some().then(|| path_in_line(&out)), "data": path_in_line(&data), "runs": runs.collect::<Vec<_>>(),
         "panels": panels.iter().map(|panel| pretty(&panel.title)).collect::<Vec<_>>(),
     });
-    print_either(request.json, &lines.concat(), &value)?;
+    print_either(Output::of_flag(request.json), &lines.concat(), &value)?;
     let interrupted = curves.iter().any(|curve| curve.run.solution.stop == Stop::Interrupted);
     Ok(match interrupted {
         true => status::INTERRUPTED,

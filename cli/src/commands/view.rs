@@ -1,7 +1,7 @@
 //! `tripos view`: a scene's motion as a moving picture, in one file.
 
 use crate::arguments::View as Request;
-use crate::failure::{Failure, print_either, status, warn};
+use crate::failure::{Failure, Output, print_either, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, text};
 use crate::scene_file::{VariedScene, read_scene_with};
@@ -42,7 +42,7 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     text(&request.out, &document(&seen, &live))?;
     let objections: Vec<&String> = seen.motions.iter().flat_map(|motion| &motion.objections).collect();
     let value = json!({ "files": [path_in_line(&request.out)], "stopped": stopped, "warnings": objections });
-    print_either(request.json, &format!("{}\n", request.out.display()), &value)?;
+    print_either(Output::of_flag(request.json), &format!("{}\n", request.out.display()), &value)?;
     Ok(if stopped { status::STOPPED } else { 0 })
 }
 

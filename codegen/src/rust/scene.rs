@@ -53,7 +53,7 @@ pub fn file(
     let (text, code) = match before.iter().find(|file| file.key == key) {
         Some(same) => (reference(reduction, named, &same.module), None),
         None => {
-            let (text, code) = equations_of(whole, reduction, named, extras, (&module, &key))?;
+            let (text, code) = equations_of(whole, reduction, named, extras, &module, &key)?;
             (text, Some(code))
         }
     };
@@ -100,7 +100,8 @@ fn equations_of(
     reduction: &Reduction,
     named: &Named<'_>,
     extras: Extras,
-    (module, key): (&str, &str),
+    module: &str,
+    key: &str,
 ) -> Result<(String, String), Unsolved> {
     let equations = SceneEquations::new(reduction)?;
     let planner = equations.planner(&LANGUAGE);

@@ -183,12 +183,21 @@ impl Way {
     }
 }
 
+/// Treatment of the equations of a publication beside the derived ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Printed {
+    /// The printed equations are run as they stand.
+    Included,
+    /// Only derived equations are run.
+    LeftOut,
+}
+
 /// Lists every formulation of the model with each way to find its accelerations. Printed equations follow, as they
-/// stand, if `printed` is true, and then the scene's reduced equations. Also returns the reasons why cases are missing.
+/// stand, if `printed` includes them, and then the scene's reduced equations. Also returns the reasons why cases are missing.
 ///
 /// # Errors
 /// [`Error`] if no equations can be run.
-pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
+pub fn cases(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = whole(model, scene, printed)?;
     match own(model, scene) {
         Ok(case) => list.push(case),
@@ -201,11 +210,11 @@ pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
 ///
 /// # Errors
 /// Errors of [`cases`].
-pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
+pub fn whole(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = (Vec::new(), Vec::new());
     let mut why = None;
     let mut names: Vec<By> = tripos_derive::Formulation::ALL.map(By::from).to_vec();
-    if printed {
+    if printed == Printed::Included {
         names.extend(crate::code::printed(model)?);
     }
     for by in names {

@@ -32,18 +32,23 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Makes the full plan, or a quick one whose measurements take less than two minutes.
+    /// Makes the full plan.
     #[must_use]
-    pub fn new(quick: bool) -> Self {
-        let powers: Vec<i32> = if quick { vec![3, 5, 7, 9, 11, 13] } else { (2..=14).collect() };
-        Self {
-            tolerances: powers.into_iter().map(|n| 10_f64.powi(-n)).collect(),
-            repeats: if quick { 3 } else { 7 },
-            step_limit: if quick { 100_000 } else { 1_000_000 },
-            quick,
-            patience: if quick { 0.1 } else { 1.0 },
-        }
+    pub fn full() -> Self {
+        Self { tolerances: powers_of_ten(2..=14), repeats: 7, step_limit: 1_000_000, quick: false, patience: 1.0 }
     }
+
+    /// Makes a plan whose measurements take less than two minutes.
+    #[must_use]
+    pub fn quick() -> Self {
+        let tolerances = powers_of_ten((3..=13).step_by(2));
+        Self { tolerances, repeats: 3, step_limit: 100_000, quick: true, patience: 0.1 }
+    }
+}
+
+/// Tolerances 10⁻ⁿ for the given n.
+fn powers_of_ten(powers: impl Iterator<Item = i32>) -> Vec<f64> {
+    powers.map(|n| 10_f64.powi(-n)).collect()
 }
 
 /// Measured point of a chart: one case, one method and one tolerance.

@@ -7,7 +7,7 @@ use crate::follow::Progress;
 use crate::mechanism::Mechanism;
 use crate::options::options;
 use crate::preparation::problem::Problem;
-use crate::studies::case::cases;
+use crate::studies::case::{Printed, cases};
 use crate::trust::comparison::Compared;
 use crate::trust::events::{Balance, events};
 use crate::trust::invariants::Watch;
@@ -42,7 +42,7 @@ pub struct Session {
 pub fn chart(
     model: &Mechanism,
     scene: &Scene,
-    printed: bool,
+    printed: Printed,
     plan: &Plan,
     bar: &dyn Progress,
 ) -> Result<Session, Error> {

@@ -7,7 +7,7 @@ use crate::code::{Ready, code, tape};
 use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
 use crate::preparation::problem::Problem;
-use crate::studies::case::{Case, whole};
+use crate::studies::case::{Case, Printed, whole};
 use crate::studies::figure::{Figure, Panel, Scale, Series};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::text::print::text;
@@ -163,7 +163,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let places = places(study)?;
     let mut scene = study.scene.clone();
     scene.integration.distance = None;
-    let (cases, _) = whole(study.model, &scene, false)?;
+    let (cases, _) = whole(study.model, &scene, Printed::LeftOut)?;
     let mut curves = Curves::default();
     for case in &cases {
         let (mut error_points, mut plain, mut scaled) = (Vec::new(), Vec::new(), Vec::new());

@@ -7,7 +7,7 @@ use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
-use crate::studies::case::{Case, Way, own, whole};
+use crate::studies::case::{Case, Printed, Way, own, whole};
 use crate::studies::figure::{Cell, Figure, HeatMap};
 use crate::trust::comparison::Compared;
 use crate::trust::reference::Reference;
@@ -108,7 +108,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         scene.integration.distance = distance;
         let what = Integrated { distance, variable: distance.map_or(Variable::Coordinate, |_| Variable::Distance) };
         // The list has only formulations that the model has.
-        for case in whole(model, &scene, false)?.0 {
+        for case in whole(model, &scene, Printed::LeftOut)?.0 {
             for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
                 if case.has(method) {
                     row(findings, &case, what, Way::Steps(method, tolerance))?;
