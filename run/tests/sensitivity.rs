@@ -212,7 +212,7 @@ fn end(scene: &Scene, tolerance: f64) -> Vec<DoubleDouble> {
 }
 
 /// Derivatives of the states at the end by a number with this `value`, as differences of order 4 with steps of 2⁻ᵇ.
-fn differences(scene: &Scene, (name, value): (&str, f64), step: f64, tolerance: f64) -> Vec<f64> {
+fn differences(scene: &Scene, name: &str, value: f64, step: f64, tolerance: f64) -> Vec<f64> {
     let at = |place: f64| {
         let mut scene = scene.clone();
         // The decimal number itself is set, not the double nearest to the sum.
@@ -238,7 +238,7 @@ fn against_differences(scene: &Scene, numbers: &[(&str, f64)], step: f64, by: Op
     let stated = found.errors.as_ref().expect("a second run comes to the end");
     let mut worst = 0.0_f64;
     for ((own, stated), number) in found.end.iter().zip(stated).zip(numbers) {
-        let truth = differences(scene, *number, step, 1e-21);
+        let truth = differences(scene, number.0, number.1, step, 1e-21);
         for (((own, stated), truth), name) in own.iter().zip(stated).zip(&truth).zip(&found.names) {
             let (off, size) = ((own - truth).abs(), truth.abs().max(1.0));
             println!("d({name})/d({}) = {own:e} ± {stated:.1e}, by differences {truth:e}: off by {off:.1e}", number.0);

@@ -107,7 +107,7 @@ struct Link {
 }
 
 /// The scene file of a run from this state, of a model file called `model.toml`, until this instant.
-pub fn scene((q, u): &(Vec<f64>, Vec<f64>), end: f64) -> String {
+pub fn scene(q: &[f64], u: &[f64], end: f64) -> String {
     let mut text = format!("model = \"model.toml\"\nspan = [0, {end}]\n[start]\n");
     for (at, (q, u)) in q.iter().zip(u).enumerate() {
         let _ = writeln!(text, "q{at} = {q}\nu{at} = {u}");
@@ -323,10 +323,10 @@ impl Tree {
     }
 
     /// q and u after a time, by the classical Runge–Kutta method in so many steps.
-    pub fn after(&self, (q, u): &(Vec<f64>, Vec<f64>), time: f64, steps: u32) -> (Vec<f64>, Vec<f64>) {
+    pub fn after(&self, q: &[f64], u: &[f64], time: f64, steps: u32) -> (Vec<f64>, Vec<f64>) {
         let h = time / f64::from(steps);
         let n = q.len();
-        let mut x = [q.as_slice(), u].concat();
+        let mut x = [q, u].concat();
         let slope = |x: &[f64]| [self.rates(&x[..n], &x[n..]), self.accelerations(&x[..n], &x[n..]).1].concat();
         let moved = |x: &[f64], k: &[f64], h: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + h * k).collect() };
         for _ in 0..steps {

@@ -37,8 +37,16 @@ struct Curve {
     run: Run,
     model: Mechanism,
     scene: Scene,
-    /// Changes of the first integrals along the run: name, unit and values, sample by sample.
-    integrals: Vec<(String, String, Vec<f64>)>,
+    /// Changes of the first integrals along the run.
+    integrals: Vec<IntegralCourse>,
+}
+
+/// Change of a first integral along a run.
+struct IntegralCourse {
+    name: String,
+    unit: String,
+    /// Size of the change since the start, sample by sample.
+    changes: Vec<f64>,
 }
 
 /// Runs the scenes, draws the wanted quantities, and writes the figure and its data. Returns the exit status.
@@ -229,8 +237,8 @@ impl Curve {
     }
 }
 
-/// Changes of the first integrals along a run: name, unit and values, sample by sample.
-fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<(String, String, Vec<f64>)>, Failure> {
+/// Changes of the first integrals along a run.
+fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<IntegralCourse>, Failure> {
     let watch = Watch::of_model(model)?;
     // States of the run hold coordinates and speeds first, then outputs.
     let count = model.coordinates.len() + model.speeds.len();
@@ -238,8 +246,8 @@ fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<(String,
     let (values, _) = watch.along(&scene.parameters, &states);
     let changes = watch.integrals.iter().zip(values).map(|(integral, values)| {
         let first = values.first().copied().unwrap_or(f64::NAN);
-        let change = values.iter().map(|value| (value - first).abs()).collect();
-        (integral.name().to_owned(), integral.unit.clone(), change)
+        let changes = values.iter().map(|value| (value - first).abs()).collect();
+        IntegralCourse { name: integral.name().to_owned(), unit: integral.unit.clone(), changes }
     });
     Ok(changes.collect())
 }
@@ -275,9 +283,9 @@ fn panels(wanted: &Wanted, curves: &[Curve]) -> Result<Vec<Panel>, Failure> {
             series,
         ));
     }
-    for (at, (name, unit, _)) in first.integrals.iter().enumerate() {
+    for (at, IntegralCourse { name, unit, .. }) in first.integrals.iter().enumerate() {
         let of_curve = |(style, curve): (usize, &Curve)| {
-            let points = curve.run.solution.t.iter().copied().zip(curve.integrals[at].2.iter().copied());
+            let points = curve.run.solution.t.iter().copied().zip(curve.integrals[at].changes.iter().copied());
             let label = if curves.len() > 1 { &curve.label } else { name };
             Series::curve(label.clone(), style, points.skip(1).collect())
         };

@@ -165,19 +165,17 @@ fn fewest(run: &Run) -> Value {
     let found = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)));
     found.map_or(
         Value::Null,
-        |(digits, (instant, which, left))| json!({ "digits": left, "of": run.names[which], "t": digits.t[instant] }),
+        |(digits, fewest)| json!({ "digits": fewest.digits, "of": run.names[fewest.value], "t": digits.t[fewest.instant] }),
     )
 }
 
 /// Line with the numbers of correct digits at the end and along the run; empty if they were not assessed.
 fn digits_in_words(run: &Run) -> String {
-    let Some((digits, (instant, which, least))) =
-        run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)))
-    else {
+    let Some((digits, fewest)) = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?))) else {
         return String::new();
     };
     let at_end = digits.end().map_or_else(String::new, |end| format!("{end:.1} digits are right at the end, "));
-    let (t, name) = (digits.t[instant], &run.names[which]);
+    let (least, t, name) = (fewest.digits, digits.t[fewest.instant], &run.names[fewest.value]);
     format!("{at_end}{least:.1} at least on the way (`{name}` at t = {t:.4} s), by comparison with {}\n", digits.by)
 }
 

@@ -53,8 +53,30 @@ pub struct Digits {
     pub by: String,
     /// Instant at which the run ends, s.
     pub t_end: f64,
-    /// End of the second run, s, the reason why it ended, and true if the second run was the finer one.
-    pub(crate) second: (f64, Stop, bool),
+    /// End of the second run.
+    pub(crate) second: SecondEnd,
+}
+
+/// End of the second run, with which the first is compared.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SecondEnd {
+    /// Instant of the end, s.
+    pub t: f64,
+    /// Reason why the run ended.
+    pub stop: Stop,
+    /// True if this run was the finer one.
+    pub is_finer: bool,
+}
+
+/// Shown value and instant with the fewest correct digits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fewest {
+    /// Index of the instant.
+    pub instant: usize,
+    /// Index of the shown value.
+    pub value: usize,
+    /// Number of correct digits.
+    pub digits: f64,
 }
 
 impl Digits {
@@ -95,12 +117,11 @@ impl Digits {
         self.digits[instant].iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Fewest digits of all shown values and instants: the index of the instant, the index of the value, and the
-    /// digits. The first such instant if several are equal.
+    /// Fewest digits of all shown values and instants. The first such instant if several are equal.
     #[must_use]
-    pub fn fewest_of_all(&self) -> Option<(usize, usize, f64)> {
-        let all = (0..self.t.len()).filter_map(|at| self.fewest(at).map(|(which, digits)| (at, which, digits)));
-        all.min_by(|a, b| a.2.total_cmp(&b.2))
+    pub fn fewest_of_all(&self) -> Option<Fewest> {
+        let at = |instant| self.fewest(instant).map(|(value, digits)| Fewest { instant, value, digits });
+        (0..self.t.len()).filter_map(at).min_by(|a, b| a.digits.total_cmp(&b.digits))
     }
 
     /// First instant at which a shown value has too few digits, as the indices of instant and value; `None` if all have
@@ -176,7 +197,7 @@ pub fn assess(
         last = (0..a.len()).map(|at| told(error(at) / own(at))).collect();
     }
     let events = of_events(&solution.events, &run.events, part);
-    let second = (run.t_end, run.stop, is_finer);
+    let second = SecondEnd { t: run.t_end, stop: run.stop, is_finer };
     Ok(Some(Digits { t: run.t, errors, digits, last, events, by: words, t_end: solution.t_end, second }))
 }
 

@@ -69,8 +69,9 @@ fn off(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wid
     worst
 }
 
-/// Derivative at the end by a number, as a difference of order 4 of whole runs that differ by a part of it.
-fn difference(scene: &Scene, of: &str, by: &str, (value, part): (f64, f64), how: &Overrides) -> f64 {
+/// Derivative at the end by a number with this `value`, as a difference of order 4 of whole runs that differ by a part
+/// of it.
+fn difference(scene: &Scene, of: &str, by: &str, value: f64, part: f64, how: &Overrides) -> f64 {
     let h = part * value.abs().max(0.1);
     let at = |place: f64| {
         let mut scene = scene.clone();

@@ -9,10 +9,10 @@ use crate::sensitivity::near;
 use tripos::{At, Overrides, Scene};
 use tripos_traits::{Real, Scalar};
 
-/// Block on an incline with these parameters, from (x, vx).
-fn block(list: &[(&str, f64)], start: (f64, f64), span: f64) -> Scene {
+/// Block on an incline with these parameters, from the place `x` with the velocity `vx`.
+fn block(list: &[(&str, f64)], x: f64, vx: f64, span: f64) -> Scene {
     let parameters: Vec<String> = list.iter().map(|(name, value)| format!("{name} = {value:?}")).collect();
-    scene_of(BLOCK, &on_plane(&parameters.join("\n"), start, span))
+    scene_of(BLOCK, &on_plane(&parameters.join("\n"), x, vx, span))
 }
 
 /// Goal: a block that slides to rest, by all numbers that its path depends on, and the instant of its rest. Truth: x =
@@ -31,7 +31,7 @@ fn a_block_that_slides_to_rest_is_differentiated_by_all_that_its_way_depends_on(
         ];
         let [mu, g, alpha, v, x] = values;
         let way = if case % 3 == 2 { -1.0 } else { 1.0 };
-        let scene = block(&[("mu", mu), ("g", g), ("alpha", way * alpha)], (x, way * v), 4.0);
+        let scene = block(&[("mu", mu), ("g", g), ("alpha", way * alpha)], x, way * v, 4.0);
         let method = ["dop853", "ode45", "dopri5", "taylor", "gauss6", "radau5"][case % 6];
         let how = how(["kane", "lagrange", "newton-euler"][case % 3], method);
         let found = scene.sensitivities(&["mu", "g", "alpha", "vx", "x", "m"], At::End, &how).unwrap();
@@ -65,7 +65,7 @@ fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
     for case in 0..8 {
         let values = [planted.next(0.1, 0.3), planted.next(5.0, 12.0), planted.next(0.4, 0.7), -planted.next(1.0, 3.0)];
         let [mu, g, alpha, v] = values;
-        let scene = block(&[("mu", mu), ("g", g), ("alpha", alpha)], (0.0, v), 1.5);
+        let scene = block(&[("mu", mu), ("g", g), ("alpha", alpha)], 0.0, v, 1.5);
         let how = how(["kane", "lagrange"][case % 2], ["dop853", "ode45"][case % 2]);
         let found = scene.sensitivities(&["mu", "g", "alpha", "vx", "m"], At::End, &how).unwrap();
         assert!(found.run.events().iter().any(|event| event.name == "plane reverses"));
@@ -86,7 +86,7 @@ fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
 /// takes 2 μ m g/k (J. P. Den Hartog, *Mechanical Vibrations*, 1956, § 8.2).
 #[test]
 fn a_spring_with_friction_is_differentiated_through_all_of_its_reversals() {
-    let scene = block(&[("k", 8.0), ("mu", 0.1)], (2.1, 0.0), 9.0);
+    let scene = block(&[("k", 8.0), ("mu", 0.1)], 2.1, 0.0, 9.0);
     let names = ["x", "mu", "g", "k", "m"];
     let found = scene.sensitivities(&names, At::End, &Overrides::default()).unwrap();
     // Four half swings, an even number, end at x₀ − 8 δ.
@@ -109,7 +109,7 @@ fn a_block_that_a_belt_takes_along_is_differentiated_by_when_its_spring_pulls_it
         let values =
             [planted.next(0.15, 0.25), planted.next(7.0, 9.0), planted.next(0.4, 0.7), planted.next(9.0, 11.0), 2.0];
         let [mu, k, vb, g, _] = values;
-        let scene = block(&[("mu", mu), ("k", k), ("vb", vb), ("g", g)], (0.0, 0.0), 2.0);
+        let scene = block(&[("mu", mu), ("k", k), ("vb", vb), ("g", g)], 0.0, 0.0, 2.0);
         let how = how(["kane", "lagrange"][case % 2], ["dop853", "ode45"][case % 2]);
         let found = scene.sensitivities(&["mu", "k", "vb", "g", "m"], At::End, &how).unwrap();
         let names: Vec<&str> = found.run.events().iter().map(|event| event.name.as_str()).collect();
@@ -278,7 +278,7 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
         let found = scene.sensitivities(&[by], At::End, &Overrides::default()).unwrap_or_else(|e| panic!("{e}"));
         found.missing().unwrap_or_default()
     };
-    let limit = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", (0.0, 0.0), 2.0));
+    let limit = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", 0.0, 0.0, 2.0));
     assert!(
         why(&limit, "mu").contains("at t = 0 s")
             || why(&limit, "mu")
@@ -287,18 +287,18 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
         why(&limit, "mu")
     );
     assert_eq!(why(&limit, "g"), "", "whatever g is, friction just suffices");
-    let steep = block(&[("alpha", 0.5), ("mu", 0.2)], (0.0, 0.0), 1.0);
+    let steep = block(&[("alpha", 0.5), ("mu", 0.2)], 0.0, 0.0, 1.0);
     let back = why(&steep, "vx");
     assert!(back.contains("the contact `plane` begins to slip at rest, and `vx` moves it"), "{back}");
     assert_eq!(why(&steep, "mu"), "");
     // A slip that ends where friction just holds.
-    let thrown = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", (0.0, -1.0), 2.0));
+    let thrown = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", 0.0, -1.0, 2.0));
     let stops = why(&thrown, "alpha");
     assert!(
         stops.contains("from t = 0.1118") && stops.contains("`plane` sticks or slips there changes with `alpha`"),
         "{stops}"
     );
-    let smooth = block(&[("mu", 0.0)], (0.0, 1.0), 1.0);
+    let smooth = block(&[("mu", 0.0)], 0.0, 1.0, 1.0);
     let refused =
         smooth.sensitivities(&["mu"], At::End, &Overrides::default()).err().expect("0 has two sides").to_string();
     assert!(refused.contains("changes the friction of the contact `plane` from 0 on"), "{refused}");
@@ -317,7 +317,7 @@ fn what_is_decided_together_has_no_derivative_by_what_parts_it() {
         found.missing().unwrap_or_default()
     };
     // It falls at 2 m/s, and μ (1 + e) of that is all of its 1.5 m/s.
-    let text = on_plane("e = 0.5", (0.0, 1.5), 0.4).replace("\nz = 0", "\nz = 0.2");
+    let text = on_plane("e = 0.5", 0.0, 1.5, 0.4).replace("\nz = 0", "\nz = 0.2");
     for law in ["newton", "poisson"] {
         let just = scene_of(BLOCK, &text.replace("friction = ", &format!("law = \"{law}\"\nfriction = ")));
         for by in ["vx", "mu", "g"] {
@@ -359,8 +359,8 @@ fn what_is_decided_together_has_no_derivative_by_what_parts_it() {
 #[test]
 fn a_run_with_friction_and_derivatives_is_the_run_without() {
     for (scene, names) in [
-        (block(&[("k", 8.0), ("mu", 0.1)], (2.1, 0.0), 9.0), ["mu", "k"]),
-        (block(&[("k", 8.0), ("mu", 0.2), ("vb", 0.6)], (0.0, 0.0), 3.0), ["mu", "vb"]),
+        (block(&[("k", 8.0), ("mu", 0.1)], 2.1, 0.0, 9.0), ["mu", "k"]),
+        (block(&[("k", 8.0), ("mu", 0.2), ("vb", 0.6)], 0.0, 0.0, 3.0), ["mu", "vb"]),
         (disk(&[0.1, 0.5, 0.5, 4.0, 1.0], "poisson", 3.0), ["h", "e"]),
     ] {
         for method in ["dop853", "ode45", "radau5"] {

@@ -39,6 +39,16 @@ struct Arm {
     direction: Triple,
 }
 
+/// Part of a vector across the axis of an angle.
+struct Across {
+    /// Nearest basis vector of the turned frame across the axis, with its sign.
+    direction: Triple,
+    /// Length of the vector across the axis, m.
+    length: f64,
+    /// Share of the length of the vector along the basis vector.
+    share: f64,
+}
+
 impl Angle {
     /// Finds the turn of a frame whose angle is a coordinate; `None` if the coordinate is no such angle.
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
@@ -77,18 +87,18 @@ impl Angle {
         let (own, all) = (ways(true), ways(false));
         let best = own.iter().filter_map(|(from, way)| Some((*from, self.across(subject, *way)?)));
         let best = best.min_by(|(_, a), (_, b)| {
-            let rank = |x: &(Triple, f64, f64)| (x.2 < ALONG, -(1e6 * x.1 / subject.view.size).round());
+            let rank = |x: &Across| (x.share < ALONG, -(1e6 * x.length / subject.view.size).round());
             let (a, b) = (rank(a), rank(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        if let Some((from, (direction, ..))) = best {
+        if let Some((from, Across { direction, .. })) = best {
             return Arm { apex: subject.pose.points[from], direction };
         }
         let mut next = [0.0; 3];
         next[(self.axis + 1) % 3] = 1.0;
         if let Some((from, way)) = all.first() {
             let of_first =
-                self.across(subject, *way).filter(|(.., share)| *share > 0.8).map(|(direction, ..)| direction);
+                self.across(subject, *way).filter(|across| across.share > 0.8).map(|across| across.direction);
             return Arm { apex: subject.pose.points[*from], direction: of_first.unwrap_or(next) };
         }
         let turned = |frame: usize| subject.chain(frame).any(|f| f == self.frame);
@@ -97,10 +107,9 @@ impl Angle {
         Arm { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
     }
 
-    /// Finds the basis vector of the turned frame across the axis that is nearest to a vector, with its sign. Also
-    /// returns the length of the vector across the axis, and the share of its length along the basis vector. `None` for
-    /// a vector that is too close to the axis.
-    fn across(&self, subject: &Subject<'_>, way: Triple) -> Option<(Triple, f64, f64)> {
+    /// Finds the basis vector of the turned frame across the axis that is nearest to a vector. `None` for a vector that
+    /// is too close to the axis.
+    fn across(&self, subject: &Subject<'_>, way: Triple) -> Option<Across> {
         let inside = rotated_back(&subject.pose.rotations[self.frame], way);
         let (j, k) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
         let across = inside[j].hypot(inside[k]);
@@ -111,7 +120,7 @@ impl Angle {
         let axis = if inside[k].abs() > inside[j].abs() * (1.0 + 1e-9) { k } else { j };
         let mut direction = [0.0; 3];
         direction[axis] = inside[axis].signum();
-        Some((direction, across, inside[axis].abs() / length(inside)))
+        Some(Across { direction, length: across, share: inside[axis].abs() / length(inside) })
     }
 }
 

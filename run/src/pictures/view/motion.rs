@@ -15,9 +15,12 @@ use tripos_sim::Method;
 const SAMPLES: usize = 6000;
 /// Greatest number of samples from one kept instant to the next.
 const LONGEST: usize = 60;
-/// Greatest errors between two instants that are not visible: of places, relative to the mechanism's size; of angles,
-/// rad; and of forces, relative to the usual force.
-const NOT_SEEN: (f64, f64, f64) = (5e-4, 4e-3, 2e-2);
+/// Greatest error of a place between two instants that is not visible, relative to the mechanism's size.
+const UNSEEN_PLACE: f64 = 5e-4;
+/// Greatest error of an angle between two instants that is not visible, rad.
+const UNSEEN_ANGLE: f64 = 4e-3;
+/// Greatest error of a force between two instants that is not visible, relative to the usual force.
+const UNSEEN_FORCE: f64 = 2e-2;
 /// Angle between drawn and true attitude above which a turn looks wrong, rad.
 const UNTRUE: f64 = 0.2;
 /// Greatest angle between two attitudes for which the shortest turn is unique despite rounding errors, rad.
@@ -152,9 +155,9 @@ impl Motion {
                 let grown = forces[from].iter().zip(&forces[to]).zip(&forces[at]);
                 let drawn = |force: &Triple| self.forces.drawn(*force);
                 let mut off = grown.map(|((a, b), x)| length(minus(between(drawn(a), drawn(b), share), drawn(x))));
-                ways.all(|off| off <= looser * NOT_SEEN.0 * size)
-                    && angles.all(|off| off <= looser * NOT_SEEN.1)
-                    && !off.any(|off| off > looser * NOT_SEEN.2 * self.forces.usual)
+                ways.all(|off| off <= looser * UNSEEN_PLACE * size)
+                    && angles.all(|off| off <= looser * UNSEEN_ANGLE)
+                    && !off.any(|off| off > looser * UNSEEN_FORCE * self.forces.usual)
             })
     }
 

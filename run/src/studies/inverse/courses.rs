@@ -17,6 +17,7 @@ use tripos_traits::DoubleDouble;
 const BROKEN: f64 = 1e-9;
 
 /// Parameters, coordinates and speeds at one instant.
+#[derive(Clone, Copy)]
 struct Instantaneous<'a> {
     p: &'a [DoubleDouble],
     q: &'a [DoubleDouble],
