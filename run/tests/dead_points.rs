@@ -195,11 +195,21 @@ impl Random {
     }
 }
 
+/// Kind of the joint at the end of a chain.
+#[derive(Clone, Copy)]
+enum LastJoint {
+    Pin,
+    Piston,
+}
+
 /// A random chain that turns, in a state on its closure.
-fn turning(random: &mut Random, rods: usize, is_pinned: bool) -> (Chain, Vec<f64>) {
+fn turning(random: &mut Random, rods: usize, last: LastJoint) -> (Chain, Vec<f64>) {
     loop {
         let lengths: Vec<f64> = (0..rods).map(|at| if at == 0 { 0.2 } else { random.within(0.45, 0.7) }).collect();
-        let end = if is_pinned { End::Pin(random.within(0.5, 0.7)) } else { End::Piston(random.within(0.3, 1.0)) };
+        let end = match last {
+            LastJoint::Pin => End::Pin(random.within(0.5, 0.7)),
+            LastJoint::Piston => End::Piston(random.within(0.3, 1.0)),
+        };
         let chain = Chain { rods: lengths.iter().map(|l| (random.within(0.4, 1.5), *l)).collect(), end };
         let mut state: Vec<f64> = match rods {
             2 => vec![random.within(0.4, 1.2), -0.3],
@@ -228,12 +238,12 @@ fn random_linkages_go_through_the_dead_points_of_their_speeds() {
     let mut random = Random(44);
     let mut changed = 0;
     for case in 0..6 * times() {
-        let (rods, is_pinned, choices): (usize, bool, [&[usize]; 2]) = match case % 3 {
-            0 => (3, true, [&[2], &[1]]),
-            1 => (2, false, [&[2], &[1]]),
-            _ => (4, true, [&[1, 3], &[2, 3]]),
+        let (rods, last, choices): (usize, LastJoint, [&[usize]; 2]) = match case % 3 {
+            0 => (3, LastJoint::Pin, [&[2], &[1]]),
+            1 => (2, LastJoint::Piston, [&[2], &[1]]),
+            _ => (4, LastJoint::Pin, [&[1, 3], &[2, 3]]),
         };
-        let (chain, state) = turning(&mut random, rods, is_pinned);
+        let (chain, state) = turning(&mut random, rods, last);
         let time = 0.6;
         let truth = chain.moved(&state, time);
         let angles = Chain::relative(&truth[..rods]);
@@ -302,7 +312,7 @@ fn a_start_in_a_dead_point_needs_a_rate() {
 fn a_pose_follows_from_any_number_that_determines_it() {
     let mut random = Random(3);
     for _ in 0..6 * times() {
-        let (chain, state) = turning(&mut random, 2, false);
+        let (chain, state) = turning(&mut random, 2, LastJoint::Piston);
         let angles = Chain::relative(&state[..2]);
         let x: f64 = chain.rods.iter().zip(&state).map(|((_, l), a)| l * a.cos()).sum();
         let guesses = format!("q0 = {:?}\nq1 = {:?}\n", angles[0] + 0.05, angles[1] - 0.1);
@@ -326,7 +336,7 @@ fn a_pose_follows_from_any_number_that_determines_it() {
 #[test]
 fn derivatives_of_runs_that_change_their_speeds_hold() {
     let mut random = Random(12);
-    let (chain, state) = turning(&mut random, 2, false);
+    let (chain, state) = turning(&mut random, 2, LastJoint::Piston);
     let how = "method = \"dop853\"\nrtol = 1e-11\natol = 1e-11";
     let scene = chain.scene(&[2], &state, 0.4, how);
     let name = "m0";

@@ -16,6 +16,7 @@ use tripos::code::Form;
 use tripos::{
     At, Digits, Drift, Mechanism, Run, Sensitivities, method_words, sensitivities, simulate as simulate_scene,
 };
+use tripos_codegen::files::Existing;
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
@@ -30,7 +31,8 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
         return by_all::simulate(request, &model, &scene, &set, of);
     }
     if let Some(path) = &request.csv {
-        check_csv(path, request.overwrite, &model, &scene)?;
+        let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
+        check_csv(path, existing, &model, &scene)?;
     }
     follow::listen();
     follow::show(scene.span);
@@ -291,7 +293,7 @@ fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(
 
 /// Refuses to write samples over an input file, over a file that looks like no table of samples, and into a folder that
 /// does not exist: after a long run that would be too late.
-fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
+fn check_csv(path: &Path, existing: Existing, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     keep_inputs(model, Some(scene), [path])?;
     csv_name(path)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
@@ -299,7 +301,7 @@ fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> 
         return Err(Failure::Output(path_in_line(path), error));
     }
     let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
-    if path.is_file() && !is_table && !overwrite && !path.starts_with("/dev") {
+    if path.is_file() && !is_table && existing == Existing::Kept && !path.starts_with("/dev") {
         let what = format!("`{}` is there already, and its name does not end in `.csv`", path_in_line(path));
         return Err(Failure::request(what, "give another --csv, or --overwrite to replace it".to_owned()));
     }

@@ -4,7 +4,7 @@
 use super::{Entry, FormulationFiles, LANGUAGE, Written, formulation_files};
 use crate::extras::Extras;
 use crate::origin::Origin;
-use crate::plan::{FormulationPlan, Planner, module_name};
+use crate::plan::{FormulationPlan, Jacobian, Planner, Sharing, module_name};
 use crate::target::Target;
 use crate::taylor::recurrences_of;
 use std::collections::BTreeMap;
@@ -53,8 +53,8 @@ impl Target for RustModule<'_> {
     }
 
     fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
-        let planner = Planner::new(model, arena, equations, &LANGUAGE, false);
-        let plan = FormulationPlan::new(&planner, None, false, None);
+        let planner = Planner::new(model, arena, equations, &LANGUAGE, Sharing::AsStated);
+        let plan = FormulationPlan::new(&planner, None, Jacobian::LeftOut, None);
         self.add(&plan, &self.origin.of_publication(), Shown::ToPeople);
     }
 }
@@ -103,8 +103,9 @@ impl<'a> RustModule<'a> {
             if self.extras.taylor { recurrences_of(&mut arena, &equations, &solved.accelerations) } else { None };
         let recurrences = recurrences.filter(|list| list.convolutions() <= MOST_CONVOLUTIONS);
         let equations = equations.with_inverse_dynamics(&mut arena).map_err(|why| refused(why.into()))?;
-        let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
-        let plan = FormulationPlan::new(&planner, Some(&solved), self.extras.jacobian, recurrences.as_ref());
+        let planner = Planner::new(model, &arena, &equations, &LANGUAGE, Sharing::Shared);
+        let jacobian = if self.extras.jacobian { Jacobian::Planned } else { Jacobian::LeftOut };
+        let plan = FormulationPlan::new(&planner, Some(&solved), jacobian, recurrences.as_ref());
         self.add(&plan, &self.origin.of_model(), shown);
         Ok(())
     }

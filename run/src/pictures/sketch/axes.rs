@@ -87,7 +87,7 @@ fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bo
             // for all bodies.
             if triad.frame == 0 || !subject.is_planar {
                 let is_out = dot(column, subject.camera.towards) > 0.0;
-                sheet.add(head_on(from, is_out));
+                sheet.add(if is_out { towards_viewer(from) } else { away_from_viewer(from) });
                 let role = Role::Axis;
                 if is_needed {
                     sheet.name(role, words, from, None, 8.0);
@@ -110,17 +110,18 @@ fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bo
     }
 }
 
-/// Marks of an axis that points at the viewer if `is_out` is true, otherwise away from him.
-fn head_on(at: Spot, is_out: bool) -> Vec<Mark> {
+/// Marks of an axis that points at the viewer: a dot in a circle.
+fn towards_viewer(at: Spot) -> Vec<Mark> {
+    vec![Mark::solid(Role::Axis, Path::circle(at, 5.0)), Mark::dot(Role::Axis, at, 1.6)]
+}
+
+/// Marks of an axis that points away from the viewer: a cross in a circle.
+fn away_from_viewer(at: Spot) -> Vec<Mark> {
+    let arm = 3.5;
     let mut marks = vec![Mark::solid(Role::Axis, Path::circle(at, 5.0))];
-    if is_out {
-        marks.push(Mark::dot(Role::Axis, at, 1.6));
-    } else {
-        let arm = 3.5;
-        marks.extend([1.0, -1.0].map(|side| {
-            Mark::line(Role::Axis, Path::line(&[[at[0] - arm, at[1] - side * arm], [at[0] + arm, at[1] + side * arm]]))
-        }));
-    }
+    marks.extend([1.0, -1.0].map(|side| {
+        Mark::line(Role::Axis, Path::line(&[[at[0] - arm, at[1] - side * arm], [at[0] + arm, at[1] + side * arm]]))
+    }));
     marks
 }
 
@@ -139,7 +140,7 @@ pub fn gravity(subject: &Subject<'_>, sheet: &mut Sheet) -> bool {
         [0.5 * long * seen[0].abs() / share.max(HEAD_ON) + 9.0, 0.5 * long * seen[1].abs() / share.max(HEAD_ON) + 9.0];
     let middle = free_place(sheet, half);
     if long == 0.0 {
-        sheet.add(head_on(middle, false));
+        sheet.add(away_from_viewer(middle));
     } else {
         let way = unit(seen);
         let ends = [-0.5, 0.5].map(|side| [0, 1].map(|i| middle[i] + side * long * way[i]));

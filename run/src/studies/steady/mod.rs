@@ -33,7 +33,7 @@ pub use eigen::{Mode, modes};
 pub use letters::{Entry, Letters, in_letters};
 pub use map::{Map, map};
 pub use newton::{Steady, Unknowns};
-pub use quotient::Quotient;
+pub use quotient::{Quotient, Shifted};
 pub use search::{Found, equilibria};
 pub use verdict::Stability;
 

@@ -3,6 +3,7 @@
 use super::Question;
 use super::about::About;
 use super::newton::{Steady, Unknowns, is_near, is_same};
+use super::quotient::Shifted;
 use super::rest::Rests;
 use crate::{Error, Mechanism};
 use std::f64::consts::PI;
@@ -102,7 +103,7 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     }
     let mut found: Vec<Found> = Vec::new();
     for steady in list {
-        let about = question.about(model, steady.clone(), false);
+        let about = question.about(model, steady.clone(), Shifted::LeftOut);
         let is_known = found.iter().any(|known| is_shifted(model, known, &about));
         if !is_known {
             found.push(Found { steady, about });
