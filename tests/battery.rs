@@ -13,7 +13,7 @@ mod truth;
 use crate::spoilt::Random;
 use problem::Problem;
 use std::fmt::Write;
-use tripos::simulate;
+use tripos::{EquationsName, simulate};
 use tripos_derive::scene::{Integrator, Project, Solve};
 use tripos_sim::Method;
 use truth::Truth;
@@ -64,7 +64,7 @@ fn no_run_states_digits_that_it_does_not_have() {
         for _ in 0..EACH {
             let mut scene = problem.scene.clone();
             let (by, name) = draw(&mut random, &mut scene.integration, &problem);
-            let Ok(run) = simulate(&problem.mechanism, &scene, by) else {
+            let Ok(run) = simulate(&problem.mechanism, &scene, by.map(EquationsName::from).as_ref()) else {
                 refused += 1;
                 continue;
             };

@@ -3,7 +3,7 @@
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::path::PathBuf;
-use tripos::{Error, Overrides};
+use tripos::{EquationsName, Error, Overrides};
 
 /// Derives the equations of motion of a mechanism by Kane, Lagrange and Newton–Euler from one model
 /// file, generates Rust for them, and runs it.
@@ -533,7 +533,7 @@ impl How {
     pub fn overrides(&self) -> Result<Overrides, Error> {
         let Self { by, method, project, solve, step, max_step, rtol, atol, until } = self;
         Ok(Overrides {
-            by: by.clone(),
+            by: by.as_deref().map(EquationsName::from),
             method: method.as_deref().map(str::parse).transpose()?,
             project: project.as_deref().map(str::parse).transpose()?,
             solve: solve.as_deref().map(str::parse).transpose()?,

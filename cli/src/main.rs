@@ -107,7 +107,7 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::emit::emit(&model, &out, &language, &formulations, &with, Output::of_flag(json))
         }
         Command::Evaluate { model, by, at, json } => {
-            commands::evaluate::evaluate(&model, &by, &at, Output::of_flag(json))
+            commands::evaluate::evaluate(&model, &by.as_str().into(), &at, Output::of_flag(json))
         }
         Command::Stability { scene, set, quick, out, json } => {
             commands::stability::stability(&read_scene_with(&scene, &set.set)?, quick, &out, Output::of_flag(json))

@@ -19,6 +19,7 @@
 //! program contains them ([`Scene::with`]). Otherwise the equations are interpreted, with the same results to rounding.
 
 pub mod code;
+mod equations_name;
 mod error;
 pub mod follow;
 mod interpreted;
@@ -33,6 +34,7 @@ mod simulation;
 pub mod studies;
 pub mod trust;
 
+pub use equations_name::EquationsName;
 pub use error::Error;
 pub use mechanism::Mechanism;
 pub use options::method_words;

@@ -226,7 +226,7 @@ fn turning(random: &mut Random, rods: usize, last: LastJoint) -> (Chain, Vec<f64
 }
 
 fn by(scene: &Scene, by: &str) -> Run {
-    let how = Overrides { by: Some(by.to_owned()), ..Overrides::default() };
+    let how = Overrides { by: Some(by.into()), ..Overrides::default() };
     scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"))
 }
 
@@ -347,7 +347,7 @@ fn derivatives_of_runs_that_change_their_speeds_hold() {
     };
     let h = 1e-3;
     let truth = (8.0 * (beside(h) - beside(-h)) - beside(2.0 * h) + beside(-2.0 * h)) / (12.0 * h);
-    let how = Overrides { by: Some("kane".to_owned()), ..Overrides::default() };
+    let how = Overrides { by: Some("kane".into()), ..Overrides::default() };
     let found = scene.sensitivities(&[name], tripos::At::End, &how).unwrap();
     let error = found.errors.as_ref().unwrap()[0][0];
     let value = found.of("q0", name).unwrap();
@@ -412,7 +412,7 @@ ly = { equation = "p(Q) @ N [2] = p(R) @ N [2]" }
     let text = "span = [0, 0.8]\n[start]\nq2 = 0.401\n\"q2'\" = 1.76\n[guess]\nq1 = -1.82\nx = 1.06\n[integration]\nmethod = \"taylor\"\nrtol = 1e-11\natol = 1e-12\n";
     let scene = crate::driven::scene(model, text);
     for by in ["kane", "lagrange"] {
-        let how = Overrides { by: Some(by.to_owned()), ..Overrides::default() };
+        let how = Overrides { by: Some(by.into()), ..Overrides::default() };
         let found = scene.sensitivities(&["b"], tripos::At::End, &how).unwrap();
         for (at, (name, truth)) in [("q1", 2_169.354_3), ("q2", -644.135_9), ("u2", -11_410.741)].iter().enumerate() {
             let (value, error) = (found.of(name, "b").unwrap(), found.errors.as_ref().unwrap()[0][at]);

@@ -77,8 +77,7 @@ fn a_block_slides_on_a_steep_plane_and_stops_on_a_flat_one() {
     let along = |mu: f64| g * (alpha.sin() - mu * alpha.cos());
     for by in ["kane", "lagrange", "newton-euler"] {
         for method in ["dop853", "gauss6", "taylor", "ode45"] {
-            let how =
-                Overrides { by: Some(by.to_owned()), method: Some(method.parse().unwrap()), ..Overrides::default() };
+            let how = Overrides { by: Some(by.into()), method: Some(method.parse().unwrap()), ..Overrides::default() };
             let go = |mu: f64, vx: f64| {
                 let text = on_plane(&format!("alpha = 0.3\nmu = {mu:?}"), 0.0, vx, 2.0);
                 let run = scene(BLOCK, &text).simulate(&how).unwrap_or_else(|e| panic!("{by} {method}: {e}"));

@@ -106,7 +106,7 @@ fn a_ball_bounces_in_geometric_time_by_every_method_and_formulation() {
     for by in ["kane", "lagrange", "newton-euler"] {
         for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"] {
             let how = Overrides {
-                by: Some(by.to_owned()),
+                by: Some(by.into()),
                 method: Some(method.parse().unwrap()),
                 step: (method == "rk4").then_some(0.1),
                 ..Overrides::default()
@@ -315,7 +315,7 @@ fn a_stop_between_two_rods_acts_by_their_mass_matrix() {
         "span = [0, 0.5]\n[start]\nq1 = 1\nq2 = 0.4\nu1 = 0.2\nu2 = 3.2\n[impacts.stop]\ngap = \"45*pi/180 - q2\"\nrestitution = 0.7\n{FINE}"
     );
     for by in ["kane", "lagrange", "newton-euler"] {
-        let how = Overrides { by: Some(by.to_owned()), ..Overrides::default() };
+        let how = Overrides { by: Some(by.into()), ..Overrides::default() };
         let run = scene(DOUBLE, &text).simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"));
         let impact = &run.impacts()[0];
         let rates = &impact.before[2..];
@@ -425,7 +425,7 @@ fn a_contact_opens_where_its_force_no_longer_pushes() {
     let text =
         format!("span = [0, 2]\n[start]\nz = 0\nw = 0\n[impacts.floor]\ngap = \"z\"\nrestitution = \"e\"\n{FINE}");
     for by in ["kane", "lagrange"] {
-        let how = Overrides { by: Some(by.to_owned()), ..Overrides::default() };
+        let how = Overrides { by: Some(by.into()), ..Overrides::default() };
         let run = scene(&model, &text).simulate(&how).unwrap_or_else(|e| panic!("{e}"));
         assert!(run.failure().is_none() && run.impacts().is_empty(), "{:?}", run.objections());
         let list: Vec<(&str, Kind)> = run.events().iter().map(|event| (event.name.as_str(), event.kind)).collect();
@@ -444,7 +444,7 @@ fn a_slider_crank_that_hits_a_stop_stays_closed() {
         "span = [0, 0.09]\n[start]\nq = 0.3\nu = 60\n[guess]\np = 0\ny = 0.2\n[impacts.stop]\ngap = \"y - 3*r\"\nrestitution = 0.6\n{FINE}"
     );
     for by in ["kane", "lagrange", "newton-euler"] {
-        let how = Overrides { by: Some(by.to_owned()), ..Overrides::default() };
+        let how = Overrides { by: Some(by.into()), ..Overrides::default() };
         let run = scene(model, &text).simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"));
         assert!(
             run.objections().is_empty() && run.impacts().len() == 1,
@@ -469,7 +469,7 @@ fn a_slider_crank_that_hits_a_stop_stays_closed() {
 #[test]
 fn what_knows_no_impacts_refuses_them() {
     let says = |text: &str, by: Option<&str>, what: &str| {
-        let how = Overrides { by: by.map(str::to_owned), ..Overrides::default() };
+        let how = Overrides { by: by.map(Into::into), ..Overrides::default() };
         let refused = scene(BALL, text).simulate(&how).err().unwrap_or_else(|| panic!("{what}")).to_string();
         assert!(refused.contains(what) && refused.contains("help: "), "{refused}");
     };

@@ -47,7 +47,7 @@ fn runs_of_random_trees_are_those_of_first_principles() {
         let model = tripos_derive::model::load(&Source::from_text("model.toml", &tree.text())).unwrap();
         for path in PATHS {
             let (by, method, solve) =
-                (path.0.map(str::to_owned), path.1.map(|m| m.parse().unwrap()), path.2.map(|s| s.parse().unwrap()));
+                (path.0.map(Into::into), path.1.map(|m| m.parse().unwrap()), path.2.map(|s| s.parse().unwrap()));
             let what = format!("tree {seed} ({}), {path:?}", tree.kinds());
             let run = Scene::parse(Mechanism::new(model.clone()), &scene(&q0, &u0, SPAN.0))
                 .and_then(|scene| scene.simulate(&Overrides { by, method, solve, ..Overrides::default() }))

@@ -92,7 +92,7 @@ pub fn spring(method: &str, more: &str) -> Scene {
 }
 
 pub fn how(by: Option<&str>) -> Overrides {
-    Overrides { by: by.map(str::to_owned), ..Overrides::default() }
+    Overrides { by: by.map(Into::into), ..Overrides::default() }
 }
 
 pub fn near(found: f64, truth: f64, tolerance: f64, what: &str) {
@@ -316,8 +316,7 @@ fn a_run_with_derivatives_is_the_run_without_and_each_is_what_it_is_alone() {
     let text = include_str!("../../models/four_bar/scenes/turning.toml").replace("[0, 3]", "[0, 0.5]");
     let scene = scene_of(model, &text);
     for method in ["ode45", "dop853", "taylor"] {
-        let how =
-            Overrides { method: Some(method.parse().unwrap()), by: Some("kane".to_owned()), ..Overrides::default() };
+        let how = Overrides { method: Some(method.parse().unwrap()), by: Some("kane".into()), ..Overrides::default() };
         let names = ["a", "b", "c", "d", "ma", "q1"];
         let all = scene.sensitivities(&names, At::Samples, &how).unwrap();
         let plain = scene.simulate(&how).unwrap();
@@ -346,7 +345,7 @@ fn what_cannot_be_differentiated_is_refused() {
     assert!(refused(&["mm"], &plain).contains("did you mean `m`"), "{}", refused(&["mm"], &plain));
     assert!(refused(&["g", "g"], &plain).contains("named twice"));
     assert!(refused(&[], &plain).contains("nothing to differentiate by"));
-    let by = |by: &str| Overrides { by: Some(by.to_owned()), ..Overrides::default() };
+    let by = |by: &str| Overrides { by: Some(by.into()), ..Overrides::default() };
     assert!(refused(&["g"], &by("reduced")).contains("whole equations"));
     let solve = Overrides { solve: Some(Solve::Numeric), ..Overrides::default() };
     assert!(refused(&["g"], &solve).contains("eliminated"));

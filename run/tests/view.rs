@@ -36,7 +36,7 @@ fn the_bob_of_a_pendulum_is_on_its_circle() {
     let (motion, view) = seen(&scene);
     let mut description = scene.description().clone();
     description.integration.samples = Some(motion.t.len());
-    let run = tripos::simulate(scene.mechanism(), &description, Some("kane")).unwrap();
+    let run = tripos::simulate(scene.mechanism(), &description, Some(&"kane".into())).unwrap();
     let (bob, theta) = (point(&scene, "P"), run.column("theta").unwrap());
     assert!(motion.t.len() > 1000 && theta.len() == motion.t.len());
     for (pose, theta) in motion.poses.iter().zip(theta) {

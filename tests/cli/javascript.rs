@@ -232,7 +232,7 @@ fn a_run_of_the_disk_is_that_of_rust() {
     let runs = scenes.map(|name| {
         let scene = Scene::read(root().join(format!("models/disk/scenes/{name}.toml"))).unwrap().with(MODELS);
         let until = if name == "report" { Some(1.0) } else { None };
-        let by = Some("kane".to_owned());
+        let by = Some("kane".into());
         let method = Some(tripos::Method::Dop853.into());
         let how = Overrides { by, method, rtol: Some(1e-13), atol: Some(1e-13), until, ..Overrides::default() };
         let run = scene.simulate(&how).unwrap();

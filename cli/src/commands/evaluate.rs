@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::code::{Ready, by as equations, code_of, derivation, tape};
-use tripos::{Error, Mechanism, near_divisors};
+use tripos::{EquationsName, Error, Mechanism, near_divisors};
 use tripos_derive::algebra::Expr;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{By, Derivation, Kinematics, rates_to_speeds};
@@ -31,7 +31,7 @@ struct Values {
 }
 
 /// Evaluates a formulation at the state of a file, and prints the values. Returns the exit status.
-pub fn evaluate(model: &Path, by: &str, at: &Path, output: Output) -> Result<u8, Failure> {
+pub fn evaluate(model: &Path, by: &EquationsName, at: &Path, output: Output) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let by = equations(&model, by)?;
     let state = load_state(&Source::read(at)?, &mut model)?;

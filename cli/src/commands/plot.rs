@@ -10,7 +10,7 @@ use crate::scene_file::{VariedScene, read_scene_with};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use tripos::code::by_or_first;
-use tripos::{Error, Mechanism, Overrides, Run, Watch, simulate};
+use tripos::{EquationsName, Error, Mechanism, Overrides, Run, Watch, simulate};
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{ENERGIES, Scene, load_output};
@@ -165,9 +165,8 @@ fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
             };
             let (key, value) = part.split_once('=').ok_or_else(wrong)?;
             let number = || value.trim().parse::<f64>().map(Some).map_err(|_| wrong());
-            let word = || Some(value.trim().to_owned());
             match key.trim() {
-                "by" => way.by = word(),
+                "by" => way.by = Some(value.trim().into()),
                 "method" => way.method = Some(value.trim().parse().map_err(Error::from)?),
                 "solve" => way.solve = Some(value.trim().parse().map_err(Error::from)?),
                 "step" => way.step = number()?,
@@ -196,11 +195,11 @@ impl Curve {
         way.change(&mut scene)?;
         // First integrals need the values of all coordinates and speeds.
         let by = match &way.by {
-            None if wanted.integrals => Some(by_or_first(&model, None)?.name()),
+            None if wanted.integrals => Some(EquationsName::from(&by_or_first(&model, None)?)),
             by => by.clone(),
         };
         follow::show(scene.span);
-        let run = simulate(&model, &scene, by.as_deref())?;
+        let run = simulate(&model, &scene, by.as_ref())?;
         follow::hide();
         run.notes.iter().for_each(|note| say(&format!("note: {note}")));
         run.warnings.iter().for_each(|warning| warn(warning));

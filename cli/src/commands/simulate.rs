@@ -26,9 +26,10 @@ use tripos_sim::{EventRecord, ImpactRecord, Stop};
 /// Runs a scene and prints its end, errors and events. Returns the exit status.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let VariedScene { model, mut scene, set } = read_scene_with(&request.scene, &request.set.set)?;
-    request.how.overrides()?.change(&mut scene)?;
+    let how = request.how.overrides()?;
+    how.change(&mut scene)?;
     if let Some(of) = &request.gradient {
-        return by_all::simulate(request, &model, &scene, &set, of);
+        return by_all::simulate(request, &model, &scene, &set, of, how.by.as_ref());
     }
     if let Some(path) = &request.csv {
         let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
@@ -37,7 +38,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     follow::listen();
     follow::show(scene.span);
     let (plain, with);
-    let by = request.how.by.as_deref();
+    let by = how.by.as_ref();
     let (run, slopes): (&Run, Option<&Sensitivities>) = if request.sensitivity.is_empty() {
         plain = simulate_scene(&model, &scene, by)?;
         (&plain, None)

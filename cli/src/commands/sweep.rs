@@ -33,7 +33,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let threads = threads(request.threads)?;
     let how_else = request.how.overrides()?;
     how_else.change(&mut scene)?;
-    let by = by_or_first(&model, request.how.by.as_deref())?;
+    let by = by_or_first(&model, how_else.by.as_ref())?;
     let mut sweep = Sweep::new(&model, &scene, &grid, &by, &how_else)?;
     sweep.tells_digits = request.digits;
     for warning in &sweep.warnings {

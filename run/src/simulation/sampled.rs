@@ -13,6 +13,7 @@ mod windows;
 
 use super::outputs::state_names;
 use crate::code::{Form, Ready, by_or_first, code};
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::options::options;
@@ -126,7 +127,7 @@ pub fn simulate_held(
     mechanism: &Mechanism,
     scene: &Scene,
     signals: &[Held<'_>],
-    by: Option<&str>,
+    by: Option<&EquationsName>,
 ) -> Result<SampledRun, Error> {
     for Held { input, instants, values } in signals {
         if instants.len() != values.len() {
@@ -165,7 +166,7 @@ pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
     inputs: &[&str],
     instants: &[f64],
     controller: impl Fn() -> C,
-    by: Option<&str>,
+    by: Option<&EquationsName>,
 ) -> Result<SampledRun, Error> {
     let places = places(mechanism, inputs)?;
     check_instants(scene, instants)?;

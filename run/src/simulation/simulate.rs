@@ -3,6 +3,7 @@
 use super::outputs::{Shown, state_names};
 use super::run::Run;
 use crate::code::{Code, Ready, by_or_first, code};
+use crate::equations_name::EquationsName;
 use crate::error::{Error, refused};
 use crate::mechanism::Mechanism;
 use crate::options::options;
@@ -31,29 +32,40 @@ use tripos_sim::{Event, Options, Solution, Stop};
 ///
 /// # Errors
 /// [`Error`] if there are no equations of this name, or they cannot be run.
-pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Run, Error> {
-    if let Some(by) = by.filter(|by| *by != By::Reduced.name()) {
-        return run(mechanism, scene, &by_or_first(mechanism, Some(by))?);
-    }
-    match without_own(mechanism, scene, by.is_none()) {
+pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&EquationsName>) -> Result<Run, Error> {
+    let reduced = match by {
+        None => ReducedRun::IfGain,
+        Some(EquationsName::Reduced) => ReducedRun::Asked,
+        Some(by) => return run(mechanism, scene, &by_or_first(mechanism, Some(by))?),
+    };
+    match without_own(mechanism, scene, reduced) {
         Some(why) => {
             let mut done = run(mechanism, scene, &by_or_first(mechanism, None)?)?;
             done.notes.insert(0, why.to_owned());
             Ok(done)
         }
-        None => simulate_own(mechanism, scene, by.is_none()),
+        None => simulate_own(mechanism, scene, reduced),
     }
 }
 
+/// Condition on which a scene's reduced equations run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum ReducedRun {
+    /// The caller asked for them: they run in any case.
+    Asked,
+    /// The caller named no equations: they run if they are a gain.
+    IfGain,
+}
+
 /// Reason why whole equations run and a scene's reduced equations are not tried; `None` if these are tried.
-fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option<&'static str> {
+fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Option<&'static str> {
     if scene.integration.solve == Some(Solve::Numeric) {
         return Some(
             "accelerations are found numerically for whole equations only: every coordinate and speed is run and shown",
         );
     }
     // Quadrature needs one degree of freedom, which only a reduction has.
-    if !is_default || scene.integration.method == Integrator::Quadrature {
+    if reduced == ReducedRun::Asked || scene.integration.method == Integrator::Quadrature {
         return None;
     }
     if !scene.impacts.is_empty() {
@@ -71,11 +83,11 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Option
 
 /// Runs a scene by its own reduced equations. If the caller did not ask for these and they do not exist, are no gain,
 /// or do not reach the end, whole equations run.
-fn simulate_own(mechanism: &Mechanism, scene: &Scene, is_default: bool) -> Result<Run, Error> {
+fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Result<Run, Error> {
     let ground = Ground::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
     let watch = is_proved(mechanism).then(|| Watch::of_ground(mechanism, &ground)).transpose()?;
     let watch = watch.as_ref();
-    if !is_default || scene.integration.method == Integrator::Quadrature {
+    if reduced == ReducedRun::Asked || scene.integration.method == Integrator::Quadrature {
         return run_reduced(mechanism, scene, &ground, &Reduced::of_ground(&ground, mechanism, scene)?, watch);
     }
     let whole = |why: &str| {

@@ -15,7 +15,7 @@ mod touched;
 type Wide = DoubleDouble;
 
 fn how(by: &str, method: &str) -> Overrides {
-    Overrides { by: Some(by.to_owned()), method: Some(method.parse().unwrap()), ..Overrides::default() }
+    Overrides { by: Some(by.into()), method: Some(method.parse().unwrap()), ..Overrides::default() }
 }
 
 fn wide(x: f64) -> Wide {

@@ -3,6 +3,7 @@
 use super::arrows::{Arrows, Forces};
 use super::pose::{Pose, Poses};
 use super::space::{Quaternion, Triple, length, minus, plus, quaternion};
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::simulation::run::Run;
@@ -53,7 +54,7 @@ impl Motion {
     ///
     /// # Errors
     /// Errors of [`crate::simulate()`].
-    pub fn of_scene(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Self, Error> {
+    pub fn of_scene(mechanism: &Mechanism, scene: &Scene, by: Option<&EquationsName>) -> Result<Self, Error> {
         let mut scene = scene.clone();
         let how = &mut scene.integration;
         how.samples = Some(SAMPLES);
@@ -62,7 +63,7 @@ impl Motion {
             how.method = Method::Dop853.into();
         }
         let by = crate::code::by_or_first(mechanism, by)?;
-        let run = simulate(mechanism, &scene, Some(&by.name()))?;
+        let run = simulate(mechanism, &scene, Some(&EquationsName::from(&by)))?;
         Self::of_run(mechanism, &scene, &run)
     }
 

@@ -56,7 +56,7 @@ impl Grip {
         let mut grip = Self::default();
         let each = which.iter().zip(&found.modes).zip(&found.pushes);
         each.for_each(|((at, mode), pushes)| {
-            grip.add(contacts, *at, *mode, if *pushes { Gap::Held } else { Gap::Free })
+            grip.add(contacts, *at, *mode, if *pushes { Gap::Held } else { Gap::Free });
         });
         grip
     }

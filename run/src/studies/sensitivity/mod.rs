@@ -36,6 +36,7 @@ mod way;
 mod zero;
 
 use crate::code::by_or_first;
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::options::options;
@@ -48,7 +49,6 @@ use ends::{End, end, instants, second};
 use equations::{Carried, Equations, SeededStart};
 use shown::Quantities;
 use start::Seed;
-use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 
 /// A run with the derivatives of its shown quantities.
@@ -135,7 +135,7 @@ pub fn sensitivities(
     set: &[(String, f64)],
     names: &[String],
     at: At,
-    by: Option<&str>,
+    by: Option<&EquationsName>,
 ) -> Result<Sensitivities, Error> {
     check_names(names)?;
     check_equations(scene, by)?;
@@ -250,10 +250,10 @@ fn check_names(names: &[String]) -> Result<(), Error> {
 }
 
 /// Refuses equations and runs that cannot be differentiated.
-fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
+fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Error> {
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
-    if by == Some(By::Reduced.name().as_str()) {
+    if by == Some(&EquationsName::Reduced) {
         let help = "leave `--by` out: whole equations are run for derivatives";
         return refuse("a scene's reduced equations are not differentiated", help);
     }

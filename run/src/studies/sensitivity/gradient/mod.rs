@@ -25,6 +25,7 @@ use super::shown::Quantities;
 use super::start::Seed;
 use super::{check_equations, jumps};
 use crate::code::{Ready, by_or_first, code};
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::options::{options, options_of_ends};
@@ -116,7 +117,7 @@ pub fn gradient(
     scene: &Scene,
     set: &[(String, f64)],
     of: &str,
-    by: Option<&str>,
+    by: Option<&EquationsName>,
 ) -> Result<Gradient, Error> {
     check_equations(scene, by)?;
     let own = scene.integration.method.method().unwrap_or_default();
