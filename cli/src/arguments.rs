@@ -365,7 +365,7 @@ pub struct Simulate {
     #[command(flatten)]
     pub set: Set,
     #[command(flatten)]
-    pub how: How,
+    pub how: RunOptions,
     /// Also print the derivatives of all shown quantities by a parameter or a number of the start, at the end, at
     /// events, and in the columns d(NAME)/d(PARAMETER) of --csv; more than once for several. Whole equations are run
     #[arg(long, value_name = "NAME")]
@@ -417,7 +417,7 @@ pub struct Plot {
     #[command(flatten)]
     pub set: Set,
     #[command(flatten)]
-    pub how: How,
+    pub how: RunOptions,
 }
 
 /// A view of a scene.
@@ -428,7 +428,7 @@ pub struct View {
     #[command(flatten)]
     pub set: Set,
     #[command(flatten)]
-    pub how: How,
+    pub how: RunOptions,
     /// Also show, transparent: the scene by other equations (kane, lagrange, newton-euler, printed:ID), or another
     /// scene of the same model; more than once for several
     #[arg(long, value_name = "F|SCENE")]
@@ -453,7 +453,7 @@ pub struct Sweep {
     #[arg(long, required = true, value_name = "NAME=VALUES")]
     pub over: Vec<String>,
     #[command(flatten)]
-    pub how: How,
+    pub how: RunOptions,
     /// Run the i-th of n parts of the points; the files of all parts, one after another with one header, are the file
     /// of the whole sweep
     #[arg(long, value_name = "I/N", default_value = "1/1")]
@@ -490,7 +490,7 @@ pub struct Set {
 
 /// Options with which the command line overrides a scene's integration.
 #[derive(clap::Args)]
-pub struct How {
+pub struct RunOptions {
     /// kane, lagrange, newton-euler, or printed:ID for a system of the publication beside the model. If not given,
     /// `simulate` and `plot` take the scene's reduced equations where these are a gain (`tripos scene`), `view` and
     /// `sweep` the first formulation that the model supports
@@ -525,7 +525,7 @@ pub struct How {
     pub until: Option<f64>,
 }
 
-impl How {
+impl RunOptions {
     /// Settings of the command line that override the scene's; `None` keeps the scene's value.
     ///
     /// # Errors

@@ -21,7 +21,7 @@ pub use content::{
 pub use markup::html::{escape, rounded};
 
 use markup::html::{anchor, link};
-use scenes::scene::Shown;
+use scenes::scene::VisiblePart;
 use std::fmt::Write;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::DerivationInSteps;
@@ -83,7 +83,7 @@ fn simulation(page: &Page) -> String {
     let mut out = String::from("<section id=\"simulation\">\n<h2>Simulation</h2>\n");
     let mut figures = 0;
     for (at, scene) in page.scenes.iter().enumerate() {
-        let shown = if at == open { Shown::Open } else { Shown::InASentence };
+        let shown = if at == open { VisiblePart::Open } else { VisiblePart::InASentence };
         out += &scenes::scene::section(page, scene, at, shown, &mut figures);
     }
     out + "</section>\n"

@@ -6,7 +6,7 @@
 
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::studies::steady::{ClosedForm, Conditions, Found, conditions, equilibria};
+use tripos::studies::steady::{ClosedForm, Conditions, FoundMotion, conditions, equilibria};
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::value::evaluate::Tape;
@@ -287,7 +287,7 @@ fn closed_top() -> ClosedForm {
     closed("heavy_top", &["Omega_n3"])
 }
 
-fn found(model: &str, state: &str, starts: u64) -> (ClosedForm, Asked, Vec<Found>) {
+fn found(model: &str, state: &str, starts: u64) -> (ClosedForm, Asked, Vec<FoundMotion>) {
     let mut mechanism = read(model);
     let asked =
         load_asked(&Source::from_text("state.toml", state), &mut mechanism, &[]).unwrap_or_else(|e| panic!("{e}"));

@@ -5,7 +5,7 @@
 
 use tripos::Mechanism;
 use tripos::studies::steady::{
-    About, ClosedForm, Entry, Found, Stability, Wanted, conditions, equilibria, in_letters, linearise,
+    About, ClosedForm, Entry, FoundMotion, Stability, Wanted, conditions, equilibria, in_letters, linearise,
 };
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
@@ -29,7 +29,7 @@ fn about(text: &str, state: &str, inputs: &[&str]) -> Result<About, tripos::Erro
     linearise(&model, &asked, &Wanted { inputs, ..Wanted::default() })
 }
 
-fn rests(text: &str, state: &str, starts: u64) -> Vec<Found> {
+fn rests(text: &str, state: &str, starts: u64) -> Vec<FoundMotion> {
     let mut model = model(text);
     let asked = asked(&mut model, state);
     equilibria(&model, &asked, starts).unwrap_or_else(|e| panic!("{e}"))
@@ -440,7 +440,7 @@ fn euler_parameters_have_the_eigenvalues_of_angles() {
         let guess = places.iter().map(|place| format!("{place}\n")).collect::<Vec<_>>().concat();
         let found = rests(&text, &format!("[state]\n{held}[guess]\n{guess}"), starts);
         let values =
-            |found: &Found| found.about.as_ref().ok().map(|about| about.modes.iter().map(|m| m.value).collect());
+            |found: &FoundMotion| found.about.as_ref().ok().map(|about| about.modes.iter().map(|m| m.value).collect());
         found.iter().filter_map(values).collect()
     };
     let euler = spectra(

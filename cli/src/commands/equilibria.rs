@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Error;
-use tripos::studies::steady::{About, ClosedForm, Found, conditions, equilibria as of_model};
+use tripos::studies::steady::{About, ClosedForm, FoundMotion, conditions, equilibria as of_model};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 
@@ -63,7 +63,7 @@ pub fn equilibria(
     }
     let found = of_model(&model, &asked, from.starts)?;
     let closed = conditions(&model, wanted)?;
-    let on = |found: &Found| closed.branches_at(&asked.parameters, &found.steady);
+    let on = |found: &FoundMotion| closed.branches_at(&asked.parameters, &found.steady);
     if output == Output::Json {
         let list: Vec<Value> = found.iter().map(|found| with_branches(json_of(found), on(found))).collect();
         let value = json!({ "model": short_name(&model), "steady": list, "conditions": closed::json(&closed) });
@@ -95,7 +95,7 @@ fn with_branches(mut value: Value, on: Option<(usize, Vec<usize>)>) -> Value {
     value
 }
 
-fn json_of(found: &Found) -> Value {
+fn json_of(found: &FoundMotion) -> Value {
     match &found.about {
         Ok(about) => point_of(about),
         Err(why) => {
@@ -118,7 +118,7 @@ fn point_of(about: &About) -> Value {
     })
 }
 
-fn text_of(found: &Found) -> String {
+fn text_of(found: &FoundMotion) -> String {
     let mut out = String::new();
     let about = match &found.about {
         Ok(about) => about,

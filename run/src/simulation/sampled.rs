@@ -186,7 +186,7 @@ pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
         Stop::Interrupted => None,
         _ => Some(loop_.run(&beside, &nearby, &finer(&options), &mut controller())?),
     };
-    Ok(loop_.told(first, second.as_ref(), code.form()))
+    Ok(loop_.sampled_run(first, second.as_ref(), code.form()))
 }
 
 /// Indices of the named inputs among the parameters of a mechanism.

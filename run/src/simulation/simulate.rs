@@ -1,6 +1,6 @@
 //! Runs of scenes by their own reduced equations or by whole equations, with checks of the results.
 
-use super::outputs::{Shown, state_names};
+use super::outputs::{ShownQuantities, state_names};
 use super::run::Run;
 use crate::code::{Code, Ready, by_or_first, code};
 use crate::equations_name::EquationsName;
@@ -192,7 +192,7 @@ pub fn run(model: &Mechanism, scene: &Scene, by: &By) -> Result<Run, Error> {
 pub fn run_whole(model: &Mechanism, scene: &Scene, by: &By, watch: Option<&Watch>) -> Result<Run, Error> {
     let code = code(model, by, scene.integration.distance, Ready::for_runs(scene))?;
     let problem = Problem::new(model, scene, by, &code, None)?;
-    let shown = Shown::new(model, scene)?;
+    let shown = ShownQuantities::new(model, scene)?;
     let Some(rates) = in_rates(&problem)? else { return run_shown(&problem, watch, Some(&shown)) };
     match alone(&problem, &rates)? {
         Some(solution) => run_by(&problem, watch, Some(&shown), |_, _, _| Ok(solution)),
@@ -377,7 +377,7 @@ pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, 
 
 /// Runs a problem, and shows the quantities `shown` of its states. Without `shown` it shows the states, or the outputs
 /// of a reduced scene.
-fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>) -> Result<Run, Error> {
+fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&ShownQuantities>) -> Result<Run, Error> {
     run_by(problem, watch, shown, |y0, options, events| problem.solve(y0, options, events, accounted(problem)?))
 }
 
@@ -388,7 +388,7 @@ fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Shown>
 pub fn run_by(
     problem: &Problem<'_>,
     watch: Option<&Watch>,
-    shown: Option<&Shown>,
+    shown: Option<&ShownQuantities>,
     solve: impl FnOnce(&[f64], &Options, &mut [Event<'_>]) -> Result<Solution, Error>,
 ) -> Result<Run, Error> {
     let scene = problem.scene;

@@ -3,7 +3,7 @@
 
 pub mod session;
 
-use super::case::{Case, Prepared, Way};
+use super::case::{Case, MethodAtTolerance, Prepared};
 use crate::error::Error;
 use crate::follow::Progress;
 use crate::mechanism::Mechanism;
@@ -58,7 +58,7 @@ pub struct Measurement {
     /// Way in which accelerations were found, where the method needs them.
     pub solve: Solve,
     /// Method and tolerance of the run.
-    pub way: Way,
+    pub way: MethodAtTolerance,
     /// Durations of the repeated runs, s.
     pub seconds: Spread,
     /// Error of the run against the reference; `None` if the run did not reach the end.
@@ -109,7 +109,7 @@ pub fn measure(
     let problems: Vec<Problem<'_>> = prepared.iter().map(Prepared::problem).collect::<Result<_, _>>()?;
     let starts: Vec<Vec<f64>> = problems.iter().map(Problem::start).collect::<Result<_, _>>()?;
     let length = scene.span.1 - scene.span.0;
-    let ways: Vec<Vec<Way>> = cases.iter().map(|case| case.ways(&plan.tolerances)).collect();
+    let ways: Vec<Vec<MethodAtTolerance>> = cases.iter().map(|case| case.ways(&plan.tolerances)).collect();
     bar.set_length((ways.iter().map(Vec::len).sum::<usize>() * (1 + plan.repeats)) as u64);
     let Measured { mut list, mut left_out } = Measured::default();
     let mut repeats: Vec<Repeat> = Vec::new();
@@ -131,7 +131,7 @@ pub fn measure(
             let measurement = match outcome {
                 Ok(measurement) => measurement,
                 // A motion without quadrature is still integrated by steps.
-                Err(failure) if *way == Way::Quadrature => {
+                Err(failure) if *way == MethodAtTolerance::Quadrature => {
                     left_out.push(format!("{} by {}: {}", problem.by.name(), way.name(), failure.first_line()));
                     continue;
                 }
@@ -173,7 +173,7 @@ struct Repeat {
     /// Index of the measurement that the durations belong to.
     measurement: usize,
     /// Method and tolerance of the run.
-    way: Way,
+    way: MethodAtTolerance,
     /// Options of the run.
     how: Options,
 }
@@ -183,7 +183,13 @@ const MOST_WATCHED: u64 = 200_000;
 
 /// Makes the first run of a case by one method. It gives the error, the drift of the first integrals and a first
 /// duration.
-fn first(problem: &Problem<'_>, y0: &[f64], way: Way, how: &Options, truth: &Truth<'_>) -> Result<Measurement, Error> {
+fn first(
+    problem: &Problem<'_>,
+    y0: &[f64],
+    way: MethodAtTolerance,
+    how: &Options,
+    truth: &Truth<'_>,
+) -> Result<Measurement, Error> {
     let Truth { reference, compared, watch } = truth;
     let start = std::time::Instant::now();
     let bare = way.run(problem, problem.scene.span, y0, how)?;

@@ -1,9 +1,9 @@
 //! Arcs that show coordinates that turn frames: from the axis at zero to the axis in the drawn pose.
 
 use super::axes::{along_axis, is_drawn};
-use super::drawing::{Mark, Path, Role, Spot, Word, unit};
+use super::drawing::{Mark, Path, Role, SheetPoint, Word, unit};
 use super::sheet::{Sheet, Subject};
-use super::terms::{Told, Turn};
+use super::terms::{SignedCoordinate, Turn};
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, length, minus, plus, rotated, rotated_back, transposed};
 use std::f64::consts::{PI, TAU};
@@ -24,7 +24,7 @@ const ALONG: f64 = 0.95;
 /// A coordinate that turns a frame about an axis.
 pub struct Angle {
     /// Coordinate, and its place in the formula for the angle of the turn.
-    pub told: Told,
+    pub signed: SignedCoordinate,
     /// Index of the frame that is turned.
     pub frame: usize,
     /// Index of the frame that the turned frame is turned from.
@@ -55,8 +55,8 @@ impl Angle {
         let frames = 0..subject.pose.rotations.len();
         frames.into_iter().find_map(|frame| {
             let Turn { parent, axis, term } = subject.terms.turn(frame)?;
-            let told = subject.terms.told(subject.mechanism, subject.p, subject.q, term, coordinate)?;
-            Some(Self { told, frame, parent, axis })
+            let signed = subject.terms.signed_coordinate(subject.mechanism, subject.p, subject.q, term, coordinate)?;
+            Some(Self { signed, frame, parent, axis })
         })
     }
 
@@ -67,7 +67,7 @@ impl Angle {
 
     /// Angle of the turn without whole turns, rad, at least -π and below π.
     pub fn extent(&self) -> f64 {
-        let whole = self.told.now - self.told.zero;
+        let whole = self.signed.now - self.signed.zero;
         whole - TAU * ((whole + PI) / TAU).floor()
     }
 
@@ -126,11 +126,11 @@ impl Angle {
 
 /// Places of the arcs drawn so far.
 #[derive(Default)]
-pub struct Arcs(Vec<Spot>);
+pub struct Arcs(Vec<SheetPoint>);
 
 impl Arcs {
     /// Radius of the next arc about a spot, px. The spot is added to the list.
-    fn radius(&mut self, at: Spot) -> f64 {
+    fn radius(&mut self, at: SheetPoint) -> f64 {
         let there = self.0.iter().filter(|spot| (spot[0] - at[0]).hypot(spot[1] - at[1]) < 8.0).count();
         self.0.push(at);
         RADIUS.0 + RADIUS.1 * there as f64
@@ -143,10 +143,10 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
     let (arm, axis, extent) = (angle.arm(subject), angle.about(subject), angle.extent());
     let apex = subject.camera.spot(arm.apex);
     let radius = arcs.radius(apex);
-    let zero = subject.turned(angle.parent, angle.axis, angle.told.zero, arm.direction);
+    let zero = subject.turned(angle.parent, angle.axis, angle.signed.zero, arm.direction);
     let now = rotated(&subject.pose.rotations[angle.frame], arm.direction);
     let is_open = extent.abs() >= TINY;
-    let (from, sweep) = if is_open { (zero, extent) } else { (now, angle.told.sign * SENSE) };
+    let (from, sweep) = if is_open { (zero, extent) } else { (now, angle.signed.sign * SENSE) };
     // The arc begins at the direction `from`, and turns towards the direction that is a quarter turn further.
     let [a, b] = [from, cross(axis, from)].map(|e| subject.camera.seen(e).map(|x| radius * x));
     let path = Path::arc(apex, a, b, 0.0, sweep);
@@ -159,14 +159,14 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
     sheet.add(Mark::arrow(Role::Coordinate, path, TIP));
     let middle = Path::arc(apex, a, b, 0.0, 0.5 * sweep).end();
     let outwards = unit([middle[0] - apex[0], middle[1] - apex[1]]);
-    let name = subject.mechanism.coordinates[angle.told.coordinate].name.clone();
+    let name = subject.mechanism.coordinates[angle.signed.coordinate].name.clone();
     sheet.name(Role::Coordinate, vec![Word::Name(name)], middle, Some(outwards), 4.0);
     is_open
 }
 
 /// Puts the name of the axis that a line of reference is along on the sheet, if the axes of its frame are not drawn.
 /// The line leads from `apex` to the spot `to`, and has the `direction` in the inertial frame.
-fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, frame: usize, direction: Triple, apex: Triple, to: Spot) {
+fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, frame: usize, direction: Triple, apex: Triple, to: SheetPoint) {
     let is_at_origin = length(minus(apex, subject.pose.points[0])) < 1e-9;
     // In a planar mechanism the inertial axes are easily followed.
     if frame == 0 && (is_at_origin || subject.is_planar) || is_drawn(subject, frame) || subject.is_generated(frame) {

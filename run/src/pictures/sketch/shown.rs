@@ -43,7 +43,7 @@ pub struct Kinds {
 impl Kinds {
     /// Sorts the coordinates of a mechanism into angles and lengths; others are in neither list.
     pub fn new(mechanism: &Mechanism, terms: &Terms, at: Configuration<'_>) -> Self {
-        let told = |term: usize, c: usize| terms.told(mechanism, at.parameters, at.q, term, c).is_some();
+        let told = |term: usize, c: usize| terms.signed_coordinate(mechanism, at.parameters, at.q, term, c).is_some();
         let frames = 0..mechanism.frames.len();
         let turns = |c: &usize| frames.clone().any(|f| terms.turn(f).is_some_and(|turn| told(turn.term, *c)));
         let points = 0..mechanism.points.len();

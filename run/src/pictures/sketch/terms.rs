@@ -24,7 +24,7 @@ pub struct Terms {
 
 /// A term that is a coordinate times 1 or -1, plus a rest that does not depend on the coordinate.
 #[derive(Clone, Copy, Debug)]
-pub struct Told {
+pub struct SignedCoordinate {
     /// Index of the coordinate.
     pub coordinate: usize,
     /// Factor of the coordinate, 1 or -1.
@@ -115,7 +115,14 @@ impl Terms {
 
     /// Reads a coordinate from a term. `None` unless the term is the coordinate or its opposite, plus a rest that does
     /// not depend on it.
-    pub fn told(&self, mechanism: &Mechanism, p: &[f64], q: &[f64], term: usize, coordinate: usize) -> Option<Told> {
+    pub fn signed_coordinate(
+        &self,
+        mechanism: &Mechanism,
+        p: &[f64],
+        q: &[f64],
+        term: usize,
+        coordinate: usize,
+    ) -> Option<SignedCoordinate> {
         if self.links.values[term] == Expr::ZERO || !self.mentions(mechanism, term, coordinate) {
             return None;
         }
@@ -127,11 +134,7 @@ impl Terms {
         let (zero, one, other, now) = (at(0.0), at(1.0), at(-2.5), at(q[coordinate]));
         let sign = (one - zero).round();
         let is_straight = |value: f64, of: f64| (of - zero - sign * value).abs() <= SAME * (1.0 + of.abs());
-        ((sign.abs() - 1.0).abs() < 0.5 && is_straight(1.0, one) && is_straight(-2.5, other)).then_some(Told {
-            coordinate,
-            sign,
-            zero,
-            now,
-        })
+        ((sign.abs() - 1.0).abs() < 0.5 && is_straight(1.0, one) && is_straight(-2.5, other))
+            .then_some(SignedCoordinate { coordinate, sign, zero, now })
     }
 }

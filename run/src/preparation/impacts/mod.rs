@@ -14,20 +14,20 @@
 mod carrier;
 mod changes;
 mod checked;
+mod contact_change;
 mod contacts;
-mod happening;
 mod held;
-mod kept;
+mod held_contacts;
 mod meeting;
 mod said;
 mod slipping;
 mod watching;
 
 pub use carrier::{Approach, Carrier, Crossing, Doubles, Equations};
+pub use contact_change::ContactChange;
 pub use contacts::{Contacts, Operators, Response};
-pub use happening::Happening;
 pub use held::Held;
-pub use kept::{Kept, NONE};
+pub use held_contacts::{HeldContacts, NONE};
 pub use meeting::After;
 pub use said::said;
 
@@ -86,16 +86,16 @@ impl Bouncing<'_> {
             Ok(after) => after,
             Err(failure) => return Ok(Solution::unbegun(span.0, y0, Stop::Failed(failure))),
         };
-        let begins = Crossing { t: span.0, happening: None, before: &before, kept: &NONE, after: &after };
+        let begins = Crossing { t: span.0, contact_change: None, before: &before, kept: &NONE, after: &after };
         let mut y = carrier.across(&begins, y0);
         let (mut kept, mut changes) = (after.kept, 0);
         let mut whole = self.part(carrier, InitialState { span, y: &y }, &kept, options, events, power.as_mut())?;
         whole.events.splice(..0, self.at_start(base, &kept, span.0, &after.y));
         // The first sample shows the state after the impact: its work need not be added.
         whole.impacts.extend(after.record);
-        while let Some(happening) = self.happening(&whole, base) {
+        while let Some(contact_change) = self.contact_change(&whole, base) {
             let before = values(&whole.y_end);
-            let next = self.next(happening, whole.t_end, &before, &kept)?;
+            let next = self.next(contact_change, whole.t_end, &before, &kept)?;
             if let Ok(after) = &next {
                 self.tell(&mut whole, base, &kept, &after.kept);
             }
@@ -104,7 +104,7 @@ impl Bouncing<'_> {
                 Ok(after) => {
                     let crossing = Crossing {
                         t: whole.t_end,
-                        happening: Some(happening),
+                        contact_change: Some(contact_change),
                         before: &before,
                         kept: &kept,
                         after: &after,
@@ -158,23 +158,29 @@ impl Bouncing<'_> {
         if closed.is_empty() {
             return Ok(Ok(After::unchanged(y)));
         }
-        self.meet(y, &Meeting { t, closed: &closed, kept: &NONE, happening: None })
+        self.meet(y, &Meeting { t, closed: &closed, kept: &NONE, contact_change: None })
     }
 
     /// Finds the state and the held contacts after the end of a part of the run.
-    fn next(&self, happening: Happening, t: f64, y: &[f64], kept: &Kept) -> Result<Result<After, Failure>, SimError> {
-        if let Happening::Jams(contact) = happening {
+    fn next(
+        &self,
+        contact_change: ContactChange,
+        t: f64,
+        y: &[f64],
+        kept: &HeldContacts,
+    ) -> Result<Result<After, Failure>, SimError> {
+        if let ContactChange::Jams(contact) = contact_change {
             return Ok(Err(self.jams(contact, t)));
         }
         let rates = self.contacts.rates(y);
         let is_closed = |at: &usize| {
-            let closes = happening == Happening::Closes(*at);
+            let closes = contact_change == ContactChange::Closes(*at);
             closes
                 || kept.mode(*at).is_some()
                 || self.contacts.gap(*at, y) <= self.contacts.closing_gap(*at, y, &rates, self.least)
         };
         let closed: Vec<usize> = (0..self.contacts.impacts.len()).filter(is_closed).collect();
-        self.meet(y, &Meeting { t, closed: &closed, kept, happening: Some(happening) })
+        self.meet(y, &Meeting { t, closed: &closed, kept, contact_change: Some(contact_change) })
     }
 
     /// Integrates a part of the run in which the contacts `kept` are held.
@@ -182,7 +188,7 @@ impl Bouncing<'_> {
         &self,
         carrier: &dyn Carrier<S>,
         start: InitialState<'_, S>,
-        kept: &Kept,
+        kept: &HeldContacts,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
@@ -235,8 +241,8 @@ impl Bouncing<'_> {
         let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<S>), span, y, &options, &mut watched)?;
         drop(watched);
         for event in &mut part.events {
-            if let Some(happening) = event.event.checked_sub(base).map(|at| may[at]) {
-                event.event = base + happening.event(self.contacts.impacts.len());
+            if let Some(contact_change) = event.event.checked_sub(base).map(|at| may[at]) {
+                event.event = base + contact_change.event(self.contacts.impacts.len());
             }
         }
         self.tell_approaches(carrier, &mut part, base, span.0, &values(y));
@@ -257,8 +263,8 @@ impl Bouncing<'_> {
     ) {
         let Some(near) = carrier.near() else { return };
         let count = self.contacts.impacts.len();
-        let nears = |event: &EventRecord| match Happening::of_event(event.event.checked_sub(base)?, count) {
-            Some(Happening::Nears(contact)) => Some(contact),
+        let nears = |event: &EventRecord| match ContactChange::of_event(event.event.checked_sub(base)?, count) {
+            Some(ContactChange::Nears(contact)) => Some(contact),
             _ => None,
         };
         for event in part.events.iter().filter(|event| event.kind == Kind::Rising) {
@@ -321,11 +327,11 @@ impl Bouncing<'_> {
 
     /// Change of a contact that ended the latest part of a run; `None` if the part ended for another reason. `base` is
     /// the number of events that belong to no contact.
-    fn happening<S>(&self, whole: &Solution<S>, base: usize) -> Option<Happening> {
+    fn contact_change<S>(&self, whole: &Solution<S>, base: usize) -> Option<ContactChange> {
         let Stop::Event { .. } = whole.stop else { return None };
         // The first event of an instant counts: other events come before contacts.
         let first = whole.events.iter().find(|event| event.terminal)?;
-        Happening::of_event(first.event.checked_sub(base)?, self.contacts.impacts.len())
+        ContactChange::of_event(first.event.checked_sub(base)?, self.contacts.impacts.len())
     }
 }
 

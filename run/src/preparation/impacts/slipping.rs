@@ -2,9 +2,9 @@
 
 use super::Bouncing;
 use super::NOTHING;
-use super::happening::Happening;
+use super::contact_change::ContactChange;
 use super::held::{Free, Held};
-use super::meeting::Met;
+use super::meeting::SettledMeeting;
 use nalgebra::DVector;
 use tripos_sim::{Failure, Found, Mode, Undecided};
 
@@ -24,12 +24,12 @@ impl Bouncing<'_> {
     }
 
     /// Sign of the velocity at which a contact with friction slips; `None` if it does not slip.
-    pub(super) fn slips(&self, contact: usize, velocities: &DVector<f64>, met: &Met<'_>) -> Option<f64> {
+    pub(super) fn slips(&self, contact: usize, velocities: &DVector<f64>, met: &SettledMeeting<'_>) -> Option<f64> {
         self.contacts.friction(contact)?;
         let row = self.contacts.rows[contact][1];
         let velocity = velocities[row];
         let rests = !met.is_hit(&self.contacts.rows[contact])
-            && (met.meeting.happening == Some(Happening::Sticks(contact))
+            && (met.meeting.contact_change == Some(ContactChange::Sticks(contact))
                 || met.meeting.kept.mode(contact) == Some(Mode::Sticks)
                 // Contacts that came to rest at this instant as well.
                 || velocity.abs() <= met.before[row].abs() * self.least);
@@ -47,7 +47,7 @@ impl Bouncing<'_> {
         y: &[f64],
         now: &Free,
         rest: &[usize],
-        met: &Met<'_>,
+        met: &SettledMeeting<'_>,
     ) -> Result<(Vec<Mode>, DVector<f64>), Failure> {
         let t = met.meeting.t;
         let slips: Vec<Option<f64>> = rest.iter().map(|at| self.slips(*at, &now.response.velocities, met)).collect();
@@ -58,7 +58,9 @@ impl Bouncing<'_> {
         // A contact whose force has reached its friction limit no longer sticks.
         let begins = |found: &Found| {
             let mut modes = rest.iter().zip(&found.modes);
-            !modes.any(|(at, mode)| met.meeting.happening == Some(Happening::Slips(*at)) && *mode == Mode::Sticks)
+            !modes.any(|(at, mode)| {
+                met.meeting.contact_change == Some(ContactChange::Slips(*at)) && *mode == Mode::Sticks
+            })
         };
         if found.iter().any(begins) {
             found.retain(begins);

@@ -2,7 +2,7 @@
 
 use super::{Power, Problem};
 use crate::error::Error;
-use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, Kept, LEAST};
+use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, HeldContacts, LEAST};
 use crate::preparation::initial::InitialState;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;
@@ -56,7 +56,13 @@ impl Problem<'_> {
     ///
     /// # Errors
     /// [`Failure`] where the equations or the forces of contacts have no value.
-    pub(crate) fn flow(&self, contacts: &Contacts<'_>, kept: &Kept, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+    pub(crate) fn flow(
+        &self,
+        contacts: &Contacts<'_>,
+        kept: &HeldContacts,
+        t: f64,
+        y: &[f64],
+    ) -> Result<Vec<f64>, Failure> {
         let unknown = |error: SimError| Failure { code: "not-finite", message: error.to_string() };
         let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept };
         let mut rates = vec![0.0; y.len()];

@@ -48,7 +48,7 @@ pub struct Loop<'a> {
 }
 
 /// Results of a run through all its windows.
-pub struct Way {
+pub struct WindowedRun {
     t: Vec<f64>,
     states: Vec<Vec<f64>>,
     decisions: Vec<Decision>,
@@ -72,9 +72,9 @@ impl Loop<'_> {
         start: &[f64],
         how: &Options,
         controller: &mut dyn FnMut(&Sample<'_>) -> Vec<f64>,
-    ) -> Result<Way, Error> {
+    ) -> Result<WindowedRun, Error> {
         let (from, to) = scene.span;
-        let mut way = Way {
+        let mut way = WindowedRun {
             t: Vec::new(),
             states: Vec::new(),
             decisions: Vec::new(),
@@ -113,8 +113,8 @@ impl Loop<'_> {
         }
     }
 
-    /// Runs one window, with the options `how` of the whole run. `steps` is the number of steps so far, the rejected ones
-    /// included.
+    /// Runs one window, with the options `how` of the whole run. `steps` is the number of steps so far, the rejected
+    /// ones included.
     fn window(&self, problem: &Problem<'_>, y: &[f64], how: &Options, steps: u64) -> Result<Solution, Error> {
         let (from, to) = problem.scene.span;
         let output = match &how.output {
@@ -160,7 +160,7 @@ impl Loop<'_> {
     }
 
     /// Makes the result of a run, with the errors that the difference from a second run gives.
-    pub fn told(&self, first: Way, second: Option<&Way>, form: Form) -> SampledRun {
+    pub fn sampled_run(&self, first: WindowedRun, second: Option<&WindowedRun>, form: Form) -> SampledRun {
         let mut decisions = first.decisions;
         let mut errors_at_end = None;
         if let Some(second) = second {
@@ -207,7 +207,7 @@ fn apart(own: &[f64], other: &[f64]) -> Vec<f64> {
     own.iter().zip(other).map(|(a, b)| (a - b).abs() + ROUNDING * a.abs()).collect()
 }
 
-impl Way {
+impl WindowedRun {
     /// Adds the solution of a window to the results of the run.
     fn take(&mut self, problem: &Problem<'_>, solution: &Solution) {
         // A window begins at the end of the window before it, whose sample is known.

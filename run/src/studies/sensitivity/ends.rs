@@ -5,7 +5,7 @@ use super::equations::{Carried, SeededStart};
 use super::{Parts, onward};
 use crate::error::Error;
 use crate::options::options;
-use crate::preparation::impacts::Kept;
+use crate::preparation::impacts::HeldContacts;
 use crate::trust::digits::other_side;
 use crate::trust::events::{Balance, events};
 use tripos_derive::scene::Scene;
@@ -32,8 +32,9 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     };
     let place = parts.quantities.place(parts.problem, solution.t_end, &solution.y_end)?;
     let still = vec![0.0; parts.problem.scene.parameters.len()];
-    let rates =
-        event.map(|_| rates(parts, carried.way.kept(solution.t_end), solution.t_end, &solution.y_end)).transpose()?;
+    let rates = event
+        .map(|_| rates(parts, carried.history.kept(solution.t_end), solution.t_end, &solution.y_end))
+        .transpose()?;
     let flow = rates.map(|rates| parts.quantities.slopes(&place, &still, &rates));
     let (mut shown, mut t) = (Vec::new(), Vec::new());
     for (seed, state) in parts.seeds.iter().zip(&carried.end) {
@@ -51,7 +52,7 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
 }
 
 /// Rates y′ of a state while the contacts `kept` are held.
-fn rates(parts: &Parts<'_>, kept: &Kept, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
+fn rates(parts: &Parts<'_>, kept: &HeldContacts, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
     if !kept.is_empty() {
         let rates = parts.problem.flow(&parts.problem.contacts(), kept, t, y);
         return rates.map_err(|failure| Error::Stopped(failure.message));
@@ -86,12 +87,12 @@ fn instant(
         return Ok(None);
     }
     if event.event >= parts.quantities.watched() {
-        return Ok(carried.way.moves(event.t).map(<[f64]>::to_vec));
+        return Ok(carried.history.moves(event.t).map(<[f64]>::to_vec));
     }
     let Some((y, slopes)) = on_the_way(parts, carried, event.t)? else { return Ok(None) };
     let place = parts.quantities.place(parts.problem, event.t, &y)?;
     let still = vec![0.0; parts.problem.scene.parameters.len()];
-    let rates = rates(parts, carried.way.kept(event.t), event.t, &y)?;
+    let rates = rates(parts, carried.history.kept(event.t), event.t, &y)?;
     let flow = parts.quantities.slopes(&place, &still, &rates).watched[event.event];
     let later = parts.seeds.iter().zip(&slopes).map(|(seed, state)| {
         let along = parts.quantities.slopes(&place, &seed.parameters, state).watched[event.event];
@@ -190,7 +191,7 @@ fn before(parts: &Parts<'_>, carried: &Carried) -> Vec<usize> {
     let (t, t_end) = (&carried.solution.t, carried.solution.t_end);
     let p: Vec<Tangent<1>> = parts.problem.scene.parameters.iter().map(|p| Tangent::from_f64(*p)).collect();
     let jumps = corners(parts.problem, &p).into_iter().filter(|corner| corner.jumps).map(|corner| corner.at);
-    let jumps: Vec<f64> = jumps.chain(carried.way.instants.iter().map(|instant| instant.t)).collect();
+    let jumps: Vec<f64> = jumps.chain(carried.history.instants.iter().map(|instant| instant.t)).collect();
     let is_beside = |t: f64| jumps.iter().any(|jump| (t - jump).abs() <= BESIDE * t.abs().max(1.0));
     let up_to = |part: usize| (0..=t.len() * part / 40).rev().find(|at| t.get(*at).is_some_and(|t| !is_beside(*t)));
     let mut list: Vec<usize> = [38, 39].into_iter().filter_map(up_to).collect();

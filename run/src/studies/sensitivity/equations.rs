@@ -4,8 +4,8 @@ use super::bounce::{Bounced, Parts};
 use super::contacts::Wide;
 use super::corners::corners;
 use super::graze::{self, near};
+use super::history::ContactHistory;
 use super::start::Seed;
-use super::way::Way;
 use crate::code::{Code, Ready, code, code_of, derivation};
 use crate::error::{Error, refused};
 use crate::interpreted::Interpreted;
@@ -100,7 +100,7 @@ impl Equations {
                 Some(known) => {
                     known.at.extend(more.at);
                     known.end.extend(more.end);
-                    known.way.extend(more.way);
+                    known.history.extend(more.history);
                 }
             }
         }
@@ -130,7 +130,7 @@ pub struct Carried {
     /// Slopes of the integrated state at the end of the run: by each seed, of each component.
     pub end: Vec<Vec<f64>>,
     /// Changes of contacts during the run, and ends of derivatives.
-    pub way: Way,
+    pub history: ContactHistory,
 }
 
 /// Functions of interpreted equations that compute rates and Taylor coefficients with slopes.
@@ -192,7 +192,7 @@ fn end_at<const K: usize>(
 impl Carried {
     /// Ends the derivatives by a number at the instant `t`, s: later slopes become NaN.
     fn over(&mut self, number: usize, t: f64, why: String) {
-        self.way.end(number, t, why);
+        self.history.end(number, t, why);
         let later = self.solution.t.iter().zip(&mut self.at[number]).filter(|(sample, _)| **sample >= t);
         let later = later.map(|(_, slopes)| slopes);
         later.chain([&mut self.end[number]]).for_each(|slopes| slopes.fill(f64::NAN));
@@ -232,8 +232,8 @@ fn carry<const K: usize>(
     let y0: Vec<Tangent<K>> = values.map(|(at, y)| tangent(*y, &|k| from.slopes[k][at])).collect();
     let options = Options { corners: corners(problem, &p), ..problem.options(options) };
     let start = InitialState { span, y: &y0 };
-    let (solution, way, approaches) = if problem.scene.impacts.is_empty() {
-        (smooth(problem, parts, &p, start, &options, events)?, Way::new(seeds.len()), Vec::new())
+    let (solution, history, approaches) = if problem.scene.impacts.is_empty() {
+        (smooth(problem, parts, &p, start, &options, events)?, ContactHistory::new(seeds.len()), Vec::new())
     } else {
         let (contacts, near) = (problem.contacts(), near(&options));
         let mut bounced = Bounced::new(problem, parts, &p, seeds, &contacts, near);
@@ -241,10 +241,10 @@ fn carry<const K: usize>(
         bounced.near = (touches == Touches::Listed).then_some(near);
         let run = problem.bounce(&contacts, &bounced, start, &options, events, accounted(problem)?);
         let run = run.map_err(|error| refused(problem.scene, &error))?;
-        (run, bounced.way.into_inner(), bounced.approaches.into_inner())
+        (run, bounced.history.into_inner(), bounced.approaches.into_inner())
     };
     let slopes = |k: usize, t: f64, y: &[Tangent<K>]| -> Vec<f64> {
-        let is_over = way.endings[k].as_ref().is_some_and(|ending| t >= ending.t);
+        let is_over = history.endings[k].as_ref().is_some_and(|ending| t >= ending.t);
         y.iter().map(|y| if is_over { f64::NAN } else { y.slopes[k] }).collect()
     };
     let at = |k: usize| solution.t.iter().zip(&solution.y).map(|(t, y)| slopes(k, *t, y)).collect();
@@ -252,7 +252,7 @@ fn carry<const K: usize>(
         at: (0..seeds.len()).map(at).collect(),
         end: (0..seeds.len()).map(|k| slopes(k, solution.t_end, &solution.y_end)).collect(),
         solution: solution.rounded(),
-        way,
+        history,
     };
     Ok((carried, approaches))
 }

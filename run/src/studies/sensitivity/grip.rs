@@ -1,7 +1,7 @@
 //! Rows that contacts hold, and friction of slipping contacts. Forces along held rows follow from the motion of the
 //! rows, and friction follows from the forces along gaps.
 
-use crate::preparation::impacts::{Contacts, Kept};
+use crate::preparation::impacts::{Contacts, HeldContacts};
 use nalgebra::{DMatrix, DVector};
 use tripos_sim::{Found, Mode};
 
@@ -45,7 +45,7 @@ enum Gap {
 
 impl Grip {
     /// Rows and friction of contacts that are held in a motion.
-    pub fn of(contacts: &Contacts<'_>, kept: &Kept) -> Self {
+    pub fn of(contacts: &Contacts<'_>, kept: &HeldContacts) -> Self {
         let mut grip = Self::default();
         kept.iter().for_each(|(at, mode)| grip.add(contacts, at, mode, Gap::Held));
         grip

@@ -29,10 +29,10 @@ pub mod gradient;
 mod graze;
 mod grip;
 mod held;
+mod history;
 mod shown;
 mod start;
 mod strike;
-mod way;
 mod zero;
 
 use crate::code::by_or_first;
@@ -41,7 +41,7 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::options::options;
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::Shown;
+use crate::simulation::outputs::ShownQuantities;
 use crate::simulation::run::Run;
 use crate::simulation::simulate::{changes_speeds, proved, run_by};
 use apart::Apart;
@@ -152,7 +152,7 @@ pub fn sensitivities(
     let seeds = names.iter().map(|name| Seed::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
     let how = options(scene);
     seeds.iter().try_for_each(|seed| corners::check(&problem, seed, &how).and_then(|()| seed.check(scene)))?;
-    let (shown, quantities) = (Shown::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
+    let (shown, quantities) = (ShownQuantities::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
     let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
     let mut carried = None;
     let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
@@ -170,7 +170,7 @@ pub fn sensitivities(
     };
     let events = instants(&parts, &carried, &own.t)?;
     let ended: Vec<Option<String>> =
-        carried.way.endings.iter().map(|ending| Some(ending.as_ref()?.to_string())).collect();
+        carried.history.endings.iter().map(|ending| Some(ending.as_ref()?.to_string())).collect();
     run.notes.splice(..0, notes(mechanism, &seeds, &carried, &own));
     run.warnings.extend(jumps(mechanism));
     let over = names.iter().zip(&ended).filter_map(|(name, why)| Some((name, why.as_ref()?)));

@@ -3,7 +3,7 @@
 
 use super::forces::NOTHING;
 use super::grip::Grip;
-use crate::preparation::impacts::{Contacts, Crossing, Kept, Operators, Response};
+use crate::preparation::impacts::{Contacts, Crossing, HeldContacts, Operators, Response};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Share};
 
@@ -56,7 +56,7 @@ pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<S
             made.note_resting(hit, crossing.kept);
         }
     }
-    let mut still = Kept::default();
+    let mut still = HeldContacts::default();
     for at in &after.closed {
         if let Some(mode) = after.rested.mode(*at).or_else(|| after.kept.mode(*at)) {
             still.push(*at, mode);
@@ -121,7 +121,7 @@ impl Making<'_> {
 
     /// Records the contacts of the last strike whose gaps had no velocity. A contact that was held is left out: its
     /// velocity stays zero whatever is varied.
-    fn note_resting(&mut self, hit: &[usize], kept: &Kept) {
+    fn note_resting(&mut self, hit: &[usize], kept: &HeldContacts) {
         let contacts = self.contacts;
         let Some(strike) = self.list.last_mut() else { return };
         let (rates, first) = (contacts.rates(&strike.y), strike.y.len() - strike.operators.basis.nrows());
@@ -143,7 +143,7 @@ impl Making<'_> {
     }
 
     /// Adds a strike whose impulses bring contacts to rest.
-    fn rest(&mut self, still: &Kept) -> Result<(), Failure> {
+    fn rest(&mut self, still: &HeldContacts) -> Result<(), Failure> {
         let contacts = self.contacts;
         let response = self.response()?;
         let (closed, rows) = contacts.closed(&response, &still.which);

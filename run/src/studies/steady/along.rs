@@ -104,7 +104,7 @@ pub(super) fn along(
         let other = asked(*last)?;
         unknowns.states.retain(|at| start.x[*at] == other.x[*at]);
     }
-    let mut way = Way { model, question, unknowns, asked };
+    let mut way = FollowedMotion { model, question, unknowns, asked };
     for value in values {
         let from = course.points.last();
         match (way.point(*value, from.map(|point| &point.about.steady)), from) {
@@ -126,14 +126,14 @@ pub(super) fn along(
 }
 
 /// Mechanism, unknowns and requests of a steady motion that is followed along a number.
-struct Way<'w> {
+struct FollowedMotion<'w> {
     model: &'w Mechanism,
     question: &'w mut Question,
     unknowns: Unknowns,
     asked: &'w mut dyn FnMut(f64) -> Result<Asked, Error>,
 }
 
-impl Way<'_> {
+impl FollowedMotion<'_> {
     /// Finds the steady motion at a value of the number, beginning at a steady motion near it.
     fn point(&mut self, value: f64, near: Option<&Steady>) -> Result<Point, Error> {
         self.point_in(value, near, Family::Sought)

@@ -26,7 +26,7 @@ mod verdict;
 
 pub use about::{About, Wanted, linearise};
 pub use along::{Course, Crossing, CrossingKind, Point, follow};
-pub use conditions::{ClosedForm, Conditions, Formula, Solved, Told, Velocity, conditions};
+pub use conditions::{ClosedForm, Conditions, Formula, NamedFormula, Solved, Velocity, conditions};
 pub use control::{Transfer, reached};
 pub use dense::Wide;
 pub use eigen::{Mode, modes};
@@ -34,7 +34,7 @@ pub use letters::{Entry, Letters, in_letters};
 pub use map::{Map, map};
 pub use newton::{Steady, Unknowns};
 pub use quotient::{Quotient, Shifted};
-pub use search::{Found, equilibria};
+pub use search::{FoundMotion, equilibria};
 pub use verdict::Stability;
 
 use crate::{Error, Mechanism};

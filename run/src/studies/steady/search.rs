@@ -19,7 +19,7 @@ pub(super) const ELSEWHERE: &str =
 
 /// Steady motion that a search found, with its linear system if there is one.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct FoundMotion {
     /// State and velocities of the steady motion.
     pub steady: Steady,
     /// Linear system near the steady motion, or the reason why there is none.
@@ -68,7 +68,7 @@ fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unk
 /// # Errors
 /// [`Error`] if the model cannot be derived, or if no steady motion is found. It states the residuals of the first
 /// search.
-pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<Found>, Error> {
+pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<FoundMotion>, Error> {
     let mut question = Question::new(model, asked, &[])?;
     let spread = Spread::new(model, asked);
     let mut list: Vec<Steady> = Vec::new();
@@ -101,19 +101,19 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     if list.iter().any(is_regular) {
         list.retain(is_regular);
     }
-    let mut found: Vec<Found> = Vec::new();
+    let mut found: Vec<FoundMotion> = Vec::new();
     for steady in list {
         let about = question.about(model, steady.clone(), Shifted::LeftOut);
         let is_known = found.iter().any(|known| is_shifted(model, known, &about));
         if !is_known {
-            found.push(Found { steady, about });
+            found.push(FoundMotion { steady, about });
         }
     }
     Ok(found)
 }
 
 /// True if one steady motion is another, moved along symmetries: the states that these do not shift are equal.
-fn is_shifted(model: &Mechanism, known: &Found, new: &Result<About, Error>) -> bool {
+fn is_shifted(model: &Mechanism, known: &FoundMotion, new: &Result<About, Error>) -> bool {
     let (Ok(a), Ok(b)) = (&known.about, new) else { return false };
     a.system.kept == b.system.kept
         && !a.system.shifted.is_empty()

@@ -8,7 +8,7 @@ use crate::mechanism::Mechanism;
 use crate::options::{options, options_of_ends};
 use crate::overrides::Overrides;
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::Shown;
+use crate::simulation::outputs::ShownQuantities;
 use crate::simulation::simulate::{changing_speeds, in_rates, proved};
 use crate::trust::digits::assess;
 use crate::trust::events::{Balance, events};
@@ -48,7 +48,7 @@ pub struct Sweep<'a> {
     /// if there are no such places.
     rates: Option<Code>,
     balance: Balance,
-    shown: Shown,
+    shown: ShownQuantities,
     /// True if a second run of each point determines the number of correct digits.
     pub tells_digits: bool,
     /// Flag that is set when no more rows are wanted.
@@ -83,7 +83,7 @@ impl<'a> Sweep<'a> {
         };
         // Impacts change the conserved quantities.
         let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
-        let shown = Shown::new(model, scene)?;
+        let shown = ShownQuantities::new(model, scene)?;
         let names = shown.names.clone();
         Ok(Self {
             model,

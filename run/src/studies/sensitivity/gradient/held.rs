@@ -10,7 +10,7 @@
 
 use super::products::{Products, Tapes};
 use crate::error::{Error, refused};
-use crate::preparation::impacts::{Contacts, Held, Kept, Operators};
+use crate::preparation::impacts::{Contacts, Held, HeldContacts, Operators};
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::grip::Grip;
 use nalgebra::DVector;
@@ -31,7 +31,7 @@ pub struct Motion<'a> {
 #[derive(Clone, Copy)]
 pub struct HeldOf<'a> {
     pub contacts: &'a Contacts<'a>,
-    pub kept: &'a Kept,
+    pub kept: &'a HeldContacts,
 }
 
 /// Contacts that are held, with the data for products with their transposed slopes.

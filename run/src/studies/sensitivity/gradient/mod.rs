@@ -30,7 +30,7 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::options::{options, options_of_ends};
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::Shown;
+use crate::simulation::outputs::ShownQuantities;
 use crate::simulation::run::Run;
 use crate::simulation::simulate::{changes_speeds, proved, run_by};
 use crate::trust::digits::other_side;
@@ -131,7 +131,7 @@ pub fn gradient(
     }
     let code = code(mechanism, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(mechanism, &scene, &by, &code, Some(Solve::Eliminated))?;
-    let (shown, quantities) = (Shown::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
+    let (shown, quantities) = (ShownQuantities::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
     let target = target(&quantities, &scene, of)?;
     let numbers = numbers(&problem, set, &options(&scene));
     let tapes = Tapes::new(mechanism, &by, scene.integration.distance, &code)?;
@@ -319,7 +319,7 @@ impl Parts<'_> {
         let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
         let mut watched = events(problem, &balance);
         let run = equations.run(problem, &from, &options_of_ends(problem.scene), &mut watched)?;
-        for (at, ending) in places.into_iter().zip(run.way.endings) {
+        for (at, ending) in places.into_iter().zip(run.history.endings) {
             list[at] = ending.map(|ending| ending.to_string());
         }
         Ok(list)

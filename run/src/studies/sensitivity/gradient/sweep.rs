@@ -10,8 +10,8 @@ use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::contacts::Wide;
 use crate::studies::sensitivity::equations::Equations;
 use crate::studies::sensitivity::graze::near;
+use crate::studies::sensitivity::history::Ending;
 use crate::studies::sensitivity::shown::Quantities;
-use crate::studies::sensitivity::way::Ending;
 use tripos_sim::adjoint::{Adjoint, Course, Unswept, segments};
 use tripos_sim::{Options, RightHandSide};
 
