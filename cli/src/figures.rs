@@ -76,7 +76,7 @@ pub fn merged(curves: Vec<Curve>) -> Vec<Curve> {
 }
 
 /// Sentences about the equations of the curves: the wrong ones, the stopped ones, and the loose ones with their errors.
-pub fn said(curves: &[Curve]) -> String {
+pub fn sentences(curves: &[Curve]) -> String {
     let names = |of: &dyn Fn(&Standing) -> bool| {
         let some = curves.iter().filter(|curve| of(curve.standing));
         some.map(|curve| curve.label.as_str()).collect::<Vec<_>>().join(", ")

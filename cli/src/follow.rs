@@ -25,24 +25,24 @@ const PARTS: u32 = 1000;
 /// Listens for interruptions: of the keyboard, and polite requests to end. If signals cannot be caught, they end the
 /// process.
 pub fn listen() {
-    let asked = || {
+    let on_interrupt = || {
         if ASKED.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(status::INTERRUPTED));
         }
         say("interrupted: ending what is under way, and keeping what is finished; once more to leave at once");
     };
     // If signals cannot be caught, they end the process.
-    let _ = ctrlc::set_handler(asked);
+    let _ = ctrlc::set_handler(on_interrupt);
 }
 
 /// True if the user asked the command to end.
-pub fn asked() -> bool {
+pub fn is_interrupted() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
 
 /// Makes the follower for any run of this command: it polls for interruptions and shows progress.
 pub fn follow() -> Follow {
-    Follow::new(Poll::new(look), asked)
+    Follow::new(Poll::new(look), is_interrupted)
 }
 
 /// Progress bar of a run, and the span that it covers.
@@ -75,7 +75,7 @@ fn look(t: f64) -> ControlFlow<()> {
             bar.set_position(part);
         }
     }
-    if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
 /// Progress of work of many parts, shown by a progress bar.

@@ -41,7 +41,8 @@ fn main() -> ExitCode {
         Err(failure) => {
             // A command that ends early because the user asked for it has no error of its own.
             let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
-            let failure = if follow::asked() && !is_own { Failure::Interrupted(String::new()) } else { failure };
+            let failure =
+                if follow::is_interrupted() && !is_own { Failure::Interrupted(String::new()) } else { failure };
             say(&failure.to_string());
             if is_json {
                 // If standard output is closed, the error cannot be reported there.

@@ -17,7 +17,7 @@ fn model(text: &str) -> Mechanism {
     Mechanism::new(tripos_derive::model::load(&source).unwrap_or_else(|e| panic!("{e}\n{text}")))
 }
 
-fn asked(model: &mut Mechanism, state: &str) -> Asked {
+fn loaded(model: &mut Mechanism, state: &str) -> Asked {
     load_asked(&Source::from_text("state.toml", state), model, &[]).unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -25,13 +25,13 @@ fn about(text: &str, state: &str, inputs: &[&str]) -> Result<About, tripos::Erro
     let inputs: Vec<String> = inputs.iter().map(|name| (*name).to_owned()).collect();
     let mut model = model(text);
     model.model = model.model.with_varied(&inputs).unwrap_or_else(|e| panic!("{e}"));
-    let asked = asked(&mut model, state);
+    let asked = loaded(&mut model, state);
     linearise(&model, &asked, &Wanted { inputs, ..Wanted::default() })
 }
 
 fn rests(text: &str, state: &str, starts: u64) -> Vec<FoundMotion> {
     let mut model = model(text);
-    let asked = asked(&mut model, state);
+    let asked = loaded(&mut model, state);
     equilibria(&model, &asked, starts).unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -174,7 +174,7 @@ const UP: &str = "[state]\nx = 0\nv = 0\nq = 0\nu = 0\n";
 #[test]
 fn a_mass_stays_a_letter_beside_an_input() {
     let mut model = model(&cart("0"));
-    let asked = asked(&mut model, UP);
+    let asked = loaded(&mut model, UP);
     let found = linearise(&model, &asked, &Wanted { inputs: vec!["F".to_owned()], ..Wanted::default() }).unwrap();
     let letters = in_letters(&model, &asked, &found, &["M".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
     let kept: Vec<&str> = found.system.kept.iter().map(|at| found.all[*at].as_str()).collect();
@@ -386,7 +386,7 @@ fn rests_of_a_redundant_loop_close_it() {
     assert_eq!((found.len(), stable), (2, 1));
     let form = closed(TIED);
     let mut mechanism = model(TIED);
-    let state = asked(&mut mechanism, &format!("[state]\n{held}q_J1 = 0\nq_J2 = 0\n"));
+    let state = loaded(&mut mechanism, &format!("[state]\n{held}q_J1 = 0\nq_J2 = 0\n"));
     for rest in &found {
         let on = form.branches_at(&state.parameters, &rest.steady).map(|(_, branches)| branches.len());
         assert_eq!(on, Some(1), "{:?}", form.list[0].branches);

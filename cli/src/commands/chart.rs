@@ -33,7 +33,7 @@ pub fn chart(
     for what in &session.left_out {
         warn(&format!("not charted: {what}"));
     }
-    if follow::asked() && session.list.is_empty() {
+    if follow::is_interrupted() && session.list.is_empty() {
         return Err(Failure::Interrupted(String::new()));
     }
     files::write(out, &session.list, &session.watch.integrals)?;
@@ -55,7 +55,7 @@ pub fn chart(
         out.join("work_precision.svg").display()
     );
     print_either(output, &lines, &value)?;
-    if follow::asked() {
+    if follow::is_interrupted() {
         let (count, place) = (session.list.len(), out.display());
         return Err(Failure::Interrupted(format!(
             "the tables in {place} are partial, {count} runs measured until then"

@@ -95,8 +95,8 @@ struct Effort {
     seconds: Duration,
 }
 
-/// Words for the extent of a sweep: the number of points, the part of the grid, and the time taken. `kept` is the number
-/// of rows that were there before.
+/// Words for the extent of a sweep: the number of points, the part of the grid, and the time taken. `kept` is the
+/// number of rows that were there before.
 fn extent(shard: Shard, points: &Range<u64>, kept: u64, grid: &Grid, effort: &Effort) -> String {
     let Effort { threads, seconds } = effort;
     let count = points.end - points.start - kept;
@@ -177,7 +177,7 @@ fn run(
             }
             table.add(&lines)?;
             done_rows += rows.len() as u64;
-            if follow::asked() && done_rows < count {
+            if follow::is_interrupted() && done_rows < count {
                 let (place, there) = (table.place().display(), kept.rows + done_rows);
                 let what = format!("the first {there} of {all} rows are in {place}; --resume goes on from there");
                 return Err(Failure::Interrupted(what));

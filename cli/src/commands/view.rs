@@ -23,7 +23,7 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     for against in &request.against {
         motions.push(compared(&mechanism, &scene, request, against)?);
     }
-    if follow::asked() {
+    if follow::is_interrupted() {
         return Err(Failure::Interrupted(String::new()));
     }
     let view = View::new(&mechanism, &scene, &motions.iter().collect::<Vec<_>>())?;

@@ -10,7 +10,7 @@
 mod changes;
 mod parts;
 
-pub use changes::{Change, said};
+pub use changes::{Change, notes_on_changes};
 pub use parts::{joined, rest};
 
 use super::initial::InitialState;
@@ -93,9 +93,9 @@ struct Passage<'r> {
     /// False while a run that began where the chosen speeds fail has only moved away from that place.
     is_best_known: Cell<bool>,
     /// Last state (q, q̇) whose standing was computed, and the standing there; `None` if it has no value.
-    asked: RefCell<(Vec<f64>, Option<Standing>)>,
+    last_standing: RefCell<(Vec<f64>, Option<Standing>)>,
     /// Last state that was converted to (q, q̇); kept to reuse its memory.
-    told: RefCell<Vec<f64>>,
+    in_rates: RefCell<Vec<f64>>,
     /// Least duration of the next part of the run in all rates, s.
     dwell: f64,
     /// Duration of the last part of the run in all rates, s.
@@ -106,9 +106,9 @@ struct Passage<'r> {
     keeps_energy: bool,
 }
 
-/// Integrates from a start (q, q̇) over its span. It uses the equations in chosen speeds, whose right-hand side is given, as
-/// far as these speeds determine the motion. Elsewhere it uses the equations in all rates. Returns the solution in (q,
-/// q̇), and the parts that were computed in all rates.
+/// Integrates from a start (q, q̇) over its span. It uses the equations in chosen speeds, whose right-hand side is
+/// given, as far as these speeds determine the motion. Elsewhere it uses the equations in all rates. Returns the
+/// solution in (q, q̇), and the parts that were computed in all rates.
 ///
 /// # Errors
 /// [`SimError`] if the request is invalid.
@@ -161,7 +161,7 @@ pub fn in_speeds_alone(
     mut power: Option<Power<'_>>,
 ) -> Result<Option<Solution>, SimError> {
     let passage = Passage::new(systems, options)?;
-    if !passage.begins_in_speeds(&told_in_rates(passage.speeds, passage.parameters, start.y)) {
+    if !passage.begins_in_speeds(&state_in_rates(passage.speeds, passage.parameters, start.y)) {
         return Ok(None);
     }
     let power = power.as_mut().map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
@@ -184,8 +184,8 @@ impl<'r> Passage<'r> {
             multipliers: RefCell::new(Multipliers::new(rates, parameters, options.clock).ok_or_else(none)?),
             best: RefCell::new(Standing { speeds: 0.0, constraints: 0.0 }),
             is_best_known: Cell::new(true),
-            asked: RefCell::default(),
-            told: RefCell::default(),
+            last_standing: RefCell::default(),
+            in_rates: RefCell::default(),
             dwell: 0.0,
             lasted: 0.0,
             changes: Vec::new(),
@@ -195,14 +195,14 @@ impl<'r> Passage<'r> {
 
     /// True if a run can begin in the chosen speeds at (q, q̇).
     fn begins_in_speeds(&self, y: &[f64]) -> bool {
-        let stands = self.stands(y, LEAVES) == Some(true) && self.best.borrow().speeds > BEGINS;
+        let stands = self.has_standing(y, LEAVES) == Some(true) && self.best.borrow().speeds > BEGINS;
         self.is_best_known.set(stands);
         stands
     }
 
     /// True if the standing of the chosen speeds at (q, q̇) is above the share `part` of the best standing so far.
     /// `None` where the standing has no value.
-    fn stands(&self, y: &[f64], part: f64) -> Option<bool> {
+    fn has_standing(&self, y: &[f64], part: f64) -> Option<bool> {
         let now = self.standing(y)?;
         let mut best = self.best.borrow_mut();
         if now.speeds < best.speeds {
@@ -215,8 +215,8 @@ impl<'r> Passage<'r> {
     /// Standing of the chosen speeds at (q, q̇); `None` where it has no value. A state that differs from the last
     /// requested one only by a correction has the standing of that state.
     fn standing(&self, y: &[f64]) -> Option<Standing> {
-        let mut asked = self.asked.borrow_mut();
-        let (before, stood) = &mut *asked;
+        let mut last = self.last_standing.borrow_mut();
+        let (before, stood) = &mut *last;
         let size = y.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let is_same = before.len() == y.len() && before.iter().zip(y).all(|(a, b)| (a - b).abs() <= SAME * size);
         if !is_same {
@@ -228,11 +228,11 @@ impl<'r> Passage<'r> {
     }
 
     /// True if the standing of the chosen speeds at a state in these speeds is above the share `part` of the best; see
-    /// [`Self::stands`].
-    fn stands_in_speeds(&self, y: &[f64], part: f64) -> Option<bool> {
-        let mut told = self.told.borrow_mut();
-        tell_in_rates(self.speeds, self.parameters, y, &mut told);
-        self.stands(&told, part)
+    /// [`Self::has_standing`].
+    fn has_standing_in_speeds(&self, y: &[f64], part: f64) -> Option<bool> {
+        let mut in_rates = self.in_rates.borrow_mut();
+        write_state_in_rates(self.speeds, self.parameters, y, &mut in_rates);
+        self.has_standing(&in_rates, part)
     }
 
     /// Runs a part in the chosen speeds, up to a place where they hardly determine the motion. Also returns the end of
@@ -252,7 +252,7 @@ impl<'r> Passage<'r> {
         };
         let mut yields = |t: f64, y: &[f64]| {
             beyond.set(t);
-            self.stands_in_speeds(y, LEAVES) != Some(true)
+            self.has_standing_in_speeds(y, LEAVES) != Some(true)
         };
         let power = power.map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
         let with = Accompanied { rhs, power, over: Some(&mut over), yields: Some(&mut yields) };
@@ -269,9 +269,10 @@ impl<'r> Passage<'r> {
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution, SimError> {
-        let to_rates = |y: &[f64]| told_in_rates(self.speeds, self.parameters, y);
-        let (span, y) = (start.span, self.told_in_speeds(start.y));
-        let mut watched: Vec<Event<'_>> = events.iter_mut().map(|event| told_by(event, &to_rates)).collect();
+        let to_rates = |y: &[f64]| state_in_rates(self.speeds, self.parameters, y);
+        let (span, y) = (start.span, self.state_in_speeds(start.y));
+        let mut watched: Vec<Event<'_>> =
+            events.iter_mut().map(|event| event_in_other_variables(event, &to_rates)).collect();
         let mut worked = power.map(|power| |t: f64, y: &[f64]| power(t, &to_rates(y)));
         let worked = worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
         let (mut leg, beyond) = self.leg(rhs, InitialState { span, y: &y }, options, &mut watched, worked)?;
@@ -351,7 +352,7 @@ impl<'r> Passage<'r> {
         let mut rhs = self.multipliers.borrow().again();
         let mut over = |t: f64, y: Option<&[f64]>| {
             let lasts = (t - start.span.0).abs() < self.dwell;
-            let stands = y.is_some_and(|y| self.stands(y, RETURNS) == Some(true));
+            let stands = y.is_some_and(|y| self.has_standing(y, RETURNS) == Some(true));
             !lasts && stands && self.is_best_known.get()
         };
         let power = power.map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
@@ -378,7 +379,7 @@ impl<'r> Passage<'r> {
     }
 
     /// Converts a state (q, q̇) to the variables (q, v) of the equations in chosen speeds.
-    fn told_in_speeds(&self, y: &[f64]) -> Vec<f64> {
+    fn state_in_speeds(&self, y: &[f64]) -> Vec<f64> {
         let (q, q_dot) = y.split_at(y.len() / 2);
         let mut u = vec![0.0; self.rates.lengths().speeds];
         self.rates.generalized_speeds(self.parameters, q, q_dot, &mut u);
@@ -393,13 +394,14 @@ fn is_stuck(stop: &Stop) -> bool {
     matches!(stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::StepLimit { .. })
 }
 
-/// Converts an event that is a function of (q, q̇) to an event in other variables; `to_rates` converts these to (q, q̇).
-fn told_by<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64>) -> Event<'e> {
+/// Converts an event that is a function of (q, q̇) to an event in other variables; `to_rates` converts these to (q,
+/// q̇).
+fn event_in_other_variables<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64>) -> Event<'e> {
     let function = &mut event.function;
-    let told = move |t: f64, y: &[f64]| function(t, &to_rates(y));
+    let in_other = move |t: f64, y: &[f64]| function(t, &to_rates(y));
     Event {
         name: event.name.clone(),
-        function: Box::new(told),
+        function: Box::new(in_other),
         ranges: None,
         direction: event.direction,
         effect: event.effect,
@@ -417,17 +419,17 @@ fn run(
 }
 
 /// Converts an integrated state (q, v) to (q, q̇).
-fn told_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
-    let mut told = Vec::new();
-    tell_in_rates(system, p, y, &mut told);
-    told
+fn state_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
+    let mut out = Vec::new();
+    write_state_in_rates(system, p, y, &mut out);
+    out
 }
 
-/// Converts an integrated state (q, v) to (q, q̇), which is written into `told`.
-fn tell_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], told: &mut Vec<f64>) {
+/// Converts an integrated state (q, v) to (q, q̇), which is written into `out`.
+fn write_state_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], out: &mut Vec<f64>) {
     let n = system.lengths().coordinates;
     let (q, v) = y.split_at(n);
-    told.resize(2 * n, 0.0);
-    told[..n].copy_from_slice(q);
-    system.coordinate_rates(p, q, v, &mut told[n..]);
+    out.resize(2 * n, 0.0);
+    out[..n].copy_from_slice(q);
+    system.coordinate_rates(p, q, v, &mut out[n..]);
 }

@@ -259,7 +259,8 @@ pub fn changing_speeds<T>(
 ) -> Result<T, Error> {
     let (by, changes) = (By::from(Formulation::Lagrange), Mutex::default());
     let chosen = Chosen { by: problem.by, code: problem.code, solve: problem.solve, changes: &changes };
-    let rates = Problem::new(problem.mechanism, problem.scene, &by, code, Some(Solve::Numeric))?.beside(chosen);
+    let rates =
+        Problem::new(problem.mechanism, problem.scene, &by, code, Some(Solve::Numeric))?.with_chosen_speeds(chosen);
     run(&rates)
 }
 
@@ -414,7 +415,7 @@ pub fn run_by(
 /// Notes on the instants at which the last run changed between its chosen speeds and all rates.
 fn changes(model: &Model, chosen: Chosen<'_>) -> Vec<String> {
     let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
-    chosen.changes.lock().map_or_else(|_| Vec::new(), |list| passage::said(&list, &speeds, chosen.by))
+    chosen.changes.lock().map_or_else(|_| Vec::new(), |list| passage::notes_on_changes(&list, &speeds, chosen.by))
 }
 
 /// Makes the result of a run from its solution: shown values, energies, notes and objections.
@@ -461,7 +462,7 @@ fn finish(
         energy_drift,
         residuals: residuals(problem, &solution),
         notes: closed(scene)
-            .chain(impacts::said(&scene.impacts, &solution))
+            .chain(impacts::notes_on_short_bounces(&scene.impacts, &solution))
             .chain(driven(problem))
             .chain(digits.as_ref().and_then(trust::unassessed))
             .chain(stiffness::advice(problem, &solution)?)

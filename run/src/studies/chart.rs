@@ -124,7 +124,7 @@ pub fn measure(
             let how = way.options(length, plan.step_limit);
             bar.inc(1);
             let outcome = first(problem, y0, *way, &how, truth);
-            if model.follow.asked() {
+            if model.follow.is_interrupted() {
                 // The interrupted run is not measured.
                 return Ok(Measured { list, left_out });
             }

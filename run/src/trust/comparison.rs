@@ -81,7 +81,7 @@ impl Compared {
 
     /// Sentence that names the compared outputs and those left out; `None` if all states are compared.
     #[must_use]
-    pub fn said(&self) -> Option<String> {
+    pub fn in_words(&self) -> Option<String> {
         let list = &self.outputs.as_ref()?.list;
         let names = |known: bool| {
             let names = list.iter().filter(|o| o.is_known == known).map(|o| o.name.as_str());

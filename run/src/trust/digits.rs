@@ -152,7 +152,7 @@ pub fn assess(
     if solution.steps == 0 || solution.stop == Stop::Interrupted || y0.is_empty() {
         return Ok(None);
     }
-    let scene = beside(problem.scene, solution.t_end);
+    let scene = scene_of_second(problem.scene, solution.t_end);
     let beside = problem.with_scene(&scene);
     let mut watched: Vec<Event<'_>> = if solution.events.is_empty() { Vec::new() } else { events(&beside, balance) };
     for event in &mut watched {
@@ -193,8 +193,8 @@ pub fn assess(
             part * largest + ROUNDING * own(at)
         };
         errors.push((0..a.len()).map(error).collect::<Vec<_>>());
-        digits.push((0..a.len()).map(|at| told(error(at) / sizes[at])).collect::<Vec<_>>());
-        last = (0..a.len()).map(|at| told(error(at) / own(at))).collect();
+        digits.push((0..a.len()).map(|at| digits_left(error(at) / sizes[at])).collect::<Vec<_>>());
+        last = (0..a.len()).map(|at| digits_left(error(at) / own(at))).collect();
     }
     let events = of_events(&solution.events, &run.events, part);
     let second = SecondEnd { t: run.t_end, stop: run.stop, is_finer };
@@ -275,7 +275,7 @@ fn by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
 }
 
 /// Digits that a relative error leaves; 0 if it is 1 or more, or not a number.
-fn told(relative: f64) -> f64 {
+fn digits_left(relative: f64) -> f64 {
     if relative < 1.0 { -relative.log10() } else { 0.0 }
 }
 
@@ -304,7 +304,7 @@ const BEYOND: f64 = 0.02;
 
 /// Scene for the second run, from the start of the first run to a little beyond its end. A parameter that doubles
 /// cannot hold has the neighbouring double on the other side of its exact number.
-fn beside(scene: &Scene, t_end: f64) -> Scene {
+fn scene_of_second(scene: &Scene, t_end: f64) -> Scene {
     let (start, end) = scene.span;
     let beyond = t_end + BEYOND * (t_end - start);
     let is_inside = (end - beyond) * (end - start) > 0.0;

@@ -46,7 +46,7 @@ pub fn objections(
     list.extend(digits.and_then(|digits| contradicted(digits, &problem.variables())));
     if let Some(watch) = watch {
         let worst = worst(problem, solution, watch);
-        list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(said));
+        list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(excursion_in_words));
     }
     if !watch.is_some_and(|watch| watch.integrals.iter().any(|integral| integral.kind.is_energy())) {
         list.extend(energy_drift.and_then(|drift| energy(problem, solution, drift)));
@@ -158,7 +158,7 @@ fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Ve
 }
 
 /// Objection that reports the excursion of a first integral.
-fn said((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
+fn excursion_in_words((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
     let (name, unit) = (integral.name(), &integral.unit);
     if change.is_nan() {
         return format!("{name}, constant in this motion, has no value at t = {t:.4} s: do not trust this run");

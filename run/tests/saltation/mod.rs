@@ -43,7 +43,7 @@ fn truth(numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> Vec<Vec<f64>> {
 
 /// Largest error of the derivatives at the end, relative to their size or 1, whichever is larger, for the shown names,
 /// whose closed form is given. Checks that the stated errors hold.
-fn off(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> f64 {
+fn largest_error(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> f64 {
     assert!(
         found.run.failure().is_none() && found.missing().is_none(),
         "{:?} {:?}",

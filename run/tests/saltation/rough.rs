@@ -1,7 +1,7 @@
 //! Friction with slips, sticking, reversals and bounces at an angle.
 
 use super::backwards::is_forwards;
-use super::{Planted, Wide, how, off, truth, wide};
+use super::{Planted, Wide, how, largest_error, truth, wide};
 use crate::friction::{BLOCK, FINE, on_plane};
 use crate::impacts::{PLANE, scene as scene_of};
 use crate::rough::feet;
@@ -42,7 +42,7 @@ fn a_block_that_slides_to_rest_is_differentiated_by_all_that_its_way_depends_on(
             vec![x + wide(way) * v * v / (wide(2.0) * a), wide(0.0)]
         };
         let numbers = [mu, g, way * alpha, way * v, x, 2.0];
-        let worst = off(&found, &["x", "vx"], &numbers, &|numbers| {
+        let worst = largest_error(&found, &["x", "vx"], &numbers, &|numbers| {
             closed(&[&numbers[..3], &[wide(way) * numbers[3]], &numbers[4..]].concat())
         });
         assert!(worst < 1e-9, "{method}: {worst:e}");
@@ -76,7 +76,7 @@ fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
             let left = wide(1.5) + v / up;
             vec![-half * v * v / up + half * back * left * left, back * left]
         };
-        let worst = off(&found, &["x", "vx"], &[&values[..], &[2.0]].concat(), &closed);
+        let worst = largest_error(&found, &["x", "vx"], &[&values[..], &[2.0]].concat(), &closed);
         assert!(worst < 1e-9, "{values:?}: {worst:e}");
         is_forwards(&scene, &["x", "vx"], &how);
     }
@@ -95,7 +95,7 @@ fn a_spring_with_friction_is_differentiated_through_all_of_its_reversals() {
         let step = mu * m * g / k;
         vec![x - wide(8.0) * step, wide(0.0)]
     };
-    let worst = off(&found, &["x", "vx"], &[2.1, 0.1, 10.0, 8.0, 2.0], &closed);
+    let worst = largest_error(&found, &["x", "vx"], &[2.1, 0.1, 10.0, 8.0, 2.0], &closed);
     assert!(worst < 1e-9, "{worst:e}");
     is_forwards(&scene, &["x"], &how("kane", "dop853"));
 }
@@ -122,7 +122,7 @@ fn a_block_that_a_belt_takes_along_is_differentiated_by_when_its_spring_pulls_it
             let (sine, cosine) = (omega * (wide(2.0) - second)).sin_cos();
             vec![delta + vb / omega * sine, vb * cosine, first, second]
         };
-        let worst = off(&found, &["x", "vx"], &values, &closed);
+        let worst = largest_error(&found, &["x", "vx"], &values, &closed);
         for (by, list) in truth(&values, &closed).iter().enumerate() {
             for (event, truth) in found.events[2..].iter().zip(&list[2..]) {
                 near(event.as_ref().expect("the instant moves")[by], *truth, 1e-8, "the instant");
@@ -192,7 +192,7 @@ fn a_disk_that_bounces_with_friction_is_differentiated_through_its_impacts() {
         assert_eq!(found.run.impacts().len(), sticks.len(), "{values:?}");
         let slips = sticks.iter().filter(|sticks| !**sticks).count();
         (seen[0], seen[1]) = (seen[0] + slips, seen[1] + sticks.len() - slips);
-        let worst = off(&found, &["x", "vx", "om"], &numbers, &|numbers| rolled(numbers, 1.25).0);
+        let worst = largest_error(&found, &["x", "vx", "om"], &numbers, &|numbers| rolled(numbers, 1.25).0);
         assert!(worst < 1e-9, "{law} {values:?}: {worst:e}");
         is_forwards(&scene, &["x", "om"], &how);
     }
@@ -233,7 +233,7 @@ fn a_block_on_two_feet_is_differentiated_to_its_rest_as_a_point_is() {
         let (sine, cosine) = alpha.sin_cos();
         vec![x + v * v / (wide(2.0) * g * (wide(0.5) * cosine - sine)), wide(0.0)]
     };
-    let worst = off(&found, &["x", "vx"], &[1.5, 9.81, 0.3, 3.0, 0.05, 0.0], &closed);
+    let worst = largest_error(&found, &["x", "vx"], &[1.5, 9.81, 0.3, 3.0, 0.05, 0.0], &closed);
     assert!(worst < 1e-9, "{worst:e}");
     let lifted = scene.sensitivities(&["th"], At::End, &how).unwrap().missing().unwrap_or_default();
     assert!(lifted.contains("is closed at the start, and `th` opens it"), "{lifted}");
@@ -264,7 +264,7 @@ fn a_block_that_slides_to_a_wall_and_back_is_differentiated() {
             let twice = wide(2.0) * mu * g;
             vec![length - e * e * (v * v - twice * length) / twice]
         };
-        let worst = off(&found, &["x"], &[0.25, 10.0, 0.5, 0.75, 3.0, 2.0], &closed);
+        let worst = largest_error(&found, &["x"], &[0.25, 10.0, 0.5, 0.75, 3.0, 2.0], &closed);
         assert!(worst < 1e-9, "{law}: {worst:e}");
         is_forwards(&scene, &["x", "vx"], &how);
     }

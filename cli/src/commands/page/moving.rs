@@ -10,7 +10,7 @@ use tripos_derive::scene::Scene;
 
 /// Figure of the motion of one scene; `None` if no scene was finished, or after an interruption.
 pub fn moving(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) -> Option<Moving> {
-    if follow::asked() {
+    if follow::is_interrupted() {
         return None;
     }
     let scene = best(scenes, sections)?;

@@ -245,10 +245,14 @@ impl Bouncing<'_> {
             all += impulses;
             hits.push(hit);
         }
-        let told = told(&response, &all, &scale);
+        let least = least_gain(&response, &all, &scale);
         let changes = &response.compliance * &all;
         let blow = struck(y, &response, all);
-        if blow.loss < -told { Err(self.gains(t, meeting, -blow.loss)) } else { Ok(Hit { blow, hits, scale, changes }) }
+        if blow.loss < -least {
+            Err(self.gains(t, meeting, -blow.loss))
+        } else {
+            Ok(Hit { blow, hits, scale, changes })
+        }
     }
 
     /// Failure that reports impacts of closed contacts that follow one another without end.
@@ -373,7 +377,7 @@ fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
 /// Least energy that impulses must add to be told from rounding, J. The terms of the sum are impulses times a small
 /// fraction of the velocities before and after. Each impulse times a velocity that is rounding is added. Velocities
 /// before and after may cancel: an elastic impact reverses each velocity and adds no energy.
-fn told(response: &Response, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
+fn least_gain(response: &Response, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
     let (before, after) = (&response.velocities, &response.velocities + &response.compliance * impulses);
     let of = |row: usize| NOTHING.sqrt() * (before[row].abs() + after[row].abs()) + NOTHING * scale[row];
     (0..impulses.len()).map(|row| impulses[row].abs() * of(row)).sum()

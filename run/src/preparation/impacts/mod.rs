@@ -19,7 +19,7 @@ mod contacts;
 mod held;
 mod held_contacts;
 mod meeting;
-mod said;
+mod short_bounces;
 mod slipping;
 mod watching;
 
@@ -29,7 +29,7 @@ pub use contacts::{Contacts, Operators, Response};
 pub use held::Held;
 pub use held_contacts::{HeldContacts, NONE};
 pub use meeting::After;
-pub use said::said;
+pub use short_bounces::notes_on_short_bounces;
 
 use super::initial::InitialState;
 use super::passage::{joined, rest};

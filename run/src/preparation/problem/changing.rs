@@ -11,7 +11,7 @@ impl<'a> Problem<'a> {
     /// Adds equations in chosen speeds, which run as far as these speeds determine the motion. The problem's own
     /// equations, in all rates with multipliers, run elsewhere.
     #[must_use]
-    pub fn beside(self, chosen: Chosen<'a>) -> Self {
+    pub fn with_chosen_speeds(self, chosen: Chosen<'a>) -> Self {
         Self { chosen: Some(chosen), ..self }
     }
 

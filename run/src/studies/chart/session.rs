@@ -51,7 +51,7 @@ pub fn chart(
     bar.set_message("reference");
     let (mut cases, mut left_out) = cases(model, &scene, printed)?;
     let mut compared = Compared::new(model, &scene)?;
-    let said = compared.said();
+    let in_words = compared.in_words();
     if compared.is_empty() {
         // Whole states show none of the requested outputs, so the states themselves are compared.
         scene.states_outputs = false;
@@ -83,7 +83,7 @@ pub fn chart(
     let measured = measure(model, &scene, &cases, plan, &truth, bar)?;
     left_out.extend(measured.left_out);
     let list = measured.list;
-    Ok(Session { list, compared: said, reference, watch, until: scene.span.1, cut, left_out })
+    Ok(Session { list, compared: in_words, reference, watch, until: scene.span.1, cut, left_out })
 }
 
 /// Finds the instant, s, at which the motion leaves the domain of its equations or meets a terminal event. `None` if

@@ -252,7 +252,7 @@ fn arrive(
             y_end: Some(solution.y_end),
         }),
         // Quadrature does not give every motion.
-        Err(_) if way == MethodAtTolerance::Quadrature && !study.model.follow.asked() => {
+        Err(_) if way == MethodAtTolerance::Quadrature && !study.model.follow.is_interrupted() => {
             Ok(Arrival { stop: Some("no-quadrature".to_owned()), t_end: span.0, steps: 0, y_end: None })
         }
         Err(failure) => Err(failure),

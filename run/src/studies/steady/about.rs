@@ -119,7 +119,7 @@ impl Question {
         let modes = modes(&system.a, steady.uncertain + steady.residual / a.norm().max(1.0))?;
         let still = modes.iter().find(|mode| mode.value.iter().all(|x| x.abs() <= 0.0)).map_or(0, |mode| mode.vectors);
         let sought = if family == Family::Sought { still } else { 0 };
-        let beside = self.beside(&steady, &system, sought);
+        let beside = self.family_directions(&steady, &system, sought);
         let family: Vec<String> = leading(&beside).iter().map(|at| self.names[system.kept[*at]].clone()).collect();
         let stability = self.stability(&steady, &system, &modes, family.len());
         Ok(About {

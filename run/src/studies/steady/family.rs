@@ -16,9 +16,9 @@ const BACK: f64 = 0.3;
 
 impl Question {
     /// Directions, in the kept states, in which steady motions were found beside a steady motion: as many as A maps to
-    /// zero, or none. Each direction is tried both ways, and so is their sum. For example, q̈ = −q³ has no steady motion
-    /// beside q = 0.
-    pub(super) fn beside(&self, steady: &Steady, system: &Quotient, count: usize) -> DMatrix<f64> {
+    /// zero, or none. Each direction is tried both ways, and so is their sum. For example, q̈ = −q³ has no steady
+    /// motion beside q = 0.
+    pub(super) fn family_directions(&self, steady: &Steady, system: &Quotient, count: usize) -> DMatrix<f64> {
         let directions = least_moved(&system.a.rounded(), count);
         let together = directions.column_iter().fold(DVector::zeros(directions.nrows()), |sum, column| sum + column);
         let single = directions.column_iter().map(nalgebra::Matrix::into_owned);

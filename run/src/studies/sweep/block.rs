@@ -181,7 +181,7 @@ impl Worker<'_> {
                 break;
             }
             let outcome = scene.and_then(|scene| self.run(&scene, solution));
-            if self.sweep.model.follow.asked() {
+            if self.sweep.model.follow.is_interrupted() {
                 // The last run may have been cut short.
                 break;
             }
