@@ -3,7 +3,8 @@
 use super::Question;
 use super::control::{Transfer, reached, transfers};
 use super::dense::Wide;
-use super::eigen::{Mode, modes};
+use super::eigen::modes;
+use super::mode::Mode;
 use super::newton::{Steady, Unknowns};
 use super::quotient::{Quotient, Shifted};
 use super::verdict::Stability;

@@ -3,7 +3,7 @@
 use super::Question;
 use super::about::{About, Family};
 use super::dense::Wide;
-use super::eigen::Mode;
+use super::mode::Mode;
 use super::newton::{Steady, Unknowns};
 use super::quotient::Shifted;
 use super::search::{ELSEWHERE, unknowns};
