@@ -13,6 +13,7 @@ mod given_potentials;
 mod gradient;
 mod impacts;
 mod inverse;
+mod neutral_motions;
 mod newton;
 mod planar;
 #[path = "../../tests/support/random.rs"]
@@ -28,8 +29,10 @@ mod sketch;
 mod spectra;
 mod steady;
 mod steady_kinds;
+mod steady_loops;
 mod stiff;
 mod told_motions;
+mod touching;
 #[path = "../../tests/support/tree.rs"]
 mod tree;
 mod view;
