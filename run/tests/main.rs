@@ -13,7 +13,6 @@ mod given_potentials;
 mod gradient;
 mod impacts;
 mod inverse;
-mod neutral_motions;
 mod newton;
 mod planar;
 #[path = "../../tests/support/random.rs"]

@@ -3,6 +3,8 @@
 //! Truth: matrices with a planted Jordan form, in whole numbers; the growth of their exponentials; equations of motion
 //! written down here.
 
+mod neutral_motions;
+
 use crate::random_trees::times;
 use nalgebra::DMatrix;
 use tripos::studies::steady::{Mode, Wide, modes};
