@@ -81,14 +81,22 @@ fn sines() {
     println!("sine and cosine: f64 {ours:.2} ns, libm {theirs:.2} ns, std {std:.2} ns, 8 lanes {lanes:.2} ns a number");
 }
 
+/// Parameters, coordinates and motion variables at a start.
+struct Start<S> {
+    p: [S; 3],
+    q: [S; N],
+    v: [S; N],
+}
+
 /// The report's start, in every lane a little different.
-fn start<S: Scalar>(of: impl Fn(f64) -> S) -> ([S; 3], [S; N], [S; N]) {
+fn start<S: Scalar>(of: impl Fn(f64) -> S) -> Start<S> {
     let (q, v) = ([0.1745, 0.6, 0.785, 5.0, 1.0], [0.01, -0.1, 0.02, 0.4, 0.1]);
-    ([1.0, 1.0, 9.81].map(&of), q.map(&of), v.map(&of))
+    Start { p: [1.0, 1.0, 9.81].map(&of), q: q.map(&of), v: v.map(&of) }
 }
 
 /// Time of one call, each with arguments that only the memory knows.
-fn calls<S: Scalar>(system: &dyn Rates<S>, (p, q, v): &([S; 3], [S; N], [S; N])) {
+fn calls<S: Scalar>(system: &dyn Rates<S>, start: &Start<S>) {
+    let Start { p, q, v } = start;
     let (mut q_dot, mut v_dot) = (*q, *v);
     for _ in 0..CALLS {
         black_box(system).rates(black_box(p), black_box(q), black_box(v), &mut q_dot, &mut v_dot);

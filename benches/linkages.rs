@@ -94,7 +94,8 @@ fn linkages(c: &mut Criterion) {
         let chosen = Chosen { by: speeds, code: in_speeds, solve: Solve::Eliminated, changes: &changes };
         let problem = |by, code, solve| Problem::new(scene.mechanism(), scene.description(), by, code, solve);
         let plain = problem(speeds, in_speeds, None).expect("equations that run");
-        let changing = problem(rates, in_rates, Some(Solve::Numeric)).expect("equations that run").beside(chosen);
+        let changing =
+            problem(rates, in_rates, Some(Solve::Numeric)).expect("equations that run").with_chosen_speeds(chosen);
         for method in METHODS {
             let found = [(&plain, "its speeds"), (&changing, "all rates beside its speeds")]
                 .into_iter()

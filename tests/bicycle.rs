@@ -173,7 +173,7 @@ fn a_knocked_bicycle_comes_up_again() {
     }
     (slopes[(0, 2)], slopes[(1, 3)]) = (1.0, 1.0);
     for by in Formulation::ALL {
-        let how = Overrides { by: Some(by.name().to_owned()), rtol: Some(1e-11), ..Overrides::default() };
+        let how = Overrides { by: Some(by.name().into()), rtol: Some(1e-11), ..Overrides::default() };
         let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{e}"));
         assert!(run.failure().is_none() && run.warnings.is_empty(), "{:?} {:?}", run.failure(), run.warnings);
         let columns = ["phi", "delta", "u1", "u2"].map(|name| run.column(name).unwrap());

@@ -15,7 +15,7 @@ fn run(model_text: &str, start: &str, by: Formulation) -> Run {
         "model = \"described.toml\"\nspan = [0, 2]\n{start}\n[integration]\nmethod = \"dop853\"\nrtol = 1e-13\natol = 1e-13\nsamples = 101\n"
     );
     let scene = Scene::parse(Mechanism::new(load(model_text)), &text).unwrap_or_else(|e| panic!("{e}"));
-    let how = Overrides { by: Some(by.name().to_owned()), ..Overrides::default() };
+    let how = Overrides { by: Some(by.name().into()), ..Overrides::default() };
     let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{}: {e}", by.name()));
     assert!(run.failure().is_none(), "{}: {:?}", by.name(), run.objections());
     run

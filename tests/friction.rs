@@ -44,7 +44,7 @@ fn run(rest: &str, start: &str, by: Formulation) -> Run {
         "model = \"model.toml\"\nspan = [0, 1.5]\n{start}[integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-13\n"
     );
     let scene = Scene::parse(Mechanism::new(model), &text).unwrap_or_else(|e| panic!("{e}"));
-    let how = Overrides { by: Some(by.name().to_owned()), ..Overrides::default() };
+    let how = Overrides { by: Some(by.name().into()), ..Overrides::default() };
     let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{}: {e}", by.name()));
     assert!(run.failure().is_none(), "{}: {:?}", by.name(), run.objections());
     run

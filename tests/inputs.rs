@@ -44,7 +44,7 @@ fn scene(rest: &str) -> Result<Scene, String> {
 }
 
 fn run(scene: &Scene, by: Formulation) -> Run {
-    let how = Overrides { by: Some(by.name().to_owned()), ..Overrides::default() };
+    let how = Overrides { by: Some(by.name().into()), ..Overrides::default() };
     let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{}: {e}", by.name()));
     assert!(run.failure().is_none(), "{}: {:?}", by.name(), run.objections());
     run

@@ -18,13 +18,8 @@ fn runs(scene: &str) -> Vec<(&'static str, Run)> {
     let scene = Scene::read(path).unwrap_or_else(|e| panic!("{e}")).with(tripos_models::MODELS);
     let run = |by: &'static str| {
         let (rtol, atol) = (Some(1e-12), Some(1e-13));
-        let how = Overrides {
-            by: Some(by.to_owned()),
-            method: Some(Method::Dop853.into()),
-            rtol,
-            atol,
-            ..Overrides::default()
-        };
+        let how =
+            Overrides { by: Some(by.into()), method: Some(Method::Dop853.into()), rtol, atol, ..Overrides::default() };
         let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"));
         assert!(run.failure().is_none() && run.warnings.is_empty(), "{by}: {:?} {:?}", run.failure(), run.warnings);
         assert!(run.solution.t.len() > 20, "{by}: {} samples", run.solution.t.len());

@@ -28,7 +28,7 @@ fn start(text: &str) -> tripos_derive::scene::Scene {
 fn run(scene: &Scene, by: &str, solve: Option<&str>, method: Option<&str>) -> Run {
     let step = ["gauss6", "radau5"].into_iter().any(|m| method == Some(m)).then_some(2e-4);
     let how = Overrides {
-        by: Some(by.to_owned()),
+        by: Some(by.into()),
         solve: solve.map(|s| s.parse().unwrap()),
         method: method.map(|m| m.parse().unwrap()),
         step,
@@ -229,7 +229,7 @@ fn multipliers_are_the_reactions_of_the_closing_pin() {
 #[test]
 fn a_linkage_has_no_equations_of_a_scene() {
     let scene = scene(four_bar(), TURNING).unwrap();
-    let how = Overrides { by: Some("reduced".to_owned()), ..Overrides::default() };
+    let how = Overrides { by: Some("reduced".into()), ..Overrides::default() };
     let refused = scene.simulate(&how).err().unwrap().to_string();
     assert!(refused.contains("nothing would keep `loop_x` closed"), "{refused}");
 }

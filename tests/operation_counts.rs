@@ -1,7 +1,7 @@
 //! Cost of the generated functions: bounds for each model, as their headers state the counts.
 
 use std::path::Path;
-use tripos_codegen::plan::{FormulationPlan, Language, Planner};
+use tripos_codegen::plan::{FormulationPlan, Jacobian, Language, Planner, Sharing};
 use tripos_derive::mechanics::{Derivation, Solved};
 use tripos_derive::{Formulation, Model, derive};
 
@@ -134,8 +134,8 @@ fn an_arm_of_six_joints_takes_what_generators_made_for_arms_need() {
     let equations = equations.written(&mut arena);
     let solved = Solved::new(&mut arena, &equations).unwrap();
     let equations = equations.with_inverse_dynamics(&mut arena).unwrap();
-    let planner = Planner::new(&model, &arena, &equations, &Language::NONE, true);
-    let plan = FormulationPlan::new(&planner, Some(&solved), true, None);
+    let planner = Planner::new(&model, &arena, &equations, &Language::NONE, Sharing::Shared);
+    let plan = FormulationPlan::new(&planner, Some(&solved), Jacobian::Planned, None);
     let of = |name: &str| {
         let found = plan.equations.iter().chain(&plan.machine).find(|function| function.name == name).unwrap();
         let (all, fixed) = (found.cost.operations, found.cost_of_parameters().operations);

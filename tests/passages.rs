@@ -19,7 +19,7 @@ fn scene(model: &str, text: &str) -> Scene {
 }
 
 fn by(scene: &Scene, by: &str, method: Option<&str>) -> Run {
-    let how = Overrides { by: Some(by.to_owned()), method: method.map(|m| m.parse().unwrap()), ..Overrides::default() };
+    let how = Overrides { by: Some(by.into()), method: method.map(|m| m.parse().unwrap()), ..Overrides::default() };
     scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"))
 }
 
@@ -69,12 +69,8 @@ fn windows_go_through_their_singular_poses() {
     let text = library("window_linkage/scenes/upright.toml").replace("[integration]", "[integration]\nsamples = 21");
     let scene = scene(&library("window_linkage/model.toml"), &text);
     for (tolerance, of_angles, of_rates) in [(1e-8, 1e-4, 1e-4), (1e-11, 2e-8, 5e-8)] {
-        let how = Overrides {
-            by: Some("kane".to_owned()),
-            rtol: Some(tolerance),
-            atol: Some(tolerance),
-            ..Overrides::default()
-        };
+        let how =
+            Overrides { by: Some("kane".into()), rtol: Some(tolerance), atol: Some(tolerance), ..Overrides::default() };
         let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{e}"));
         assert!(run.failure().is_none() && run.warnings.is_empty(), "{:?}", run.objections());
         assert!(says(&run, "through singular poses"), "{:?}", run.notes);

@@ -186,7 +186,7 @@ fn a_run_is_the_rolling_motion() {
     let solves = [None, Some(Solve::Numeric)];
     let ways = names.into_iter().chain([None]).flat_map(|by| solves.map(|solve| (by, solve)));
     for (by, solve) in ways {
-        let run = scene.simulate(&Overrides { by: by.map(str::to_owned), solve, ..Overrides::default() });
+        let run = scene.simulate(&Overrides { by: by.map(Into::into), solve, ..Overrides::default() });
         let run = run.unwrap_or_else(|e| panic!("{by:?}: {e}"));
         assert!(run.failure().is_none(), "{:?}", run.objections());
         for (name, expected) in ["q1", "q2", "q3", "x", "y", "u1", "u2", "u3"].iter().zip(&truth) {
@@ -204,7 +204,7 @@ fn a_reference_knows_the_rolling_motion() {
     let scene = Scene::parse(Mechanism::new(rolling()), ROLL).unwrap_or_else(|e| panic!("{e}"));
     let reference = scene.reference(&[3.0]).unwrap();
     assert!(reference.uncertainty < 1e-17 && reference.end().len() == 8, "{}", reference.uncertainty);
-    let run = scene.simulate(&Overrides { by: Some("kane".to_owned()), ..Overrides::default() }).unwrap();
+    let run = scene.simulate(&Overrides { by: Some("kane".into()), ..Overrides::default() }).unwrap();
     for (found, exact) in run.end.iter().zip(reference.end()) {
         close("the end", *found, exact.to_f64(), 1e-9);
     }

@@ -22,7 +22,7 @@ fn disk(velocity: &str) -> Model {
 /// T + V along a run.
 fn energies(velocity: &str, by: &str) -> Vec<f64> {
     let scene = Scene::parse(Mechanism::new(disk(velocity)), SCENE).unwrap_or_else(|e| panic!("{e}"));
-    let run = scene.simulate(&Overrides { by: Some(by.to_owned()), ..Overrides::default() });
+    let run = scene.simulate(&Overrides { by: Some(by.into()), ..Overrides::default() });
     run.unwrap_or_else(|e| panic!("{by}: {e}")).column("total_energy").unwrap().clone()
 }
 

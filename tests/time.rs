@@ -27,13 +27,8 @@ fn scene(model_text: &str, start: &str, span: &str, outputs: &str) -> Scene {
 fn run(scene: &Scene, by: &str, solve: &str, method: &str) -> Run {
     let step = ["gauss6", "radau5"].contains(&method).then_some(1e-3);
     let solve = if by == "reduced" { None } else { Some(solve.parse().unwrap()) };
-    let how = Overrides {
-        by: Some(by.to_owned()),
-        solve,
-        method: Some(method.parse().unwrap()),
-        step,
-        ..Overrides::default()
-    };
+    let how =
+        Overrides { by: Some(by.into()), solve, method: Some(method.parse().unwrap()), step, ..Overrides::default() };
     let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}, {method}: {e}"));
     assert!(
         run.failure().is_none() && run.warnings.is_empty(),
@@ -229,7 +224,7 @@ fn projection_moves_no_clock() {
     let (what, start) = &ropes()[3];
     let scene = scene(&pendulum(what), start, "[0.5, 3]", "");
     for by in ["kane", "lagrange"] {
-        let how = Overrides { by: Some(by.to_owned()), rtol: Some(1e-4), atol: Some(1e-4), ..Overrides::default() };
+        let how = Overrides { by: Some(by.into()), rtol: Some(1e-4), atol: Some(1e-4), ..Overrides::default() };
         let run = scene.simulate(&how).unwrap();
         let report = run.solution.projection.as_ref().unwrap();
         assert!(report.corrections > 5, "{report:?}");

@@ -41,7 +41,7 @@ impl Failure {
 
     /// First line of the failure's message.
     pub fn first_line(&self) -> String {
-        self.said().0.lines().next().unwrap_or_default().to_owned()
+        self.message_and_help().0.lines().next().unwrap_or_default().to_owned()
     }
 
     /// Exit status of the command after this failure.
@@ -57,12 +57,12 @@ impl Failure {
     /// Failure as JSON for programs: the message, the help, every place in a file, and the exit status.
     pub fn json(&self) -> Value {
         let places = if let Self::Refused(error) = self { places(error.files()) } else { Vec::new() };
-        let (message, help) = self.said();
+        let (message, help) = self.message_and_help();
         json!({ "error": { "message": message, "help": help, "places": places }, "exit_status": self.status() })
     }
 
     /// Message and help of the failure; those of the first error if there are several.
-    fn said(&self) -> (String, Option<String>) {
+    fn message_and_help(&self) -> (String, Option<String>) {
         match self {
             Self::Refused(error) => error.what_and_help(),
             Self::Output(path, error) => {
@@ -79,7 +79,7 @@ impl Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (self, self.said()) {
+        match (self, self.message_and_help()) {
             (Self::Refused(error), _) => write!(f, "{error}"),
             (Self::Output(..), (what, Some(help))) => write!(f, "error: {what}\nhelp: {help}"),
             // An interruption is no error: the user wanted it.
@@ -167,12 +167,31 @@ pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     write_out(&out)
 }
 
+/// Form in which a command prints its result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// Lines for people.
+    Text,
+    /// JSON for programs.
+    Json,
+}
+
+impl Output {
+    /// Form for the flag `--json`: JSON if it is given.
+    pub fn of_flag(json: bool) -> Self {
+        if json { Self::Json } else { Self::Text }
+    }
+}
+
 /// Prints the result of a command: lines for people, or JSON for programs.
 ///
 /// # Errors
 /// [`Failure`] if standard output cannot be written.
-pub fn print_either(as_json: bool, lines: &str, value: &serde_json::Value) -> Result<(), Failure> {
-    if as_json { print_json(value) } else { print(lines) }
+pub fn print_either(output: Output, lines: &str, value: &serde_json::Value) -> Result<(), Failure> {
+    match output {
+        Output::Text => print(lines),
+        Output::Json => print_json(value),
+    }
 }
 
 fn write_out(text: &str) -> Result<(), Failure> {

@@ -1,7 +1,7 @@
 //! Panels of the figures of a scene, drawn from its runs.
 
 use crate::page::Standing;
-use crate::plot::{Panel, Scale, Series};
+use crate::plot::{Bounds, Panel, Scale, Series};
 use std::fmt::Write;
 use tripos::{Conserved, Course, Run, Watch};
 use tripos_derive::Model;
@@ -55,7 +55,7 @@ impl<'a> Curve<'a> {
             let mut points = series.points.iter();
             let errors = digits.t.iter().zip(&digits.errors).filter_map(|(t, errors)| {
                 let (_, y) = points.find(|(at, _)| at.total_cmp(t).is_eq())?;
-                Some((*t, y - errors[which], y + errors[which]))
+                Some(Bounds { x: *t, low: y - errors[which], high: y + errors[which] })
             });
             series.band = errors.collect();
         }
@@ -76,7 +76,7 @@ pub fn merged(curves: Vec<Curve>) -> Vec<Curve> {
 }
 
 /// Sentences about the equations of the curves: the wrong ones, the stopped ones, and the loose ones with their errors.
-pub fn said(curves: &[Curve]) -> String {
+pub fn sentences(curves: &[Curve]) -> String {
     let names = |of: &dyn Fn(&Standing) -> bool| {
         let some = curves.iter().filter(|curve| of(curve.standing));
         some.map(|curve| curve.label.as_str()).collect::<Vec<_>>().join(", ")
@@ -99,8 +99,8 @@ const SEEN: f64 = 2.5;
 /// Sentence about the shaded bands; empty if no band is wide enough to be seen.
 fn banded(curves: &[Curve]) -> &'static str {
     let right = curves.iter().filter(|curve| *curve.standing != Standing::Wrong);
-    let fewest = right.filter_map(|curve| curve.run.digits.as_ref()?.fewest_of_all());
-    let is_seen = fewest.map(|(.., digits)| digits).any(|digits| digits < SEEN);
+    let mut fewest = right.filter_map(|curve| curve.run.digits.as_ref()?.fewest_of_all());
+    let is_seen = fewest.any(|fewest| fewest.digits < SEEN);
     if is_seen { " Shaded: between which values the true ones lie, as far as a second run tells." } else { "" }
 }
 

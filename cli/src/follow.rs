@@ -17,7 +17,7 @@ use tripos_sim::Poll;
 /// True once the user asked the command to end.
 static ASKED: AtomicBool = AtomicBool::new(false);
 /// Progress bar of the run that is shown, kept up to date by the poll of its steps.
-static SHOWN: OnceLock<Shown> = OnceLock::new();
+static SHOWN: OnceLock<SpanProgress> = OnceLock::new();
 
 /// Number of parts of a span that a progress bar can show.
 const PARTS: u32 = 1000;
@@ -25,28 +25,28 @@ const PARTS: u32 = 1000;
 /// Listens for interruptions: of the keyboard, and polite requests to end. If signals cannot be caught, they end the
 /// process.
 pub fn listen() {
-    let asked = || {
+    let on_interrupt = || {
         if ASKED.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(status::INTERRUPTED));
         }
         say("interrupted: ending what is under way, and keeping what is finished; once more to leave at once");
     };
     // If signals cannot be caught, they end the process.
-    let _ = ctrlc::set_handler(asked);
+    let _ = ctrlc::set_handler(on_interrupt);
 }
 
 /// True if the user asked the command to end.
-pub fn asked() -> bool {
+pub fn is_interrupted() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
 
 /// Makes the follower for any run of this command: it polls for interruptions and shows progress.
 pub fn follow() -> Follow {
-    Follow::new(Poll::new(look), asked)
+    Follow::new(Poll::new(look), is_interrupted)
 }
 
 /// Progress bar of a run, and the span that it covers.
-struct Shown {
+struct SpanProgress {
     bar: ProgressBar,
     span: (f64, f64),
 }
@@ -56,7 +56,7 @@ pub fn show(span: (f64, f64)) {
     let bar = ProgressBar::new(u64::from(PARTS));
     let style = ProgressStyle::with_template("{bar:30} {percent} % of the span, {eta} left");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    SHOWN.get_or_init(|| Shown { bar, span });
+    SHOWN.get_or_init(|| SpanProgress { bar, span });
 }
 
 /// Removes the progress bar from the terminal.
@@ -67,7 +67,7 @@ pub fn hide() {
 }
 
 fn look(t: f64) -> ControlFlow<()> {
-    if let Some(Shown { bar, span: (from, to) }) = SHOWN.get() {
+    if let Some(SpanProgress { bar, span: (from, to) }) = SHOWN.get() {
         let part = (f64::from(PARTS) * (t - from) / (to - from)).clamp(0.0, f64::from(PARTS));
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a thousand")]
         let part = part as u64;
@@ -75,7 +75,7 @@ fn look(t: f64) -> ControlFlow<()> {
             bar.set_position(part);
         }
     }
-    if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
 /// Progress of work of many parts, shown by a progress bar.

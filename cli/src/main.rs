@@ -23,9 +23,12 @@ mod workspace;
 use arguments::{Arguments, Command};
 use clap::Parser;
 use commands::inverse::Shape;
-use failure::{Failure, print_json, say};
+use commands::linearise::Written;
+use failure::{Failure, Output, print_json, say};
 use scene_file::read_scene_with;
 use std::process::ExitCode;
+use tripos::studies::case::Printed;
+use tripos::studies::chart::Plan;
 use tripos::studies::steady::Wanted;
 use tripos_derive::mechanics::Varied;
 
@@ -38,7 +41,8 @@ fn main() -> ExitCode {
         Err(failure) => {
             // A command that ends early because the user asked for it has no error of its own.
             let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
-            let failure = if follow::asked() && !is_own { Failure::Interrupted(String::new()) } else { failure };
+            let failure =
+                if follow::is_interrupted() && !is_own { Failure::Interrupted(String::new()) } else { failure };
             say(&failure.to_string());
             if is_json {
                 // If standard output is closed, the error cannot be reported there.
@@ -76,14 +80,15 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::derive::derive(&model, by.as_deref(), form, (format, fragment))
         }
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
-        Command::Check { model, json } => commands::check::check(&model, json),
+        Command::Check { model, json } => commands::check::check(&model, Output::of_flag(json)),
         Command::Equilibria { model, from, starts, over, wanted, out, json } => {
-            let from = commands::equilibria::From { file: from.as_deref(), starts };
-            commands::equilibria::equilibria(&model, &from, &over, &wanted, (out.as_deref(), json))
+            let from = commands::equilibria::StartingPoints { file: from.as_deref(), starts };
+            commands::equilibria::equilibria(&model, &from, &over, &wanted, out.as_deref(), Output::of_flag(json))
         }
         Command::Linearise { model, about, inputs, outputs, letters, whole, as_is, format, json } => {
             let wanted = Wanted { inputs, whole, as_is };
-            commands::linearise::linearise(&model, &about, &wanted, (&outputs, &letters), (format, json))
+            let written = if json { Written::Json } else { Written::Notation(format) };
+            commands::linearise::linearise(&model, &about, &wanted, &outputs, &letters, written)
         }
         Command::Inverse { model, motion, inputs, csv, json } => {
             commands::inverse::inverse(&model, &motion, &inputs, Shape::of(json, csv))
@@ -92,23 +97,35 @@ fn run(command: Command) -> Result<u8, Failure> {
             let varied = if declared { Varied::Declared } else { Varied::Bodies };
             commands::identify::identify(&model, varied, at.as_deref(), Shape::of(json, csv))
         }
-        Command::Prove { model, json } => commands::prove::prove(&model, json),
-        Command::Regenerate { models, check: true, json } => commands::regenerate::check(&models, json),
-        Command::Regenerate { models, check: false, json } => commands::regenerate::regenerate(&models, json),
-        Command::Emit { model, out, language, formulations, with, json } => {
-            commands::emit::emit(&model, &out, &language, (&formulations, &with), json)
+        Command::Prove { model, json } => commands::prove::prove(&model, Output::of_flag(json)),
+        Command::Regenerate { models, check: true, json } => {
+            commands::regenerate::check(&models, Output::of_flag(json))
         }
-        Command::Evaluate { model, by, at, json } => commands::evaluate::evaluate(&model, &by, &at, json),
+        Command::Regenerate { models, check: false, json } => {
+            commands::regenerate::regenerate(&models, Output::of_flag(json))
+        }
+        Command::Emit { model, out, language, formulations, with, json } => {
+            commands::emit::emit(&model, &out, &language, &formulations, &with, Output::of_flag(json))
+        }
+        Command::Evaluate { model, by, at, json } => {
+            commands::evaluate::evaluate(&model, &by.as_str().into(), &at, Output::of_flag(json))
+        }
         Command::Stability { scene, set, quick, out, json } => {
-            commands::stability::stability(&read_scene_with(&scene, &set.set)?, quick, &out, json)
+            commands::stability::stability(&read_scene_with(&scene, &set.set)?, quick, &out, Output::of_flag(json))
         }
         Command::Chart { scene, set, quick, printed, out, json } => {
-            commands::chart::chart(&read_scene_with(&scene, &set.set)?, (quick, printed), &out, json)
+            let plan = if quick { Plan::quick() } else { Plan::full() };
+            let printed = if printed { Printed::Included } else { Printed::LeftOut };
+            commands::chart::chart(&read_scene_with(&scene, &set.set)?, &plan, printed, &out, Output::of_flag(json))
         }
-        Command::Scene { scene, set, json } => commands::scene::scene(&read_scene_with(&scene, &set.set)?, json),
+        Command::Scene { scene, set, json } => {
+            commands::scene::scene(&read_scene_with(&scene, &set.set)?, Output::of_flag(json))
+        }
         Command::Plot(request) => commands::plot::plot(&request),
         Command::Simulate(request) => commands::simulate::simulate(&request),
-        Command::Sketch { model, at, out, json } => commands::sketch::sketch(&model, at.as_deref(), &out, json),
+        Command::Sketch { model, at, out, json } => {
+            commands::sketch::sketch(&model, at.as_deref(), &out, Output::of_flag(json))
+        }
         Command::View(request) => commands::view::view(&request),
         Command::Sweep(request) => commands::sweep::sweep(&request),
     }

@@ -21,7 +21,7 @@ pub use content::{
 pub use markup::html::{escape, rounded};
 
 use markup::html::{anchor, link};
-use scenes::scene::Shown;
+use scenes::scene::VisiblePart;
 use std::fmt::Write;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::DerivationInSteps;
@@ -83,7 +83,7 @@ fn simulation(page: &Page) -> String {
     let mut out = String::from("<section id=\"simulation\">\n<h2>Simulation</h2>\n");
     let mut figures = 0;
     for (at, scene) in page.scenes.iter().enumerate() {
-        let shown = if at == open { Shown::Open } else { Shown::InASentence };
+        let shown = if at == open { VisiblePart::Open } else { VisiblePart::InASentence };
         out += &scenes::scene::section(page, scene, at, shown, &mut figures);
     }
     out + "</section>\n"
@@ -100,7 +100,7 @@ fn derivations(page: &Page) -> String {
 fn contents(page: &Page) -> String {
     let scenes: Vec<String> =
         page.scenes.iter().enumerate().map(|(at, scene)| link(&anchor(at), &escape(&scene.title))).collect();
-    let formulations: Vec<String> = page.derivations.iter().map(contents_of).collect();
+    let formulations: Vec<String> = page.derivations.iter().map(|(of, result)| contents_of(*of, result)).collect();
     let entries = [
         page.moving.as_ref().map(|_| ("motion", "The motion", Vec::new())),
         page.study.published.as_ref().map(|_| ("errata", "Errata", Vec::new())),
@@ -119,7 +119,7 @@ fn contents(page: &Page) -> String {
 }
 
 /// HTML of the entry of a formulation in the table of contents.
-fn contents_of((formulation, result): &(Formulation, Result<DerivationInSteps, String>)) -> String {
+fn contents_of(formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
     let missing = if result.is_err() { " <span class=\"quiet\">(not derived)</span>" } else { "" };
     format!("{}{missing}", link(formulation.name(), &escape(formulation.title())))
 }

@@ -15,7 +15,7 @@ mod thin;
 pub use error::PlotError;
 pub use heat::draw_heat;
 pub use slim::slim;
-pub use tripos::studies::figure::{Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
+pub use tripos::studies::figure::{Bounds, Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
 
 use axis::Axis;
 use look::{Canvas, EDGE, GRID, band, curve, dashed, extent, line, look, marker, write};
@@ -89,7 +89,7 @@ fn describe(panels: &[Panel]) -> String {
     let panel = |p: &Panel| format!("{} against {}", pretty(&p.y_label), pretty(&p.x_label));
     let of = |panels: &[Panel]| {
         let entries = legend(panels, WIDTH);
-        let curves: Vec<&str> = entries.iter().map(|(series, ..)| series.label.as_str()).collect();
+        let curves: Vec<&str> = entries.iter().map(|entry| entry.series.label.as_str()).collect();
         let curves = if curves.is_empty() { "none".to_owned() } else { curves.join(", ") };
         format!("{}. Curves: {curves}", panels.iter().map(panel).collect::<Vec<_>>().join("; "))
     };
@@ -99,25 +99,30 @@ fn describe(panels: &[Panel]) -> String {
 /// True if one legend is enough for all panels: it is short, and no look stands for two names.
 fn shares_names(panels: &[Panel]) -> bool {
     let entries = legend(panels, WIDTH);
-    let is_clear = |(series, ..): &Entry| {
-        entries
-            .iter()
-            .all(|(other, ..)| other.label == series.label || !std::ptr::eq(look(other.style), look(series.style)))
+    let is_clear = |Entry { series, .. }: &Entry| {
+        let mut others = entries.iter().map(|entry| entry.series);
+        others.all(|other| other.label == series.label || !std::ptr::eq(look(other.style), look(series.style)))
     };
     panels.len() == 1 || (entries.len() <= MOST_NAMES && entries.iter().all(is_clear))
 }
 
 /// Number of lines of a legend.
 fn lines(entries: &[Entry<'_>]) -> f64 {
-    entries.last().map_or(0.0, |(_, _, y)| y / LINE + 1.0)
+    entries.last().map_or(0.0, |entry| entry.y / LINE + 1.0)
 }
 
-/// A curve with the place of its name, as distances to the right and down from the corner of the legend.
-type Entry<'a> = (&'a Series, f64, f64);
+/// A curve with the place of its name in a legend.
+struct Entry<'a> {
+    series: &'a Series,
+    /// Distance to the right from the corner of the legend, px.
+    x: f64,
+    /// Distance down from the corner of the legend, px.
+    y: f64,
+}
 
 /// Draws a legend whose corner is at a place of the canvas.
 fn names(canvas: &Canvas, entries: &[Entry<'_>], (left, top): (f64, f64)) -> Result<(), PlotError> {
-    for (series, x, y) in entries {
+    for Entry { series, x, y } in entries {
         let (look, x, y) = (look(series.style), left + x, top + y + 9.0);
         curve(canvas, &[(x, y), (x + 44.0, y)], look)?;
         marker(canvas, (x + 22.0, y), look)?;
@@ -137,7 +142,8 @@ fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
         }
         for series in &panel.series {
             let is_alone = panel.series.len() == 1 && series.label == panel.title;
-            if is_alone || entries.iter().any(|(known, ..)| known.label == series.label && known.style == series.style)
+            if is_alone
+                || entries.iter().any(|entry| entry.series.label == series.label && entry.series.style == series.style)
             {
                 continue;
             }
@@ -145,7 +151,7 @@ fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
             if x > 0.0 && x + width > room {
                 (x, y) = (0.0, y + LINE);
             }
-            entries.push((series, x, y));
+            entries.push(Entry { series, x, y });
             x += width;
         }
     }
@@ -224,16 +230,16 @@ impl<'a> Plot<'a> {
         let shows = |p: (f64, f64)| self.panel.shows(p);
         let place = |(x, y): (f64, f64)| (left + self.x.place(x) * width, bottom - self.y.place(y) * self.height);
         for series in &self.panel.series {
-            let edge = |y: &dyn Fn(&(f64, f64, f64)) -> f64| -> Vec<(f64, f64)> {
+            let edge = |y: &dyn Fn(&Bounds) -> f64| -> Vec<(f64, f64)> {
                 let inside = |(x, y): (f64, f64)| (x, y.clamp(top, bottom));
                 series
                     .band
                     .iter()
-                    .filter(|(_, low, high)| (high - low).is_finite())
-                    .map(|b| inside(place((b.0, y(b)))))
+                    .filter(|bounds| (bounds.high - bounds.low).is_finite())
+                    .map(|bounds| inside(place((bounds.x, y(bounds)))))
                     .collect()
             };
-            let (low, high) = (edge(&|b| b.1), edge(&|b| b.2));
+            let (low, high) = (edge(&|bounds| bounds.low), edge(&|bounds| bounds.high));
             if low.iter().zip(&high).any(|(low, high)| low.1 - high.1 > BAND) {
                 band(canvas, &low, &high, look(series.style))?;
             }

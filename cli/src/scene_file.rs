@@ -86,7 +86,7 @@ fn scene_source(path: &Path) -> Result<Source, Failure> {
     }
     if !path.exists() {
         let what = format!("there is no scene at `{}`", path_in_line(path));
-        return Err(Failure::request(what, beside(path)));
+        return Err(Failure::request(what, similar_files(path)));
     }
     let source = Source::read(path)?;
     if is_model(&source) {
@@ -97,7 +97,7 @@ fn scene_source(path: &Path) -> Result<Source, Failure> {
 }
 
 /// Advice for a scene file that is not there: the files beside it with names like it.
-fn beside(path: &Path) -> String {
+fn similar_files(path: &Path) -> String {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let Ok(entries) = std::fs::read_dir(folder) else {
         return format!("there is no folder `{}` either", path_in_line(folder));

@@ -5,7 +5,7 @@ mod record;
 mod summary;
 mod table;
 
-pub use kept::{Alien, Kept};
+pub use kept::{Alien, KeptRows};
 pub use record::{Record, refused, remove};
 pub use summary::Tally;
 pub use table::Columns;

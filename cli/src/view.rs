@@ -60,7 +60,7 @@ impl Seen<'_> {
 
 /// A view with the equations that it runs by itself, if it runs any.
 #[derive(Clone, Copy)]
-pub struct Shown<'a> {
+pub struct LiveView<'a> {
     /// Content of the view.
     pub seen: &'a Seen<'a>,
     /// Equations that the view runs, or the reason why it runs none.
@@ -74,7 +74,7 @@ pub fn turns_truly(seen: &Seen<'_>, home: Home) -> bool {
 
 /// Writes the HTML page of a view that stands alone in a file.
 pub fn document(seen: &Seen<'_>, live: &Live) -> String {
-    let shown = Shown { seen, live };
+    let shown = LiveView { seen, live };
     let (title, scene) = (escape(&seen.mechanism.title), escape(&seen.title));
     let about = if seen.scene.about.is_empty() { String::new() } else { format!(": {}", escape(&seen.scene.about)) };
     format!(
@@ -116,7 +116,7 @@ impl Home {
 }
 
 /// Element with the viewer's script, once for all views of a page, and with the equations of the views that run some.
-pub fn script(list: &[Shown<'_>]) -> String {
+pub fn script(list: &[LiveView<'_>]) -> String {
     let method: String = RUNNERS.iter().map(|(_, text)| in_page(text)).collect();
     let equations = list.iter().map(|shown| match shown.live {
         Live::Runs(running) => running.equations.as_str(),
@@ -131,8 +131,8 @@ pub fn script(list: &[Shown<'_>]) -> String {
 }
 
 /// HTML of the figure of a view, the first of its page.
-pub fn figure(shown: Shown<'_>, home: Home) -> String {
-    let Shown { seen, live } = shown;
+pub fn figure(shown: LiveView<'_>, home: Home) -> String {
+    let LiveView { seen, live } = shown;
     let words = words(seen);
     let label = format!("3-D view of {}, {}: drag to turn, keys are listed below", seen.mechanism.title, seen.title);
     format!(

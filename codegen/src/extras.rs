@@ -60,7 +60,7 @@ impl Extras {
     ///
     /// # Errors
     /// [`Diagnostics`] of a file that cannot be read, or that contains anything else.
-    pub fn beside(model: &Path) -> Result<Self, Diagnostics> {
+    pub fn of_file_beside(model: &Path) -> Result<Self, Diagnostics> {
         let path = model.with_file_name(FILE);
         if !path.exists() {
             return Ok(Self::default());
@@ -92,10 +92,10 @@ mod tests {
     fn a_file_asks_for_what_it_names() {
         let folder = tempfile::tempdir().unwrap();
         let model = folder.path().join("model.toml");
-        assert_eq!(Extras::beside(&model).unwrap(), Extras::default());
+        assert_eq!(Extras::of_file_beside(&model).unwrap(), Extras::default());
         let asked = |text: &str| {
             std::fs::write(folder.path().join(FILE), text).unwrap();
-            Extras::beside(&model).map_err(|error| error.to_string())
+            Extras::of_file_beside(&model).map_err(|error| error.to_string())
         };
         assert_eq!(asked("functions = [\"taylor\"]\n"), Ok(Extras { taylor: true, jacobian: false }));
         assert_eq!(asked("functions = [\"jacobian\", \"taylor\"]\n"), Ok(Extras::ALL));

@@ -34,7 +34,7 @@ impl Origin {
 
     /// Origin sentence in files that are the same for every model.
     #[cfg(feature = "js")]
-    pub fn beside(&self) -> String {
+    pub fn of_shared_files(&self) -> String {
         self.of_model().replacen(GENERATED, BESIDE, 1)
     }
 

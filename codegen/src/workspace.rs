@@ -105,7 +105,7 @@ pub(crate) fn asked_for(model: &Model, path: &Path) -> Result<Extras, Diagnostic
         belongs.then(|| load_scene(&source, &mut model.clone()).ok())?
     });
     let methods = scenes.filter_map(|scene| scene.integration.method.method());
-    Ok(methods.map(Extras::for_method).fold(Extras::beside(path)?, Extras::and))
+    Ok(methods.map(Extras::for_method).fold(Extras::of_file_beside(path)?, Extras::and))
 }
 
 /// Name of the file, beside a module's equations, that contains the model text from which they were derived. A later

@@ -1,5 +1,6 @@
 //! Code that runs the equations of a model: compiled into the program, or interpreted.
 
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use crate::interpreted::{Interpreted, NotInterpreted};
 use crate::mechanism::Mechanism;
@@ -127,15 +128,20 @@ pub fn formulation(name: &str) -> Result<Formulation, Error> {
 ///
 /// # Errors
 /// [`Error::Request`] if there are no such equations; [`Error::Input`] if the publication has errors.
-pub fn by(model: &Mechanism, name: &str) -> Result<By, Error> {
-    let Some(id) = By::asked_id(name) else { return formulation(name).map(By::from) };
+pub fn by(model: &Mechanism, name: &EquationsName) -> Result<By, Error> {
+    let id = match name {
+        EquationsName::Derived(formulation) => return Ok(By::from(*formulation)),
+        EquationsName::Printed(id) => id,
+        // The reduced equations belong to a scene, and a model does not have them.
+        EquationsName::Reduced | EquationsName::Unknown(_) => return formulation(&name.to_string()).map(By::from),
+    };
     let list = printed(model)?;
     list.iter().find(|by| by.printed_id() == Some(id)).cloned().ok_or_else(|| {
         let names: Vec<String> = list.iter().map(By::name).collect();
         let help = if list.is_empty() {
             "the model has no publication.toml beside it".to_owned()
         } else {
-            tripos_derive::diagnostic::nearest(name, names.iter().map(String::as_str))
+            tripos_derive::diagnostic::nearest(&name.to_string(), names.iter().map(String::as_str))
         };
         Error::request(format!("there are no printed equations `{name}`"), help)
     })
@@ -146,7 +152,7 @@ pub fn by(model: &Mechanism, name: &str) -> Result<By, Error> {
 ///
 /// # Errors
 /// Errors of [`by`].
-pub fn by_or_first(model: &Mechanism, name: Option<&str>) -> Result<By, Error> {
+pub fn by_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<By, Error> {
     let first = || Formulation::ALL.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
     name.map_or_else(|| Ok(By::from(first())), |name| by(model, name))
 }

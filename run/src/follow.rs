@@ -18,25 +18,25 @@ struct Follower {
     /// Function that gets the time of each accepted step and decides if the run goes on.
     poll: Poll,
     /// Function that returns true if all work is to end.
-    asked: Arc<dyn Fn() -> bool + Send + Sync>,
+    is_interrupted: Arc<dyn Fn() -> bool + Send + Sync>,
 }
 
 impl Follow {
-    /// Creates an observer. `poll` gets the time of each accepted step, s, and decides if the run goes on. `asked`
-    /// returns true if all work is to end.
-    pub fn new(poll: Poll, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
-        Self(Some(Follower { poll, asked: Arc::new(asked) }))
+    /// Creates an observer. `poll` gets the time of each accepted step, s, and decides if the run goes on.
+    /// `is_interrupted` returns true if all work is to end.
+    pub fn new(poll: Poll, is_interrupted: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        Self(Some(Follower { poll, is_interrupted: Arc::new(is_interrupted) }))
     }
 
     /// True if the observer asks to end the work.
     #[must_use]
-    pub fn asked(&self) -> bool {
-        self.0.as_ref().is_some_and(|follower| (follower.asked)())
+    pub fn is_interrupted(&self) -> bool {
+        self.0.as_ref().is_some_and(|follower| (follower.is_interrupted)())
     }
 
     /// Result that breaks a loop if the observer asks to end the work.
     pub fn go_on(&self) -> ControlFlow<()> {
-        if self.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if self.is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Adds the observer to the options of a run.

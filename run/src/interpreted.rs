@@ -3,7 +3,7 @@
 //! Invariant: the equations are compiled to tapes once. Another number type uses the same tapes, with their exact
 //! constants rounded anew.
 
-use crate::room::Room;
+use crate::scratch_pool::ScratchPool;
 use tripos_codegen::taylor::{Tape as Series, recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -87,9 +87,9 @@ pub struct Interpreted<S = f64> {
     /// Names of the constraints onto which a run is kept.
     constraints: Vec<String>,
     /// Buffers for the joined inputs of a tape and for its intermediate values.
-    work: Room<(Vec<S>, Vec<S>)>,
+    work: ScratchPool<(Vec<S>, Vec<S>)>,
     /// Buffer for the rates q̇ and v̇ together.
-    both: Room<Vec<S>>,
+    both: ScratchPool<Vec<S>>,
 }
 
 impl Interpreted {
@@ -144,8 +144,8 @@ impl Interpreted {
             series: None,
             coordinate_period: None,
             is_product: false,
-            work: Room::default(),
-            both: Room::default(),
+            work: ScratchPool::default(),
+            both: ScratchPool::default(),
         })
     }
 
@@ -222,8 +222,8 @@ impl Interpreted {
             series: self.series.as_ref().map(Series::to),
             coordinate_period: self.coordinate_period,
             is_product: self.is_product,
-            work: Room::default(),
-            both: Room::default(),
+            work: ScratchPool::default(),
+            both: ScratchPool::default(),
         }
     }
 }

@@ -19,6 +19,7 @@
 //! program contains them ([`Scene::with`]). Otherwise the equations are interpreted, with the same results to rounding.
 
 pub mod code;
+mod equations_name;
 mod error;
 pub mod follow;
 mod interpreted;
@@ -27,12 +28,13 @@ mod options;
 mod overrides;
 pub mod pictures;
 pub mod preparation;
-mod room;
 mod scene;
+mod scratch_pool;
 mod simulation;
 pub mod studies;
 pub mod trust;
 
+pub use equations_name::EquationsName;
 pub use error::Error;
 pub use mechanism::Mechanism;
 pub use options::method_words;
@@ -43,8 +45,9 @@ pub use preparation::reduced::Reduced;
 pub use scene::Scene;
 pub use simulation::outputs::state_names;
 pub use simulation::run::Run;
+pub use simulation::run_problem::{run_code, run_problem, whole_energies};
 pub use simulation::sampled::{Decision, Held, Sample, SampledRun};
-pub use simulation::simulate::{run_code, run_problem, simulate, whole_energies};
+pub use simulation::simulate::simulate;
 pub use studies::sensitivity::gradient::{Gradient, gradient};
 pub use studies::sensitivity::{At, Sensitivities, sensitivities};
 pub use tripos_derive::scene::{Integrator, Project, Solve};

@@ -1,14 +1,15 @@
 //! Settings for a run that replace those of the scene, without another scene file.
 
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use tripos_derive::scene::{Integrator, Project, Scene, Solve};
 
 /// Settings that override the scene's integration settings. `None` keeps the scene's value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
-    /// Name of the equations that run: `kane`, `lagrange`, `newton-euler` or `printed:ID`. `None` or `reduced` means
-    /// the scene's reduced equations.
-    pub by: Option<String>,
+    /// Name of the equations that run, made from a text: `kane`, `lagrange`, `newton-euler` or `printed:ID`. `None` or
+    /// `reduced` means the scene's reduced equations.
+    pub by: Option<EquationsName>,
     /// Integrator of the run.
     pub method: Option<Integrator>,
     /// Invariant onto which the state is projected after each step.

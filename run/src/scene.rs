@@ -133,7 +133,7 @@ impl Scene {
     pub fn simulate(&self, how: &Overrides) -> Result<Run, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
-        simulate(&self.mechanism, &scene, how.by.as_deref())
+        simulate(&self.mechanism, &scene, how.by.as_ref())
     }
 
     /// Runs the scene by whole equations. Returns the derivatives of its shown quantities with respect to the named
@@ -153,7 +153,7 @@ impl Scene {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
         let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-        sensitivities(&self.mechanism, &scene, &self.set, (&names, at), how.by.as_deref())
+        sensitivities(&self.mechanism, &scene, &self.set, &names, at, how.by.as_ref())
     }
 
     /// Runs the scene by whole equations. Returns the derivatives of one number at its end with respect to all its
@@ -174,7 +174,7 @@ impl Scene {
     pub fn gradient(&self, of: &str, how: &Overrides) -> Result<Gradient, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
-        gradient(&self.mechanism, &scene, &self.set, of, how.by.as_deref())
+        gradient(&self.mechanism, &scene, &self.set, of, how.by.as_ref())
     }
 
     /// Runs the scene with recorded signals for a part of its inputs, each held from one instant to the next.
@@ -184,7 +184,7 @@ impl Scene {
     pub fn simulate_held(&self, signals: &[Held<'_>], how: &Overrides) -> Result<SampledRun, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
-        sampled::simulate_held(&self.mechanism, &scene, signals, how.by.as_deref())
+        sampled::simulate_held(&self.mechanism, &scene, signals, how.by.as_ref())
     }
 
     /// Runs the scene with inputs that a controller sets at the given instants, s, from the state at each. The inputs
@@ -245,6 +245,6 @@ impl Scene {
     ) -> Result<SampledRun, Error> {
         let mut scene = self.current.clone();
         how.change(&mut scene)?;
-        sampled::simulate_sampled(&self.mechanism, &scene, (inputs, instants), controller, how.by.as_deref())
+        sampled::simulate_sampled(&self.mechanism, &scene, inputs, instants, controller, how.by.as_ref())
     }
 }

@@ -202,7 +202,7 @@ shaft = { kind = "pin", body = "crank", axis = 3, body_at = ["r", 0, 0] }
     let mechanism = tripos_derive::model::load(&Source::from_text("model.toml", model)).unwrap();
     let scene = Scene::parse(Mechanism::new(mechanism), scene).unwrap();
     for by in ["kane", "lagrange", "newton-euler"] {
-        let run = scene.simulate(&Overrides { by: Some(by.to_owned()), ..Overrides::default() }).unwrap();
+        let run = scene.simulate(&Overrides { by: Some(by.into()), ..Overrides::default() }).unwrap();
         let found = *run.column("q").unwrap().last().unwrap();
         assert!(run.failure().is_none() && (found - q).abs() < 1e-9, "{by}: {found}, not {q}");
     }

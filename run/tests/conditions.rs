@@ -6,7 +6,7 @@
 
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::studies::steady::{ClosedForm, Conditions, Found, conditions, equilibria};
+use tripos::studies::steady::{ClosedForm, Conditions, FoundMotion, conditions, equilibria};
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::value::evaluate::Tape;
@@ -28,7 +28,7 @@ fn closed(model: &str, wanted: &[&str]) -> ClosedForm {
 }
 
 /// Text of the equations and branches, one a line.
-fn told(conditions: &Conditions) -> String {
+fn in_lines(conditions: &Conditions) -> String {
     let mut lines: Vec<String> = conditions.equations.iter().map(|e| format!("0 = {}", e.text)).collect();
     for branch in &conditions.branches {
         let solved = branch.solved.iter().map(|told| format!("{} = {}", told.name.text, told.value.text));
@@ -130,7 +130,7 @@ acceleration = [0, "-g", 0]
 #[test]
 fn closed_forms_are_those_of_the_textbook() {
     let expected = |model: &str, wanted: &[&str], at: usize, expected: expect_test::Expect| {
-        expected.assert_eq(&told(&closed(model, wanted).list[at]));
+        expected.assert_eq(&in_lines(&closed(model, wanted).list[at]));
     };
     expected(
         "pendulum",
@@ -262,7 +262,7 @@ fn formulas_meet_the_equations_of_the_textbook() {
             branch.solved.iter().find(|told| told.name.text == "q3'").cloned()
         };
         let formulas: Vec<_> = form.list[1].branches.iter().filter_map(spin).collect();
-        assert_eq!(formulas.len(), 1, "{}", told(&form.list[1]));
+        assert_eq!(formulas.len(), 1, "{}", in_lines(&form.list[1]));
         for turn in 0..20 {
             let all = numbers(&[letters[0], letters[1], "g", "q1'", "q1", "q2"], turn);
             let [r, g, w, lean] = [1, 2, 3, 5].map(|at: usize| all[at].1);
@@ -287,7 +287,7 @@ fn closed_top() -> ClosedForm {
     closed("heavy_top", &["Omega_n3"])
 }
 
-fn found(model: &str, state: &str, starts: u64) -> (ClosedForm, Asked, Vec<Found>) {
+fn found(model: &str, state: &str, starts: u64) -> (ClosedForm, Asked, Vec<FoundMotion>) {
     let mut mechanism = read(model);
     let asked =
         load_asked(&Source::from_text("state.toml", state), &mut mechanism, &[]).unwrap_or_else(|e| panic!("{e}"));
@@ -333,7 +333,7 @@ fn what_newton_finds_lies_on_a_branch() {
             for found in &list {
                 let (at, branches) = form.branches_at(&asked.parameters, &found.steady).unwrap();
                 let conditions = &form.list[at];
-                assert!(!branches.is_empty(), "{state}{:?}\n{}", found.steady, told(conditions));
+                assert!(!branches.is_empty(), "{state}{:?}\n{}", found.steady, in_lines(conditions));
                 let mechanism = read(model);
                 let parameters = mechanism.parameters.iter().map(|p| p.name.clone()).zip(&asked.parameters);
                 let states = mechanism.coordinates.iter().map(|c| c.name.clone()).zip(&found.steady.x);
@@ -372,7 +372,7 @@ fn what_is_asked_for_is_told_or_refused() {
         q = 0
         q = pi
         r = g/(psi'^2*cos(q)), cos(q) != 0, psi' != 0"]]
-    .assert_eq(&told(&form.list[1]));
+    .assert_eq(&in_lines(&form.list[1]));
     let model = read("pendulum");
     let refused = conditions(&model, &["lenght".to_owned()]).err().unwrap().to_string();
     assert!(refused.contains("`lenght`") && refused.contains("help:"), "{refused}");
@@ -390,7 +390,7 @@ fn loops_are_conditions() {
         0 = a*g*(sin(q1)*cos(q2)*cos(q3)*(mb + mc) - cos(q1)*(sin(q2)*cos(q3)*(ma + 2*mb + mc) - cos(q2)*sin(q3)*(ma + mb)))/2
         0 = a*cos(q1) - d + b*cos(q2) - c*cos(q3)
         0 = a*sin(q1) + b*sin(q2) - c*sin(q3)
-        left sin(q1)*cos(q2)*cos(q3)*(mb + mc) + cos(q1)*(cos(q2)*sin(q3)*(ma + mb) - sin(q2)*cos(q3)*(ma + 2*mb + mc)), left a*cos(q1) - d + b*cos(q2) - c*cos(q3), left a*sin(q1) + b*sin(q2) - c*sin(q3)"]].assert_eq(&told(&four_bar.list[0]));
+        left sin(q1)*cos(q2)*cos(q3)*(mb + mc) + cos(q1)*(cos(q2)*sin(q3)*(ma + mb) - sin(q2)*cos(q3)*(ma + 2*mb + mc)), left a*cos(q1) - d + b*cos(q2) - c*cos(q3), left a*sin(q1) + b*sin(q2) - c*sin(q3)"]].assert_eq(&in_lines(&four_bar.list[0]));
     let governor = closed("governor", &[]);
     assert!(governor.list[1].branches[0].left.is_empty());
 }

@@ -303,7 +303,7 @@ along = "v(C) @ F [1] - v(W) @ F [1]"
     let model = load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
     let scene = Scene::parse(Mechanism::new(model), text).unwrap_or_else(|e| panic!("{e}"));
     let by = |by: &str, solve: tripos::Solve| {
-        let how = Overrides { by: Some(by.to_owned()), solve: Some(solve), ..Overrides::default() };
+        let how = Overrides { by: Some(by.into()), solve: Some(solve), ..Overrides::default() };
         let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"));
         assert!(run.failure().is_none(), "{by}: {:?}", run.objections());
         run

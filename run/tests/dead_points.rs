@@ -195,11 +195,21 @@ impl Random {
     }
 }
 
+/// Kind of the joint at the end of a chain.
+#[derive(Clone, Copy)]
+enum LastJoint {
+    Pin,
+    Piston,
+}
+
 /// A random chain that turns, in a state on its closure.
-fn turning(random: &mut Random, rods: usize, is_pinned: bool) -> (Chain, Vec<f64>) {
+fn turning(random: &mut Random, rods: usize, last: LastJoint) -> (Chain, Vec<f64>) {
     loop {
         let lengths: Vec<f64> = (0..rods).map(|at| if at == 0 { 0.2 } else { random.within(0.45, 0.7) }).collect();
-        let end = if is_pinned { End::Pin(random.within(0.5, 0.7)) } else { End::Piston(random.within(0.3, 1.0)) };
+        let end = match last {
+            LastJoint::Pin => End::Pin(random.within(0.5, 0.7)),
+            LastJoint::Piston => End::Piston(random.within(0.3, 1.0)),
+        };
         let chain = Chain { rods: lengths.iter().map(|l| (random.within(0.4, 1.5), *l)).collect(), end };
         let mut state: Vec<f64> = match rods {
             2 => vec![random.within(0.4, 1.2), -0.3],
@@ -216,7 +226,7 @@ fn turning(random: &mut Random, rods: usize, is_pinned: bool) -> (Chain, Vec<f64
 }
 
 fn by(scene: &Scene, by: &str) -> Run {
-    let how = Overrides { by: Some(by.to_owned()), ..Overrides::default() };
+    let how = Overrides { by: Some(by.into()), ..Overrides::default() };
     scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"))
 }
 
@@ -228,12 +238,12 @@ fn random_linkages_go_through_the_dead_points_of_their_speeds() {
     let mut random = Random(44);
     let mut changed = 0;
     for case in 0..6 * times() {
-        let (rods, is_pinned, choices): (usize, bool, [&[usize]; 2]) = match case % 3 {
-            0 => (3, true, [&[2], &[1]]),
-            1 => (2, false, [&[2], &[1]]),
-            _ => (4, true, [&[1, 3], &[2, 3]]),
+        let (rods, last, choices): (usize, LastJoint, [&[usize]; 2]) = match case % 3 {
+            0 => (3, LastJoint::Pin, [&[2], &[1]]),
+            1 => (2, LastJoint::Piston, [&[2], &[1]]),
+            _ => (4, LastJoint::Pin, [&[1, 3], &[2, 3]]),
         };
-        let (chain, state) = turning(&mut random, rods, is_pinned);
+        let (chain, state) = turning(&mut random, rods, last);
         let time = 0.6;
         let truth = chain.moved(&state, time);
         let angles = Chain::relative(&truth[..rods]);
@@ -302,7 +312,7 @@ fn a_start_in_a_dead_point_needs_a_rate() {
 fn a_pose_follows_from_any_number_that_determines_it() {
     let mut random = Random(3);
     for _ in 0..6 * times() {
-        let (chain, state) = turning(&mut random, 2, false);
+        let (chain, state) = turning(&mut random, 2, LastJoint::Piston);
         let angles = Chain::relative(&state[..2]);
         let x: f64 = chain.rods.iter().zip(&state).map(|((_, l), a)| l * a.cos()).sum();
         let guesses = format!("q0 = {:?}\nq1 = {:?}\n", angles[0] + 0.05, angles[1] - 0.1);
@@ -326,7 +336,7 @@ fn a_pose_follows_from_any_number_that_determines_it() {
 #[test]
 fn derivatives_of_runs_that_change_their_speeds_hold() {
     let mut random = Random(12);
-    let (chain, state) = turning(&mut random, 2, false);
+    let (chain, state) = turning(&mut random, 2, LastJoint::Piston);
     let how = "method = \"dop853\"\nrtol = 1e-11\natol = 1e-11";
     let scene = chain.scene(&[2], &state, 0.4, how);
     let name = "m0";
@@ -337,7 +347,7 @@ fn derivatives_of_runs_that_change_their_speeds_hold() {
     };
     let h = 1e-3;
     let truth = (8.0 * (beside(h) - beside(-h)) - beside(2.0 * h) + beside(-2.0 * h)) / (12.0 * h);
-    let how = Overrides { by: Some("kane".to_owned()), ..Overrides::default() };
+    let how = Overrides { by: Some("kane".into()), ..Overrides::default() };
     let found = scene.sensitivities(&[name], tripos::At::End, &how).unwrap();
     let error = found.errors.as_ref().unwrap()[0][0];
     let value = found.of("q0", name).unwrap();
@@ -402,7 +412,7 @@ ly = { equation = "p(Q) @ N [2] = p(R) @ N [2]" }
     let text = "span = [0, 0.8]\n[start]\nq2 = 0.401\n\"q2'\" = 1.76\n[guess]\nq1 = -1.82\nx = 1.06\n[integration]\nmethod = \"taylor\"\nrtol = 1e-11\natol = 1e-12\n";
     let scene = crate::driven::scene(model, text);
     for by in ["kane", "lagrange"] {
-        let how = Overrides { by: Some(by.to_owned()), ..Overrides::default() };
+        let how = Overrides { by: Some(by.into()), ..Overrides::default() };
         let found = scene.sensitivities(&["b"], tripos::At::End, &how).unwrap();
         for (at, (name, truth)) in [("q1", 2_169.354_3), ("q2", -644.135_9), ("u2", -11_410.741)].iter().enumerate() {
             let (value, error) = (found.of(name, "b").unwrap(), found.errors.as_ref().unwrap()[0][at]);

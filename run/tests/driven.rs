@@ -16,7 +16,7 @@ pub fn scene(model: &str, scene: &str) -> Scene {
 }
 
 pub fn run(scene: &Scene, by: &str) -> Run {
-    let by = (by != "own").then(|| by.to_owned());
+    let by = (by != "own").then(|| by.into());
     scene.simulate(&Overrides { by, ..Overrides::default() }).unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -331,7 +331,7 @@ fn questions_about_motions_of_their_own_are_refused() {
     }
     let refused = driven.reduce().err().unwrap().to_string();
     assert!(refused.contains("the constraints leave no speed"), "{refused}");
-    let by = Overrides { by: Some("reduced".to_owned()), ..Overrides::default() };
+    let by = Overrides { by: Some("reduced".into()), ..Overrides::default() };
     let refused = driven.simulate(&by).err().unwrap().to_string();
     assert!(refused.contains("the constraints leave no speed"), "{refused}");
     let method = Overrides { method: Some(Integrator::Quadrature), ..Overrides::default() };

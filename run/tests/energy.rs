@@ -72,7 +72,7 @@ fn what_damping_takes_is_accounted_for_at_every_sample_by_every_method_and_kind_
     for by in [None, Some("kane"), Some("lagrange")] {
         for method in ["rk4", "ode45", "dopri5", "dop853", "gauss6", "radau5", "taylor"] {
             let how = Overrides {
-                by: by.map(str::to_owned),
+                by: by.map(Into::into),
                 method: Some(method.parse().unwrap()),
                 step: (method == "rk4").then_some(4e-3),
                 ..Overrides::default()
@@ -114,7 +114,7 @@ fn a_run_that_loses_its_energy_says_so_though_something_works() {
     let model = tripos_derive::model::load(&Source::from_text("model.toml", SLIDER)).unwrap_or_else(|e| panic!("{e}"));
     let scene = Scene::parse(Mechanism::new(model), SCENE).unwrap_or_else(|e| panic!("{e}"));
     let how = Overrides {
-        by: Some("kane".to_owned()),
+        by: Some("kane".into()),
         method: Some(Method::Rk4.into()),
         step: Some(0.8),
         ..Overrides::default()

@@ -11,7 +11,7 @@ fn scene(model: &str, scene: &str) -> Scene {
 }
 
 fn column(scene: &Scene, by: Option<&str>, name: &str) -> Vec<f64> {
-    let run = scene.simulate(&Overrides { by: by.map(str::to_owned), ..Overrides::default() }).unwrap();
+    let run = scene.simulate(&Overrides { by: by.map(Into::into), ..Overrides::default() }).unwrap();
     assert!(run.failure().is_none(), "{by:?}: {:?}", run.objections());
     run.column(name).unwrap()
 }

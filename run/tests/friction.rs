@@ -40,26 +40,26 @@ vector = ["-k*x", 0, 0]
 
 pub const FINE: &str = "[integration]\nmethod = \"dop853\"\nrtol = 1e-12\natol = 1e-13\n";
 
-/// A scene of the block on its plane, with these parameters, from (x, vx).
-pub fn on_plane(parameters: &str, (x, vx): (f64, f64), span: f64) -> String {
+/// A scene of the block on its plane, with these parameters, from the place `x` with the velocity `vx`.
+pub fn on_plane(parameters: &str, x: f64, vx: f64, span: f64) -> String {
     format!(
         "span = [0, {span:?}]\n[parameters]\n{parameters}\n[start]\nx = {x:?}\nz = 0\nvx = {vx:?}\nvz = 0\n[impacts.plane]\ngap = \"z\"\n\
          restitution = \"e\"\nfriction = \"mu\"\nalong = \"v(P) @ N [1] - vb\"\n{FINE}"
     )
 }
 
-/// Name of an event and its instant; `None` for an event that holds from the start.
-type Told<'r> = (&'r str, Option<f64>);
+/// Name of an event, and its instant, s; `None` for an event that holds from the start.
+type EventAt<'r> = (&'r str, Option<f64>);
 
 /// Events of a run.
-pub fn events(run: &Run) -> Vec<Told<'_>> {
+pub fn events(run: &Run) -> Vec<EventAt<'_>> {
     let of = |event: &tripos_sim::EventRecord| (event.kind != Kind::AtStart).then_some(event.t);
     run.events().iter().map(|event| (event.name.as_str(), of(event))).collect()
 }
 
-pub fn happens(run: &Run, truth: &[Told<'_>]) {
+pub fn happens(run: &Run, truth: &[EventAt<'_>]) {
     let found = events(run);
-    let alike = |(a, b): (&Told<'_>, &Told<'_>)| {
+    let alike = |(a, b): (&EventAt<'_>, &EventAt<'_>)| {
         a.0 == b.0 && a.1.is_some() == b.1.is_some() && near(a.1.unwrap_or(0.0), b.1.unwrap_or(0.0), 1e-10)
     };
     assert!(found.len() == truth.len() && found.iter().zip(truth).all(alike), "{found:?} for {truth:?}");
@@ -77,10 +77,9 @@ fn a_block_slides_on_a_steep_plane_and_stops_on_a_flat_one() {
     let along = |mu: f64| g * (alpha.sin() - mu * alpha.cos());
     for by in ["kane", "lagrange", "newton-euler"] {
         for method in ["dop853", "gauss6", "taylor", "ode45"] {
-            let how =
-                Overrides { by: Some(by.to_owned()), method: Some(method.parse().unwrap()), ..Overrides::default() };
+            let how = Overrides { by: Some(by.into()), method: Some(method.parse().unwrap()), ..Overrides::default() };
             let go = |mu: f64, vx: f64| {
-                let text = on_plane(&format!("alpha = 0.3\nmu = {mu:?}"), (0.0, vx), 2.0);
+                let text = on_plane(&format!("alpha = 0.3\nmu = {mu:?}"), 0.0, vx, 2.0);
                 let run = scene(BLOCK, &text).simulate(&how).unwrap_or_else(|e| panic!("{by} {method}: {e}"));
                 assert!(run.objections().is_empty(), "{by} {method}: {:?}", run.objections());
                 keeps_energy(&run, 1e-10);
@@ -108,7 +107,7 @@ fn a_block_slides_on_a_steep_plane_and_stops_on_a_flat_one() {
 fn a_block_thrown_up_stops_or_comes_back() {
     let (alpha, g) = (0.3_f64, 10.0);
     for (mu, word) in [(0.5, "plane sticks"), (0.2, "plane reverses")] {
-        let run = run(BLOCK, &on_plane(&format!("alpha = 0.3\nmu = {mu:?}"), (0.0, -3.0), 1.5));
+        let run = run(BLOCK, &on_plane(&format!("alpha = 0.3\nmu = {mu:?}"), 0.0, -3.0, 1.5));
         let up = g * (alpha.sin() + mu * alpha.cos());
         let top = 3.0 / up;
         happens(&run, &[("plane", None), ("plane slips", None), (word, Some(top))]);
@@ -124,7 +123,7 @@ fn a_block_thrown_up_stops_or_comes_back() {
 /// Goal: friction holds where it can just bear a force. Truth: μ = tan α, to the rounding of both.
 #[test]
 fn friction_that_just_suffices_holds() {
-    let run = run(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", (0.0, 0.0), 2.0));
+    let run = run(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", 0.0, 0.0, 2.0));
     happens(&run, &[("plane", None), ("plane sticks", None)]);
     assert!(end(&run, "x").abs() < 1e-15, "{:?}", run.end);
 }
@@ -137,7 +136,7 @@ fn a_spring_with_friction_swings_less_by_equal_parts_and_stays() {
     let (k, mu) = (8.0, 0.1);
     let step = mu * 2.0 * 10.0 / k;
     let half = std::f64::consts::PI / 2.0;
-    let run = run(BLOCK, &on_plane("k = 8\nmu = 0.1", (2.1, 0.0), 9.0));
+    let run = run(BLOCK, &on_plane("k = 8\nmu = 0.1", 2.1, 0.0, 9.0));
     let (mut x, mut t, mut truth) = (2.1_f64, 0.0, vec![("plane", None), ("plane slips", None)]);
     while x.abs() > step {
         (x, t) = (-(x - 2.0 * step * x.signum()), t + half);
@@ -158,7 +157,7 @@ fn a_block_on_a_belt_slips_sticks_and_slips_again() {
     let first = (vb / (delta * omega)).asin() / omega;
     let second = first + delta * (omega * first).cos() / vb;
     let span = second + 1.5;
-    let run = run(BLOCK, &on_plane("k = 8\nmu = 0.2\nvb = 0.6", (0.0, 0.0), span));
+    let run = run(BLOCK, &on_plane("k = 8\nmu = 0.2\nvb = 0.6", 0.0, 0.0, span));
     happens(
         &run,
         &[("plane", None), ("plane slips", None), ("plane sticks", Some(first)), ("plane slips", Some(second))],
@@ -168,7 +167,7 @@ fn a_block_on_a_belt_slips_sticks_and_slips_again() {
 }
 
 /// A disk of radius a on the floor, thrown with a spin.
-fn disk(inertia: f64, (vx, om): (f64, f64), span: f64) -> String {
+fn disk(inertia: f64, vx: f64, om: f64, span: f64) -> String {
     format!(
         "span = [0, {span:?}]\n[parameters]\nI = {inertia:?}\na = 0.5\n[start]\nx = 0\ny = 0.5\nth = 0\nvx = {vx:?}\nvy = 0\nom = {om:?}\n\
          [impacts.floor]\ngap = \"y - a\"\nrestitution = 0\nfriction = 0.25\nalong = \"vx + a*om\"\n{FINE}"
@@ -183,7 +182,7 @@ fn a_disk_with_backspin_slips_then_rolls() {
     for (part, vx, om) in [(0.5, 4.0, 0.0), (0.5, 2.0, 14.0), (0.4, 4.0, 3.0)] {
         let slip = vx + 0.5 * om;
         let t = slip / (0.25 * 9.81 * (1.0 + 1.0 / part));
-        let run = run(PLANE, &disk(part * 3.0 * 0.25, (vx, om), t + 1.0));
+        let run = run(PLANE, &disk(part * 3.0 * 0.25, vx, om, t + 1.0));
         happens(&run, &[("floor", None), ("floor slips", None), ("floor sticks", Some(t))]);
         let rolls = vx - 0.25 * 9.81 * t;
         assert!(near(end(&run, "vx"), rolls, 1e-11) && near(end(&run, "om"), -rolls / 0.5, 1e-10), "{:?}", run.end);
@@ -193,7 +192,7 @@ fn a_disk_with_backspin_slips_then_rolls() {
 }
 
 /// A rod of half length 1 that leans on the floor with its end A, at an angle, moving.
-fn rod(th: f64, (vx, om): (f64, f64), mu: f64, span: f64) -> String {
+fn rod(th: f64, vx: f64, om: f64, mu: f64, span: f64) -> String {
     let (sin, cos) = th.sin_cos();
     format!(
         "span = [0, {span:?}]\n[parameters]\nI = 1\n[start]\nx = 0\ny = {sin:?}\nth = {th:?}\nvx = {vx:?}\nvy = {:?}\nom = {om:?}\n[impacts.A]\ngap = \"p(A) @ N [2]\"\n\
@@ -224,7 +223,7 @@ fn a_leaning_rod_slides_as_its_own_equations_have_it() {
             let d = rates(at(c, 1.0));
             y = std::array::from_fn(|j| y[j] + h / 6.0 * (a[j] + 2.0 * b[j] + 2.0 * c[j] + d[j]));
         }
-        let run = run(PLANE, &rod(1.0, (2.0 * way, 0.0), mu, 0.25));
+        let run = run(PLANE, &rod(1.0, 2.0 * way, 0.0, mu, 0.25));
         happens(&run, &[("A", None), ("A slips", None)]);
         for (name, truth) in ["x", "th", "vx", "om"].into_iter().zip(y) {
             assert!(near(end(&run, name), truth, 1e-10), "{way} {name}: {} for {truth}", end(&run, name));
@@ -248,7 +247,7 @@ fn a_rod_that_tips_over_begins_to_slip_where_friction_ends() {
     }
     let om = -(1.5 * 9.81 * (1.0 - tipped.cos())).sqrt();
     let th = std::f64::consts::FRAC_PI_2 - tipped;
-    let run = run(PLANE, &rod(th, (-th.sin() * om, om), mu, 1.1));
+    let run = run(PLANE, &rod(th, -th.sin() * om, om, mu, 1.1));
     let found = events(&run);
     assert_eq!(found.iter().map(|event| event.0).collect::<Vec<_>>()[..3], ["A", "A sticks", "A slips"], "{found:?}");
     let phi = std::f64::consts::FRAC_PI_2 - run.events()[2].y[2];
@@ -257,7 +256,7 @@ fn a_rod_that_tips_over_begins_to_slip_where_friction_ends() {
 }
 
 /// A body that falls on its point A with a spin, from 0.2 m.
-pub fn falls(th: f64, (vx, om): (f64, f64), of: &str) -> String {
+pub fn falls(th: f64, vx: f64, om: f64, of: &str) -> String {
     let height = th.sin() + 0.2;
     let later = (0.4_f64 / 9.81).sqrt();
     let th = th - om * later;
@@ -276,7 +275,7 @@ fn an_impact_with_friction_sticks_or_slips() {
     let (s, c) = th.sin_cos();
     let v = (2.0_f64 * 9.81 * 0.2).sqrt();
     for (vx, mu, e, sticks) in [(0.3, 0.9, 0.0, true), (4.0, 0.3, 0.4, false), (-4.0, 0.3, 0.4, false)] {
-        let run = run(PLANE, &falls(th, (vx, om), &format!("restitution = {e:?}\nfriction = {mu:?}")));
+        let run = run(PLANE, &falls(th, vx, om, &format!("restitution = {e:?}\nfriction = {mu:?}")));
         // Of the point (−a c, −a s) from the centre: vn = vy − c ω, vt = vx + s ω.
         let (nn, nt, tt) = (1.0 / m + c * c / i, -s * c / i, 1.0 / m + s * s / i);
         let (vn, vt) = (-v - c * om, vx + s * om);
@@ -305,7 +304,7 @@ fn an_impact_with_friction_sticks_or_slips() {
 fn painleves_rod_stops_with_its_reason() {
     let th = 2.0_f64.atan();
     for (om, what) in [(0.0, "agrees with Coulomb's law"), (5.0, "`A` slips backwards, or `A` opens")] {
-        let text = rod(th, (-3.0 - th.sin() * om, om), 2.0, 0.2);
+        let text = rod(th, -3.0 - th.sin() * om, om, 2.0, 0.2);
         let run = scene(PLANE, &text).simulate(&Overrides::default()).unwrap_or_else(|e| panic!("{e}"));
         let why = run.failure().unwrap_or_else(|| panic!("{om}: {:?}", events(&run)));
         assert!(why.contains(what) && why.contains("Painlevé") || om > 0.0 && why.contains("more than one"), "{why}");

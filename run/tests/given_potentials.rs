@@ -36,7 +36,7 @@ fn a_bead_comes_back_after_the_period_of_its_well() {
     for by in Formulation::ALL {
         let model = model::load(&Source::from_text("model.toml", QUARTIC)).unwrap_or_else(|e| panic!("{e}"));
         let scene = Scene::parse(Mechanism::new(model), &scene).unwrap_or_else(|e| panic!("{e}"));
-        let how = Overrides { by: Some(by.name().to_owned()), ..Overrides::default() };
+        let how = Overrides { by: Some(by.name().into()), ..Overrides::default() };
         let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{}: {e}", by.name()));
         assert!(run.failure().is_none(), "{}: {:?}", by.name(), run.objections());
         assert!((run.end[0] - 1.0).abs() < 1e-10 && run.end[1].abs() < 1e-9, "{}: {:?}", by.name(), run.end);

@@ -28,8 +28,10 @@ mod sketch;
 mod spectra;
 mod steady;
 mod steady_kinds;
+mod steady_loops;
 mod stiff;
 mod told_motions;
+mod touching;
 #[path = "../../tests/support/tree.rs"]
 mod tree;
 mod view;
@@ -91,7 +93,7 @@ fn end_of(run: &Run, name: &str) -> f64 {
 fn a_scene_from_strings_runs_by_every_kind_of_equations_and_meets_its_events() {
     let scene = scene();
     for by in [None, Some("kane"), Some("lagrange")] {
-        let run = scene.simulate(&Overrides { by: by.map(str::to_owned), ..Overrides::default() }).unwrap();
+        let run = scene.simulate(&Overrides { by: by.map(Into::into), ..Overrides::default() }).unwrap();
         assert!((end_of(&run, "x") - 0.5 * 20_f64.cos()).abs() < 1e-9, "{by:?}");
         assert!(run.failure().is_none() && run.warnings.is_empty(), "{by:?}: {:?}", run.objections());
         let instants: Vec<f64> = run.events().iter().map(|event| event.t).collect();

@@ -41,15 +41,15 @@ fn runs_of_random_trees_are_those_of_first_principles() {
         let mut random = Random(1_000_000 + seed);
         let bodies = 1 + random.below(3);
         let tree = Tree::new(&mut random, bodies);
-        let state = tree.state(&mut random);
-        let (q, u) = tree.after(&state, SPAN.0, SPAN.1);
+        let (q0, u0) = tree.state(&mut random);
+        let (q, u) = tree.after(&q0, &u0, SPAN.0, SPAN.1);
         let scale = q.iter().chain(&u).fold(1.0_f64, |m, x| m.max(x.abs()));
         let model = tripos_derive::model::load(&Source::from_text("model.toml", &tree.text())).unwrap();
         for path in PATHS {
             let (by, method, solve) =
-                (path.0.map(str::to_owned), path.1.map(|m| m.parse().unwrap()), path.2.map(|s| s.parse().unwrap()));
+                (path.0.map(Into::into), path.1.map(|m| m.parse().unwrap()), path.2.map(|s| s.parse().unwrap()));
             let what = format!("tree {seed} ({}), {path:?}", tree.kinds());
-            let run = Scene::parse(Mechanism::new(model.clone()), &scene(&state, SPAN.0))
+            let run = Scene::parse(Mechanism::new(model.clone()), &scene(&q0, &u0, SPAN.0))
                 .and_then(|scene| scene.simulate(&Overrides { by, method, solve, ..Overrides::default() }))
                 .unwrap_or_else(|error| panic!("{what}: {error}\n{}", tree.text()));
             assert!(run.failure().is_none(), "{what}: {:?}\n{}", run.objections(), tree.text());

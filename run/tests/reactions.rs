@@ -39,7 +39,7 @@ fn reactions_of_a_scenes_own_equations_have_values_in_every_pose() {
             let text = format!(
                 "span = [0, 0.05]\noutputs = [{names}]\n[start]\nx = 0\na = \"{a}\"\nb = \"{b}\"\nv = 0\nw = {spin}\nz = {spin}\n[integration]\nmethod = \"dop853\"\nrtol = 1e-10\natol = 1e-12\n"
             );
-            let found = [None, Some("kane".to_owned())].map(|by| ends((&model, &text), by, &components));
+            let found = [None, Some("kane")].map(|by| ends(&model, &text, by, &components));
             for (name, (own, whole)) in components.iter().zip(found[0].iter().zip(&found[1])) {
                 assert!((own - whole).abs() < 1e-7, "axis {axis}, a = {a}, b = {b}: {name} is {own}, by Kane {whole}");
             }
@@ -52,10 +52,12 @@ fn reactions_of_a_scenes_own_equations_have_values_in_every_pose() {
 }
 
 /// Components at the end of a run.
-fn ends((model, scene): (&str, &str), by: Option<String>, components: &[String]) -> Vec<f64> {
+fn ends(model: &str, scene: &str, by: Option<&str>, components: &[String]) -> Vec<f64> {
     let model =
         tripos_derive::model::load(&Source::from_text("model.toml", model)).unwrap_or_else(|error| panic!("{error}"));
     let scene = Scene::parse(Mechanism::new(model), scene).unwrap_or_else(|error| panic!("{error}"));
-    let run = scene.simulate(&Overrides { by, ..Overrides::default() }).unwrap_or_else(|error| panic!("{error}"));
+    let run = scene
+        .simulate(&Overrides { by: by.map(Into::into), ..Overrides::default() })
+        .unwrap_or_else(|error| panic!("{error}"));
     components.iter().map(|name| *run.column(name).unwrap().last().unwrap()).collect()
 }

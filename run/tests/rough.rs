@@ -10,14 +10,14 @@ use tripos::Overrides;
 fn a_block_that_is_lifted_slips_less_and_less_and_opens() {
     let model = BLOCK.to_owned() + "[forces.lift]\non = \"block\"\nframe = \"N\"\nvector = [0, 0, \"m*g*t/T\"]\n";
     let model = model.replace("e = {", "T = { unit = \"s\", value = 1 }\ne = {");
-    let run = run(&model, &on_plane("mu = 0.3", (0.0, 4.0), 2.0));
+    let run = run(&model, &on_plane("mu = 0.3", 0.0, 4.0, 2.0));
     happens(&run, &[("plane", None), ("plane slips", None), ("plane opens", Some(1.0))]);
     assert!(near(end(&run, "vx"), 2.5, 1e-10) && near(end(&run, "z"), 10.0 / 6.0, 1e-9), "{:?}", run.end);
     keeps_energy(&run, 1e-9);
     // The end of a force is not unbounded growth, whatever rounding leaves at that instant.
     for end in [0.998, 0.999_023, 1.002, 1.3] {
         let model = model.replace("value = 1 }\ne", &format!("value = {end:?} }}\ne"));
-        let run = crate::impacts::run(&model, &on_plane("mu = 0.3", (0.0, 4.0), 2.0));
+        let run = crate::impacts::run(&model, &on_plane("mu = 0.3", 0.0, 4.0, 2.0));
         happens(&run, &[("plane", None), ("plane slips", None), ("plane opens", Some(end))]);
     }
 }
@@ -29,7 +29,7 @@ fn a_pull_that_grows_from_the_limit_of_friction_moves_a_block() {
     let model =
         BLOCK.to_owned() + "[forces.pull]\non = \"block\"\nframe = \"N\"\nvector = [\"m*g*(mu + t/T)\", 0, 0]\n";
     let model = model.replace("e = {", "T = { unit = \"s\", value = 1 }\ne = {");
-    let run = run(&model, &on_plane("mu = 0.3", (0.0, 0.0), 1.0));
+    let run = run(&model, &on_plane("mu = 0.3", 0.0, 0.0, 1.0));
     happens(&run, &[("plane", None), ("plane slips", None)]);
     assert!(near(end(&run, "x"), 10.0 / 6.0, 1e-10), "{:?}", run.end);
 }
@@ -122,10 +122,10 @@ fn a_bar_jams_on_a_belt_where_friction_feeds_itself() {
 /// pulls it.
 #[test]
 fn without_a_coefficient_a_contact_is_smooth() {
-    let slides = run(BLOCK, &on_plane("mu = 0\nalpha = 0.3", (0.0, -1.0), 1.0));
+    let slides = run(BLOCK, &on_plane("mu = 0\nalpha = 0.3", 0.0, -1.0, 1.0));
     assert!(near(end(&slides, "x"), -1.0 + 5.0 * 0.3_f64.sin(), 1e-11), "{:?}", slides.end);
     happens(&slides, &[("plane", None), ("plane slips", None)]);
-    let lies = run(BLOCK, &on_plane("mu = 0", (0.0, 0.0), 1.0));
+    let lies = run(BLOCK, &on_plane("mu = 0", 0.0, 0.0, 1.0));
     assert!(end(&lies, "x").abs() < 1e-15 && lies.events().len() == 2, "{:?}", lies.events());
 }
 
@@ -133,7 +133,7 @@ fn without_a_coefficient_a_contact_is_smooth() {
 /// v⁺) = 0.3 J here, by G of the rod.
 #[test]
 fn an_impact_with_friction_that_creates_energy_is_refused() {
-    let text = falls(0.9, (1.0, 0.0), "restitution = 0.9\nfriction = 0.9");
+    let text = falls(0.9, 1.0, 0.0, "restitution = 0.9\nfriction = 0.9");
     let run = scene(PLANE, &text).simulate(&Overrides::default()).unwrap_or_else(|e| panic!("{e}"));
     let why = run.failure().unwrap_or_else(|| panic!("{:?}", run.impacts()));
     assert!(why.contains("would create energy") && why.contains("law = \"poisson\""), "{why}");
@@ -159,7 +159,7 @@ fn a_disk_that_bounces_ends_up_rolling() {
 /// Goal: a coefficient can be set like any parameter, and a negative one is refused.
 #[test]
 fn a_coefficient_is_set_like_any_parameter() {
-    let mut scene = scene(BLOCK, &on_plane("alpha = 0.3", (0.0, 0.0), 1.0));
+    let mut scene = scene(BLOCK, &on_plane("alpha = 0.3", 0.0, 0.0, 1.0));
     scene.set("mu", 0.2).unwrap();
     let run = scene.simulate(&Overrides::default()).unwrap();
     assert!(near(end(&run, "x"), 5.0 * (0.3_f64.sin() - 0.2 * 0.3_f64.cos()), 1e-10), "{:?}", run.end);

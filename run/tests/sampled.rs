@@ -87,7 +87,7 @@ fn a_closed_loop_is_the_sampled_data_system_of_the_textbook_by_every_method() {
         ("dop853", Some(0.03), 1e-9),
     ] {
         for by in [Formulation::Kane, Formulation::Lagrange] {
-            let (method, by) = (Some(method.parse().unwrap()), Some(by.name().to_owned()));
+            let (method, by) = (Some(method.parse().unwrap()), Some(by.name().into()));
             let run = controlled(&scene(""), &Overrides { method, by, step, ..Overrides::default() });
             let exact = exact();
             assert_eq!(run.decisions.len(), 29);

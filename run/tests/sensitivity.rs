@@ -92,7 +92,7 @@ pub fn spring(method: &str, more: &str) -> Scene {
 }
 
 pub fn how(by: Option<&str>) -> Overrides {
-    Overrides { by: by.map(str::to_owned), ..Overrides::default() }
+    Overrides { by: by.map(Into::into), ..Overrides::default() }
 }
 
 pub fn near(found: f64, truth: f64, tolerance: f64, what: &str) {
@@ -212,7 +212,7 @@ fn end(scene: &Scene, tolerance: f64) -> Vec<DoubleDouble> {
 }
 
 /// Derivatives of the states at the end by a number with this `value`, as differences of order 4 with steps of 2⁻ᵇ.
-fn differences(scene: &Scene, (name, value): (&str, f64), step: f64, tolerance: f64) -> Vec<f64> {
+fn differences(scene: &Scene, name: &str, value: f64, step: f64, tolerance: f64) -> Vec<f64> {
     let at = |place: f64| {
         let mut scene = scene.clone();
         // The decimal number itself is set, not the double nearest to the sum.
@@ -238,7 +238,7 @@ fn against_differences(scene: &Scene, numbers: &[(&str, f64)], step: f64, by: Op
     let stated = found.errors.as_ref().expect("a second run comes to the end");
     let mut worst = 0.0_f64;
     for ((own, stated), number) in found.end.iter().zip(stated).zip(numbers) {
-        let truth = differences(scene, *number, step, 1e-21);
+        let truth = differences(scene, number.0, number.1, step, 1e-21);
         for (((own, stated), truth), name) in own.iter().zip(stated).zip(&truth).zip(&found.names) {
             let (off, size) = ((own - truth).abs(), truth.abs().max(1.0));
             println!("d({name})/d({}) = {own:e} ± {stated:.1e}, by differences {truth:e}: off by {off:.1e}", number.0);
@@ -316,8 +316,7 @@ fn a_run_with_derivatives_is_the_run_without_and_each_is_what_it_is_alone() {
     let text = include_str!("../../models/four_bar/scenes/turning.toml").replace("[0, 3]", "[0, 0.5]");
     let scene = scene_of(model, &text);
     for method in ["ode45", "dop853", "taylor"] {
-        let how =
-            Overrides { method: Some(method.parse().unwrap()), by: Some("kane".to_owned()), ..Overrides::default() };
+        let how = Overrides { method: Some(method.parse().unwrap()), by: Some("kane".into()), ..Overrides::default() };
         let names = ["a", "b", "c", "d", "ma", "q1"];
         let all = scene.sensitivities(&names, At::Samples, &how).unwrap();
         let plain = scene.simulate(&how).unwrap();
@@ -346,7 +345,7 @@ fn what_cannot_be_differentiated_is_refused() {
     assert!(refused(&["mm"], &plain).contains("did you mean `m`"), "{}", refused(&["mm"], &plain));
     assert!(refused(&["g", "g"], &plain).contains("named twice"));
     assert!(refused(&[], &plain).contains("nothing to differentiate by"));
-    let by = |by: &str| Overrides { by: Some(by.to_owned()), ..Overrides::default() };
+    let by = |by: &str| Overrides { by: Some(by.into()), ..Overrides::default() };
     assert!(refused(&["g"], &by("reduced")).contains("whole equations"));
     let solve = Overrides { solve: Some(Solve::Numeric), ..Overrides::default() };
     assert!(refused(&["g"], &solve).contains("eliminated"));

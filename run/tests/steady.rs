@@ -16,21 +16,21 @@ fn read(model: &str) -> Mechanism {
     Mechanism::read(&path).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn asked(model: &mut Mechanism, state: &str, given: &[(&str, f64)]) -> Asked {
+fn loaded(model: &mut Mechanism, state: &str, given: &[(&str, f64)]) -> Asked {
     let given: Vec<(String, f64)> = given.iter().map(|(name, x)| ((*name).to_owned(), *x)).collect();
     load_asked(&Source::from_text("state.toml", state), model, &given).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn about(model: &str, state: &str, given: &[(&str, f64)]) -> About {
     let mut model = read(model);
-    let asked = asked(&mut model, state, given);
+    let asked = loaded(&mut model, state, given);
     linearise(&model, &asked, &Wanted::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn over(model: &str, state: &str, name: &str, values: &[f64]) -> Course {
     let mut model = read(model);
     let of = model.clone();
-    follow(&of, &mut |value| Ok(asked(&mut model, state, &[(name, value)])), values).unwrap_or_else(|e| panic!("{e}"))
+    follow(&of, &mut |value| Ok(loaded(&mut model, state, &[(name, value)])), values).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn values(found: &About) -> Vec<[f64; 2]> {
@@ -112,7 +112,7 @@ fn eigenvalues_do_not_depend_on_the_choice_of_speeds() {
     let model = text.replace("u3 = \"thR'\"", "u3 = \"thF'\"");
     let source = Source::from_text("model.toml", &model);
     let mut model = Mechanism::new(tripos_derive::model::load(&source).unwrap_or_else(|e| panic!("{e}")));
-    let state = asked(&mut model, &BICYCLE.replace("-v/rR", "-v/rF"), &[]);
+    let state = loaded(&mut model, &BICYCLE.replace("-v/rR", "-v/rF"), &[]);
     let found = linearise(&model, &state, &Wanted::default()).unwrap_or_else(|e| panic!("{e}"));
     let complex = [-0.775_341_882_195_841_9, 4.464_867_713_788_225];
     are_among(&found, &[complex, [-0.322_866_429_004_087_1, 0.0], [-14.078_389_692_798_247, 0.0]], 1e-14);
@@ -123,7 +123,7 @@ fn eigenvalues_do_not_depend_on_the_choice_of_speeds() {
 #[test]
 fn the_bicycle_is_linearised_with_its_speed_as_a_letter() {
     let mut model = read("whipple_bicycle");
-    let state = asked(&mut model, BICYCLE, &[]);
+    let state = loaded(&mut model, BICYCLE, &[]);
     let found = linearise(&model, &state, &Wanted::default()).unwrap_or_else(|e| panic!("{e}"));
     let letters = in_letters(&model, &state, &found, &["v".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
     let numeric = about("whipple_bicycle", BICYCLE, &[("v", 7.0)]).system.a.doubles();
@@ -187,7 +187,7 @@ fn a_pendulum_hangs_or_stands() {
     let names: Vec<String> = model.coordinates.iter().map(|c| c.name.clone()).collect();
     let speeds: Vec<String> = model.speeds.iter().map(|s| s.name.clone()).collect();
     let text = format!("[state]\n{} = 0\n[guess]\n{} = 0.3\n", speeds[0], names[0]);
-    let state = asked(&mut model, &text, &[]);
+    let state = loaded(&mut model, &text, &[]);
     let found = equilibria(&model, &state, 12).unwrap_or_else(|e| panic!("{e}"));
     let told: Vec<(f64, Stability)> = found
         .iter()
@@ -203,7 +203,7 @@ fn a_pendulum_hangs_or_stands() {
 fn what_is_not_balanced_is_said() {
     let mut model = read("pendulum");
     let (q, u) = (model.coordinates[0].name.clone(), model.speeds[0].name.clone());
-    let state = asked(&mut model, &format!("[state]\n{q} = 0.5\n{u} = 0\n"), &[]);
+    let state = loaded(&mut model, &format!("[state]\n{q} = 0.5\n{u} = 0\n"), &[]);
     let error = linearise(&model, &state, &Wanted::default()).err().map(|e| e.to_string()).unwrap_or_default();
     assert!(error.contains("not an equilibrium") && error.contains(&format!("{u}'")), "{error}");
     let as_is = Wanted { as_is: true, ..Wanted::default() };
@@ -267,7 +267,7 @@ fn a_cart_with_a_pendulum_is_controlled_by_its_force() {
     let mut model = read("cart_pendulum_3");
     let names = model.coordinates.iter().map(|c| &c.name).chain(model.speeds.iter().map(|s| &s.name));
     let zeros: Vec<String> = names.map(|name| format!("{name} = 0")).collect();
-    let state = asked(&mut model, &format!("[state]\n{}\n", zeros.join("\n")), &[("F", 0.0)]);
+    let state = loaded(&mut model, &format!("[state]\n{}\n", zeros.join("\n")), &[("F", 0.0)]);
     let wanted = Wanted { inputs: vec!["F".to_owned()], ..Wanted::default() };
     let found = linearise(&model, &state, &wanted).unwrap_or_else(|e| panic!("{e}"));
     let n = found.system.kept.len();
@@ -280,7 +280,7 @@ fn a_cart_with_a_pendulum_is_controlled_by_its_force() {
 #[test]
 fn what_closes_loops_follows_inputs() {
     let mut model = read("cartesian_pendulum");
-    let state = asked(&mut model, "outputs = [\"y\"]\n[state]\nx = 0\ny = \"-l\"\nv = 0\n", &[]);
+    let state = loaded(&mut model, "outputs = [\"y\"]\n[state]\nx = 0\ny = \"-l\"\nv = 0\n", &[]);
     let wanted = Wanted { inputs: vec!["l".to_owned()], ..Wanted::default() };
     let found = linearise(&model, &state, &wanted).unwrap_or_else(|e| panic!("{e}"));
     let [b, d] = [&found.system.b, &found.system.d].map(tripos::studies::steady::Wide::doubles);
@@ -297,7 +297,7 @@ fn what_closes_loops_follows_inputs() {
 fn a_linkage_that_swings_is_found_at_rest() {
     let mut model = read("four_bar");
     let scene = include_str!("../../models/four_bar/scenes/crossed.toml");
-    let state = asked(&mut model, scene, &[]);
+    let state = loaded(&mut model, scene, &[]);
     let found = equilibria(&model, &state, 8).unwrap_or_else(|e| panic!("{e}"));
     let told: Vec<Stability> = found.iter().filter_map(|f| f.about.as_ref().ok()).map(|a| a.stability).collect();
     assert!(told.contains(&Stability::Energy), "{told:?}");

@@ -28,7 +28,7 @@ fn a_stiff_governor_is_solved_to_eight_digits() {
     let explicit = run(&scene, "dop853", 1e-12);
     assert!(explicit.failure().is_none(), "{:?}", explicit.failure());
     for by in [None, Some("kane"), Some("lagrange"), Some("newton-euler")] {
-        let how = Overrides { by: by.map(str::to_owned), ..Overrides::default() };
+        let how = Overrides { by: by.map(Into::into), ..Overrides::default() };
         let implicit = scene.simulate(&how).unwrap_or_else(|e| panic!("{by:?}: {e}"));
         assert!(implicit.is_trusted() && advice(&implicit).is_none(), "{by:?}: {:?}", implicit.objections());
         assert!(implicit.solution.steps < 3_000, "{by:?}: {}", implicit.ending);

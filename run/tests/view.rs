@@ -36,7 +36,7 @@ fn the_bob_of_a_pendulum_is_on_its_circle() {
     let (motion, view) = seen(&scene);
     let mut description = scene.description().clone();
     description.integration.samples = Some(motion.t.len());
-    let run = tripos::simulate(scene.mechanism(), &description, Some("kane")).unwrap();
+    let run = tripos::simulate(scene.mechanism(), &description, Some(&"kane".into())).unwrap();
     let (bob, theta) = (point(&scene, "P"), run.column("theta").unwrap());
     assert!(motion.t.len() > 1000 && theta.len() == motion.t.len());
     for (pose, theta) in motion.poses.iter().zip(theta) {
@@ -222,7 +222,7 @@ fn motion_of(model: &str, scene: &str) -> (Scene, Motion) {
     (scene, motion)
 }
 
-fn told(motion: &Motion) -> Vec<(ArrowKind, &str, usize, bool)> {
+fn arrows_of(motion: &Motion) -> Vec<(ArrowKind, &str, usize, bool)> {
     motion.forces.list.iter().map(|a| (a.kind, a.name.as_str(), a.point, a.is_opposite)).collect()
 }
 
@@ -233,7 +233,10 @@ fn arrows_are_the_weight_and_the_pull_of_the_spring() {
     let scene = scene("elastic_pendulum/scenes/bouncing.toml");
     let (motion, _) = seen(&scene);
     let bob = point(&scene, "P");
-    assert_eq!(told(&motion), [(ArrowKind::Weight, "bob", bob, false), (ArrowKind::Applied, "rubber", bob, false)]);
+    assert_eq!(
+        arrows_of(&motion),
+        [(ArrowKind::Weight, "bob", bob, false), (ArrowKind::Applied, "rubber", bob, false)]
+    );
     let [m, k, l, g] = ["m", "k", "l", "g"].map(|name| value(&scene, name));
     assert!(motion.poses.len() > 1000 && motion.forces.values.len() == motion.poses.len());
     for (pose, forces) in motion.poses.iter().zip(&motion.forces.values) {
@@ -283,7 +286,7 @@ fn arrows_turn_with_their_frame_and_have_opposites() {
     let (scene, motion) = motion_of(PULLED, start);
     let (first, second) = (point(&scene, "P"), point(&scene, "S"));
     let forces = [(ArrowKind::Applied, "drag", first, false), (ArrowKind::Applied, "drag", second, true)];
-    assert_eq!(told(&motion)[..2], forces, "no gravity, no weights");
+    assert_eq!(arrows_of(&motion)[..2], forces, "no gravity, no weights");
     let drag = -3.0 * 0.5 * 2.0;
     let at_start = &motion.forces.values[0];
     assert!(apart(at_start[0], [-drag * 0.7_f64.sin(), drag * 0.7_f64.cos(), 0.0]) < 1e-14, "{at_start:?}");
@@ -310,8 +313,8 @@ fn arrows_on_a_body_add_up_to_its_mass_times_acceleration() {
         description.span.1 = description.span.0 + 0.6;
         let motion = Motion::of_scene(scene.mechanism(), &description, None).unwrap();
         let [body] = scene.mechanism().bodies.as_slice() else { panic!("{path}: more than one body") };
-        let told = told(&motion);
-        assert!(told.iter().any(|(kind, ..)| *kind == ArrowKind::Reaction), "{path}: {told:?}");
+        let arrows = arrows_of(&motion);
+        assert!(arrows.iter().any(|(kind, ..)| *kind == ArrowKind::Reaction), "{path}: {arrows:?}");
         let mass = value(&scene, mass);
         let h = motion.t[1] - motion.t[0];
         let mut most = 0.0_f64;
@@ -340,7 +343,7 @@ fn reactions_of_scenes_with_impacts_are_said_to_be_missing() {
         "span = [0, 0.2]\nparameters = {{ m = 1, l = 1, g = 9.81 }}\nstart = {{ theta = 0, omega = 1 }}\n{MEETS}"
     );
     let (_, motion) = motion_of(&text, &start);
-    assert_eq!(told(&motion), [(ArrowKind::Weight, "bob", point(&scene, "P"), false)]);
+    assert_eq!(arrows_of(&motion), [(ArrowKind::Weight, "bob", point(&scene, "P"), false)]);
     assert_eq!(motion.forces.without.as_deref(), Some("what holds a closed contact is not among them"));
 }
 

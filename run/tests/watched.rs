@@ -44,7 +44,7 @@ fn runs(scene: &Scene) -> Vec<(String, Run)> {
     let all = [None, Some("kane"), Some("lagrange")].into_iter().flat_map(|by| methods.map(|method| (by, method)));
     let run = |(by, method): (Option<&str>, &str)| {
         let how = Overrides {
-            by: by.map(str::to_owned),
+            by: by.map(Into::into),
             method: Some(method.parse().unwrap()),
             step: (method == "rk4").then_some(1.0),
             ..Overrides::default()
@@ -106,7 +106,7 @@ fn a_coordinate_is_watched_that_is_integrated_as_a_distance() {
         );
         Scene::parse(Mechanism::new(model.clone()), &text).unwrap_or_else(|e| panic!("{e}"))
     };
-    let how = Overrides { by: Some("kane".to_owned()), ..Overrides::default() };
+    let how = Overrides { by: Some("kane".into()), ..Overrides::default() };
     let events = |scene: Scene| -> Vec<f64> {
         let run = scene.simulate(&how).unwrap();
         run.events().iter().filter(|e| e.name == "lean").map(|e| e.t).collect()

@@ -55,8 +55,15 @@ pub fn moved(values: &[f64], seed: u32, by: f64) -> Vec<f64> {
     values.iter().enumerate().map(|(at, x)| x + by * step(at)).collect()
 }
 
+/// Parameters, coordinates and motion variables at a state.
+struct State {
+    p: Vec<f64>,
+    q: Vec<f64>,
+    v: Vec<f64>,
+}
+
 /// States at the start of a library model's first scene, and about it: p, q and v of each.
-fn states(name: &str, system: &dyn System<f64>) -> Vec<(Vec<f64>, Vec<f64>, Vec<f64>)> {
+fn states(name: &str, system: &dyn System<f64>) -> Vec<State> {
     let scenes = std::fs::read_dir(root().join("models").join(name).join("scenes")).unwrap();
     let mut paths: Vec<PathBuf> = scenes.map(|entry| entry.unwrap().path()).collect();
     paths.sort();
@@ -68,13 +75,13 @@ fn states(name: &str, system: &dyn System<f64>) -> Vec<(Vec<f64>, Vec<f64>, Vec<
         let (q, u) = (moved(&scene.q, seed, 0.4), moved(&scene.u, seed + 7, 1.5));
         let mut v = vec![0.0; system.lengths().variables];
         system.motion_variables(&p, &q, &u, &mut v);
-        (p, q, v)
+        State { p, q, v }
     };
-    (0..20).map(state).filter(|(.., v)| v.iter().all(|x| x.is_finite())).collect()
+    (0..20).map(state).filter(|state| state.v.iter().all(|x| x.is_finite())).collect()
 }
 
 /// Rates, speeds, energies and divisors of compiled equations.
-fn compiled(system: &dyn System<f64>, (p, q, v): &(Vec<f64>, Vec<f64>, Vec<f64>)) -> Vec<(&'static str, Vec<f64>)> {
+fn compiled(system: &dyn System<f64>, State { p, q, v }: &State) -> Vec<(&'static str, Vec<f64>)> {
     let lengths = system.lengths();
     let (mut q_dot, mut v_dot) = (vec![0.0; lengths.coordinates], vec![0.0; lengths.variables]);
     system.derivative(p, q, v, &mut q_dot, &mut v_dot);
@@ -91,7 +98,7 @@ fn compiled(system: &dyn System<f64>, (p, q, v): &(Vec<f64>, Vec<f64>, Vec<f64>)
 }
 
 /// Rounding error of accelerations in doubles against 32 digits, relative to the largest acceleration.
-fn lost(system: &CompiledSystem, (p, q, v): &(Vec<f64>, Vec<f64>, Vec<f64>)) -> f64 {
+fn lost(system: &CompiledSystem, State { p, q, v }: &State) -> f64 {
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let mut exact = (wide(q), wide(v));
     system.extended.derivative(&wide(p), &wide(q), &wide(v), &mut exact.0, &mut exact.1);
@@ -124,7 +131,7 @@ fn modules_give_what_compiled_equations_give() {
             let states = states(model.name, system.double);
             assert!(states.len() > 10, "{} {formulation}", model.name);
             let file = out.join(format!("{}.mjs", formulation.replace('-', "_")));
-            let asked = states.iter().map(|(p, q, v)| json!({ "p": p, "q": q, "v": v }));
+            let asked = states.iter().map(|State { p, q, v }| json!({ "p": p, "q": q, "v": v }));
             questions.push(json!({ "module": file, "states": asked.collect::<Vec<_>>() }));
             expected.push((model.name, formulation, system, states));
         }
@@ -165,12 +172,12 @@ fn printed_equations_are_solved_as_in_rust() {
     assert!(printed.len() > 3, "{} printed systems", printed.len());
     let states: Vec<_> = printed.iter().map(|system| states("disk", system.double)).collect();
     let questions = printed.iter().zip(&states).map(|(system, states)| {
-        let asked = states.iter().map(|(p, q, v)| json!({ "p": p, "q": q, "v": v }));
+        let asked = states.iter().map(|State { p, q, v }| json!({ "p": p, "q": q, "v": v }));
         json!({ "module": folder.path().join(format!("{}.mjs", module_name(system.name))), "states": asked.collect::<Vec<_>>() })
     });
     let answers = answers(&questions.collect::<Vec<_>>());
     for ((system, states), answer) in printed.iter().zip(&states).zip(&answers) {
-        for ((p, q, v), found) in states.iter().zip(answer.as_array().unwrap()) {
+        for (State { p, q, v }, found) in states.iter().zip(answer.as_array().unwrap()) {
             let unknowns = Dynamics::new(system.double, p).unwrap().unknowns(q, v).unwrap().to_vec();
             let found = numbers(&found["accelerations"]);
             let scale = unknowns[..v.len()].iter().fold(1.0, |m: f64, x| m.max(x.abs()));
@@ -225,7 +232,7 @@ fn a_run_of_the_disk_is_that_of_rust() {
     let runs = scenes.map(|name| {
         let scene = Scene::read(root().join(format!("models/disk/scenes/{name}.toml"))).unwrap().with(MODELS);
         let until = if name == "report" { Some(1.0) } else { None };
-        let by = Some("kane".to_owned());
+        let by = Some("kane".into());
         let method = Some(tripos::Method::Dop853.into());
         let how = Overrides { by, method, rtol: Some(1e-13), atol: Some(1e-13), until, ..Overrides::default() };
         let run = scene.simulate(&how).unwrap();

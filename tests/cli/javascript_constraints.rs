@@ -59,7 +59,7 @@ fn linkages_run_as_in_rust_and_stay_closed() {
         let until = start.span.1.min(start.span.0 + 1.0);
         for by in ["kane", "lagrange"] {
             let how = Overrides {
-                by: Some(by.to_owned()),
+                by: Some(by.into()),
                 method: Some(tripos::Method::Dop853.into()),
                 rtol: Some(1e-12),
                 atol: Some(1e-12),

@@ -1,6 +1,6 @@
 //! Numbers that once were others than their names said, or were none, and inputs that no model can have.
 
-use crate::support::{answer, asked, root};
+use crate::support::{answer, answer_in_json, root};
 use serde_json::Value;
 
 /// A file of `tests/data/repro`.
@@ -28,7 +28,7 @@ fn scene_of(model: &str, text: &str) -> (tempfile::TempDir, String) {
 fn an_acceleration_among_the_outputs_is_that_acceleration() {
     let right = [("u1'", -13.947_255_287_69), ("u1", -0.463_036_791_49), ("th", -2.728_875_867_18)];
     for way in [&[][..], &["--by", "kane"], &["--by", "lagrange", "--solve", "numeric"], &["--method", "taylor"]] {
-        let found = asked(&[&["simulate", &given("outputs/s.toml"), "--json"], way].concat());
+        let found = answer_in_json(&[&["simulate", &given("outputs/s.toml"), "--json"], way].concat());
         for (name, value) in right {
             let x = found["state"][name].as_f64().unwrap();
             assert!((x - value).abs() < 1e-8, "{way:?}: {name} = {x}, not {value}");
@@ -41,7 +41,7 @@ fn an_acceleration_among_the_outputs_is_that_acceleration() {
 #[test]
 fn a_watched_reaction_leaves_the_way_to_accelerations_alone() {
     for method in ["taylor", "gauss6", "radau5", "dop853"] {
-        let run = asked(&[
+        let run = answer_in_json(&[
             "simulate",
             &given("reaction_domain/s.toml"),
             "--method",

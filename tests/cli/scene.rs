@@ -1,6 +1,6 @@
 //! `tripos scene`, and runs by a scene's reduced equations.
 
-use crate::support::{answer, asked, root};
+use crate::support::{answer, answer_in_json, root};
 use serde_json::Value;
 
 fn names(value: &Value) -> Vec<&str> {
@@ -28,7 +28,7 @@ const REPORT: &str = "models/disk/scenes/report-10s.toml";
 
 #[test]
 fn the_ledger_of_the_lean_scene_says_what_is_left_of_ten_states() {
-    let ledger = asked(&["scene", LEAN, "--json"]);
+    let ledger = answer_in_json(&["scene", LEAN, "--json"]);
     assert_eq!(names(&ledger["states"]), ["q2", "u1"]);
     assert!(ledger["quadratures"].as_array().unwrap().is_empty());
     let [full, scene] = ["full", "scene"].map(|key| ledger["operations"][key].as_u64().unwrap());
@@ -48,7 +48,7 @@ fn the_ledger_of_the_lean_scene_says_what_is_left_of_ten_states() {
 fn ten_outputs_after_ten_seconds_are_exact_to_1e_12() {
     let taylor = ["--method", "taylor", "--rtol", "1e-15", "--atol", "1e-15", "--project", "energy"];
     for how in [&taylor[..], &["--method", "quadrature"]] {
-        let run = asked(&[&["simulate", REPORT, "--json"][..], how].concat());
+        let run = answer_in_json(&[&["simulate", REPORT, "--json"][..], how].concat());
         assert_eq!((run["formulation"].as_str(), run["compiled"].as_bool()), (Some("reduced"), Some(true)));
         for (name, exact) in CERTIFIED {
             let error = (run["state"][name].as_f64().unwrap() - exact).abs() / (1.0 + exact.abs());
@@ -73,10 +73,10 @@ fn edited_outputs_are_there_in_the_next_run() {
         std::fs::write(&path, format!("model = {:?}\n{text}", model.to_str().unwrap())).unwrap();
     };
     write("[\"q2\", \"u1\"]");
-    let lean = asked(&["simulate", scene, "--json"]);
+    let lean = answer_in_json(&["simulate", scene, "--json"]);
     assert_eq!((lean["state"].as_object().unwrap().len(), lean["compiled"].as_bool()), (2, Some(true)));
     write("[\"q1\", \"N\", \"u1'\", { name = \"height\", value = \"R*cos(q2)\" }, \"total_energy\"]");
-    let more = asked(&["simulate", scene, "--json"]);
+    let more = answer_in_json(&["simulate", scene, "--json"]);
     let shown: std::collections::BTreeSet<&str> =
         more["state"].as_object().unwrap().keys().map(String::as_str).collect();
     assert_eq!(shown, ["q1", "N", "u1'", "height", "total_energy"].into());
@@ -114,7 +114,7 @@ fn an_event_on_a_coordinate_that_time_would_carry_is_found() {
     let event = "[[events]]\nname = \"there\"\nzero = \"q4 - 5.2*R\"\nterminal = true\n";
     std::fs::write(&path, format!("model = {:?}\n{text}\n{event}", model.to_str().unwrap())).unwrap();
     let at = |more: &[&str]| {
-        let run = asked(&[&["simulate", path.to_str().unwrap(), "--json"][..], more].concat());
+        let run = answer_in_json(&[&["simulate", path.to_str().unwrap(), "--json"][..], more].concat());
         assert_eq!(run["stop"], "event:there", "{run}");
         run["t"].as_f64().unwrap()
     };
@@ -145,20 +145,20 @@ fn a_table_has_the_energies_of_the_whole_model() {
 #[test]
 fn whole_equations_run_where_the_scene_s_own_are_no_gain() {
     let fall = "models/cart_pendulum_3/scenes/fall.toml";
-    let whole = asked(&["simulate", fall, "--until", "0.5", "--json"]);
+    let whole = answer_in_json(&["simulate", fall, "--until", "0.5", "--json"]);
     let why = whole["notes"][0].as_str().unwrap();
     assert!(why.starts_with("whole equations are run: the scene's reduced equations carry all 8 variables"), "{why}");
     assert_eq!(
-        (&whole["formulation"], &asked(&["scene", fall, "--json"])["runs_whole"]),
+        (&whole["formulation"], &answer_in_json(&["scene", fall, "--json"])["runs_whole"]),
         (&"kane".into(), &why[25..].into())
     );
-    let own = asked(&["simulate", fall, "--until", "0.5", "--by", "reduced", "--json"]);
+    let own = answer_in_json(&["simulate", fall, "--until", "0.5", "--by", "reduced", "--json"]);
     assert_eq!((&own["formulation"], &own["notes"]), (&"reduced".into(), &Value::Array(Vec::new())));
     for (name, x) in whole["state"].as_object().unwrap() {
         let difference = x.as_f64().unwrap() - own["state"][name].as_f64().unwrap();
         assert!(difference.abs() < 1e-7, "{name}: {difference:e}");
     }
-    assert_eq!(asked(&["scene", LEAN, "--json"])["runs_whole"], Value::Null);
+    assert_eq!(answer_in_json(&["scene", LEAN, "--json"])["runs_whole"], Value::Null);
 }
 
 const FURUTA: &str = r#"
@@ -208,7 +208,7 @@ fn what_is_zero_nowhere_is_no_singular_place() {
     std::fs::write(folder.path().join("model.toml"), FURUTA).unwrap();
     let scene = "model = \"model.toml\"\nspan = [0, 1]\n[start]\nq1 = 0\nq2 = 1\nu1 = 0\nu2 = 0\n";
     std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
-    let ledger = asked(&["scene", folder.path().join("scene.toml").to_str().unwrap(), "--json"]);
+    let ledger = answer_in_json(&["scene", folder.path().join("scene.toml").to_str().unwrap(), "--json"]);
     assert_eq!((&ledger["singular_where"], names(&ledger["states"])), (&Value::Array(Vec::new()), vec!["q2", "u2"]));
     let constants = ledger["constants"].as_array().unwrap();
     let called = |name: &str| constants.iter().find(|c| c["name"] == name).map(|c| c["is"].clone());
@@ -287,7 +287,7 @@ fn a_default_run_goes_over_to_whole_equations_where_its_frame_has_a_pole() {
     std::fs::write(&path, PASSES_POLE).unwrap();
     let path = path.to_str().unwrap();
     let fine = ["--method", "dop853", "--rtol", "1e-11", "--atol", "1e-11"];
-    let run = |more: &[&str]| asked(&[&["simulate", path, "--json"], &fine[..], more].concat());
+    let run = |more: &[&str]| answer_in_json(&[&["simulate", path, "--json"], &fine[..], more].concat());
     let (own, kane, lagrange) = (run(&[]), run(&["--by", "kane"]), run(&["--by", "lagrange"]));
     let energy = |run: &Value| run["state"]["kinetic_energy"].as_f64().unwrap();
     assert!((energy(&kane) - energy(&lagrange)).abs() < 1e-8, "{} {}", energy(&kane), energy(&lagrange));
@@ -360,7 +360,7 @@ fn a_top_runs_by_its_own_equations_whatever_its_moments() {
     for (a, c, sequence) in all {
         let model = TOP.replace("value = 0.7", &format!("value = {a}")).replace("value = 0.3", &format!("value = {c}"));
         std::fs::write(folder.path().join("model.toml"), model.replace("\"313\"", &format!("\"{sequence}\""))).unwrap();
-        let run = |more: &[&str]| asked(&[&["simulate", path, "--json"], more].concat());
+        let run = |more: &[&str]| answer_in_json(&[&["simulate", path, "--json"], more].concat());
         let (own, other) = (run(&[]), run(&["--by", "lagrange"]));
         let theta = |run: &Value| run["state"]["theta"].as_f64().unwrap();
         assert_eq!(own["formulation"], "reduced", "{a} {c} {sequence}");

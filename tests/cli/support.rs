@@ -115,7 +115,7 @@ pub fn json(output: &Output) -> Value {
 }
 
 /// JSON of a command that succeeds.
-pub fn asked(arguments: &[&str]) -> Value {
+pub fn answer_in_json(arguments: &[&str]) -> Value {
     json(&tripos(arguments))
 }
 

@@ -38,7 +38,8 @@ fn scene(folder: &Path, model: &str, text: &str) -> String {
 /// Holds rows of a sweep against `simulate` of the same scene with the numbers of each row written into its text, to
 /// the bit. `edit` writes the numbers that it is given.
 fn rows_are_runs(
-    (model, text): (&str, &str),
+    model: &str,
+    text: &str,
     over: &[&str],
     more: &[&str],
     rows: &[usize],
@@ -103,11 +104,11 @@ fn rows_of_the_disk_are_what_simulate_gives() {
     let over = ["q2=0.03:1.6:4", "g=1.62,9.81", "q2'=-9:1:2"];
     let more = ["--method", "dopri5", "--rtol", "1e-6", "--until", "2"];
     let text = text_of(root().join(REPORT));
-    let scene = ("models/disk/model.toml", text.as_str());
-    rows_are_runs(scene, &over, &more, &[0, 3, 6, 9, 15], &edit);
+    let disk = "models/disk/model.toml";
+    rows_are_runs(disk, &text, &over, &more, &[0, 3, 6, 9, 15], &edit);
     // The scene's own method, its own tolerances, and the other formulations with the other solve.
-    rows_are_runs(scene, &over, &["--until", "1", "--by", "lagrange"], &[1, 8], &edit);
-    rows_are_runs(scene, &over, &["--until", "1", "--by", "newton-euler", "--solve", "numeric"], &[5], &edit);
+    rows_are_runs(disk, &text, &over, &["--until", "1", "--by", "lagrange"], &[1, 8], &edit);
+    rows_are_runs(disk, &text, &over, &["--until", "1", "--by", "newton-euler", "--solve", "numeric"], &[5], &edit);
 }
 
 /// Goal: runs in sweeps are kept on their constraints as single runs are. Method: the norm of Euler parameters, whose
@@ -117,7 +118,7 @@ fn rows_of_a_mechanism_with_constraints_are_kept_on_them() {
     let edit = |text: &str, values: &[String]| stating(text, "w1", &values[0]);
     let text = text_of(root().join("models/satellite/scenes/spin_up.toml"));
     let more = ["--method", "dop853", "--rtol", "1e-6", "--atol", "1e-8", "--until", "20"];
-    rows_are_runs(("models/satellite/model.toml", text.as_str()), &["w1=0.1:0.3:3"], &more, &[0, 2], &edit);
+    rows_are_runs("models/satellite/model.toml", text.as_str(), &["w1=0.1:0.3:3"], &more, &[0, 2], &edit);
 }
 
 /// A model of the user's own, interpreted, with a terminal event, a distance, samples, and formulas that follow the
@@ -132,7 +133,7 @@ fn rows_of_an_interpreted_model_are_what_simulate_gives() {
                 [[events]]\nname = \"top\"\nzero = \"cos(theta/2)\"\nterminal = true\n";
     let edit = |text: &str, values: &[String]| stating(&stating(text, "l", &values[0]), "theta", &values[1]);
     let over = ["l=0.1:10:3:log", "theta=0.25,3,-4"];
-    rows_are_runs((model.to_str().unwrap(), text), &over, &[], &[0, 1, 2, 4, 5, 8], &edit);
+    rows_are_runs(model.to_str().unwrap(), text, &over, &[], &[0, 1, 2, 4, 5, 8], &edit);
 }
 
 /// Goal: a file depends on the grid alone. Method: whole and in shards, by one thread and by several, byte for byte;

@@ -1,6 +1,6 @@
 //! Runs say how many of their digits are right, and end where their equations have no value.
 
-use crate::support::{answer, asked, root};
+use crate::support::{answer, answer_in_json, root};
 use serde_json::Value;
 
 /// A file of `tests/data/repro`.
@@ -42,7 +42,7 @@ fn a_place_where_speeds_say_nothing_is_passed_by_equations_that_do_not_divide_by
         (pushed, "lagrange", (-0.5 - b) * (2.0 * r).exp() + b * (2.0 * s).exp(), (-b / (-0.5 - b)).ln() / (r - s)),
     ];
     for (scene, formulation, right, passes) in ways {
-        let run = asked(&["simulate", &scene, "--json"]);
+        let run = answer_in_json(&["simulate", &scene, "--json"]);
         let (x, error) = (number(&run, "state", "x"), number(&run, "uncertainty", "x"));
         assert!((x - right).abs() < 1e-6 && (x - right).abs() < 10.0 * error, "{x} ± {error}, not {right}");
         assert_eq!(run["formulation"], formulation);
@@ -61,7 +61,8 @@ fn a_place_where_speeds_say_nothing_is_passed_by_equations_that_do_not_divide_by
 /// Two beads that repel, started 1e-12 beside one another: what decides how they part is 1e-4 of a rounding.
 #[test]
 fn growth_in_any_direction_is_seen() {
-    let run = asked(&["simulate", &given("transverse/s.toml"), "--by", "kane", "--method", "taylor", "--json"]);
+    let run =
+        answer_in_json(&["simulate", &given("transverse/s.toml"), "--by", "kane", "--method", "taylor", "--json"]);
     assert!(run["digits"].as_f64().unwrap() < 1.0, "{run}");
     assert!(run["warnings"][0].as_str().unwrap().contains("fewer than three digits are left from t = "), "{run}");
 }
@@ -71,7 +72,7 @@ fn growth_in_any_direction_is_seen() {
 fn growth_that_goes_back_is_not_forgotten() {
     let (_folder, scene) = pendulum("span = [0, 20]\n[start]\ntheta = 3.1415926\nomega = 0\n");
     let way = ["--method", "taylor", "--rtol", "1e-12", "--atol", "1e-12"];
-    let run = asked(&[&["simulate", &scene, "--json"], &way[..]].concat());
+    let run = answer_in_json(&[&["simulate", &scene, "--json"], &way[..]].concat());
     assert!(run["fewest_digits"]["digits"].as_f64().unwrap() < 1.0 && run["digits"].as_f64().unwrap() < 1.0, "{run}");
     let strict = [&["simulate", &scene, "--strict"], &way[..]].concat();
     assert_eq!((answer(&strict).0, answer(&strict[..2]).0), (3, 0));
@@ -81,12 +82,13 @@ fn growth_that_goes_back_is_not_forgotten() {
 #[test]
 fn a_loose_tolerance_is_no_reason_to_say_nothing() {
     let (_folder, scene) = pendulum("span = [0, 100]\n[start]\ntheta = 0\nomega = 10\n");
-    let loose = asked(&["simulate", &scene, "--method", "dop853", "--rtol", "1e-2", "--json"]);
+    let loose = answer_in_json(&["simulate", &scene, "--method", "dop853", "--rtol", "1e-2", "--json"]);
     let said: Vec<&str> = loose["warnings"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
     assert!(said.iter().any(|w| w.contains("fewer than three digits")), "{said:?}");
     // θ is off by 619 rad at the end.
     assert!(number(&loose, "uncertainty", "theta") > 100.0, "{loose}");
-    let tight = asked(&["simulate", &scene, "--method", "dop853", "--rtol", "1e-12", "--atol", "1e-12", "--json"]);
+    let tight =
+        answer_in_json(&["simulate", &scene, "--method", "dop853", "--rtol", "1e-12", "--atol", "1e-12", "--json"]);
     let apart = (number(&loose, "state", "theta") - number(&tight, "state", "theta")).abs();
     let told = number(&loose, "uncertainty", "theta");
     assert!((0.5..2.0).contains(&(told / apart)), "{told} for {apart}");

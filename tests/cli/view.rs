@@ -257,7 +257,7 @@ fn a_browser_plays_scrubs_and_turns_the_view() {
     let state: Vec<f64> = serde_json::from_str(line).unwrap();
     let scene = tripos::Scene::read(root().join(scene)).unwrap().with(tripos_models::MODELS);
     let how = tripos::Overrides {
-        by: Some("kane".to_owned()),
+        by: Some("kane".into()),
         method: Some(tripos::Method::Dop853.into()),
         rtol: Some(1e-13),
         atol: Some(1e-13),

@@ -114,22 +114,22 @@ fn write(tree: &View, out: &mut String) {
                     (_, false) => " + ",
                     (_, true) => " - ",
                 });
-                operand(term, false, out);
+                operand(term, Binding::Loose, out);
             }
         }
         View::Product(factors) => {
             for (at, factor) in factors.iter().enumerate() {
                 out.push_str(if at > 0 { "*" } else { "" });
-                operand(factor, true, out);
+                operand(factor, Binding::Tight, out);
             }
         }
         View::Fraction(above, below) => {
-            operand(above, true, out);
+            operand(above, Binding::Tight, out);
             out.push('/');
-            operand(below, true, out);
+            operand(below, Binding::Tight, out);
         }
         View::Power(base, n) => {
-            operand(base, true, out);
+            operand(base, Binding::Tight, out);
             out.push('^');
             out.push_str(&n.to_string());
         }
@@ -145,11 +145,20 @@ fn write(tree: &View, out: &mut String) {
     }
 }
 
-/// In parentheses, if it is a sum, or if it is composed at all and binding is tight.
-fn operand(tree: &View, tight: bool, out: &mut String) {
+/// Binding of an operand by the operation around it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Binding {
+    /// Operand of a sum.
+    Loose,
+    /// Operand of a product, a fraction or a power.
+    Tight,
+}
+
+/// Writes an operand, in parentheses if it is a sum, or if it is composed at all and binding is tight.
+fn operand(tree: &View, binding: Binding, out: &mut String) {
     let loose = match tree {
         View::Sum(_) => true,
-        View::Product(_) | View::Fraction(..) | View::Power(..) => tight,
+        View::Product(_) | View::Fraction(..) | View::Power(..) => binding == Binding::Tight,
         _ => false,
     };
     if loose { enclosed(tree, out) } else { write(tree, out) }

@@ -83,7 +83,7 @@ fn spin(turn: &Turn) -> (Vector3<f64>, Vector3<f64>) {
 
 /// One coordinate of a joint.
 #[derive(Clone, Copy, PartialEq)]
-enum Way {
+enum JointMotion {
     Along(usize),
     About(usize),
     /// About an axis and along it by so many metres each turn.
@@ -94,7 +94,7 @@ struct Link {
     kind: &'static str,
     /// Keys of the joint beside its kind.
     keys: String,
-    ways: Vec<Way>,
+    ways: Vec<JointMotion>,
     /// True if the speeds of the last three coordinates are components of the relative angular velocity.
     is_ball: bool,
     parent: Option<usize>,
@@ -107,7 +107,7 @@ struct Link {
 }
 
 /// The scene file of a run from this state, of a model file called `model.toml`, until this instant.
-pub fn scene((q, u): &(Vec<f64>, Vec<f64>), end: f64) -> String {
+pub fn scene(q: &[f64], u: &[f64], end: f64) -> String {
     let mut text = format!("model = \"model.toml\"\nspan = [0, {end}]\n[start]\n");
     for (at, (q, u)) in q.iter().zip(u).enumerate() {
         let _ = writeln!(text, "q{at} = {q}\nu{at} = {u}");
@@ -171,7 +171,7 @@ impl Tree {
                 names.join(", ")
             };
             let (place_at, centre) = (place("r", link.at), place("c", link.centre));
-            if let Way::Screwed(_, lead) = link.ways.first().unwrap_or(&Way::Along(0)) {
+            if let JointMotion::Screwed(_, lead) = link.ways.first().unwrap_or(&JointMotion::Along(0)) {
                 let _ = number(format!("lead{at}"), "m", *lead);
             }
             let to = link.parent.map_or_else(String::new, |to| format!(", to = \"b{to}\""));
@@ -209,9 +209,9 @@ impl Tree {
             let (mut way, mut turn) = (link.at.map(Jet::constant), unit);
             for (of, q) in link.ways.iter().zip(&q[first..]) {
                 match *of {
-                    Way::Along(axis) => way[axis] = way[axis] + *q,
-                    Way::About(axis) => turn = times(&turn, &about(axis, *q)),
-                    Way::Screwed(axis, lead) => {
+                    JointMotion::Along(axis) => way[axis] = way[axis] + *q,
+                    JointMotion::About(axis) => turn = times(&turn, &about(axis, *q)),
+                    JointMotion::Screwed(axis, lead) => {
                         way[axis] = way[axis] + Jet::constant(lead / std::f64::consts::TAU) * *q;
                         turn = times(&turn, &about(axis, *q));
                     }
@@ -323,10 +323,10 @@ impl Tree {
     }
 
     /// q and u after a time, by the classical Runge–Kutta method in so many steps.
-    pub fn after(&self, (q, u): &(Vec<f64>, Vec<f64>), time: f64, steps: u32) -> (Vec<f64>, Vec<f64>) {
+    pub fn after(&self, q: &[f64], u: &[f64], time: f64, steps: u32) -> (Vec<f64>, Vec<f64>) {
         let h = time / f64::from(steps);
         let n = q.len();
-        let mut x = [q.as_slice(), u].concat();
+        let mut x = [q, u].concat();
         let slope = |x: &[f64]| [self.rates(&x[..n], &x[n..]), self.accelerations(&x[..n], &x[n..]).1].concat();
         let moved = |x: &[f64], k: &[f64], h: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + h * k).collect() };
         for _ in 0..steps {
@@ -351,20 +351,23 @@ impl Link {
         // What is welded to the ground moves nothing.
         let kind = if kind == "weld" && parent.is_none() { "ball" } else { kind };
         let sequence = *random.one(&["123", "213", "321", "313", "323", "231", "121"]);
-        let turns: Vec<Way> = sequence.bytes().map(|digit| Way::About(usize::from(digit - b'1'))).collect();
+        let turns: Vec<JointMotion> =
+            sequence.bytes().map(|digit| JointMotion::About(usize::from(digit - b'1'))).collect();
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let lead = random.decimal(0.1, 0.6);
         let about_axis = format!(", axis = {}", axis + 1);
         let (ways, keys) = match kind {
-            "pin" => (vec![Way::About(axis)], about_axis),
-            "slider" => (vec![Way::Along(axis)], about_axis),
-            "cylinder" => (vec![Way::About(axis), Way::Along(axis)], about_axis),
-            "screw" => (vec![Way::Screwed(axis, lead)], format!("{about_axis}, lead = \"lead{at}\"")),
-            "universal" => (vec![Way::About(axis), Way::About(j)], format!(", axes = [{}, {}]", axis + 1, j + 1)),
-            "planar" => (vec![Way::Along(j), Way::Along(k), Way::About(axis)], about_axis),
+            "pin" => (vec![JointMotion::About(axis)], about_axis),
+            "slider" => (vec![JointMotion::Along(axis)], about_axis),
+            "cylinder" => (vec![JointMotion::About(axis), JointMotion::Along(axis)], about_axis),
+            "screw" => (vec![JointMotion::Screwed(axis, lead)], format!("{about_axis}, lead = \"lead{at}\"")),
+            "universal" => {
+                (vec![JointMotion::About(axis), JointMotion::About(j)], format!(", axes = [{}, {}]", axis + 1, j + 1))
+            }
+            "planar" => (vec![JointMotion::Along(j), JointMotion::Along(k), JointMotion::About(axis)], about_axis),
             "ball" => (turns, format!(", sequence = \"{sequence}\"")),
             "free" => {
-                let ways = [0, 1, 2].map(Way::Along).into_iter().chain(turns).collect();
+                let ways = [0, 1, 2].map(JointMotion::Along).into_iter().chain(turns).collect();
                 (ways, format!(", sequence = \"{sequence}\""))
             }
             _ => (Vec::new(), String::new()),
@@ -390,10 +393,10 @@ impl Link {
         let against = self.parent.map_or_else(String::new, |to| format!("against = \"b{to}\"\n"));
         let frame = self.parent.map_or_else(|| "N".to_owned(), |to| format!("b{to}_frame"));
         let (section, place, law, axis) = match self.ways[0] {
-            Way::About(axis) | Way::Screwed(axis, _) => {
+            JointMotion::About(axis) | JointMotion::Screwed(axis, _) => {
                 ("torques", String::new(), format!("-({k}*q{first} + {c}*oneS*q{first}')*oneN*oneM"), axis)
             }
-            Way::Along(axis) => {
+            JointMotion::Along(axis) => {
                 ("forces", format!("at = \"j{at}\"\n"), format!("-({k}*q{first} + {c}*oneS*q{first}')*oneN/oneM"), axis)
             }
         };

@@ -13,7 +13,7 @@ use std::time::Instant;
 
 use tripos_codegen::Extras;
 use tripos_codegen::emit::emit;
-use tripos_codegen::plan::{FormulationPlan, Language, Planner, derivative};
+use tripos_codegen::plan::{FormulationPlan, Jacobian, Language, Planner, Sharing, derivative};
 use tripos_derive::algebra::value::evaluate::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, Solved};
@@ -39,6 +39,15 @@ fn timed<T>(repeats: u32, mut work: impl FnMut() -> Option<T>) -> Option<(f64, T
     Some((seconds / f64::from(repeats), last?))
 }
 
+/// Functions that compute the linear system of the accelerations.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum System {
+    /// Matrix and forcing by one function each.
+    Apart,
+    /// Both by one function, if there is one.
+    AtOnce,
+}
+
 impl Problem {
     fn new(folder: &Path, formulation: Formulation, repeats: u32) -> Option<(f64, Self)> {
         let model = Model::read(&folder.join("model.toml")).ok()?;
@@ -51,13 +60,14 @@ impl Problem {
 
     /// Operations and functions of `mass_matrix` and of `forcing`, or of both at once if there is a function for that.
     /// A pair of sine and cosine is two functions, and counts in either.
-    fn counts(&self, at_once: bool) -> Option<Vec<f64>> {
+    fn counts(&self, system: System) -> Option<Vec<f64>> {
         let Derivation { mut arena, equations } = derive(&self.model, self.derivation.equations.formulation).ok()?;
         // As they are emitted: with what grows as steps.
         let equations = equations.written(&mut arena);
-        let planner = Planner::new(&self.model, &arena, &equations, &Language::NONE, true);
-        let plan = FormulationPlan::new(&planner, None, false, None);
-        let shared = plan.machine.iter().filter(|function| at_once && function.name == "linear_system");
+        let planner = Planner::new(&self.model, &arena, &equations, &Language::NONE, Sharing::Shared);
+        let plan = FormulationPlan::new(&planner, None, Jacobian::LeftOut, None);
+        let shared =
+            plan.machine.iter().filter(|function| system == System::AtOnce && function.name == "linear_system");
         let apart = plan.equations.iter().take(2);
         let functions = shared.chain(apart).collect::<Vec<_>>();
         let taken = if functions.len() > 2 { &functions[..1] } else { &functions[..] };
@@ -85,7 +95,7 @@ impl Problem {
             let Derivation { mut arena, equations } = derive(&problem.model, formulation).ok()?;
             let equations = equations.written(&mut arena);
             let solved = Solved::new(&mut arena, &equations).ok()?;
-            let planner = Planner::new(&problem.model, &arena, &equations, &Language::NONE, true);
+            let planner = Planner::new(&problem.model, &arena, &equations, &Language::NONE, Sharing::Shared);
             // With the rates of the coordinates, which are the speeds.
             Some(derivative(&planner, &solved.accelerations.steps).cost)
         })?;
@@ -190,8 +200,8 @@ fn answer(
         (["code", repeats], Some((path, _))) => {
             vec![timed(repeats.parse().ok()?, || emit(&path.join("model.toml"), "module", &[], Extras::ALL).ok())?.0]
         }
-        (["count"], Some((_, problem))) => problem.counts(false)?,
-        (["together"], Some((_, problem))) => problem.counts(true)?,
+        (["count"], Some((_, problem))) => problem.counts(System::Apart)?,
+        (["together"], Some((_, problem))) => problem.counts(System::AtOnce)?,
         (["solve"], Some((_, problem))) => problem.solved()?,
         _ => return None,
     };

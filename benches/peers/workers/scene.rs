@@ -34,13 +34,13 @@ const QUADRATURE: &str = "quadrature";
 
 /// The motion from its start.
 #[derive(Clone, Copy)]
-enum How {
+enum Integration {
     Steps(Method),
     Projected(Method),
     Quadrature,
 }
 
-impl How {
+impl Integration {
     fn named(name: &str) -> Option<Self> {
         let method = |name| METHODS.iter().copied().find(|method| method.name() == name);
         match name.strip_suffix(PROJECTED) {
@@ -59,7 +59,7 @@ struct Worker<E> {
     start: Vec<DoubleDouble>,
     /// The same, rounded to doubles.
     question: Vec<f64>,
-    how: How,
+    how: Integration,
 }
 
 impl<E: System<f64> + Copy> Worker<E> {
@@ -70,15 +70,15 @@ impl<E: System<f64> + Copy> Worker<E> {
         self.rhs.parameters.clone_from(&parameters);
         let with = |method| options(method, tolerance);
         let solution = match self.how {
-            How::Steps(method) => integrate(Lent(&mut self.rhs), span, &y0, &with(method), &mut []).ok()?,
-            How::Projected(method) => {
+            Integration::Steps(method) => integrate(Lent(&mut self.rhs), span, &y0, &with(method), &mut []).ok()?,
+            Integration::Projected(method) => {
                 let energy = |_: f64, y: &[f64], values: &mut [f64], gradient: &mut [f64]| {
                     values[0] = equations.energy_gradient(&parameters, &y[..n], &y[n..], gradient);
                 };
                 let mut energy = Invariants { count: 1, function: Box::new(energy) };
                 integrate_projected(Lent(&mut self.rhs), span, &y0, &with(method), &mut [], &mut energy).ok()?
             }
-            How::Quadrature => {
+            Integration::Quadrature => {
                 quadrature::solve(&equations, &parameters, span, &y0, &with(Method::Dop853), &mut []).ok()?
             }
         };
@@ -146,7 +146,7 @@ impl<E: System<f64> + Copy> Worker<E> {
 }
 
 /// Serves the equations of a generated module: these, with this key and these parameters.
-fn answers<E: System<f64> + Copy>(equations: E, scene: &CompiledScene, names: &[&str], how: How) -> ExitCode {
+fn answers<E: System<f64> + Copy>(equations: E, scene: &CompiledScene, names: &[&str], how: Integration) -> ExitCode {
     let worker = || {
         let (model, stated) = read(scene.name)?;
         let beginning = Beginning::new(&model, &stated, scene.key, names)?;
@@ -168,7 +168,7 @@ fn answers<E: System<f64> + Copy>(equations: E, scene: &CompiledScene, names: &[
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [scene, how] = arguments.as_slice() else { return usage() };
-    let Some(how) = How::named(how) else { return usage() };
+    let Some(how) = Integration::named(how) else { return usage() };
     match scene.as_str() {
         "report-10s" => answers(report_10s::Reduced, &report_10s::SCENE, &report_10s::PARAMETERS, how),
         "lean" => answers(lean::Reduced, &lean::SCENE, &lean::PARAMETERS, how),

@@ -4,7 +4,7 @@ use super::words::{is_derived, is_whole};
 use crate::failure::Failure;
 use crate::plot::styles::{BY_QUADRATURE, FRONT, METHODS, MOST_PRINTED, NUMERIC, PRINTED, style};
 use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};
-use tripos::studies::case::Way;
+use tripos::studies::case::MethodAtTolerance;
 use tripos::studies::chart::Measurement;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::Solve;
@@ -47,7 +47,7 @@ pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
         (m.by == *first && m.solve == *natural).then(|| (m.way.name().to_owned(), METHODS + at))
     };
     let formulation = |m: &Measurement| match m.way {
-        Way::Quadrature => Some((format!("{}, {}", m.by.name(), m.way.name()), BY_QUADRATURE)),
+        MethodAtTolerance::Quadrature => Some((format!("{}, {}", m.by.name(), m.way.name()), BY_QUADRATURE)),
         _ => (is_best(m) && m.solve == *natural).then(|| (m.by.name(), own_style(list, &m.by))),
     };
     // Runs that are not solved numerically are in the panel of formulations, by the same names.

@@ -205,7 +205,7 @@ pub fn seconds(s: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tripos::studies::case::Way;
+    use tripos::studies::case::MethodAtTolerance;
     use tripos_derive::Formulation;
     use tripos_sim::Stop;
     use tripos_sim::work_precision::Spread;
@@ -216,7 +216,7 @@ mod tests {
         Measurement {
             by,
             solve,
-            way: Way::Steps(method, 1e-9),
+            way: MethodAtTolerance::Steps(method, 1e-9),
             seconds: Spread { least: time, median: time, most: time, runs: 1 },
             error,
             steps: 1,

@@ -1,29 +1,31 @@
 //! `tripos chart`: speed against accuracy for every formulation, solve and method.
 
 use crate::chart::{figure, files};
-use crate::failure::{Failure, print_either, say, warn};
+use crate::failure::{Failure, Output, print_either, say, warn};
 use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs, text};
 use crate::scene_file::VariedScene;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use tripos::studies::case::Printed;
 use tripos::studies::chart::{Plan, session};
 use tripos_derive::plain::path_in_line;
 
 /// Measures the speed of a scene by all ways, and writes the tables and the chart to `out`. Returns the exit status.
 pub fn chart(
     VariedScene { model, scene, .. }: &VariedScene,
-    (quick, printed): (bool, bool),
+    plan: &Plan,
+    printed: Printed,
     out: &Path,
-    as_json: bool,
+    output: Output,
 ) -> Result<u8, Failure> {
     let names = ["work_precision.csv", "times.csv", "drifts.csv", "work_precision.svg"].map(|name| out.join(name));
     keep_inputs(model, Some(scene), names.iter().map(PathBuf::as_path))?;
     folder(out)?;
     follow::listen();
     let bar = progress();
-    let session = session::chart(model, scene, printed, &Plan::new(quick), &Shows(&bar))?;
+    let session = session::chart(model, scene, printed, plan, &Shows(&bar))?;
     bar.finish_and_clear();
     if let Some(cut) = &session.cut {
         say(cut);
@@ -31,7 +33,7 @@ pub fn chart(
     for what in &session.left_out {
         warn(&format!("not charted: {what}"));
     }
-    if follow::asked() && session.list.is_empty() {
+    if follow::is_interrupted() && session.list.is_empty() {
         return Err(Failure::Interrupted(String::new()));
     }
     files::write(out, &session.list, &session.watch.integrals)?;
@@ -52,8 +54,8 @@ pub fn chart(
         advice,
         out.join("work_precision.svg").display()
     );
-    print_either(as_json, &lines, &value)?;
-    if follow::asked() {
+    print_either(output, &lines, &value)?;
+    if follow::is_interrupted() {
         let (count, place) = (session.list.len(), out.display());
         return Err(Failure::Interrupted(format!(
             "the tables in {place} are partial, {count} runs measured until then"

@@ -1,6 +1,6 @@
 //! `tripos check`: facts about a model before its equations are used.
 
-use crate::failure::{Failure, print, print_json};
+use crate::failure::{Failure, Output, print, print_json};
 use crate::words::{NAMED, shortened};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
@@ -11,10 +11,10 @@ use tripos_derive::check::{Check, Checked, ConstraintKind, Effect, LoadEffect, R
 use tripos_derive::model::Branch;
 
 /// Runs `tripos check`: prints the freedoms, constraints and singularities of a model. Returns the exit status.
-pub fn check(model: &Path, as_json: bool) -> Result<u8, Failure> {
+pub fn check(model: &Path, output: Output) -> Result<u8, Failure> {
     let model = read_model(model)?;
     let found = check_model(&model).map_err(|error| model.diagnose(&error))?;
-    if as_json {
+    if output == Output::Json {
         print_json(&json_of(&model, &found))?;
     } else {
         print(&text_of(&model, &found))?;

@@ -1,6 +1,6 @@
 //! `tripos emit`: the generated code of any model file, for a program of the user's own.
 
-use crate::failure::{Failure, print_either, say};
+use crate::failure::{Failure, Output, print_either, say};
 use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -16,13 +16,15 @@ use tripos_derive::{Formulation, Model};
 /// Languages in which equations can be written.
 const LANGUAGES: [&str; 2] = ["rust", "js"];
 
-/// Writes the equations of a model in a language to files of `out`, and prints the outcome for each file.
+/// Writes the equations of a model in a language to files of `out`, and prints the outcome for each file. `with` names
+/// further functions to be written.
 pub fn emit(
     model: &Path,
     out: &Path,
     language: &str,
-    (formulations, with): (&[String], &[String]),
-    as_json: bool,
+    formulations: &[String],
+    with: &[String],
+    output: Output,
 ) -> Result<u8, Failure> {
     let formulations = formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
     let extras = Extras::named(with.iter().map(String::as_str)).map_err(|(what, help)| Failure::request(what, help))?;
@@ -54,7 +56,7 @@ pub fn emit(
     let files: Vec<Value> =
         placed.iter().map(Placed::word_and_file).map(|(word, file)| json!({ "file": file, "change": word })).collect();
     let value = json!({ "folder": path_in_line(out), "files": files, "left_out": left_out, "use": then });
-    print_either(as_json, &lines.concat(), &value)?;
+    print_either(output, &lines.concat(), &value)?;
     say(&then);
     Ok(0)
 }

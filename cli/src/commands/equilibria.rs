@@ -6,19 +6,19 @@ mod followed;
 mod range;
 
 use super::linearise::{kind_of, modes_of, modes_text, moves_of, state_of};
-use crate::failure::{Failure, print, print_json};
+use crate::failure::{Failure, Output, print, print_json};
 use crate::workspace::{read_model, short_name};
 use range::Range;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Error;
-use tripos::studies::steady::{About, ClosedForm, Found, conditions, equilibria as of_model};
+use tripos::studies::steady::{About, ClosedForm, FoundMotion, conditions, equilibria as of_model};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::load_asked;
 
 /// Starting points of the search for steady motions.
-pub struct From<'a> {
+pub struct StartingPoints<'a> {
     /// State file or scene to start from; `None` if only formulas are wanted.
     pub file: Option<&'a Path>,
     /// Number of further starting points.
@@ -28,15 +28,16 @@ pub struct From<'a> {
 /// Finds the steady motions of a model in closed form, solved for the wanted unknowns, and from the state of a file.
 pub fn equilibria(
     model: &Path,
-    from: &From,
+    from: &StartingPoints<'_>,
     over: &[String],
     wanted: &[String],
-    (out, as_json): (Option<&Path>, bool),
+    out: Option<&Path>,
+    output: Output,
 ) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let Some(file) = from.file else {
         let closed = conditions(&model, wanted)?;
-        if as_json {
+        if output == Output::Json {
             print_json(&json!({ "model": short_name(&model), "conditions": closed::json(&closed) }))?;
         } else {
             print(&format!("{}\n\n{}", model.title, closed::text(&closed)))?;
@@ -51,9 +52,9 @@ pub fn equilibria(
     let ranges: Result<Vec<Range>, Error> = over.iter().map(|over| Range::new(&model, &asked, over)).collect();
     match ranges?.as_slice() {
         [] => {}
-        [one] => return followed::along(&mut model, &source, one, out, as_json),
+        [one] => return followed::along(&mut model, &source, one, out, output),
         [first, second] if first.name != second.name => {
-            return followed::over_two(&mut model, &source, [first, second], out, as_json);
+            return followed::over_two(&mut model, &source, [first, second], out, output);
         }
         _ => {
             let what = "a map is over two different numbers".to_owned();
@@ -62,8 +63,8 @@ pub fn equilibria(
     }
     let found = of_model(&model, &asked, from.starts)?;
     let closed = conditions(&model, wanted)?;
-    let on = |found: &Found| closed.branches_at(&asked.parameters, &found.steady);
-    if as_json {
+    let on = |found: &FoundMotion| closed.branches_at(&asked.parameters, &found.steady);
+    if output == Output::Json {
         let list: Vec<Value> = found.iter().map(|found| with_branches(json_of(found), on(found))).collect();
         let value = json!({ "model": short_name(&model), "steady": list, "conditions": closed::json(&closed) });
         print_json(&value)?;
@@ -94,7 +95,7 @@ fn with_branches(mut value: Value, on: Option<(usize, Vec<usize>)>) -> Value {
     value
 }
 
-fn json_of(found: &Found) -> Value {
+fn json_of(found: &FoundMotion) -> Value {
     match &found.about {
         Ok(about) => point_of(about),
         Err(why) => {
@@ -117,7 +118,7 @@ fn point_of(about: &About) -> Value {
     })
 }
 
-fn text_of(found: &Found) -> String {
+fn text_of(found: &FoundMotion) -> String {
     let mut out = String::new();
     let about = match &found.about {
         Ok(about) => about,

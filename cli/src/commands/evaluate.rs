@@ -1,12 +1,12 @@
 //! `tripos evaluate`: matrix, forcing, accelerations, reactions and energies at one state, by interpretation.
 
-use crate::failure::{Failure, print, print_json, warn};
+use crate::failure::{Failure, Output, print, print_json, warn};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::code::{Ready, by as equations, code_of, derivation, tape};
-use tripos::{Error, Mechanism, near_divisors};
+use tripos::{EquationsName, Error, Mechanism, near_divisors};
 use tripos_derive::algebra::Expr;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{By, Derivation, Kinematics, rates_to_speeds};
@@ -31,14 +31,14 @@ struct Values {
 }
 
 /// Evaluates a formulation at the state of a file, and prints the values. Returns the exit status.
-pub fn evaluate(model: &Path, by: &str, at: &Path, as_json: bool) -> Result<u8, Failure> {
+pub fn evaluate(model: &Path, by: &EquationsName, at: &Path, output: Output) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let by = equations(&model, by)?;
     let state = load_state(&Source::read(at)?, &mut model)?;
     let derivation = derivation(&model, &by)?;
     state.hints(&model).iter().for_each(|hint| warn(hint));
     let values = values(&model, &by, &derivation, &state)?;
-    if as_json {
+    if output == Output::Json {
         let object = |list: &[(String, f64)]| {
             list.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<String, Value>>()
         };

@@ -39,7 +39,7 @@ pub fn identify(model: &Path, varied: Varied, at: Option<&Path>, shape: Shape) -
             }
             print_json(&value)?;
         }
-        (Shape::Csv, Some((states, rows))) => print(&csv_of(&model, &found, (states, rows)))?,
+        (Shape::Csv, Some((states, rows))) => print(&csv_of(&model, &found, states, rows))?,
         _ => print(&text_of(&model, &found, known.as_deref()))?,
     }
     Ok(u8::from(found.complete == Complete::No))
@@ -160,7 +160,7 @@ fn json_of_row(model: &Mechanism, states: &[Moving], row: &Row) -> Value {
 
 /// Table of the regressor as CSV: t if it is known, the state, the speed, a column for each base parameter, and the
 /// known rest.
-fn csv_of(model: &Mechanism, found: &Identification, (states, rows): (&[Moving], &[Row])) -> String {
+fn csv_of(model: &Mechanism, found: &Identification, states: &[Moving], rows: &[Row]) -> String {
     let names: Vec<&str> = found.base.iter().map(|base| name(found, base.column)).collect();
     let heads: Vec<&str> = ["t", "state", "speed"].into_iter().chain(names).chain(["rest"]).collect();
     table(

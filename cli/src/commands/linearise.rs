@@ -15,13 +15,23 @@ use tripos::{Error, Mechanism};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{load_asked, load_output};
 
+/// Form in which a linear system is printed.
+#[derive(Clone, Copy)]
+pub enum Written {
+    /// JSON for programs.
+    Json,
+    /// Text or matrices for people.
+    Notation(Notation),
+}
+
 /// Linearises a model about the state of a file, and prints the linear system. Returns the exit status.
 pub fn linearise(
     model: &Path,
     about: &Path,
     wanted: &Wanted,
-    (outputs, letters): (&[String], &[String]),
-    (notation, as_json): (Notation, bool),
+    outputs: &[String],
+    letters: &[String],
+    written: Written,
 ) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     model.model = model.model.with_varied(&wanted.inputs)?;
@@ -39,17 +49,19 @@ pub fn linearise(
     }
     let found = linearise_model(&model, &asked, wanted)?;
     let letters = if letters.is_empty() { None } else { Some(in_letters(&model, &asked, &found, letters)?) };
-    if as_json {
-        let mut value = json_of(&model, &found);
-        if let Some(letters) = &letters {
-            value["symbolic"] = json_of_letters(letters);
+    match written {
+        Written::Json => {
+            let mut value = json_of(&model, &found);
+            if let Some(letters) = &letters {
+                value["symbolic"] = json_of_letters(letters);
+            }
+            print_json(&value)?;
         }
-        print_json(&value)?;
-    } else if notation != Notation::Text {
-        print(&written::written(&model, &found, letters.as_ref(), notation))?;
-    } else {
-        let letters = letters.as_ref().map_or_else(String::new, |letters| text_of_letters(&found, letters));
-        print(&format!("{}{letters}", text_of(&model, &found)))?;
+        Written::Notation(Notation::Text) => {
+            let letters = letters.as_ref().map_or_else(String::new, |letters| text_of_letters(&found, letters));
+            print(&format!("{}{letters}", text_of(&model, &found)))?;
+        }
+        Written::Notation(notation) => print(&written::written(&model, &found, letters.as_ref(), notation))?,
     }
     Ok(0)
 }

@@ -209,7 +209,7 @@ impl<'a> Work<'a> {
         let mut done = Done::default();
         for scene in scenes {
             let runs = self.runs(scene, bar);
-            if follow::asked() {
+            if follow::is_interrupted() {
                 // Runs that were interrupted are not shown, nor written to tables.
                 break;
             }
@@ -222,7 +222,7 @@ impl<'a> Work<'a> {
                 doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
             }
             let section = self.section(scene, runs, out, bar);
-            if follow::asked() {
+            if follow::is_interrupted() {
                 break;
             }
             let section = section?;
@@ -345,11 +345,11 @@ impl<'a> Work<'a> {
             shown.extend(match kind {
                 FigureKind::Energy => {
                     let curves = figures::merged(curves(&runs, |own| !own.run.energies.is_empty()));
-                    let caption = after(caption, &figures::said(&curves));
+                    let caption = after(caption, &figures::sentences(&curves));
                     Some(drawn.figure(kind.name(), &caption, &[figures::energy(&curves)], 1)?)
                 }
                 FigureKind::States => {
-                    let caption = after(caption, &figures::said(&figures::merged(curves(&runs, |_| true))));
+                    let caption = after(caption, &figures::sentences(&figures::merged(curves(&runs, |_| true))));
                     Some(drawn.figure(kind.name(), &caption, &self.states(scene, &runs)?, 2)?)
                 }
                 _ => measured.figure(kind, caption)?,
@@ -365,14 +365,14 @@ impl<'a> Work<'a> {
             let panels = figures::integrals(&self.watch, &curves);
             let caption = "First integrals: how far each is from its value at the start, on logarithmic scales. What lies \
                            at the lower edge does not change; what lies at the upper edge is beyond it.";
-            let said = figures::said(&curves);
+            let said = figures::sentences(&curves);
             integrals = Some(drawing(&format!("{caption} {said}{note}"), &panels, panels.len().min(2))?);
         }
         let mut nearness = None;
         if !curves.is_empty() {
             let caption = "How near the matrix A of the accelerations comes to a singular one, and the kinematic equations \
                            to a division by zero, on logarithmic scales.";
-            let said = figures::said(&curves);
+            let said = figures::sentences(&curves);
             nearness = Some(drawing(&format!("{caption} {said}{note}"), &figures::nearness(&self.watch, &curves), 2)?);
         }
         let mut facts = facts(self.model, scene);

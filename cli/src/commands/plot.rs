@@ -1,7 +1,7 @@
 //! `tripos plot`: quantities of one or several runs in a figure, with its data beside it.
 
 use crate::arguments::Plot;
-use crate::failure::{Failure, print_either, say, status, warn};
+use crate::failure::{Failure, Output, print_either, say, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, table};
 use crate::picture::{self, Kind};
@@ -10,7 +10,7 @@ use crate::scene_file::{VariedScene, read_scene_with};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use tripos::code::by_or_first;
-use tripos::{Error, Mechanism, Overrides, Run, Watch, simulate};
+use tripos::{EquationsName, Error, Mechanism, Overrides, Run, Watch, simulate};
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{ENERGIES, Scene, load_output};
@@ -37,8 +37,16 @@ struct Curve {
     run: Run,
     model: Mechanism,
     scene: Scene,
-    /// Changes of the first integrals along the run: name, unit and values, sample by sample.
-    integrals: Vec<(String, String, Vec<f64>)>,
+    /// Changes of the first integrals along the run.
+    integrals: Vec<IntegralCourse>,
+}
+
+/// Change of a first integral along a run.
+struct IntegralCourse {
+    name: String,
+    unit: String,
+    /// Size of the change since the start, sample by sample.
+    changes: Vec<f64>,
 }
 
 /// Runs the scenes, draws the wanted quantities, and writes the figure and its data. Returns the exit status.
@@ -80,7 +88,7 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
         "figure": kind.is_some().then(|| path_in_line(&out)), "data": path_in_line(&data), "runs": runs.collect::<Vec<_>>(),
         "panels": panels.iter().map(|panel| pretty(&panel.title)).collect::<Vec<_>>(),
     });
-    print_either(request.json, &lines.concat(), &value)?;
+    print_either(Output::of_flag(request.json), &lines.concat(), &value)?;
     let interrupted = curves.iter().any(|curve| curve.run.solution.stop == Stop::Interrupted);
     Ok(match interrupted {
         true => status::INTERRUPTED,
@@ -157,9 +165,8 @@ fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
             };
             let (key, value) = part.split_once('=').ok_or_else(wrong)?;
             let number = || value.trim().parse::<f64>().map(Some).map_err(|_| wrong());
-            let word = || Some(value.trim().to_owned());
             match key.trim() {
-                "by" => way.by = word(),
+                "by" => way.by = Some(value.trim().into()),
                 "method" => way.method = Some(value.trim().parse().map_err(Error::from)?),
                 "solve" => way.solve = Some(value.trim().parse().map_err(Error::from)?),
                 "step" => way.step = number()?,
@@ -188,11 +195,11 @@ impl Curve {
         way.change(&mut scene)?;
         // First integrals need the values of all coordinates and speeds.
         let by = match &way.by {
-            None if wanted.integrals => Some(by_or_first(&model, None)?.name()),
+            None if wanted.integrals => Some(EquationsName::from(&by_or_first(&model, None)?)),
             by => by.clone(),
         };
         follow::show(scene.span);
-        let run = simulate(&model, &scene, by.as_deref())?;
+        let run = simulate(&model, &scene, by.as_ref())?;
         follow::hide();
         run.notes.iter().for_each(|note| say(&format!("note: {note}")));
         run.warnings.iter().for_each(|warning| warn(warning));
@@ -229,8 +236,8 @@ impl Curve {
     }
 }
 
-/// Changes of the first integrals along a run: name, unit and values, sample by sample.
-fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<(String, String, Vec<f64>)>, Failure> {
+/// Changes of the first integrals along a run.
+fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<IntegralCourse>, Failure> {
     let watch = Watch::of_model(model)?;
     // States of the run hold coordinates and speeds first, then outputs.
     let count = model.coordinates.len() + model.speeds.len();
@@ -238,8 +245,8 @@ fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<(String,
     let (values, _) = watch.along(&scene.parameters, &states);
     let changes = watch.integrals.iter().zip(values).map(|(integral, values)| {
         let first = values.first().copied().unwrap_or(f64::NAN);
-        let change = values.iter().map(|value| (value - first).abs()).collect();
-        (integral.name().to_owned(), integral.unit.clone(), change)
+        let changes = values.iter().map(|value| (value - first).abs()).collect();
+        IntegralCourse { name: integral.name().to_owned(), unit: integral.unit.clone(), changes }
     });
     Ok(changes.collect())
 }
@@ -275,9 +282,9 @@ fn panels(wanted: &Wanted, curves: &[Curve]) -> Result<Vec<Panel>, Failure> {
             series,
         ));
     }
-    for (at, (name, unit, _)) in first.integrals.iter().enumerate() {
+    for (at, IntegralCourse { name, unit, .. }) in first.integrals.iter().enumerate() {
         let of_curve = |(style, curve): (usize, &Curve)| {
-            let points = curve.run.solution.t.iter().copied().zip(curve.integrals[at].2.iter().copied());
+            let points = curve.run.solution.t.iter().copied().zip(curve.integrals[at].changes.iter().copied());
             let label = if curves.len() > 1 { &curve.label } else { name };
             Series::curve(label.clone(), style, points.skip(1).collect())
         };

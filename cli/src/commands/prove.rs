@@ -1,6 +1,6 @@
 //! `tripos prove`: equivalence of the formulations, and conserved quantities of the motion.
 
-use crate::failure::{Failure, print, print_json, status};
+use crate::failure::{Failure, Output, print, print_json, status};
 use crate::glossary::{names_json, names_text};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Value, json};
@@ -18,13 +18,13 @@ use tripos_derive::prove::{Proof, prove as prove_model};
 const LONGEST: usize = 600;
 
 /// Proves equivalence and first integrals of a model; exit status 1 if a pair of formulations is not proved equivalent.
-pub fn prove(model: &Path, as_json: bool) -> Result<u8, Failure> {
+pub fn prove(model: &Path, output: Output) -> Result<u8, Failure> {
     let model = read_model(model)?;
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
     let proof = prove_model(&model, &mut derivations);
     proof.write_names(&mut derivations);
     let arena = &derivations.kinematics.arena;
-    if as_json {
+    if output == Output::Json {
         print_json(&json_of(&model, arena, &proof))?;
     } else {
         print(&text_of(&model, arena, &proof))?;

@@ -4,7 +4,7 @@ mod changes;
 mod python;
 mod reference;
 
-use crate::failure::{Failure, print, print_either, print_json, status};
+use crate::failure::{Failure, Output, print, print_either, print_json, status};
 use crate::workspace::workspace_here;
 use changes::{Equations, equations_of};
 use serde_json::{Value, json};
@@ -19,32 +19,32 @@ use tripos_derive::diagnostic::nearest;
 use tripos_derive::plain::path_in_line;
 
 /// Runs `tripos regenerate --check`: prints the files that differ; exit status 1 if there are any.
-pub fn check(models: &[PathBuf], as_json: bool) -> Result<u8, Failure> {
+pub fn check(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
     let text = summary(&root, &found, &committed, asked.len());
-    if !as_json {
+    if output == Output::Text {
         print(&text)?;
     }
     let references = reference::check(&root, &sound(&found, asked));
     let lines: Vec<String> = references.iter().map(|line| format!("{line}\n")).collect();
-    print_either(as_json, &lines.concat(), &json_of(&found, &text, &references))?;
+    print_either(output, &lines.concat(), &json_of(&found, &text, &references))?;
     complain(&found)?;
     Ok(if found.differences.is_empty() && references.is_empty() { 0 } else { status::NO })
 }
 
 /// Runs `tripos regenerate`: writes files that differ, prints the changes of the equations, and renews the references.
 /// Exit status 1 if a reference disagrees.
-pub fn regenerate(models: &[PathBuf], as_json: bool) -> Result<u8, Failure> {
+pub fn regenerate(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = look(&root, models)?;
     let text = summary(&root, &found, &committed, asked.len());
     write(&found, &committed)?;
-    if !as_json {
+    if output == Output::Text {
         print(&text)?;
     }
-    let (answer, references) = reference::renew(&root, &sound(&found, asked), as_json)?;
-    if as_json {
+    let (answer, references) = reference::renew(&root, &sound(&found, asked), output)?;
+    if output == Output::Json {
         print_json(&json_of(&found, &text, &references))?;
     }
     complain(&found)?;

@@ -1,6 +1,6 @@
 //! `tripos scene`: states and equations that a scene needs of its model, and the parts that it leaves out.
 
-use crate::failure::{Failure, print, print_json};
+use crate::failure::{Failure, Output, print, print_json};
 use crate::scene_file::VariedScene;
 use crate::workspace::short_name;
 use serde_json::{Value, json};
@@ -12,11 +12,11 @@ use tripos_derive::reduce::Quantity;
 use tripos_derive::scene::Scene;
 
 /// Prints the reduced equations of a scene, with the omitted parts and their proofs. Returns the exit status.
-pub fn scene(VariedScene { model, scene, .. }: &VariedScene, json: bool) -> Result<u8, Failure> {
+pub fn scene(VariedScene { model, scene, .. }: &VariedScene, output: Output) -> Result<u8, Failure> {
     let reduced = Reduced::new(model, scene)?;
     let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
     let no_gain = reduced.no_gain(model)?;
-    if json {
+    if output == Output::Json {
         let mut value = as_json(model, scene, &reduced, costs);
         value["runs_whole"] = json!(no_gain);
         print_json(&value)?;

@@ -16,6 +16,7 @@ use tripos::code::Form;
 use tripos::{
     At, Digits, Drift, Mechanism, Run, Sensitivities, method_words, sensitivities, simulate as simulate_scene,
 };
+use tripos_codegen::files::Existing;
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::Scene;
@@ -25,23 +26,25 @@ use tripos_sim::{EventRecord, ImpactRecord, Stop};
 /// Runs a scene and prints its end, errors and events. Returns the exit status.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     let VariedScene { model, mut scene, set } = read_scene_with(&request.scene, &request.set.set)?;
-    request.how.overrides()?.change(&mut scene)?;
+    let how = request.how.overrides()?;
+    how.change(&mut scene)?;
     if let Some(of) = &request.gradient {
-        return by_all::simulate(request, &model, &scene, &set, of);
+        return by_all::simulate(request, &model, &scene, &set, of, how.by.as_ref());
     }
     if let Some(path) = &request.csv {
-        check_csv(path, request.overwrite, &model, &scene)?;
+        let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
+        check_csv(path, existing, &model, &scene)?;
     }
     follow::listen();
     follow::show(scene.span);
     let (plain, with);
-    let by = request.how.by.as_deref();
+    let by = how.by.as_ref();
     let (run, slopes): (&Run, Option<&Sensitivities>) = if request.sensitivity.is_empty() {
         plain = simulate_scene(&model, &scene, by)?;
         (&plain, None)
     } else {
         let at = if request.csv.is_some() { At::Samples } else { At::End };
-        with = sensitivities(&model, &scene, &set, (&request.sensitivity, at), by)?;
+        with = sensitivities(&model, &scene, &set, &request.sensitivity, at, by)?;
         (&with.run, Some(&with))
     };
     follow::hide();
@@ -165,19 +168,17 @@ fn fewest(run: &Run) -> Value {
     let found = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)));
     found.map_or(
         Value::Null,
-        |(digits, (instant, which, left))| json!({ "digits": left, "of": run.names[which], "t": digits.t[instant] }),
+        |(digits, fewest)| json!({ "digits": fewest.digits, "of": run.names[fewest.value], "t": digits.t[fewest.instant] }),
     )
 }
 
 /// Line with the numbers of correct digits at the end and along the run; empty if they were not assessed.
 fn digits_in_words(run: &Run) -> String {
-    let Some((digits, (instant, which, least))) =
-        run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)))
-    else {
+    let Some((digits, fewest)) = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?))) else {
         return String::new();
     };
     let at_end = digits.end().map_or_else(String::new, |end| format!("{end:.1} digits are right at the end, "));
-    let (t, name) = (digits.t[instant], &run.names[which]);
+    let (least, t, name) = (fewest.digits, digits.t[fewest.instant], &run.names[fewest.value]);
     format!("{at_end}{least:.1} at least on the way (`{name}` at t = {t:.4} s), by comparison with {}\n", digits.by)
 }
 
@@ -293,7 +294,7 @@ fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(
 
 /// Refuses to write samples over an input file, over a file that looks like no table of samples, and into a folder that
 /// does not exist: after a long run that would be too late.
-fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
+fn check_csv(path: &Path, existing: Existing, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     keep_inputs(model, Some(scene), [path])?;
     csv_name(path)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
@@ -301,7 +302,7 @@ fn check_csv(path: &Path, overwrite: bool, model: &Mechanism, scene: &Scene) -> 
         return Err(Failure::Output(path_in_line(path), error));
     }
     let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
-    if path.is_file() && !is_table && !overwrite && !path.starts_with("/dev") {
+    if path.is_file() && !is_table && existing == Existing::Kept && !path.starts_with("/dev") {
         let what = format!("`{}` is there already, and its name does not end in `.csv`", path_in_line(path));
         return Err(Failure::request(what, "give another --csv, or --overwrite to replace it".to_owned()));
     }

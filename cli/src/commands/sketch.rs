@@ -1,6 +1,6 @@
 //! `tripos sketch`: a mechanism as textbooks draw it, as SVG or LaTeX.
 
-use crate::failure::{Failure, print_either};
+use crate::failure::{Failure, Output, print_either};
 use crate::output::{keep_inputs, text};
 use crate::picture;
 use crate::scene_file::read_scene;
@@ -29,7 +29,7 @@ enum Kind {
 ///
 /// # Errors
 /// [`Failure`] if a file cannot be read or written, `out` names no kind of picture, or no body has a place.
-pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, as_json: bool) -> Result<u8, Failure> {
+pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Result<u8, Failure> {
     let kind = kind(out)?;
     let (mut mechanism, scene) = read(what)?;
     keep_inputs(&mechanism, scene.as_ref(), [out])?;
@@ -52,7 +52,7 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, as_json: bool) -> Resu
     }
     let lines = format!("{}\n{}\n{}\n", path_in_line(out), sketch.about, sketch.drawn);
     let value = json!({ "files": [path_in_line(out)], "about": sketch.about, "drawn": sketch.drawn });
-    print_either(as_json, &lines, &value)?;
+    print_either(output, &lines, &value)?;
     Ok(0)
 }
 

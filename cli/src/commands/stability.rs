@@ -1,7 +1,7 @@
 //! `tripos stability`: limits of runs of a scene, such as passages near singular places and growth of errors.
 
 use crate::commands::chart::progress;
-use crate::failure::{Failure, print_either};
+use crate::failure::{Failure, Output, print_either};
 use crate::follow::{self, Shows};
 use crate::output::{folder, keep_inputs};
 use crate::scene_file::VariedScene;
@@ -17,7 +17,7 @@ pub fn stability(
     VariedScene { model, scene, .. }: &VariedScene,
     quick: bool,
     out: &Path,
-    as_json: bool,
+    output: Output,
 ) -> Result<u8, Failure> {
     let files = ["stability.csv", "passages.csv"].map(|name| out.join(name));
     keep_inputs(model, Some(scene), files.iter().map(PathBuf::as_path))?;
@@ -47,7 +47,7 @@ pub fn stability(
         "model": model.title, "scene": scene.title, "statements": statements, "numbers": findings.rows.len(),
         "unfinished": findings.unfinished.map(Topic::name), "files": files,
     });
-    print_either(as_json, &text, &value)?;
+    print_either(output, &text, &value)?;
     if let Some(topic) = findings.unfinished {
         let what = format!("{} is partial: the study of {} was not finished", out.display(), topic.name());
         return Err(Failure::Interrupted(what));

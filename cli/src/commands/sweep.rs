@@ -5,7 +5,7 @@ use crate::failure::{Failure, print_json, say, status, warn};
 use crate::follow;
 use crate::output::{Rows, csv_name, keep_inputs};
 use crate::scene_file::read_scene;
-use crate::sweep::{Alien, Columns, Kept, Record, Tally, refused, remove};
+use crate::sweep::{Alien, Columns, KeptRows, Record, Tally, refused, remove};
 use crate::workspace::short_name;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
@@ -33,7 +33,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let threads = threads(request.threads)?;
     let how_else = request.how.overrides()?;
     how_else.change(&mut scene)?;
-    let by = by_or_first(&model, request.how.by.as_deref())?;
+    let by = by_or_first(&model, how_else.by.as_ref())?;
     let mut sweep = Sweep::new(&model, &scene, &grid, &by, &how_else)?;
     sweep.tells_digits = request.digits;
     for warning in &sweep.warnings {
@@ -48,7 +48,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     follow::listen();
     let (count, kept_rows) = (points.end - points.start, kept.rows);
     let begun = Instant::now();
-    let tally = run(&sweep, points.clone(), threads, (&mut table, kept))?;
+    let tally = run(&sweep, points.clone(), threads, &mut table, kept)?;
     let part = table.place().to_owned();
     table.finish()?;
     remove(&part);
@@ -81,7 +81,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
         ));
         say(&format!(
             "{}\n{}{}",
-            extent((shard, &points, kept_rows), &grid, threads, seconds),
+            extent(shard, &points, kept_rows, &grid, &Effort { threads, seconds }),
             tally.text(),
             request.out.display()
         ));
@@ -89,8 +89,16 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     Ok(if tally.failed() > 0 { status::STOPPED } else { 0 })
 }
 
-/// Words for the extent of a sweep: the number of points, the part of the grid, and the time taken.
-fn extent((shard, points, kept): (Shard, &Range<u64>, u64), grid: &Grid, threads: usize, seconds: Duration) -> String {
+/// Time that a sweep took, and the threads that ran it.
+struct Effort {
+    threads: usize,
+    seconds: Duration,
+}
+
+/// Words for the extent of a sweep: the number of points, the part of the grid, and the time taken. `kept` is the
+/// number of rows that were there before.
+fn extent(shard: Shard, points: &Range<u64>, kept: u64, grid: &Grid, effort: &Effort) -> String {
+    let Effort { threads, seconds } = effort;
     let count = points.end - points.start - kept;
     let of = if shard.of == 1 {
         String::new()
@@ -107,14 +115,14 @@ fn extent((shard, points, kept): (Shard, &Range<u64>, u64), grid: &Grid, threads
 }
 
 /// Opens the table with its header. If an unfinished sweep is resumed, the table keeps its rows.
-fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(Rows, Kept), Failure> {
+fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(Rows, KeptRows), Failure> {
     let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
     let (columns, record) = (Columns::new(sweep), Record::new(sweep, &request.over, &request.shard));
     let left = if request.resume { Rows::resume(&request.out, existing)? } else { None };
     let (mut table, kept) = if let Some(mut table) = left {
         let part = table.place().to_owned();
         record.check(&part)?;
-        let kept = Kept::read(table.left(), &columns, points).map_err(|alien| match alien {
+        let kept = KeptRows::read(table.left(), &columns, points).map_err(|alien| match alien {
             Alien::Other(why) => refused(&part, &why),
             Alien::Unread(error) => Failure::Output(part.display().to_string(), error),
         })?;
@@ -129,7 +137,7 @@ fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(R
         if table.place() != request.out {
             record.write(table.place())?;
         }
-        (table, Kept::default())
+        (table, KeptRows::default())
     };
     if kept.bytes == 0 {
         table.add(&columns.header())?;
@@ -142,7 +150,8 @@ fn run(
     sweep: &Sweep<'_>,
     points: Range<u64>,
     threads: usize,
-    (table, kept): (&mut Rows, Kept),
+    table: &mut Rows,
+    kept: KeptRows,
 ) -> Result<Tally, Failure> {
     let columns = Columns::new(sweep);
     let all = points.end - points.start;
@@ -168,7 +177,7 @@ fn run(
             }
             table.add(&lines)?;
             done_rows += rows.len() as u64;
-            if follow::asked() && done_rows < count {
+            if follow::is_interrupted() && done_rows < count {
                 let (place, there) = (table.place().display(), kept.rows + done_rows);
                 let what = format!("the first {there} of {all} rows are in {place}; --resume goes on from there");
                 return Err(Failure::Interrupted(what));

@@ -1,7 +1,7 @@
 //! `tripos view`: a scene's motion as a moving picture, in one file.
 
 use crate::arguments::View as Request;
-use crate::failure::{Failure, print_either, status, warn};
+use crate::failure::{Failure, Output, print_either, status, warn};
 use crate::follow;
 use crate::output::{keep_inputs, text};
 use crate::scene_file::{VariedScene, read_scene_with};
@@ -15,14 +15,15 @@ use tripos_derive::scene::Scene;
 /// Runs the scene and the motions for comparison, and writes the view. Returns the exit status.
 pub fn view(request: &Request) -> Result<u8, Failure> {
     let VariedScene { model: mechanism, mut scene, .. } = read_scene_with(&request.scene, &request.set.set)?;
-    request.how.overrides()?.change(&mut scene)?;
+    let how = request.how.overrides()?;
+    how.change(&mut scene)?;
     keep_inputs(&mechanism, Some(&scene), [request.out.as_path()])?;
     follow::listen();
-    let mut motions = vec![Motion::of_scene(&mechanism, &scene, request.how.by.as_deref())?];
+    let mut motions = vec![Motion::of_scene(&mechanism, &scene, how.by.as_ref())?];
     for against in &request.against {
         motions.push(compared(&mechanism, &scene, request, against)?);
     }
-    if follow::asked() {
+    if follow::is_interrupted() {
         return Err(Failure::Interrupted(String::new()));
     }
     let view = View::new(&mechanism, &scene, &motions.iter().collect::<Vec<_>>())?;
@@ -38,11 +39,11 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
              leaves more pictures of it",
         );
     }
-    let live = Live::of(&seen, request.how.by.as_deref(), Home::Alone)?;
+    let live = Live::of(&seen, how.by.as_ref(), Home::Alone)?;
     text(&request.out, &document(&seen, &live))?;
     let objections: Vec<&String> = seen.motions.iter().flat_map(|motion| &motion.objections).collect();
     let value = json!({ "files": [path_in_line(&request.out)], "stopped": stopped, "warnings": objections });
-    print_either(request.json, &format!("{}\n", request.out.display()), &value)?;
+    print_either(Output::of_flag(request.json), &format!("{}\n", request.out.display()), &value)?;
     Ok(if stopped { status::STOPPED } else { 0 })
 }
 
@@ -50,7 +51,7 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
 fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &str) -> Result<Motion, Failure> {
     let path = std::path::Path::new(against);
     if !path.is_file() {
-        return Ok(Motion::of_scene(mechanism, scene, Some(against))?);
+        return Ok(Motion::of_scene(mechanism, scene, Some(&against.into()))?);
     }
     let VariedScene { model: other, scene: mut own, .. } = read_scene_with(path, &request.set.set)?;
     if other.source.text != mechanism.source.text {
@@ -58,8 +59,9 @@ fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &s
             format!("`{}` is a scene of another model than `{}`", path_in_line(path), path_in_line(&request.scene));
         return Err(Failure::request(what, "give a scene of the same model, or equations such as lagrange".to_owned()));
     }
-    request.how.overrides()?.change(&mut own)?;
-    let mut motion = Motion::of_scene(&other, &own, request.how.by.as_deref())?;
+    let how = request.how.overrides()?;
+    how.change(&mut own)?;
+    let mut motion = Motion::of_scene(&other, &own, how.by.as_ref())?;
     motion.title = if own.title.is_empty() { path_in_line(path) } else { own.title };
     Ok(motion)
 }

@@ -81,7 +81,8 @@ fn a_band_is_drawn_where_it_is_wider_than_its_curve_and_stays_inside_its_panel()
     let points: Vec<_> = (0..50).map(|i| (f64::from(i), f64::from(i).sin())).collect();
     let banded = |error: f64| {
         let mut panel = panel(std::slice::from_ref(&points));
-        panel.series[0].band = points.iter().map(|(x, y)| (*x, y - error * x, y + error * x)).collect();
+        panel.series[0].band =
+            points.iter().map(|(x, y)| Bounds { x: *x, low: y - error * x, high: y + error * x }).collect();
         draw(&[panel], 1).unwrap()
     };
     let polygons = |svg: &str| svg.matches("<polygon").count();

@@ -4,7 +4,7 @@ use super::look::of;
 use super::rounded;
 use crate::latex::{basis, escape};
 use std::fmt::Write;
-use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, Sketch, Spot, Word};
+use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, SheetPoint, Sketch, Word};
 use tripos_derive::algebra::text::print::latex_name;
 
 /// TeX points per px: letters of 10 points then have the size for which their places were found.
@@ -56,7 +56,7 @@ fn fill(mark: &Mark) -> String {
     }
 }
 
-fn spot(at: Spot) -> String {
+fn spot(at: SheetPoint) -> String {
     format!("({},{})", rounded(at[0]), rounded(at[1]))
 }
 

@@ -4,7 +4,7 @@ use super::look::{Look, of};
 use super::rounded;
 use crate::page::escape;
 use std::fmt::Write;
-use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, Sketch, Spot, Word};
+use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, SheetPoint, Sketch, Word};
 use tripos_derive::algebra::text::print::name_parts;
 
 /// Writes a sketch as an SVG file of its own, in light and in dark colours, as the system prefers.
@@ -70,7 +70,7 @@ fn path(marks: &[Mark]) -> String {
 
 /// Path of a mark in the syntax of SVG.
 fn data(path: &Path) -> String {
-    let spot = |at: Spot| format!("{} {}", rounded(at[0]), rounded(at[1]));
+    let spot = |at: SheetPoint| format!("{} {}", rounded(at[0]), rounded(at[1]));
     let mut out = format!("M{}", spot(path.from));
     for part in &path.parts {
         let _ = match part {

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 /// Kept part of an unfinished table.
 #[derive(Default)]
-pub struct Kept {
+pub struct KeptRows {
     /// Number of whole rows that are kept.
     pub rows: u64,
     /// Number of bytes of the table that are kept, with its header; 0 if not even the header was whole.
@@ -27,7 +27,7 @@ pub enum Alien {
     Unread(io::Error),
 }
 
-impl Kept {
+impl KeptRows {
     /// Reads the part of an unfinished table that can be kept, for these points of the sweep.
     ///
     /// # Errors

@@ -24,12 +24,12 @@ pub fn as_script(value: &Value) -> String {
 }
 
 /// Points and frames of the mechanism that are shown; their indices in these lists are those in the data.
-struct Kept {
+struct ShownParts {
     points: Vec<usize>,
     frames: Vec<usize>,
 }
 
-impl Kept {
+impl ShownParts {
     fn of(seen: &Seen<'_>) -> Self {
         let view = &seen.view;
         let mut points: Vec<usize> = view.solids.iter().flat_map(|solid| solid.form.points()).collect();
@@ -67,7 +67,7 @@ fn place(form: &Form) -> Option<&Place> {
 }
 
 /// Largest number of frames of each motion that fit into this number of bytes.
-fn most(seen: &Seen<'_>, kept: &Kept, bytes: usize) -> usize {
+fn most(seen: &Seen<'_>, kept: &ShownParts, bytes: usize) -> usize {
     let forces = seen.motions.first().map_or(0, |motion| motion.forces.list.len());
     let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * forces;
     (bytes / (each * NUMBER)).max(2)
@@ -75,13 +75,13 @@ fn most(seen: &Seen<'_>, kept: &Kept, bytes: usize) -> usize {
 
 /// True if the frames that fit into the bytes are close enough in time to show how every body turns.
 pub fn turns_truly(seen: &Seen<'_>, bytes: usize) -> bool {
-    let most = most(seen, &Kept::of(seen), bytes);
+    let most = most(seen, &ShownParts::of(seen), bytes);
     seen.motions.iter().all(|m| m.turns_truly(&m.thinned(seen.view.size, most).0))
 }
 
 /// Writes all data of a view for the viewer, in about this number of bytes.
 pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Value {
-    let kept = Kept::of(seen);
+    let kept = ShownParts::of(seen);
     let live = match live {
         Live::Runs(running) => running.shown(&kept.points, &kept.frames),
         Live::Rests(_) => Value::Null,
@@ -114,7 +114,7 @@ pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Va
 }
 
 /// Forces of the first motion as JSON: kind, name and point of each, and its components in whole steps.
-fn arrows(forces: &Forces, kept: &Kept) -> Value {
+fn arrows(forces: &Forces, kept: &ShownParts) -> Value {
     let step = FORCE * forces.usual;
     let list = forces.list.iter().enumerate().map(|(at, arrow)| {
         let values: Vec<Triple> = forces.values.iter().map(|now| now[at]).collect();
@@ -128,7 +128,7 @@ fn arrows(forces: &Forces, kept: &Kept) -> Value {
     json!({ "usual": forces.usual, "cut": Forces::CUT, "step": step, "list": list.collect::<Vec<_>>() })
 }
 
-fn solid(solid: &Solid, kept: &Kept) -> Value {
+fn solid(solid: &Solid, kept: &ShownParts) -> Value {
     let mut out = Map::new();
     let mut put = |key: &str, value: Value| out.insert(key.to_owned(), value);
     put("label", json!(solid.label));
@@ -175,7 +175,7 @@ fn short(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-fn motion(motion: &Motion, kept: &Kept, size: f64) -> Value {
+fn motion(motion: &Motion, kept: &ShownParts, size: f64) -> Value {
     let (from, to) = (motion.t.first().copied().unwrap_or_default(), motion.t.last().copied().unwrap_or_default());
     let span = (to - from).abs();
     let dt = if span > 0.0 { TIME * span } else { TIME };

@@ -6,6 +6,7 @@
 use super::{Home, Seen};
 use crate::failure::Failure;
 use serde_json::{Value, json};
+use tripos::EquationsName;
 use tripos::code::{by_or_first, derivation};
 use tripos::pictures::view::{Links, lengths};
 use tripos_codegen::js::{Module, Written};
@@ -66,7 +67,7 @@ impl Live {
     ///
     /// # Errors
     /// [`Failure`] if there are no such equations.
-    pub fn of(seen: &Seen<'_>, by: Option<&str>, home: Home) -> Result<Self, Failure> {
+    pub fn of(seen: &Seen<'_>, by: Option<&EquationsName>, home: Home) -> Result<Self, Failure> {
         if let Some(why) = missing(seen) {
             return Ok(Self::Rests(why.to_owned()));
         }

@@ -57,7 +57,7 @@ impl Target for Modules {
 impl Modules {
     fn new(model: &Model) -> Result<Self, Diagnostics> {
         let origin = Origin::emitted(&model.source.path);
-        let header = format!("// {}\n//\n", origin.beside());
+        let header = format!("// {}\n//\n", origin.of_shared_files());
         let runners = RUNNERS.map(|(name, text)| (format!("{name}.{EXTENSION}"), header.clone() + text));
         let balance = Written::balance(model, model.domain.iter().map(|condition| condition.positive))?;
         Ok(Self { origin, files: runners.into(), balance })

@@ -1,7 +1,7 @@
 //! Equations in the form in which they are planned: written down, with their store of terms and their solution.
 
 use super::LANGUAGE;
-use crate::plan::Planner;
+use crate::plan::{Planner, Sharing};
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::{Arena, Expr};
@@ -63,6 +63,8 @@ impl Written {
     /// cancellations.
     #[must_use]
     pub fn planner<'a>(&'a self, model: &'a Model) -> Planner<'a> {
-        Planner::new(model, &self.arena, &self.equations, &LANGUAGE, self.equations.by.printed_id().is_none())
+        let is_printed = self.equations.by.printed_id().is_some();
+        let sharing = if is_printed { Sharing::AsStated } else { Sharing::Shared };
+        Planner::new(model, &self.arena, &self.equations, &LANGUAGE, sharing)
     }
 }

@@ -43,6 +43,15 @@ pub struct FormulationPlan<'a> {
     pub facts: Vec<String>,
 }
 
+/// Treatment of the function that computes the entries of the Jacobian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Jacobian {
+    /// The function is planned, if the accelerations are solved for.
+    Planned,
+    /// The function is left out.
+    LeftOut,
+}
+
 impl<'a> FormulationPlan<'a> {
     /// Plans the equations and the accelerations solved from them. Plans also the entries of the Jacobian and the
     /// recurrences if they are requested.
@@ -50,7 +59,7 @@ impl<'a> FormulationPlan<'a> {
     pub fn new(
         planner: &'a Planner<'a>,
         solved: Option<&Solved>,
-        has_jacobian: bool,
+        entries: Jacobian,
         recurrences: Option<&'a Recurrences>,
     ) -> Self {
         let (mut equations, together) = linear_system(planner);
@@ -65,7 +74,7 @@ impl<'a> FormulationPlan<'a> {
             let steps = &solved.accelerations.steps;
             // Long steps are not written twice: then q̇ and v̇ are computed one after the other.
             let together = (steps.len() <= MOST_REPEATED).then(|| derivative(planner, steps));
-            let jacobian = if has_jacobian { jacobian(planner, solved) } else { None };
+            let jacobian = if entries == Jacobian::Planned { jacobian(planner, solved) } else { None };
             together.into_iter().chain(jacobian).collect()
         });
         machine.extend(together);

@@ -113,9 +113,17 @@ pub struct Planner<'a> {
     pub equations: &'a Equations,
     /// Variables of the symbols, in the target's language.
     pub variables: Variables,
-    /// True if common operations are shared. Printed equations share none, because they run with their own
-    /// cancellations.
-    pub shares: bool,
+    /// Treatment of operations that several outputs have in common.
+    pub sharing: Sharing,
+}
+
+/// Treatment of operations that several outputs have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sharing {
+    /// Common operations are found and computed once.
+    Shared,
+    /// Formulas stay as they stand. Printed equations do, because they run with their own cancellations.
+    AsStated,
 }
 
 impl<'a> Planner<'a> {
@@ -126,13 +134,13 @@ impl<'a> Planner<'a> {
         arena: &'a Arena,
         equations: &'a Equations,
         language: &Language,
-        shares: bool,
+        sharing: Sharing,
     ) -> Self {
         let mut variables = Variables::new(arena, language, &type_name(&equations.name(model)));
         let rates = model.coordinates.iter().map(|c| c.rate).chain(model.speeds.iter().map(|s| s.rate));
         let unknown = &equations.unknowns[..equations.variables.len()];
         variables.moving = equations.variables.iter().chain(unknown).copied().chain(rates).collect();
-        Self { model, arena, equations, variables, shares }
+        Self { model, arena, equations, variables, sharing }
     }
 
     /// True if lines have their formulas above them as comments; false if the equations consist of named terms.
@@ -181,9 +189,12 @@ impl<'a> Planner<'a> {
         let entries: Vec<Entry> = results
             .iter()
             .enumerate()
-            .map(|(at, e)| match computed_name(is_output(at), &mut computed).or_else(|| self.variables.of.get(e)) {
-                Some(name) if *e != Expr::ZERO => Entry::Variable(name.clone()),
-                _ => Entry::Zero,
+            .map(|(at, e)| {
+                let own = if is_output(at) { computed.next() } else { None };
+                match own.or_else(|| self.variables.of.get(e)) {
+                    Some(name) if *e != Expr::ZERO => Entry::Variable(name.clone()),
+                    _ => Entry::Zero,
+                }
             })
             .collect();
         let entries: Vec<Entry> = places.iter().map(|at| entries[*at].clone()).collect();
@@ -199,7 +210,7 @@ impl<'a> Planner<'a> {
     fn cheapest(&self, steps: &[Definition], outputs: &[Output]) -> Program {
         let mut best = program(self.arena, &self.variables, steps, steps, outputs);
         let mut least = Cost::of(&best).weight();
-        if !self.shares {
+        if self.sharing == Sharing::AsStated {
             return best;
         }
         let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
@@ -276,9 +287,4 @@ impl Function {
         }
         Cost::of(&Program { lines, ..Program::default() })
     }
-}
-
-/// Next of the computed names if the entry is an output; else `None`.
-fn computed_name<'n>(is_output: bool, names: &mut impl Iterator<Item = &'n String>) -> Option<&'n String> {
-    if is_output { names.next() } else { None }
 }

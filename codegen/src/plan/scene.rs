@@ -1,8 +1,10 @@
 //! Plan of the functions of one scene's reduced equations, and costs of a call compared with the whole model.
 
 use super::cost::Cost;
-use super::formulation::{accelerations, derivative, divisors, jacobian, kinematics_and_energies, singular_text};
-use super::function::{Arguments, Function, Planner, Returns, Value};
+use super::formulation::{
+    Jacobian, accelerations, derivative, divisors, jacobian, kinematics_and_energies, singular_text,
+};
+use super::function::{Arguments, Function, Planner, Returns, Sharing, Value};
 use super::names::{Language, spelled};
 use super::taylor::TaylorPlan;
 use crate::taylor::{Recurrences, recurrences_of};
@@ -42,7 +44,13 @@ impl<'a> SceneEquations<'a> {
     /// Planner of the scene's functions for a language.
     #[must_use]
     pub fn planner(&self, language: &Language) -> Planner<'_> {
-        Planner::new(&self.reduction.model, &self.arena, &self.reduction.derivation.equations, language, true)
+        Planner::new(
+            &self.reduction.model,
+            &self.arena,
+            &self.reduction.derivation.equations,
+            language,
+            Sharing::Shared,
+        )
     }
 }
 
@@ -65,6 +73,15 @@ pub struct ScenePlan<'a> {
     pub facts: Vec<String>,
 }
 
+/// Treatment of the recurrences of the Taylor coefficients.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Taylor {
+    /// The recurrences are planned, if they are known.
+    Planned,
+    /// The recurrences are left out.
+    LeftOut,
+}
+
 impl<'a> ScenePlan<'a> {
     /// Plans the functions of a scene of the model `whole`. Plans also the entries of the Jacobian and the recurrences
     /// if they are requested.
@@ -73,8 +90,8 @@ impl<'a> ScenePlan<'a> {
         whole: &Model,
         planner: &'a Planner<'a>,
         equations: &'a SceneEquations<'a>,
-        has_jacobian: bool,
-        has_taylor: bool,
+        entries: Jacobian,
+        taylor: Taylor,
     ) -> Self {
         let reduction = equations.reduction;
         let steps = &equations.solved.accelerations.steps;
@@ -82,7 +99,7 @@ impl<'a> ScenePlan<'a> {
         own.extend(kinematics_and_energies(planner));
         own.push(outputs(planner, reduction));
         let mut machine = vec![derivative(planner, steps)];
-        machine.extend(if has_jacobian { jacobian(planner, &equations.solved) } else { None });
+        machine.extend(if entries == Jacobian::Planned { jacobian(planner, &equations.solved) } else { None });
         let (watched, divisors) = divisors(planner, Some(&equations.solved.accelerations));
         machine.extend(watched);
         if reduction.has_energy {
@@ -91,7 +108,7 @@ impl<'a> ScenePlan<'a> {
         if let Some(slope) = &reduction.slope {
             machine.extend(potential_slope(planner, slope));
         }
-        let recurrences = equations.recurrences.as_ref().filter(|_| has_taylor);
+        let recurrences = equations.recurrences.as_ref().filter(|_| taylor == Taylor::Planned);
         let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
         let from_start = match reduction.frame {
             None => from_start(whole, planner, reduction).to_vec(),
@@ -206,7 +223,8 @@ fn potential_slope(planner: &Planner<'_>, slope: &Slope) -> Vec<Function> {
         gauss: None,
         ..planner.equations.clone()
     };
-    let planner = Planner { equations: &equations, variables: planner.variables.clone(), shares: false, ..*planner };
+    let planner =
+        Planner { equations: &equations, variables: planner.variables.clone(), sharing: Sharing::AsStated, ..*planner };
     let name = |at: usize| (format!("z{}", at + 1), format!("z{}", at + 1), angles[at]);
     let values: Vec<Value> = (0..angles.len()).map(name).collect();
     let value = [("slope".to_owned(), "(V(b) - V(a))/(b - a)".to_owned(), slope.value)];
@@ -249,7 +267,7 @@ pub fn costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError>
         let equations = &equations.written(&mut arena);
         let solved = mechanics::accelerations(&mut arena, &mut Simplifier::default(), equations)
             .map_err(DeriveError::Unsolved)?;
-        Ok(derivative(&Planner::new(model, &arena, equations, &Language::NONE, true), &solved.steps).cost)
+        Ok(derivative(&Planner::new(model, &arena, equations, &Language::NONE, Sharing::Shared), &solved.steps).cost)
     };
     let kane = derive(model, Formulation::Kane)?;
     let full = of(model, &kane.arena, &kane.equations)?;

@@ -190,25 +190,31 @@ fn names_of(arena: &Arena, variables: &Variables, names: &mut Names, list: &Recu
         Some(format!("{}_dot", variables.of[&list.states[place]]))
     };
     let mut one = |(at, s): (usize, &Series)| match (&s.rule, arena.node(s.term)) {
-        (Rule::State(place), _) => reserved(&mut names.allocator, &variables.of[&list.states[*place]], true),
+        (Rule::State(place), _) => reserved(&mut names.allocator, variables.of[&list.states[*place]].clone()),
         (_, Node::Apply(f @ (Elementary::Sin | Elementary::Cos), angle)) => {
             let (sine, cosine) = names.circular(arena, *angle);
             let name = if *f == Elementary::Sin { sine } else { cosine };
-            reserved(&mut names.allocator, &name, true)
+            reserved(&mut names.allocator, name)
         }
         _ => {
             let stem = variables.of.get(&s.needed_by).map_or("rate", String::as_str);
             let wanted = rate_of(at).unwrap_or_else(|| names.describe(arena, variables, s.term, stem));
-            reserved(&mut names.allocator, &wanted, false)
+            let free = names.allocator.unique(&wanted);
+            renamed(&mut names.allocator, free, &wanted)
         }
     };
     list.series.iter().enumerate().map(&mut one).collect()
 }
 
-/// Name that is free at every order. A name that is already given out is kept if it is free there, else it gets a
-/// suffix.
-fn reserved(allocator: &mut Allocator, wanted: &str, given: bool) -> String {
-    let mut name = if given { wanted.to_owned() } else { allocator.unique(wanted) };
+/// Name that is free at every order, for a name that is already given out. The name is kept if it is free there, else
+/// it gets a suffix.
+fn reserved(allocator: &mut Allocator, given: String) -> String {
+    let stem = given.clone();
+    renamed(allocator, given, &stem)
+}
+
+/// Name that is free at every order: `name`, or a name made from `wanted` if that is not free.
+fn renamed(allocator: &mut Allocator, mut name: String, wanted: &str) -> String {
     while ORDERS.iter().any(|order| !allocator.is_free(&format!("{name}{order}"))) {
         name = allocator.unique(&format!("{wanted}_"));
     }

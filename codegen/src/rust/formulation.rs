@@ -1,9 +1,9 @@
 //! Rust files of one formulation of one model: the equations for people, and the code for machines.
 
 use super::function::{Parameters, function};
-use super::slopes::{JACOBIAN_PRODUCT, jacobian_product};
+use super::slopes::{JACOBIAN_PRODUCT, Rates, jacobian_product};
 use super::system::{self, Part};
-use super::taylor;
+use super::taylor::{self, TaylorText};
 use super::text::{format, header, prose, stated};
 use super::written::{Written, reexport};
 use crate::plan::{FormulationPlan, module_name, type_name};
@@ -41,10 +41,12 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
     parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
     parts.extend((!plan.constraints.is_empty()).then(|| Part::Constraints(plan.constraints.clone())));
     // The function `jacobian_product` is never shared: equal texts of it call different functions.
-    let differentiated = product.then(|| jacobian_product(equations, together));
+    let rates = if together { Rates::Together } else { Rates::Apart };
+    let differentiated = product.then(|| jacobian_product(equations, rates));
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
     let system = system::system(model, equations, &parts);
-    let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, sorted.has("taylor")));
+    let text = if sorted.has("taylor") { TaylorText::Here } else { TaylorText::Elsewhere };
+    let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, text));
     let (own, imports) = (&sorted.own, sorted.imports());
     let title = format!(
         "{}: {}, {}.",

@@ -40,19 +40,29 @@ pub fn fields(model: &Model) -> Vec<String> {
 
 /// Rust function for a planned function, which gets its parameters in this struct.
 pub fn function(planned: &Function, parameters: &Parameters) -> TokenStream {
-    written(planned, parameters, DISPATCHED.contains(&planned.name))
+    let inlining = if DISPATCHED.contains(&planned.name) { Inlining::Always } else { Inlining::AsNeeded };
+    written(planned, parameters, inlining)
 }
 
 /// Rust function for equations that quadrature may integrate, which gets its parameters in this struct.
 pub fn function_at_points(planned: &Function, parameters: &Parameters) -> TokenStream {
-    written(planned, parameters, DISPATCHED.iter().chain(&INTEGRANDS).any(|name| *name == planned.name))
+    let is_dispatched = DISPATCHED.iter().chain(&INTEGRANDS).any(|name| *name == planned.name);
+    written(planned, parameters, if is_dispatched { Inlining::Always } else { Inlining::AsNeeded })
 }
 
-/// Rust function for a planned function. If `dispatched`, it is inlined, because only inlined code is compiled again
-/// for the instructions of the processor.
-fn written(planned: &Function, parameters: &Parameters, dispatched: bool) -> TokenStream {
+/// Inlining of a generated function.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Inlining {
+    /// The function is inlined, because only inlined code is compiled again for the instructions of the processor.
+    Always,
+    /// The compiler decides.
+    AsNeeded,
+}
+
+/// Rust function for a planned function.
+fn written(planned: &Function, parameters: &Parameters, inlining: Inlining) -> TokenStream {
     let (name, about, cost) = (ident(planned.name), format!(" {}", planned.about), format!(" {}.", planned.cost));
-    let inline = dispatched.then(|| quote!(#[inline(always)]));
+    let inline = (inlining == Inlining::Always).then(|| quote!(#[inline(always)]));
     let arguments = planned.arguments.iter().map(|argument| signature(argument, parameters));
     let body = match &planned.parts {
         Some(parts) => in_parts(planned, parts, parameters),

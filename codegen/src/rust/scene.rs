@@ -3,13 +3,13 @@
 use super::function::{Parameters, fields, function, function_at_points};
 use super::module::{code_module, names, parameters};
 use super::names::{LANGUAGE, is_name};
-use super::slopes::{JACOBIAN_PRODUCT, jacobian_product};
+use super::slopes::{JACOBIAN_PRODUCT, Rates, jacobian_product};
 use super::system::{self, Part};
-use super::taylor;
+use super::taylor::{self, TaylorText};
 use super::text::{format, header, prose, stated};
 use super::written::reexport;
 use crate::extras::Extras;
-use crate::plan::{SceneEquations, ScenePlan, module_name};
+use crate::plan::{Jacobian, SceneEquations, ScenePlan, Taylor, module_name};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 use tripos_derive::mechanics::Unsolved;
@@ -53,7 +53,7 @@ pub fn file(
     let (text, code) = match before.iter().find(|file| file.key == key) {
         Some(same) => (reference(reduction, named, &same.module), None),
         None => {
-            let (text, code) = equations_of(whole, reduction, named, extras, (&module, &key))?;
+            let (text, code) = equations_of(whole, reduction, named, extras, &module, &key)?;
             (text, Some(code))
         }
     };
@@ -100,11 +100,14 @@ fn equations_of(
     reduction: &Reduction,
     named: &Named<'_>,
     extras: Extras,
-    (module, key): (&str, &str),
+    module: &str,
+    key: &str,
 ) -> Result<(String, String), Unsolved> {
     let equations = SceneEquations::new(reduction)?;
     let planner = equations.planner(&LANGUAGE);
-    let plan = ScenePlan::new(whole, &planner, &equations, extras.jacobian, extras.taylor);
+    let entries = if extras.jacobian { Jacobian::Planned } else { Jacobian::LeftOut };
+    let taylor = if extras.taylor { Taylor::Planned } else { Taylor::LeftOut };
+    let plan = ScenePlan::new(whole, &planner, &equations, entries, taylor);
     Ok((equations_file(&plan, named, module), code_file(whole, &plan, named, key)))
 }
 
@@ -133,7 +136,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
     let write = if reduction.slope.is_some() { function_at_points } else { function };
     let functions = plan.equations.iter().chain(&plan.machine).map(|planned| write(planned, &own));
     let product = is_long(plan);
-    let differentiated = product.then(|| jacobian_product(&reduction.derivation.equations, true));
+    let differentiated = product.then(|| jacobian_product(&reduction.derivation.equations, Rates::Together));
     let at_points = reduction.slope.as_ref().map(|_| quote!(AtPoints, Derivative,));
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
     let mut parts = vec![Part::Outputs(reduction.outputs.len()), Part::Eliminated { product, together: true }];
@@ -142,7 +145,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
     parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
     parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
     let system = system::system(model, &reduction.derivation.equations, &parts);
-    let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, true));
+    let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, TaylorText::Here));
     let taylor = plan.taylor.as_ref().map(|plan| taylor::function(plan, &own));
     let structure = parameters(model);
     let (parameter_type, parameter_names) = names(model.parameters.iter().map(|p| p.name.as_str()));

@@ -7,16 +7,23 @@ use tripos_derive::Equations;
 /// Name of the function that replaces the Jacobian of a large system: the Jacobian times a direction.
 pub const JACOBIAN_PRODUCT: &str = "jacobian_product";
 
-/// Function `jacobian_product`. It calls `derivative` of its module if `together`, else `coordinate_rates` and
-/// `accelerations`.
-pub fn jacobian_product(equations: &Equations, together: bool) -> TokenStream {
+/// Functions of a module that compute the rates of the state.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Rates {
+    /// The function `derivative` computes all rates.
+    Together,
+    /// The functions `coordinate_rates` and `accelerations` compute them.
+    Apart,
+}
+
+/// Function `jacobian_product`. It calls the functions of its module that compute the rates.
+pub fn jacobian_product(equations: &Equations, rates: Rates) -> TokenStream {
     let own = format_ident!("{}", if equations.formulation.is_in_rates() { "q_dot" } else { "u" });
     let (n, m) = (equations.coordinates.len(), equations.variables.len());
     let [n, m, all] = [n, m, n + m].map(Literal::usize_unsuffixed);
-    let rates = if together {
-        quote!(let (of_q, of_v) = derivative(&p, &q, &v);)
-    } else {
-        quote!(let (of_q, of_v) = (coordinate_rates(&p, &q, &v), accelerations(&p, &q, &v));)
+    let rates = match rates {
+        Rates::Together => quote!(let (of_q, of_v) = derivative(&p, &q, &v);),
+        Rates::Apart => quote!(let (of_q, of_v) = (coordinate_rates(&p, &q, &v), accelerations(&p, &q, &v));),
     };
     quote! {
         #[doc = " What a change of the state along a direction makes of its derivative: the Jacobian times the direction,"]

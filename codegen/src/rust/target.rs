@@ -4,7 +4,7 @@
 use super::{Entry, FormulationFiles, LANGUAGE, Written, formulation_files};
 use crate::extras::Extras;
 use crate::origin::Origin;
-use crate::plan::{FormulationPlan, Planner, module_name};
+use crate::plan::{FormulationPlan, Jacobian, Planner, Sharing, module_name};
 use crate::target::Target;
 use crate::taylor::recurrences_of;
 use std::collections::BTreeMap;
@@ -49,23 +49,23 @@ impl Target for RustModule<'_> {
 
     fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
         self.near.extend(distances(model).into_iter().map(|d| in_distance(model, derivation.clone(), d)));
-        self.solved(model, derivation, Shown::ToPeople)
+        self.solved(model, derivation, Readers::People)
     }
 
     fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
-        let planner = Planner::new(model, arena, equations, &LANGUAGE, false);
-        let plan = FormulationPlan::new(&planner, None, false, None);
-        self.add(&plan, &self.origin.of_publication(), Shown::ToPeople);
+        let planner = Planner::new(model, arena, equations, &LANGUAGE, Sharing::AsStated);
+        let plan = FormulationPlan::new(&planner, None, Jacobian::LeftOut, None);
+        self.add(&plan, &self.origin.of_publication(), Readers::People);
     }
 }
 
 /// Intended readers of a set of equations.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Shown {
+enum Readers {
     /// People: a file of equations is written beside the code.
-    ToPeople,
+    People,
     /// Only runs: no file of equations is written.
-    ToRuns,
+    Runs,
 }
 
 impl<'a> RustModule<'a> {
@@ -87,13 +87,13 @@ impl<'a> RustModule<'a> {
     /// [`Diagnostics`] if accelerations are not determined, or are not proved.
     pub fn finish(mut self, model: &Model) -> Result<(BTreeMap<String, String>, Vec<Entry>), Diagnostics> {
         for derivation in std::mem::take(&mut self.near) {
-            self.solved(model, derivation, Shown::ToRuns)?;
+            self.solved(model, derivation, Readers::Runs)?;
         }
         Ok((self.files, self.entries))
     }
 
     /// Adds derived equations, solved for their accelerations.
-    fn solved(&mut self, model: &Model, derivation: Derivation, shown: Shown) -> Result<(), Diagnostics> {
+    fn solved(&mut self, model: &Model, derivation: Derivation, shown: Readers) -> Result<(), Diagnostics> {
         let Derivation { mut arena, equations } = derivation;
         let title = equations.formulation.title();
         let refused = |why: Unsolved| unsolved(&model.source, title, why);
@@ -103,19 +103,20 @@ impl<'a> RustModule<'a> {
             if self.extras.taylor { recurrences_of(&mut arena, &equations, &solved.accelerations) } else { None };
         let recurrences = recurrences.filter(|list| list.convolutions() <= MOST_CONVOLUTIONS);
         let equations = equations.with_inverse_dynamics(&mut arena).map_err(|why| refused(why.into()))?;
-        let planner = Planner::new(model, &arena, &equations, &LANGUAGE, true);
-        let plan = FormulationPlan::new(&planner, Some(&solved), self.extras.jacobian, recurrences.as_ref());
+        let planner = Planner::new(model, &arena, &equations, &LANGUAGE, Sharing::Shared);
+        let jacobian = if self.extras.jacobian { Jacobian::Planned } else { Jacobian::LeftOut };
+        let plan = FormulationPlan::new(&planner, Some(&solved), jacobian, recurrences.as_ref());
         self.add(&plan, &self.origin.of_model(), shown);
         Ok(())
     }
 
-    fn add(&mut self, plan: &FormulationPlan<'_>, origin: &str, shown: Shown) {
+    fn add(&mut self, plan: &FormulationPlan<'_>, origin: &str, shown: Readers) {
         let (equations, model) = (plan.planner.equations, plan.planner.model);
         let (name, title) = (equations.name(model), equations.title(model));
         let FormulationFiles { equations: text, code } = formulation_files(plan, origin, &mut self.written);
         let file = self.file_of(&name);
         self.files.insert(format!("code/{file}"), code);
-        let is_shown = shown == Shown::ToPeople;
+        let is_shown = shown == Readers::People;
         self.files.extend(is_shown.then_some((file, text)));
         let series = plan.taylor.as_ref().is_some_and(|taylor| has_short_series(taylor.list.convolutions(), equations));
         self.entries.push(Entry { name, title, solved: plan.solved_cost, series, shown: is_shown });

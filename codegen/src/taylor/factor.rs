@@ -40,6 +40,13 @@ struct Monomial {
     powers: Vec<(Expr, i32)>,
 }
 
+/// A base as a factor or as a divisor of products.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct Factor {
+    base: Expr,
+    is_divisor: bool,
+}
+
 impl Monomial {
     fn of(base: Expr, n: i32) -> Self {
         Self { coefficient: Rational::ONE, powers: vec![(base, n)] }
@@ -49,10 +56,10 @@ impl Monomial {
         Self { coefficient: self.coefficient.mul(&other.coefficient), powers: multiply(&self.powers, &other.powers) }
     }
 
-    /// Exponent of a base as a factor, or as a divisor if `inverse`; 0 if the exponent has the other sign.
-    fn exponent(&self, (base, inverse): (Expr, bool)) -> i32 {
-        let found = self.powers.iter().find(|(known, _)| *known == base).map_or(0, |(_, n)| *n);
-        if inverse { (-found).max(0) } else { found.max(0) }
+    /// Size of the exponent of a factor; 0 if the product does not have it.
+    fn exponent(&self, factor: Factor) -> i32 {
+        let found = self.powers.iter().find(|(base, _)| *base == factor.base).map_or(0, |(_, n)| *n);
+        if factor.is_divisor { (-found).max(0) } else { found.max(0) }
     }
 }
 
@@ -151,10 +158,10 @@ fn horner(arena: &mut Arena, varying: &FxHashSet<Expr>, mut sum: Vec<Monomial>, 
     while let Some(factor) = most_frequent(arena, varying, &sum, preference) {
         let (mut with, without): (Vec<Monomial>, Vec<Monomial>) = sum.into_iter().partition(|m| m.exponent(factor) > 0);
         let n = with.iter().map(|m| m.exponent(factor)).min().unwrap_or(1);
-        let power = [(factor.0, if factor.1 { -n } else { n })];
+        let power = [(factor.base, if factor.is_divisor { -n } else { n })];
         take_out(&mut with, &power);
         let inner = horner(arena, varying, with, preference);
-        let power = arena.pow(factor.0, power[0].1).expect("a divisor is not 0");
+        let power = arena.pow(factor.base, power[0].1).expect("a divisor is not 0");
         terms.push(arena.mul(power, inner));
         sum = without;
     }
@@ -171,7 +178,7 @@ fn horner(arena: &mut Arena, varying: &FxHashSet<Expr>, mut sum: Vec<Monomial>, 
 fn common_factor(sum: &[Monomial]) -> Vec<(Expr, i32)> {
     let Some(first) = sum.first().filter(|_| sum.len() > 1) else { return Vec::new() };
     let least = |&(base, n): &(Expr, i32)| {
-        let least = sum.iter().map(|m| m.exponent((base, n < 0))).min().unwrap_or(0);
+        let least = sum.iter().map(|m| m.exponent(Factor { base, is_divisor: n < 0 })).min().unwrap_or(0);
         (base, if n < 0 { -least } else { least })
     };
     first.powers.iter().map(least).filter(|(_, n)| *n != 0).collect()
@@ -184,17 +191,11 @@ fn take_out(sum: &mut [Monomial], factor: &[(Expr, i32)]) {
     }
 }
 
-/// Factor that changes in time and is in most products, and true if it is a divisor. `None` unless two or more products
-/// have it.
-fn most_frequent(
-    arena: &Arena,
-    varying: &FxHashSet<Expr>,
-    sum: &[Monomial],
-    preference: Preference,
-) -> Option<(Expr, bool)> {
-    let mut counts: FxHashMap<(Expr, bool), usize> = FxHashMap::default();
+/// Factor or divisor that changes in time and is in most products. `None` unless two or more products have it.
+fn most_frequent(arena: &Arena, varying: &FxHashSet<Expr>, sum: &[Monomial], preference: Preference) -> Option<Factor> {
+    let mut counts: FxHashMap<Factor, usize> = FxHashMap::default();
     for (base, n) in sum.iter().flat_map(|m| &m.powers).filter(|(base, _)| varying.contains(base)) {
-        *counts.entry((*base, *n < 0)).or_default() += 1;
+        *counts.entry(Factor { base: *base, is_divisor: *n < 0 }).or_default() += 1;
     }
     let rank = |base: Expr| {
         let (function, symbol) =
@@ -208,5 +209,5 @@ fn most_frequent(
         }
     };
     let often = counts.into_iter().filter(|(_, count)| *count > 1);
-    often.max_by_key(|((base, inverse), count)| (*count, rank(*base), *inverse)).map(|(factor, _)| factor)
+    often.max_by_key(|(factor, count)| (*count, rank(factor.base), factor.is_divisor)).map(|(factor, _)| factor)
 }

@@ -89,9 +89,18 @@ impl<S: Numeric> Known<'_, S> {
         self.z[j * self.columns + series]
     }
 
-    /// Convolution Σ a_j b_{k−j} over `from` ≤ j < `to`; with `counted`, Σ j a_j b_{k−j}.
-    fn sum(&self, (a, b): (usize, usize), from: usize, to: usize, counted: bool) -> S {
-        let factor = |j: usize| if counted { whole(j) } else { S::int(1) };
+    /// Convolution Σ a_j b_{k−j} of two series over `from` ≤ j < `to`.
+    fn convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
+        self.weighted(a, b, from, to, |_| S::int(1))
+    }
+
+    /// Convolution Σ j a_j b_{k−j} of two series over `from` ≤ j < `to`.
+    fn counted_convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
+        self.weighted(a, b, from, to, whole)
+    }
+
+    /// Convolution Σ f(j) a_j b_{k−j} of two series over `from` ≤ j < `to`.
+    fn weighted(&self, a: usize, b: usize, from: usize, to: usize, factor: impl Fn(usize) -> S) -> S {
         let products = (from..to).map(|j| factor(j) * self.of(j, a) * self.of(self.k - j, b));
         products.reduce(|sum, product| sum + product).unwrap_or(S::int(0))
     }
@@ -106,22 +115,22 @@ impl<S: Numeric> Known<'_, S> {
                 let start = if k == 0 { weight(*constant) } else { S::int(0) };
                 terms.iter().fold(start, |sum, (w, x)| sum + weight(*w) * now(*x))
             }
-            Rule::Product(x, y) => self.sum((*x, *y), 0, k + 1, false),
+            Rule::Product(x, y) => self.convolution(*x, *y, 0, k + 1),
             Rule::Quotient(x, y) => {
                 let above = x.map_or(S::int(i64::from(k == 0)), now);
                 // From y z = x, without the term of z_k.
-                (above - self.sum((*y, at), 1, k + 1, false)) / first(*y)
+                (above - self.convolution(*y, at, 1, k + 1)) / first(*y)
             }
             Rule::Root(x) if k == 0 => first(*x).sqrt(),
-            Rule::Root(x) => (now(*x) - self.sum((at, at), 1, k, false)) / (S::int(2) * first(at)),
+            Rule::Root(x) => (now(*x) - self.convolution(at, at, 1, k)) / (S::int(2) * first(at)),
             Rule::Forward { value, of, .. } | Rule::Backward { value, of, .. } if k == 0 => first(*of).apply(*value),
             Rule::Forward { of, slope, negative, .. } => {
-                let sum = self.sum((*of, *slope), 1, k + 1, true) / whole(k);
+                let sum = self.counted_convolution(*of, *slope, 1, k + 1) / whole(k);
                 if *negative { -sum } else { sum }
             }
             Rule::Backward { of, slope, negative, .. } => {
                 let above = if *negative { -now(*of) } else { now(*of) };
-                (above - self.sum((at, *slope), 1, k, true) / whole(k)) / first(*slope)
+                (above - self.counted_convolution(at, *slope, 1, k) / whole(k)) / first(*slope)
             }
         }
     }

@@ -26,7 +26,7 @@ mod supports;
 mod terms;
 mod words;
 
-pub use drawing::{Label, Mark, Paint, Part, Path, Role, Spot, Word};
+pub use drawing::{Label, Mark, Paint, Part, Path, Role, SheetPoint, Word};
 pub use shown::Changed;
 
 use super::view::space::dot;
@@ -42,7 +42,7 @@ use terms::Terms;
 use tripos_derive::model::TIME;
 use tripos_derive::plain::path_in_line;
 use tripos_derive::scene::{Scene, State};
-use words::Shown;
+use words::CoordinateMark;
 
 /// Greatest width and height of the solids on a sketch's sheet, px.
 const ROOM: (f64, f64) = (340.0, 280.0);
@@ -61,7 +61,7 @@ pub struct Sketch {
     /// Drawn values of the coordinates, in a sentence.
     pub drawn: String,
     /// Width and height of the sheet, px. All marks and labels lie within it.
-    pub size: Spot,
+    pub size: SheetPoint,
     /// Lines and areas of the sketch, from back to front.
     pub marks: Vec<Mark>,
     /// Labels in front of the marks. No label covers another.
@@ -71,7 +71,7 @@ pub struct Sketch {
 }
 
 /// Values of the parameters and coordinates that are drawn.
-struct Given<'a> {
+struct DrawnState<'a> {
     parameters: &'a [f64],
     q: Vec<f64>,
     /// Coordinates whose values were changed so that their marks are visible.
@@ -90,7 +90,7 @@ impl Sketch {
         let name = path_in_line(&scene.source.path);
         let of =
             if name.is_empty() { "the start of the scene".to_owned() } else { format!("the start of {}", file(&name)) };
-        Self::seen(mechanism, (&scene.parameters, &scene.q), of)
+        Self::seen(mechanism, Configuration { parameters: &scene.parameters, q: &scene.q }, of)
     }
 
     /// Draws a mechanism without a scene, at the values of its file and in a pose that shows everything.
@@ -99,7 +99,7 @@ impl Sketch {
     /// Errors of [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no pose closes the loops.
     pub fn of_model(mechanism: &Mechanism) -> Result<Self, Error> {
         let (parameters, q) = without_scene(mechanism)?;
-        Self::seen(mechanism, (&parameters, &q), "the model by itself".to_owned())
+        Self::seen(mechanism, Configuration { parameters: &parameters, q: &q }, "the model by itself".to_owned())
     }
 
     /// Draws a mechanism in exactly the given state.
@@ -109,18 +109,18 @@ impl Sketch {
     pub fn at_state(mechanism: &Mechanism, state: &State) -> Result<Self, Error> {
         let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
         let of = "the state that was asked for".to_owned();
-        let given = Given { parameters: &state.parameters, q: state.q.clone(), changed: Vec::new(), of };
+        let given = DrawnState { parameters: &state.parameters, q: state.q.clone(), changed: Vec::new(), of };
         Self::new(mechanism, &terms, &poses, given)
     }
 
     /// Draws a mechanism after coordinates whose marks could not be seen were changed. `of` names the pose.
-    fn seen(mechanism: &Mechanism, (parameters, q): (&[f64], &[f64]), of: String) -> Result<Self, Error> {
+    fn seen(mechanism: &Mechanism, at: Configuration<'_>, of: String) -> Result<Self, Error> {
         let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
-        let (q, changed) = shown::shown(mechanism, &terms, &poses, Configuration { parameters, q })?;
-        Self::new(mechanism, &terms, &poses, Given { parameters, q, changed, of })
+        let (q, changed) = shown::shown(mechanism, &terms, &poses, at)?;
+        Self::new(mechanism, &terms, &poses, DrawnState { parameters: at.parameters, q, changed, of })
     }
 
-    fn new(mechanism: &Mechanism, terms: &Terms, poses: &Poses, given: Given<'_>) -> Result<Self, Error> {
+    fn new(mechanism: &Mechanism, terms: &Terms, poses: &Poses, given: DrawnState<'_>) -> Result<Self, Error> {
         let at = Configuration { parameters: given.parameters, q: &given.q };
         let pose = poses.of(given.parameters, &given.q);
         if !is_somewhere(&pose) {
@@ -227,7 +227,7 @@ fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
 }
 
 /// Puts a mark of every coordinate on the sheet. Returns the index of each coordinate with the mark that shows it.
-fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> {
+fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, CoordinateMark)> {
     let mut arcs = Arcs::default();
     let (mut shown, mut alone) = (Vec::new(), Vec::new());
     let mut together: Vec<(usize, Vec<usize>)> = Vec::new();
@@ -237,21 +237,21 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
             .find(|f| subject.terms.turn(*f).is_none() && subject.terms.turns_by(subject.mechanism, *f, c));
         let how = if let Some(angle) = Angle::of(subject, c) {
             let is_open = angles::draw(subject, sheet, &mut arcs, &angle);
-            Shown::Arc(angle, is_open)
+            CoordinateMark::Arc(angle, is_open)
         } else if let Some(frame) = oriented {
             match together.iter_mut().find(|(f, _)| *f == frame) {
                 Some((_, list)) => list.push(c),
                 None => together.push((frame, vec![c])),
             }
-            Shown::Together(frame)
+            CoordinateMark::Together(frame)
         } else if let Some(length) = Length::of(subject, c) {
             let is_open = lengths::draw(subject, sheet, &length);
-            Shown::Line(length, is_open)
+            CoordinateMark::Line(length, is_open)
         } else if lengths::draw_motion(subject, sheet, c) {
-            Shown::Arrow
+            CoordinateMark::Arrow
         } else {
             alone.push(c);
-            Shown::Name
+            CoordinateMark::Name
         };
         shown.push((c, how));
     }
@@ -263,7 +263,7 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<(usize, Shown)> 
             }
             names.push(named(c));
         }
-        angles::draw_together(subject, sheet, &mut arcs, (frame, names));
+        angles::draw_together(subject, sheet, &mut arcs, frame, names);
     }
     if let (false, Some((low, high))) = (alone.is_empty(), drawing::extent(&sheet.marks, &[])) {
         // These names are placed below all marks.
@@ -285,8 +285,8 @@ fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
             _ => None,
         });
         // The longest of the rods is taken, compared in steps of 4 px; the first of equal ones.
-        let long = |[a, b]: &[Spot; 2]| ((b[0] - a[0]).hypot(b[1] - a[1]) / 4.0).round();
-        let longest = rods.fold(None, |best: Option<[Spot; 2]>, rod| match best {
+        let long = |[a, b]: &[SheetPoint; 2]| ((b[0] - a[0]).hypot(b[1] - a[1]) / 4.0).round();
+        let longest = rods.fold(None, |best: Option<[SheetPoint; 2]>, rod| match best {
             Some(best) if long(&best) >= long(&rod) => Some(best),
             _ => Some(rod),
         });
@@ -301,12 +301,12 @@ fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
 
 /// Places the labels of a sheet, and moves it so that all marks and labels lie on it. Returns the size of the sheet,
 /// px, its marks and its labels.
-fn finish(sheet: Sheet) -> (Spot, Vec<Mark>, Vec<Label>) {
+fn finish(sheet: Sheet) -> (SheetPoint, Vec<Mark>, Vec<Label>) {
     let (mut labels, leaders) = place::placed(&sheet.wishes, &sheet.marks);
     let mut marks = sheet.marks;
     marks.extend(leaders);
     let (low, high) = drawing::extent(&marks, &labels).unwrap_or_default();
-    let moved = |spot: Spot| [0, 1].map(|i| spot[i] - low[i] + MARGIN);
+    let moved = |spot: SheetPoint| [0, 1].map(|i| spot[i] - low[i] + MARGIN);
     for mark in &mut marks {
         mark.path.from = moved(mark.path.from);
         for part in &mut mark.path.parts {

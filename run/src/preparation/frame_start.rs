@@ -38,7 +38,8 @@ pub fn turned(
     arena: &Arena,
     frame: &Turned,
     symbols: &[Expr],
-    (parameters, start): (&[DoubleDouble], &[DoubleDouble]),
+    parameters: &[DoubleDouble],
+    start: &[DoubleDouble],
 ) -> Result<Vec<DoubleDouble>, Error> {
     let what = "a moving frame";
     let of_pins = frame.pins.iter().chain(frame.slopes.iter().flatten()).copied().collect::<Vec<_>>();

@@ -2,6 +2,7 @@
 
 pub(super) mod frame_start;
 pub(super) mod impacts;
+pub(super) mod initial;
 pub(super) mod near_divisors;
 pub mod passage;
 pub(super) mod problem;

@@ -42,7 +42,7 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
     let list: Vec<String> = near
         .map(|((e, meaning), value)| {
             let meaning = meaning.as_ref().map_or_else(String::new, |meaning| format!(" ({meaning})"));
-            format!("{} = {}{meaning}", text(&arena, *e), said(*value))
+            format!("{} = {}{meaning}", text(&arena, *e), in_two_digits(*value))
         })
         .collect();
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
@@ -85,7 +85,7 @@ impl Fold for Sizes<'_> {
 }
 
 /// Formats a divisor that is nearly zero in two digits.
-fn said(value: f64) -> String {
+fn in_two_digits(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
 }
 

@@ -10,9 +10,10 @@
 mod changes;
 mod parts;
 
-pub use changes::{Change, said};
+pub use changes::{Change, notes_on_changes};
 pub use parts::{joined, rest};
 
+use super::initial::InitialState;
 use crate::code::Code;
 use parts::{coarsened, options_in_rates, widened};
 use std::cell::{Cell, RefCell};
@@ -25,11 +26,27 @@ use tripos_sim::{
 };
 use tripos_traits::System;
 
-/// Equations in all rates, equations in the chosen speeds, and the parameters of both.
-type Systems<'a> = (&'a dyn System<f64>, &'a dyn System<f64>, &'a [f64]);
+/// Equations of motion of one mechanism in all rates and in the chosen speeds.
+#[derive(Clone, Copy)]
+pub struct Systems<'a> {
+    /// Equations of motion in the rates of all coordinates.
+    pub rates: &'a dyn System<f64>,
+    /// Equations of motion in the chosen speeds.
+    pub speeds: &'a dyn System<f64>,
+    /// Parameters of both sets of equations.
+    pub parameters: &'a [f64],
+}
 
 /// Function that gives the power at an instant and a state (q, q̇), W.
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
+
+/// Power of a run, and its balance of energy.
+pub struct Energy<'a> {
+    /// Power whose integral is the work, W; `None` if no work is integrated.
+    pub power: Option<Power<'a>>,
+    /// True if T + V minus the work of the power is constant in every motion.
+    pub is_kept: bool,
+}
 
 /// Share of the best standing so far below which a run leaves the chosen speeds. The standing tells how well these
 /// speeds determine the motion.
@@ -76,9 +93,9 @@ struct Passage<'r> {
     /// False while a run that began where the chosen speeds fail has only moved away from that place.
     is_best_known: Cell<bool>,
     /// Last state (q, q̇) whose standing was computed, and the standing there; `None` if it has no value.
-    asked: RefCell<(Vec<f64>, Option<Standing>)>,
+    last_standing: RefCell<(Vec<f64>, Option<Standing>)>,
     /// Last state that was converted to (q, q̇); kept to reuse its memory.
-    told: RefCell<Vec<f64>>,
+    in_rates: RefCell<Vec<f64>>,
     /// Least duration of the next part of the run in all rates, s.
     dwell: f64,
     /// Duration of the last part of the run in all rates, s.
@@ -89,26 +106,28 @@ struct Passage<'r> {
     keeps_energy: bool,
 }
 
-/// Integrates from y0 = (q, q̇) over a span. It uses the equations in chosen speeds, whose right-hand side is given, as
-/// far as these speeds determine the motion. Elsewhere it uses the equations in all rates. Returns the solution in (q,
-/// q̇), and the parts that were computed in all rates.
+/// Integrates from a start (q, q̇) over its span. It uses the equations in chosen speeds, whose right-hand side is
+/// given, as far as these speeds determine the motion. Elsewhere it uses the equations in all rates. Returns the
+/// solution in (q, q̇), and the parts that were computed in all rates.
 ///
 /// # Errors
 /// [`SimError`] if the request is invalid.
 pub fn solve(
     systems: Systems<'_>,
     rhs: &mut dyn RightHandSide<f64>,
-    (span, y0): ((f64, f64), &[f64]),
+    start: InitialState<'_>,
     options: &Options,
     events: &mut [Event<'_>],
-    (mut power, keeps_energy): (Option<Power<'_>>, bool),
+    energy: Energy<'_>,
 ) -> Result<(Solution, Vec<Change>), SimError> {
+    let InitialState { span, y: y0 } = start;
+    let Energy { mut power, is_kept: keeps_energy } = energy;
     let mut passage = Passage { keeps_energy, ..Passage::new(systems, options)? };
     let mut in_speeds = passage.begins_in_speeds(y0);
     let mut whole = if in_speeds {
-        passage.by_speeds(rhs, span, y0, options, events, power.as_mut())?
+        passage.by_speeds(rhs, start, options, events, power.as_mut())?
     } else {
-        passage.in_rates(span, y0, options, events, power.as_mut())?
+        passage.in_rates(start, options, events, power.as_mut())?
     };
     while match &whole.stop {
         Stop::HandedOver => true,
@@ -117,18 +136,18 @@ pub fn solve(
     } {
         in_speeds = !in_speeds;
         let (rest, y) = (rest(options, &whole, span), whole.y_end.clone());
-        let span = (whole.t_end, span.1);
+        let start = InitialState { span: (whole.t_end, span.1), y: &y };
         let leg = if in_speeds {
-            passage.by_speeds(rhs, span, &y, &rest, events, power.as_mut())?
+            passage.by_speeds(rhs, start, &rest, events, power.as_mut())?
         } else {
-            passage.in_rates(span, &y, &rest, events, power.as_mut())?
+            passage.in_rates(start, &rest, events, power.as_mut())?
         };
         whole = joined(whole, leg, options);
     }
     Ok((whole, passage.changes))
 }
 
-/// Runs from `y0` = (q, v) in the chosen speeds alone. `None` if these speeds fail on the way, or hardly determine the
+/// Runs from a start (q, v) in the chosen speeds alone. `None` if these speeds fail on the way, or hardly determine the
 /// motion: such runs need [`solve`].
 ///
 /// # Errors
@@ -136,17 +155,17 @@ pub fn solve(
 pub fn in_speeds_alone(
     systems: Systems<'_>,
     rhs: &mut dyn RightHandSide<f64>,
-    (span, y0): ((f64, f64), &[f64]),
+    start: InitialState<'_>,
     options: &Options,
     events: &mut [Event<'_>],
     mut power: Option<Power<'_>>,
 ) -> Result<Option<Solution>, SimError> {
     let passage = Passage::new(systems, options)?;
-    if !passage.begins_in_speeds(&told_in_rates(passage.speeds, passage.parameters, y0)) {
+    if !passage.begins_in_speeds(&state_in_rates(passage.speeds, passage.parameters, start.y)) {
         return Ok(None);
     }
     let power = power.as_mut().map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
-    let (run, _) = passage.leg(rhs, (span, y0), options, events, power)?;
+    let (run, _) = passage.leg(rhs, start, options, events, power)?;
     let is_whole = match &run.stop {
         Stop::StepLimit { .. } | Stop::Interrupted => true,
         stop => !stop.is_failure() && *stop != Stop::HandedOver,
@@ -155,7 +174,8 @@ pub fn in_speeds_alone(
 }
 
 impl<'r> Passage<'r> {
-    fn new((rates, speeds, parameters): Systems<'r>, options: &Options) -> Result<Self, SimError> {
+    fn new(systems: Systems<'r>, options: &Options) -> Result<Self, SimError> {
+        let Systems { rates, speeds, parameters } = systems;
         let none = || SimError::Option { name: "equations in all rates", must: "equations with multipliers" };
         Ok(Self {
             rates,
@@ -164,8 +184,8 @@ impl<'r> Passage<'r> {
             multipliers: RefCell::new(Multipliers::new(rates, parameters, options.clock).ok_or_else(none)?),
             best: RefCell::new(Standing { speeds: 0.0, constraints: 0.0 }),
             is_best_known: Cell::new(true),
-            asked: RefCell::default(),
-            told: RefCell::default(),
+            last_standing: RefCell::default(),
+            in_rates: RefCell::default(),
             dwell: 0.0,
             lasted: 0.0,
             changes: Vec::new(),
@@ -175,14 +195,14 @@ impl<'r> Passage<'r> {
 
     /// True if a run can begin in the chosen speeds at (q, q̇).
     fn begins_in_speeds(&self, y: &[f64]) -> bool {
-        let stands = self.stands(y, LEAVES) == Some(true) && self.best.borrow().speeds > BEGINS;
+        let stands = self.has_standing(y, LEAVES) == Some(true) && self.best.borrow().speeds > BEGINS;
         self.is_best_known.set(stands);
         stands
     }
 
     /// True if the standing of the chosen speeds at (q, q̇) is above the share `part` of the best standing so far.
     /// `None` where the standing has no value.
-    fn stands(&self, y: &[f64], part: f64) -> Option<bool> {
+    fn has_standing(&self, y: &[f64], part: f64) -> Option<bool> {
         let now = self.standing(y)?;
         let mut best = self.best.borrow_mut();
         if now.speeds < best.speeds {
@@ -195,8 +215,8 @@ impl<'r> Passage<'r> {
     /// Standing of the chosen speeds at (q, q̇); `None` where it has no value. A state that differs from the last
     /// requested one only by a correction has the standing of that state.
     fn standing(&self, y: &[f64]) -> Option<Standing> {
-        let mut asked = self.asked.borrow_mut();
-        let (before, stood) = &mut *asked;
+        let mut last = self.last_standing.borrow_mut();
+        let (before, stood) = &mut *last;
         let size = y.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let is_same = before.len() == y.len() && before.iter().zip(y).all(|(a, b)| (a - b).abs() <= SAME * size);
         if !is_same {
@@ -208,11 +228,11 @@ impl<'r> Passage<'r> {
     }
 
     /// True if the standing of the chosen speeds at a state in these speeds is above the share `part` of the best; see
-    /// [`Self::stands`].
-    fn stands_in_speeds(&self, y: &[f64], part: f64) -> Option<bool> {
-        let mut told = self.told.borrow_mut();
-        tell_in_rates(self.speeds, self.parameters, y, &mut told);
-        self.stands(&told, part)
+    /// [`Self::has_standing`].
+    fn has_standing_in_speeds(&self, y: &[f64], part: f64) -> Option<bool> {
+        let mut in_rates = self.in_rates.borrow_mut();
+        write_state_in_rates(self.speeds, self.parameters, y, &mut in_rates);
+        self.has_standing(&in_rates, part)
     }
 
     /// Runs a part in the chosen speeds, up to a place where they hardly determine the motion. Also returns the end of
@@ -220,23 +240,23 @@ impl<'r> Passage<'r> {
     fn leg(
         &self,
         rhs: &mut dyn RightHandSide<f64>,
-        (span, y): ((f64, f64), &[f64]),
+        start: InitialState<'_>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<PowerAt<'_>>,
     ) -> Result<(Solution, f64), SimError> {
-        let beyond = Cell::new(span.0);
+        let beyond = Cell::new(start.span.0);
         let mut over = |t: f64, y: Option<&[f64]>| {
             beyond.set(t);
             y.is_none()
         };
         let mut yields = |t: f64, y: &[f64]| {
             beyond.set(t);
-            self.stands_in_speeds(y, LEAVES) != Some(true)
+            self.has_standing_in_speeds(y, LEAVES) != Some(true)
         };
         let power = power.map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
         let with = Accompanied { rhs, power, over: Some(&mut over), yields: Some(&mut yields) };
-        let leg = run(with, span, y, options, events)?;
+        let leg = run(with, start, options, events)?;
         Ok((leg, beyond.get()))
     }
 
@@ -244,18 +264,18 @@ impl<'r> Passage<'r> {
     fn by_speeds(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,
-        span: (f64, f64),
-        y: &[f64],
+        start: InitialState<'_>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution, SimError> {
-        let to_rates = |y: &[f64]| told_in_rates(self.speeds, self.parameters, y);
-        let start = self.told_in_speeds(y);
-        let mut watched: Vec<Event<'_>> = events.iter_mut().map(|event| told_by(event, &to_rates)).collect();
+        let to_rates = |y: &[f64]| state_in_rates(self.speeds, self.parameters, y);
+        let (span, y) = (start.span, self.state_in_speeds(start.y));
+        let mut watched: Vec<Event<'_>> =
+            events.iter_mut().map(|event| event_in_other_variables(event, &to_rates)).collect();
         let mut worked = power.map(|power| |t: f64, y: &[f64]| power(t, &to_rates(y)));
         let worked = worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
-        let (mut leg, beyond) = self.leg(rhs, (span, &start), options, &mut watched, worked)?;
+        let (mut leg, beyond) = self.leg(rhs, InitialState { span, y: &y }, options, &mut watched, worked)?;
         drop(watched);
         for y in leg.y.iter_mut().chain([&mut leg.y_end]).chain(leg.events.iter_mut().map(|event| &mut event.y)) {
             *y = to_rates(y);
@@ -271,12 +291,12 @@ impl<'r> Passage<'r> {
     /// there.
     fn in_rates(
         &mut self,
-        span: (f64, f64),
-        y: &[f64],
+        start: InitialState<'_>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution, SimError> {
+        let InitialState { span, y } = start;
         let options = options_in_rates(options, y.len() / 2);
         let mut power = power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
         // Near a singular pose rounding may exceed the tolerances, and steps become tiny. Wider tolerances lead across.
@@ -284,7 +304,7 @@ impl<'r> Passage<'r> {
         for times in COARSER {
             let few = Options { step_limit: options.step_limit.min(FEW), ..coarsened(&options, times) };
             let lent = power.as_mut().map(|power| &mut **power as &mut dyn FnMut(f64, &[f64]) -> f64);
-            let (found, nearest) = self.leg_in_rates((span, y), &few, events, lent)?;
+            let (found, nearest) = self.leg_in_rates(start, &few, events, lent)?;
             (is_singular, coarser) = (nearest < SINGULAR * self.best.borrow().constraints, times);
             let is_stuck = is_stuck(&found.stop);
             leg = Some(found);
@@ -294,7 +314,7 @@ impl<'r> Passage<'r> {
         }
         let mut leg = match leg {
             Some(leg) if !matches!(leg.stop, Stop::StepLimit { .. }) || options.step_limit <= FEW => leg,
-            _ => self.leg_in_rates((span, y), &options, events, power)?.0,
+            _ => self.leg_in_rates(start, &options, events, power)?.0,
         };
         self.lasted = (leg.t_end - span.0).abs();
         if is_singular && matches!(leg.stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. }) {
@@ -324,20 +344,20 @@ impl<'r> Passage<'r> {
     /// part.
     fn leg_in_rates(
         &self,
-        (span, y): ((f64, f64), &[f64]),
+        start: InitialState<'_>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<PowerAt<'_>>,
     ) -> Result<(Solution, f64), SimError> {
         let mut rhs = self.multipliers.borrow().again();
         let mut over = |t: f64, y: Option<&[f64]>| {
-            let lasts = (t - span.0).abs() < self.dwell;
-            let stands = y.is_some_and(|y| self.stands(y, RETURNS) == Some(true));
+            let lasts = (t - start.span.0).abs() < self.dwell;
+            let stands = y.is_some_and(|y| self.has_standing(y, RETURNS) == Some(true));
             !lasts && stands && self.is_best_known.get()
         };
         let power = power.map(|power| power as &mut dyn FnMut(f64, &[f64]) -> f64);
         let with = Accompanied { rhs: &mut rhs, power, over: Some(&mut over), yields: None };
-        let leg = run(with, span, y, options, events)?;
+        let leg = run(with, start, options, events)?;
         Ok((leg, rhs.nearest()))
     }
 
@@ -359,7 +379,7 @@ impl<'r> Passage<'r> {
     }
 
     /// Converts a state (q, q̇) to the variables (q, v) of the equations in chosen speeds.
-    fn told_in_speeds(&self, y: &[f64]) -> Vec<f64> {
+    fn state_in_speeds(&self, y: &[f64]) -> Vec<f64> {
         let (q, q_dot) = y.split_at(y.len() / 2);
         let mut u = vec![0.0; self.rates.lengths().speeds];
         self.rates.generalized_speeds(self.parameters, q, q_dot, &mut u);
@@ -374,13 +394,14 @@ fn is_stuck(stop: &Stop) -> bool {
     matches!(stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::StepLimit { .. })
 }
 
-/// Converts an event that is a function of (q, q̇) to an event in other variables; `to_rates` converts these to (q, q̇).
-fn told_by<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64>) -> Event<'e> {
+/// Converts an event that is a function of (q, q̇) to an event in other variables; `to_rates` converts these to (q,
+/// q̇).
+fn event_in_other_variables<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64>) -> Event<'e> {
     let function = &mut event.function;
-    let told = move |t: f64, y: &[f64]| function(t, &to_rates(y));
+    let in_other = move |t: f64, y: &[f64]| function(t, &to_rates(y));
     Event {
         name: event.name.clone(),
-        function: Box::new(told),
+        function: Box::new(in_other),
         ranges: None,
         direction: event.direction,
         effect: event.effect,
@@ -390,26 +411,25 @@ fn told_by<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64
 /// Integrates equations whose steps are watched.
 fn run(
     mut rhs: Accompanied<'_>,
-    span: (f64, f64),
-    y0: &[f64],
+    start: InitialState<'_>,
     options: &Options,
     events: &mut [Event<'_>],
 ) -> Result<Solution, SimError> {
-    integrate(Lent(&mut rhs as &mut dyn RightHandSide<f64>), span, y0, options, events)
+    integrate(Lent(&mut rhs as &mut dyn RightHandSide<f64>), start.span, start.y, options, events)
 }
 
 /// Converts an integrated state (q, v) to (q, q̇).
-fn told_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
-    let mut told = Vec::new();
-    tell_in_rates(system, p, y, &mut told);
-    told
+fn state_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64]) -> Vec<f64> {
+    let mut out = Vec::new();
+    write_state_in_rates(system, p, y, &mut out);
+    out
 }
 
-/// Converts an integrated state (q, v) to (q, q̇), which is written into `told`.
-fn tell_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], told: &mut Vec<f64>) {
+/// Converts an integrated state (q, v) to (q, q̇), which is written into `out`.
+fn write_state_in_rates(system: &dyn System<f64>, p: &[f64], y: &[f64], out: &mut Vec<f64>) {
     let n = system.lengths().coordinates;
     let (q, v) = y.split_at(n);
-    told.resize(2 * n, 0.0);
-    told[..n].copy_from_slice(q);
-    system.coordinate_rates(p, q, v, &mut told[n..]);
+    out.resize(2 * n, 0.0);
+    out[..n].copy_from_slice(q);
+    system.coordinate_rates(p, q, v, &mut out[n..]);
 }

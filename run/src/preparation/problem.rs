@@ -7,6 +7,7 @@ mod bouncing;
 mod changing;
 mod extended;
 
+use super::initial::InitialState;
 use super::near_divisors::near_divisors;
 use super::passage::Chosen;
 use super::reduced::Reduced;
@@ -100,7 +101,7 @@ impl<'a> Problem<'a> {
     ) -> Result<Self, Error> {
         // Eliminated equations may have been divided by a mass that is 0.
         inertia.at(&scene.exact.rational).map_err(|error| Error::Input(mechanism.diagnose(&error)))?;
-        Self::with(mechanism, &mechanism.model, scene, (by, code), solve)
+        Self::with(mechanism, &mechanism.model, scene, by, code, solve)
     }
 
     /// Makes a problem from a scene and its own reduced equations. Their reduction has already checked the inertia.
@@ -114,14 +115,15 @@ impl<'a> Problem<'a> {
         code: &'a Code,
     ) -> Result<Self, Error> {
         let Reduced { reduction, scene, by } = reduced;
-        Ok(Self { shown, ..Self::with(mechanism, &reduction.model, scene, (by, code), None)? })
+        Ok(Self { shown, ..Self::with(mechanism, &reduction.model, scene, by, code, None)? })
     }
 
     fn with(
         mechanism: &'a Mechanism,
         model: &'a Model,
         scene: &'a Scene,
-        (by, code): (&'a By, &'a Code),
+        by: &'a By,
+        code: &'a Code,
         solve: Option<Solve>,
     ) -> Result<Self, Error> {
         bouncing::check(scene, by)?;
@@ -301,7 +303,7 @@ impl<'a> Problem<'a> {
         events: &mut [Event<'_>],
     ) -> Result<Solution, SimError> {
         if !self.scene.impacts.is_empty() {
-            return self.bouncing((span, y0), &self.options(options), events, None);
+            return self.bouncing(InitialState { span, y: y0 }, &self.options(options), events, None);
         }
         let mut rhs = self.right_hand_side()?;
         integrate(Lent(rhs.as_mut()), span, y0, &self.options(options), events)
@@ -339,7 +341,8 @@ impl<'a> Problem<'a> {
     ) -> Result<Solution, Error> {
         let (how, system, p) = (&self.scene.integration, self.system(), self.scene.parameters.as_slice());
         if !self.scene.impacts.is_empty() {
-            let run = self.bouncing((self.scene.span, y0), &self.options(options), events, power);
+            let start = InitialState { span: self.scene.span, y: y0 };
+            let run = self.bouncing(start, &self.options(options), events, power);
             return run.map_err(|error| refused(self.scene, &error));
         }
         if how.method == Integrator::Quadrature {

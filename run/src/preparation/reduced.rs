@@ -137,7 +137,7 @@ fn start(reduction: &Reduction, model: &Model, exact: &Exact) -> Result<[Vec<Dou
         symbols.truncate(count);
         values.truncate(count);
         let states = values.split_off(model.parameters.len());
-        let turned = turned(reduction.terms(), frame, &symbols, (&values, &states))?;
+        let turned = turned(reduction.terms(), frame, &symbols, &values, &states)?;
         values.extend(turned);
     }
     let free = reduction.model.parameters.len() - reduction.constants.len();

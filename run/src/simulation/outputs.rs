@@ -24,7 +24,7 @@ pub fn state_names(model: &Model) -> Vec<String> {
 
 /// Computes the quantities that a scene shows from a state of whole equations.
 #[derive(Clone)]
-pub struct Shown {
+pub struct ShownQuantities {
     /// Names of coordinates and generalized speeds, then of the other outputs of the scene.
     pub names: Vec<String>,
     /// Outputs that are not states; `None` if the scene asks only for states.
@@ -42,7 +42,7 @@ struct Outputs {
     energies: Vec<usize>,
 }
 
-impl Shown {
+impl ShownQuantities {
     /// Prepares the shown quantities of a scene of this model.
     ///
     /// # Errors

@@ -13,6 +13,7 @@ mod windows;
 
 use super::outputs::state_names;
 use crate::code::{Form, Ready, by_or_first, code};
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::options::options;
@@ -126,7 +127,7 @@ pub fn simulate_held(
     mechanism: &Mechanism,
     scene: &Scene,
     signals: &[Held<'_>],
-    by: Option<&str>,
+    by: Option<&EquationsName>,
 ) -> Result<SampledRun, Error> {
     for Held { input, instants, values } in signals {
         if instants.len() != values.len() {
@@ -147,7 +148,7 @@ pub fn simulate_held(
     };
     let decide =
         || |sample: &Sample<'_>| signals.iter().zip(&places).map(|(signal, at)| value(signal, at, sample.t)).collect();
-    simulate_sampled(mechanism, scene, (&inputs, &all), decide, by)
+    simulate_sampled(mechanism, scene, &inputs, &all, decide, by)
 }
 
 /// Runs a scene whose inputs `inputs` are set by a controller at the given instants, and held until the next instant.
@@ -162,9 +163,10 @@ pub fn simulate_held(
 pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
     mechanism: &Mechanism,
     scene: &Scene,
-    (inputs, instants): (&[&str], &[f64]),
+    inputs: &[&str],
+    instants: &[f64],
     controller: impl Fn() -> C,
-    by: Option<&str>,
+    by: Option<&EquationsName>,
 ) -> Result<SampledRun, Error> {
     let places = places(mechanism, inputs)?;
     check_instants(scene, instants)?;
@@ -184,7 +186,7 @@ pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
         Stop::Interrupted => None,
         _ => Some(loop_.run(&beside, &nearby, &finer(&options), &mut controller())?),
     };
-    Ok(loop_.told(first, second.as_ref(), code.form()))
+    Ok(loop_.sampled_run(first, second.as_ref(), code.form()))
 }
 
 /// Indices of the named inputs among the parameters of a mechanism.

@@ -40,16 +40,16 @@ impl Case {
 
     /// Lists the methods that can run the case, at each of the given tolerances, and quadrature if it gives the motion.
     #[must_use]
-    pub fn ways(&self, tolerances: &[f64]) -> Vec<Way> {
+    pub fn ways(&self, tolerances: &[f64]) -> Vec<MethodAtTolerance> {
         let mut list = Vec::new();
         for method in Method::ALL.into_iter().filter(|method| self.has(*method)) {
-            list.extend(tolerances.iter().map(|tolerance| Way::Steps(method, *tolerance)));
+            list.extend(tolerances.iter().map(|tolerance| MethodAtTolerance::Steps(method, *tolerance)));
             if let (true, Some(finest)) = (self.reduction.is_some() && FINE.contains(&method), tolerances.last()) {
-                list.extend([10.0, 100.0].map(|times| Way::Absolute(method, finest / times)));
+                list.extend([10.0, 100.0].map(|times| MethodAtTolerance::Absolute(method, finest / times)));
             }
         }
         if self.has_quadrature() {
-            list.push(Way::Quadrature);
+            list.push(MethodAtTolerance::Quadrature);
         }
         list
     }
@@ -100,7 +100,7 @@ impl Prepared<'_> {
 
 /// Method and tolerance of a run of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
+pub enum MethodAtTolerance {
     /// Steps of a method, with one number for relative and absolute tolerance.
     Steps(Method, f64),
     /// Steps of a method at an absolute tolerance alone. It can be finer than a relative tolerance, which is at least
@@ -110,7 +110,7 @@ pub enum Way {
     Quadrature,
 }
 
-impl Way {
+impl MethodAtTolerance {
     /// Method of the steps; `None` for quadrature.
     #[must_use]
     pub fn method(self) -> Option<Method> {
@@ -183,12 +183,22 @@ impl Way {
     }
 }
 
+/// Treatment of the equations of a publication beside the derived ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Printed {
+    /// The printed equations are run as they stand.
+    Included,
+    /// Only derived equations are run.
+    LeftOut,
+}
+
 /// Lists every formulation of the model with each way to find its accelerations. Printed equations follow, as they
-/// stand, if `printed` is true, and then the scene's reduced equations. Also returns the reasons why cases are missing.
+/// stand, if `printed` includes them, and then the scene's reduced equations. Also returns the reasons why cases are
+/// missing.
 ///
 /// # Errors
 /// [`Error`] if no equations can be run.
-pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
+pub fn cases(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = whole(model, scene, printed)?;
     match own(model, scene) {
         Ok(case) => list.push(case),
@@ -201,11 +211,11 @@ pub fn cases(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Cas
 ///
 /// # Errors
 /// Errors of [`cases`].
-pub fn whole(model: &Mechanism, scene: &Scene, printed: bool) -> Result<(Vec<Case>, Vec<String>), Error> {
+pub fn whole(model: &Mechanism, scene: &Scene, printed: Printed) -> Result<(Vec<Case>, Vec<String>), Error> {
     let (mut list, mut left_out) = (Vec::new(), Vec::new());
     let mut why = None;
     let mut names: Vec<By> = tripos_derive::Formulation::ALL.map(By::from).to_vec();
-    if printed {
+    if printed == Printed::Included {
         names.extend(crate::code::printed(model)?);
     }
     for by in names {

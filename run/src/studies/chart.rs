@@ -3,7 +3,7 @@
 
 pub mod session;
 
-use super::case::{Case, Prepared, Way};
+use super::case::{Case, MethodAtTolerance, Prepared};
 use crate::error::Error;
 use crate::follow::Progress;
 use crate::mechanism::Mechanism;
@@ -32,18 +32,23 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Makes the full plan, or a quick one whose measurements take less than two minutes.
+    /// Makes the full plan.
     #[must_use]
-    pub fn new(quick: bool) -> Self {
-        let powers: Vec<i32> = if quick { vec![3, 5, 7, 9, 11, 13] } else { (2..=14).collect() };
-        Self {
-            tolerances: powers.into_iter().map(|n| 10_f64.powi(-n)).collect(),
-            repeats: if quick { 3 } else { 7 },
-            step_limit: if quick { 100_000 } else { 1_000_000 },
-            quick,
-            patience: if quick { 0.1 } else { 1.0 },
-        }
+    pub fn full() -> Self {
+        Self { tolerances: powers_of_ten(2..=14), repeats: 7, step_limit: 1_000_000, quick: false, patience: 1.0 }
     }
+
+    /// Makes a plan whose measurements take less than two minutes.
+    #[must_use]
+    pub fn quick() -> Self {
+        let tolerances = powers_of_ten((3..=13).step_by(2));
+        Self { tolerances, repeats: 3, step_limit: 100_000, quick: true, patience: 0.1 }
+    }
+}
+
+/// Tolerances 10⁻ⁿ for the given n.
+fn powers_of_ten(powers: impl Iterator<Item = i32>) -> Vec<f64> {
+    powers.map(|n| 10_f64.powi(-n)).collect()
 }
 
 /// Measured point of a chart: one case, one method and one tolerance.
@@ -53,7 +58,7 @@ pub struct Measurement {
     /// Way in which accelerations were found, where the method needs them.
     pub solve: Solve,
     /// Method and tolerance of the run.
-    pub way: Way,
+    pub way: MethodAtTolerance,
     /// Durations of the repeated runs, s.
     pub seconds: Spread,
     /// Error of the run against the reference; `None` if the run did not reach the end.
@@ -78,8 +83,17 @@ pub struct Truth<'a> {
     pub watch: &'a Watch,
 }
 
+/// Measurements of the cases of a chart.
+#[derive(Default)]
+pub struct Measured {
+    /// Measured points, in the order of the cases and their methods and tolerances.
+    pub list: Vec<Measurement>,
+    /// Cases that cannot be measured, each with the reason.
+    pub left_out: Vec<String>,
+}
+
 /// Measures all cases against the reference at the end of the scene's span. An interrupted call returns the
-/// measurements so far. Cases that cannot be measured are added to `left_out`, each with the reason.
+/// measurements so far.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run at all.
@@ -89,16 +103,16 @@ pub fn measure(
     cases: &[Case],
     plan: &Plan,
     truth: &Truth<'_>,
-    (bar, left_out): (&dyn Progress, &mut Vec<String>),
-) -> Result<Vec<Measurement>, Error> {
+    bar: &dyn Progress,
+) -> Result<Measured, Error> {
     let prepared = cases.iter().map(|case| case.prepare(model, scene)).collect::<Result<Vec<_>, _>>()?;
     let problems: Vec<Problem<'_>> = prepared.iter().map(Prepared::problem).collect::<Result<_, _>>()?;
     let starts: Vec<Vec<f64>> = problems.iter().map(Problem::start).collect::<Result<_, _>>()?;
     let length = scene.span.1 - scene.span.0;
-    let ways: Vec<Vec<Way>> = cases.iter().map(|case| case.ways(&plan.tolerances)).collect();
+    let ways: Vec<Vec<MethodAtTolerance>> = cases.iter().map(|case| case.ways(&plan.tolerances)).collect();
     bar.set_length((ways.iter().map(Vec::len).sum::<usize>() * (1 + plan.repeats)) as u64);
-    let mut list: Vec<Measurement> = Vec::new();
-    let mut again: Vec<(usize, usize, Way, Options)> = Vec::new();
+    let Measured { mut list, mut left_out } = Measured::default();
+    let mut repeats: Vec<Repeat> = Vec::new();
     for (at, (problem, y0)) in problems.iter().zip(&starts).enumerate() {
         let mut exhausted = None;
         for way in &ways[at] {
@@ -110,21 +124,21 @@ pub fn measure(
             let how = way.options(length, plan.step_limit);
             bar.inc(1);
             let outcome = first(problem, y0, *way, &how, truth);
-            if model.follow.asked() {
+            if model.follow.is_interrupted() {
                 // The interrupted run is not measured.
-                return Ok(list);
+                return Ok(Measured { list, left_out });
             }
             let measurement = match outcome {
                 Ok(measurement) => measurement,
                 // A motion without quadrature is still integrated by steps.
-                Err(failure) if *way == Way::Quadrature => {
+                Err(failure) if *way == MethodAtTolerance::Quadrature => {
                     left_out.push(format!("{} by {}: {}", problem.by.name(), way.name(), failure.first_line()));
                     continue;
                 }
                 Err(failure) => return Err(failure),
             };
             if measurement.seconds.median <= plan.patience {
-                again.push((at, list.len(), *way, how));
+                repeats.push(Repeat { case: at, measurement: list.len(), way: *way, how });
             } else {
                 bar.inc(plan.repeats as u64);
             }
@@ -133,10 +147,10 @@ pub fn measure(
         }
     }
     bar.set_message("timing, all in turn");
-    let mut jobs: Vec<Box<dyn FnMut() + '_>> = again
+    let mut jobs: Vec<Box<dyn FnMut() + '_>> = repeats
         .iter()
-        .map(|(at, _, way, how)| -> Box<dyn FnMut() + '_> {
-            let (problem, y0) = (&problems[*at], &starts[*at]);
+        .map(|Repeat { case, way, how, .. }| -> Box<dyn FnMut() + '_> {
+            let (problem, y0) = (&problems[*case], &starts[*case]);
             Box::new(move || drop(way.run(problem, problem.scene.span, y0, how)))
         })
         .collect();
@@ -145,10 +159,23 @@ pub fn measure(
         model.follow.go_on()
     });
     drop(jobs);
-    for ((_, place, ..), times) in again.iter().zip(times) {
-        list[*place].seconds = Spread::of(&times).unwrap_or(list[*place].seconds);
+    for (repeat, times) in repeats.iter().zip(times) {
+        let seconds = &mut list[repeat.measurement].seconds;
+        *seconds = Spread::of(&times).unwrap_or(*seconds);
     }
-    Ok(list)
+    Ok(Measured { list, left_out })
+}
+
+/// Run that is repeated for its duration.
+struct Repeat {
+    /// Index of the case.
+    case: usize,
+    /// Index of the measurement that the durations belong to.
+    measurement: usize,
+    /// Method and tolerance of the run.
+    way: MethodAtTolerance,
+    /// Options of the run.
+    how: Options,
 }
 
 /// Greatest number of steps of a run whose first integrals are checked at each step.
@@ -156,7 +183,13 @@ const MOST_WATCHED: u64 = 200_000;
 
 /// Makes the first run of a case by one method. It gives the error, the drift of the first integrals and a first
 /// duration.
-fn first(problem: &Problem<'_>, y0: &[f64], way: Way, how: &Options, truth: &Truth<'_>) -> Result<Measurement, Error> {
+fn first(
+    problem: &Problem<'_>,
+    y0: &[f64],
+    way: MethodAtTolerance,
+    how: &Options,
+    truth: &Truth<'_>,
+) -> Result<Measurement, Error> {
     let Truth { reference, compared, watch } = truth;
     let start = std::time::Instant::now();
     let bare = way.run(problem, problem.scene.span, y0, how)?;

@@ -37,8 +37,19 @@ pub struct Series {
     /// Range (lowest x, highest x) of each measured point, drawn as a bar. Curves of measurements have a marker at each
     /// point; others have only a few markers.
     pub spread: Vec<(f64, f64)>,
-    /// Band (x, lowest, highest) in which the true value lies, as far as is known; in the order of the points.
-    pub band: Vec<(f64, f64, f64)>,
+    /// Band in which the true value lies, as far as is known; in the order of the points.
+    pub band: Vec<Bounds>,
+}
+
+/// Lowest and highest true value at a place of a curve, as far as is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Place on the horizontal axis.
+    pub x: f64,
+    /// Lowest true value.
+    pub low: f64,
+    /// Highest true value.
+    pub high: f64,
 }
 
 impl Series {

@@ -40,7 +40,7 @@ pub fn all(study: &Study<'_>) -> Result<Findings, Error> {
     for (topic, run) in studies {
         study.progress.set_message(topic.name());
         let outcome = run(study, &mut findings);
-        if study.model.follow.asked() {
+        if study.model.follow.is_interrupted() {
             // The findings up to the interruption are kept.
             findings.unfinished = Some(topic);
             break;

@@ -26,11 +26,11 @@ struct Outputs {
     /// Computes the known outputs from parameters, coordinates and generalized speeds.
     tape: Tape<DoubleDouble>,
     /// All outputs of the scene, known or not, in the order of the scene.
-    list: Vec<Shown>,
+    list: Vec<ComparedOutput>,
 }
 
 /// Name of an output of a scene, and a flag that is true if the output is a function of the state.
-struct Shown {
+struct ComparedOutput {
     name: String,
     is_known: bool,
 }
@@ -81,7 +81,7 @@ impl Compared {
 
     /// Sentence that names the compared outputs and those left out; `None` if all states are compared.
     #[must_use]
-    pub fn said(&self) -> Option<String> {
+    pub fn in_words(&self) -> Option<String> {
         let list = &self.outputs.as_ref()?.list;
         let names = |known: bool| {
             let names = list.iter().filter(|o| o.is_known == known).map(|o| o.name.as_str());
@@ -120,8 +120,8 @@ impl Outputs {
             let is_symbol = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_));
             arena.reachable(&[value]).iter().filter(|e| is_symbol(e)).all(defined)
         };
-        let shown = |o: &SceneOutput| Shown { name: o.name.clone(), is_known: is_known(o.value) };
-        let list: Vec<Shown> = scene.outputs.iter().map(shown).collect();
+        let shown = |o: &SceneOutput| ComparedOutput { name: o.name.clone(), is_known: is_known(o.value) };
+        let list: Vec<ComparedOutput> = scene.outputs.iter().map(shown).collect();
         let known = scene.outputs.iter().zip(&list).filter(|(_, shown)| shown.is_known);
         let values: Vec<Expr> = known.map(|(output, _)| output.value).collect();
         let steps = needed(&arena, &steps, &values);
@@ -131,7 +131,7 @@ impl Outputs {
 
     fn values(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut known = self.tape.evaluate(&[&self.parameters, state].concat()).into_iter();
-        let value = |shown: &Shown| if shown.is_known { known.next() } else { None };
+        let value = |shown: &ComparedOutput| if shown.is_known { known.next() } else { None };
         self.list.iter().map(value).map(|value| value.unwrap_or(DoubleDouble::NAN)).collect()
     }
 }

@@ -53,8 +53,30 @@ pub struct Digits {
     pub by: String,
     /// Instant at which the run ends, s.
     pub t_end: f64,
-    /// End of the second run, s, the reason why it ended, and true if the second run was the finer one.
-    pub(crate) second: (f64, Stop, bool),
+    /// End of the second run.
+    pub(crate) second: SecondEnd,
+}
+
+/// End of the second run, with which the first is compared.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SecondEnd {
+    /// Instant of the end, s.
+    pub t: f64,
+    /// Reason why the run ended.
+    pub stop: Stop,
+    /// True if this run was the finer one.
+    pub is_finer: bool,
+}
+
+/// Shown value and instant with the fewest correct digits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fewest {
+    /// Index of the instant.
+    pub instant: usize,
+    /// Index of the shown value.
+    pub value: usize,
+    /// Number of correct digits.
+    pub digits: f64,
 }
 
 impl Digits {
@@ -95,12 +117,11 @@ impl Digits {
         self.digits[instant].iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Fewest digits of all shown values and instants: the index of the instant, the index of the value, and the
-    /// digits. The first such instant if several are equal.
+    /// Fewest digits of all shown values and instants. The first such instant if several are equal.
     #[must_use]
-    pub fn fewest_of_all(&self) -> Option<(usize, usize, f64)> {
-        let all = (0..self.t.len()).filter_map(|at| self.fewest(at).map(|(which, digits)| (at, which, digits)));
-        all.min_by(|a, b| a.2.total_cmp(&b.2))
+    pub fn fewest_of_all(&self) -> Option<Fewest> {
+        let at = |instant| self.fewest(instant).map(|(value, digits)| Fewest { instant, value, digits });
+        (0..self.t.len()).filter_map(at).min_by(|a, b| a.digits.total_cmp(&b.digits))
     }
 
     /// First instant at which a shown value has too few digits, as the indices of instant and value; `None` if all have
@@ -125,12 +146,13 @@ pub fn assess(
     y0: &[f64],
     options: &Options,
     solution: &Solution,
-    (values, balance): (&Values<'_>, &Balance),
+    values: &Values<'_>,
+    balance: &Balance,
 ) -> Result<Option<Digits>, Error> {
     if solution.steps == 0 || solution.stop == Stop::Interrupted || y0.is_empty() {
         return Ok(None);
     }
-    let scene = beside(problem.scene, solution.t_end);
+    let scene = scene_of_second(problem.scene, solution.t_end);
     let beside = problem.with_scene(&scene);
     let mut watched: Vec<Event<'_>> = if solution.events.is_empty() { Vec::new() } else { events(&beside, balance) };
     for event in &mut watched {
@@ -160,7 +182,7 @@ pub fn assess(
     let sizes = sizes(problem.scene, &first);
     let (mut errors, mut digits, mut last) = (Vec::new(), Vec::new(), Vec::new());
     let mut apart: Vec<Vec<f64>> = first.iter().zip(&second).map(|(a, b)| differences(a, b)).collect();
-    leave_out_jumps(&mut apart, &times, (solution, &run), problem.scene.span);
+    leave_out_jumps(&mut apart, &times, solution, &run, problem.scene.span);
     for (instant, a) in first.iter().take(apart.len()).enumerate() {
         let near = up_to(&apart, instant);
         let own = |at: usize| a[at].abs() + sizes[at].min(1.0);
@@ -171,11 +193,11 @@ pub fn assess(
             part * largest + ROUNDING * own(at)
         };
         errors.push((0..a.len()).map(error).collect::<Vec<_>>());
-        digits.push((0..a.len()).map(|at| told(error(at) / sizes[at])).collect::<Vec<_>>());
-        last = (0..a.len()).map(|at| told(error(at) / own(at))).collect();
+        digits.push((0..a.len()).map(|at| digits_left(error(at) / sizes[at])).collect::<Vec<_>>());
+        last = (0..a.len()).map(|at| digits_left(error(at) / own(at))).collect();
     }
     let events = of_events(&solution.events, &run.events, part);
-    let second = (run.t_end, run.stop, is_finer);
+    let second = SecondEnd { t: run.t_end, stop: run.stop, is_finer };
     Ok(Some(Digits { t: run.t, errors, digits, last, events, by: words, t_end: solution.t_end, second }))
 }
 
@@ -190,7 +212,7 @@ const ONE_IMPACT: f64 = 1e-3;
 /// Replaces differences of two runs at samples between the instants that the runs have for one impact. There one run
 /// has jumped and the other has not, so they differ by the jump; the uncertainty of the instant is given separately.
 /// Such samples get the differences at the sample before.
-fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], (first, second): (&Solution, &Solution), span: (f64, f64)) {
+fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], first: &Solution, second: &Solution, span: (f64, f64)) {
     let between: Vec<(f64, f64)> = first
         .impacts
         .iter()
@@ -253,7 +275,7 @@ fn by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
 }
 
 /// Digits that a relative error leaves; 0 if it is 1 or more, or not a number.
-fn told(relative: f64) -> f64 {
+fn digits_left(relative: f64) -> f64 {
     if relative < 1.0 { -relative.log10() } else { 0.0 }
 }
 
@@ -282,7 +304,7 @@ const BEYOND: f64 = 0.02;
 
 /// Scene for the second run, from the start of the first run to a little beyond its end. A parameter that doubles
 /// cannot hold has the neighbouring double on the other side of its exact number.
-fn beside(scene: &Scene, t_end: f64) -> Scene {
+fn scene_of_second(scene: &Scene, t_end: f64) -> Scene {
     let (start, end) = scene.span;
     let beyond = t_end + BEYOND * (t_end - start);
     let is_inside = (end - beyond) * (end - start) > 0.0;

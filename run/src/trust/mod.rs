@@ -13,7 +13,7 @@ pub(super) mod stiffness;
 
 use crate::error::{Error, refused};
 use crate::preparation::problem::Problem;
-use crate::trust::digits::{Digits, FEW};
+use crate::trust::digits::{Digits, FEW, SecondEnd};
 use crate::trust::invariants::{Conserved, Excursion, Watch};
 use crate::trust::residuals::{broken, opened};
 use tripos_derive::plain::significant;
@@ -34,7 +34,8 @@ pub fn objections(
     solution: &Solution,
     watch: Option<&Watch>,
     energy_drift: Option<f64>,
-    (digits, names): (Option<&Digits>, &[String]),
+    digits: Option<&Digits>,
+    names: &[String],
 ) -> Result<Vec<String>, Error> {
     let mut list: Vec<String> = solution.warnings.iter().map(|w| w.described(&problem.variables())).collect();
     if solution.stop == Stop::Interrupted {
@@ -45,7 +46,7 @@ pub fn objections(
     list.extend(digits.and_then(|digits| contradicted(digits, &problem.variables())));
     if let Some(watch) = watch {
         let worst = worst(problem, solution, watch);
-        list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(said));
+        list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(excursion_in_words));
     }
     if !watch.is_some_and(|watch| watch.integrals.iter().any(|integral| integral.kind.is_energy())) {
         list.extend(energy_drift.and_then(|drift| energy(problem, solution, drift)));
@@ -88,7 +89,7 @@ const ONE_END: f64 = 1e-3;
 /// True if the second run had to stop before the first. Reaching the step limit does not count, nor does a coarser
 /// second run.
 fn could_not_go_on(digits: &Digits) -> bool {
-    let (t, stop, is_finer) = &digits.second;
+    let SecondEnd { t, stop, is_finer } = &digits.second;
     let start = digits.t.first().copied().unwrap_or(*t);
     let is_one_end = (digits.t_end - t).abs() <= ONE_END * (digits.t_end - start).abs();
     // A coarser run may fail by its own errors.
@@ -99,7 +100,7 @@ fn could_not_go_on(digits: &Digits) -> bool {
 #[must_use]
 pub fn unassessed(digits: &Digits) -> Option<String> {
     let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
-    let why = match digits.second.1 {
+    let why = match digits.second.stop {
         Stop::StepLimit { .. } => "had cost as much as this one there",
         _ => "could not go on there",
     };
@@ -109,7 +110,7 @@ pub fn unassessed(digits: &Digits) -> Option<String> {
 /// Objection to a run if another run of the same motion cannot follow it to its end.
 fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
     let beyond = beyond(digits).filter(|_| could_not_go_on(digits))?;
-    let why = digits.second.1.described(names);
+    let why = digits.second.stop.described(names);
     Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
 }
 
@@ -157,7 +158,7 @@ fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Ve
 }
 
 /// Objection that reports the excursion of a first integral.
-fn said((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
+fn excursion_in_words((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
     let (name, unit) = (integral.name(), &integral.unit);
     if change.is_nan() {
         return format!("{name}, constant in this motion, has no value at t = {t:.4} s: do not trust this run");

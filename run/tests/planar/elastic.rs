@@ -10,7 +10,7 @@ fn touching(random: &mut Random) -> Mechanism {
     let count = 1 + random.below(5);
     let mut made = mechanism(random, count);
     for _ in 0..=random.below(4) {
-        made.meets(random, (0.0, 0.0, 1.0));
+        made.meets(random, 0.0, 0.0, 1.0);
     }
     made
 }

@@ -135,8 +135,8 @@ pub fn mechanism(random: &mut Random, count: usize) -> Mechanism {
 }
 
 impl Mechanism {
-    /// Adds a point of a body, and a wall, or a point of another body, at this distance.
-    pub fn meets(&mut self, random: &mut Random, (gap, mu, e): (f64, f64, f64)) {
+    /// Adds a point of a body, and a wall, or a point of another body, at the distance `gap`.
+    pub fn meets(&mut self, random: &mut Random, gap: f64, mu: f64, e: f64) {
         let count = self.world.bodies.len();
         let (body, at, angle) = (random.below(count), random.pair(0.5), random.between(-3.1, 3.1));
         let other = (count > 1 && random.part() < 0.4).then(|| ((body + 1) % count, random.pair(0.5)));

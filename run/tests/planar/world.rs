@@ -55,7 +55,7 @@ pub struct World {
 pub type State = Vec<f64>;
 
 /// Change of a contact: its instant, s, its contact's index and its new mode.
-pub type Told = (f64, usize, Does);
+pub type ContactEvent = (f64, usize, Does);
 
 /// Row of the linear system: slopes by rates of the bodies, and the part of its rate without their accelerations.
 struct Row {
@@ -330,7 +330,7 @@ impl World {
         let choices: Vec<Vec<(Does, bool)>> = (0..closed.len()).map(choice).collect();
         let mut found: Vec<(State, Vec<[f64; 2]>)> = Vec::new();
         for chosen in Self::all(&choices) {
-            found.extend(self.blow(y, &chosen, (closed, wanted), given));
+            found.extend(self.blow(y, &chosen, closed, wanted, given));
         }
         let Some(first) = found.first().cloned() else { return Err("no impulses".to_owned()) };
         let apart = |(other, _): &&(State, Vec<[f64; 2]>)| {
@@ -344,7 +344,8 @@ impl World {
         &self,
         y: &[f64],
         chosen: &[(Does, bool)],
-        (closed, wanted): (&[bool], &[f64]),
+        closed: &[bool],
+        wanted: &[f64],
         given: &[f64],
     ) -> Option<(State, Vec<[f64; 2]>)> {
         let count = 3 * self.bodies.len();
@@ -396,7 +397,7 @@ impl World {
     }
 
     /// Runs from a state over a time. Returns the final state and the changes of contacts.
-    pub fn run(&self, y: &[f64], span: f64) -> Result<(State, Vec<Told>), String> {
+    pub fn run(&self, y: &[f64], span: f64) -> Result<(State, Vec<ContactEvent>), String> {
         let (mut t, mut y, mut list) = (0.0, y.to_vec(), Vec::new());
         let count = self.contacts.len();
         let mut does = vec![Does::Open; count];

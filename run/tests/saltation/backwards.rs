@@ -136,7 +136,7 @@ fn loops_and_contacts_that_do_not_slip_are_differentiated_in_speeds_and_in_rates
             if value.is_finite() {
                 let (own, truth) = (
                     scene.gradient(of, &how).unwrap().by(by).unwrap().value,
-                    difference(scene, of, by, (value, 1e-3), &how),
+                    difference(scene, of, by, value, 1e-3, &how),
                 );
                 assert!(
                     (own - truth).abs() <= 3e-7 * truth.abs().max(1.0),

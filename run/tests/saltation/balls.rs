@@ -1,6 +1,6 @@
 //! Balls that bounce, roll on as they touch, or lie on a moving plate.
 
-use super::{FINE, Planted, Wide, how, off, truth, wide};
+use super::{FINE, Planted, Wide, how, largest_error, truth, wide};
 use crate::impacts::scene as scene_of;
 use crate::sensitivity::near;
 use tripos::{At, Overrides};
@@ -82,7 +82,7 @@ fn a_ball_is_differentiated_through_its_bounces() {
         assert_eq!(found.run.impacts().len(), met.len(), "{values:?}");
         assert!(found.run.warnings.is_empty(), "{:?}", found.run.warnings);
         let with_mass = [&values[..], &[2.0]].concat();
-        let worst = off(&found, &["z", "w"], &with_mass, &|numbers| bounced(&numbers[..5], 1.5).0);
+        let worst = largest_error(&found, &["z", "w"], &with_mass, &|numbers| bounced(&numbers[..5], 1.5).0);
         assert!(worst < 1e-9, "{law} {method} {by} {values:?}: {worst:e}");
         let instants = truth(&values, &|numbers| bounced(numbers, 1.5).1);
         for (bounce, moves) in found.events.iter().enumerate() {
@@ -181,7 +181,7 @@ fn a_ball_that_leaves_a_plate_is_differentiated_by_the_force_that_held_it() {
         let how = how(["kane", "lagrange"][case % 2], ["dop853", "ode45"][case % 2]);
         let found = scene.sensitivities(&["A", "k", "g", "m"], At::End, &how).unwrap();
         let numbers = [&values[..], &[2.0]].concat();
-        let worst = off(&found, &["z", "w"], &numbers, &|numbers| closed(&numbers[..3])[..2].to_vec());
+        let worst = largest_error(&found, &["z", "w"], &numbers, &|numbers| closed(&numbers[..3])[..2].to_vec());
         assert!(worst < 1e-8, "{values:?}: {worst:e}");
         let opens = found.run.events().iter().position(|event| event.name == "plate opens").expect("it leaves");
         let moves = found.events[opens].as_ref().expect("the instant moves");
@@ -247,7 +247,7 @@ fn an_impact_that_goes_through_a_row_is_differentiated() {
             let speeds = [u - first / m1, (first - second) / m2, second / m3];
             vec![speeds[0] * left, speeds[1] * left, speeds[2] * left, speeds[0], speeds[1], speeds[2]]
         };
-        let worst = off(&found, &["x1", "x2", "x3", "u1", "u2", "u3"], &values, &closed);
+        let worst = largest_error(&found, &["x1", "x2", "x3", "u1", "u2", "u3"], &values, &closed);
         assert!(worst < 1e-12, "{law}: {worst:e}");
         let place = scene.sensitivities(&["x3"], At::End, &Overrides::default()).unwrap();
         let why = place.missing().expect("its place opens the contact");

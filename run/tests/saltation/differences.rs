@@ -46,7 +46,7 @@ fn a_rod_that_slides_or_falls_on_its_end_is_differentiated_as_differences_of_run
         assert!(found.missing().is_none(), "{:?}", found.missing());
         for (name, value) in &numbers {
             for of in ["x", "th", "vx", "om"] {
-                let truth = difference(&scene, of, name, (*value, 1e-3), &how);
+                let truth = difference(&scene, of, name, *value, 1e-3, &how);
                 let own = found.of(of, name).unwrap();
                 assert!(
                     (own - truth).abs() <= 2e-7 * truth.abs().max(1.0),
@@ -65,7 +65,7 @@ fn what_opens_as_it_slips_or_slips_as_it_tips_is_differentiated_as_differences_o
     let how = how("kane", "dop853");
     let lift = "[forces.lift]\non = \"block\"\nframe = \"N\"\nvector = [0, 0, \"m*g*t/T\"]\n";
     let model = (BLOCK.to_owned() + lift).replace("e = {", "T = { unit = \"s\", value = 1 }\ne = {");
-    let lifted = scene_of(&model, &on_plane("mu = 0.3", (0.0, 4.0), 2.0));
+    let lifted = scene_of(&model, &on_plane("mu = 0.3", 0.0, 4.0, 2.0));
     let th: f64 = std::f64::consts::FRAC_PI_2 - 0.1;
     let om = -(1.5 * 9.81 * (1.0 - 0.1_f64.cos())).sqrt();
     let tips = format!(
@@ -87,7 +87,7 @@ fn what_opens_as_it_slips_or_slips_as_it_tips_is_differentiated_as_differences_o
         assert!(found.events[event].is_some(), "its instant moves");
         for (name, value) in numbers {
             for of in shown {
-                let (truth, own) = (difference(scene, of, name, (*value, 1e-3), &how), found.of(of, name).unwrap());
+                let (truth, own) = (difference(scene, of, name, *value, 1e-3, &how), found.of(of, name).unwrap());
                 assert!(
                     (own - truth).abs() <= 3e-7 * truth.abs().max(1.0),
                     "{what}: d({of})/d({name}) = {own} for {truth}"
@@ -128,7 +128,7 @@ fn a_bar_thrown_at_random_is_differentiated_as_differences_of_runs_have_it() {
         assert!(found.missing().is_none(), "{case}: {:?}", found.missing());
         for (by, value) in [("vx", vx), ("g", 9.81), ("h", 0.0625)] {
             for of in ["x", "th", "om"] {
-                let (own, truth) = (found.of(of, by).unwrap(), difference(&scene, of, by, (value, 1e-5), &how));
+                let (own, truth) = (found.of(of, by).unwrap(), difference(&scene, of, by, value, 1e-5, &how));
                 assert!(
                     (own - truth).abs() <= 1e-5 * truth.abs().max(1.0),
                     "{case}: d({of})/d({by}) = {own} for {truth}"

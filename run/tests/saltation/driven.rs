@@ -1,6 +1,6 @@
 //! Jumps and bends of drives at instants that move.
 
-use super::{FINE, Planted, Wide, how, off, truth, wide};
+use super::{FINE, Planted, Wide, how, largest_error, truth, wide};
 use crate::impacts::scene as scene_of;
 use crate::sensitivity::near;
 use tripos::{At, Overrides};
@@ -74,7 +74,7 @@ fn a_force_that_switches_is_differentiated_by_when_it_does() {
         let loose = if method == "radau5" || method == "gauss6" { Some(1e-10) } else { None };
         let how = Overrides { rtol: loose, atol: loose, ..how(by, method) };
         let found = scene.sensitivities(&DRIVE, At::End, &how).unwrap_or_else(|e| panic!("{e}"));
-        let worst = off(&found, &["x", "v"], &values, &|numbers| switched(numbers, 3.0));
+        let worst = largest_error(&found, &["x", "v"], &values, &|numbers| switched(numbers, 3.0));
         assert!(worst < if loose.is_some() { 1e-6 } else { 1e-10 }, "{method} {by} {values:?}: {worst:e}");
     }
 }
@@ -146,7 +146,7 @@ fn a_force_with_a_bend_that_moves_is_differentiated() {
         ];
         let scene = scene_of(&model, &driven(&values, ""));
         let found = scene.sensitivities(&DRIVE, At::End, &how("kane", ["dop853", "ode45"][case % 2])).unwrap();
-        let worst = off(&found, &["x"], &values, &closed);
+        let worst = largest_error(&found, &["x"], &values, &closed);
         assert!(worst < 1e-10, "{values:?}: {worst:e}");
     }
 }
@@ -172,7 +172,7 @@ fn a_table_whose_knots_move_is_differentiated() {
         let from = |at: Wide| c / k * (t - at - (w * (t - at)).sin_cos().0 / w);
         vec![x * (w * t).sin_cos().1 + from(at) - from(at + d)]
     };
-    let worst = off(&found, &["x"], &values, &closed);
+    let worst = largest_error(&found, &["x"], &values, &closed);
     assert!(worst < 1e-10, "{worst:e}");
 }
 

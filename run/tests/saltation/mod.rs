@@ -15,7 +15,7 @@ mod touched;
 type Wide = DoubleDouble;
 
 fn how(by: &str, method: &str) -> Overrides {
-    Overrides { by: Some(by.to_owned()), method: Some(method.parse().unwrap()), ..Overrides::default() }
+    Overrides { by: Some(by.into()), method: Some(method.parse().unwrap()), ..Overrides::default() }
 }
 
 fn wide(x: f64) -> Wide {
@@ -43,7 +43,7 @@ fn truth(numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> Vec<Vec<f64>> {
 
 /// Largest error of the derivatives at the end, relative to their size or 1, whichever is larger, for the shown names,
 /// whose closed form is given. Checks that the stated errors hold.
-fn off(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> f64 {
+fn largest_error(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> f64 {
     assert!(
         found.run.failure().is_none() && found.missing().is_none(),
         "{:?} {:?}",
@@ -69,8 +69,9 @@ fn off(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wid
     worst
 }
 
-/// Derivative at the end by a number, as a difference of order 4 of whole runs that differ by a part of it.
-fn difference(scene: &Scene, of: &str, by: &str, (value, part): (f64, f64), how: &Overrides) -> f64 {
+/// Derivative at the end by a number with this `value`, as a difference of order 4 of whole runs that differ by a part
+/// of it.
+fn difference(scene: &Scene, of: &str, by: &str, value: f64, part: f64, how: &Overrides) -> f64 {
     let h = part * value.abs().max(0.1);
     let at = |place: f64| {
         let mut scene = scene.clone();

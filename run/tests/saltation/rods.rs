@@ -1,7 +1,7 @@
 //! Rods that land on their ends.
 
 use super::balls::bounced;
-use super::{FINE, Planted, Wide, how, off, wide};
+use super::{FINE, Planted, Wide, how, largest_error, wide};
 use crate::impacts::{PLANE, scene as scene_of};
 use crate::sensitivity::near;
 use tripos::{At, Overrides};
@@ -48,7 +48,7 @@ fn a_rod_that_lands_on_one_end_is_differentiated() {
         let scene = scene_of(PLANE, &rod(&values, FLOOR_A));
         let found = scene.sensitivities(&ROD, At::End, &how(["kane", "lagrange"][case % 2], "dop853")).unwrap();
         assert_eq!(found.run.impacts().len(), 1, "{values:?}");
-        let worst = off(&found, &["y", "th", "vy", "om"], &values, &closed);
+        let worst = largest_error(&found, &["y", "th", "vy", "om"], &values, &closed);
         assert!(worst < 1e-10, "{values:?}: {worst:e}");
     }
 }
@@ -65,7 +65,7 @@ fn a_rod_that_falls_flat_is_differentiated_by_what_keeps_it_flat() {
         assert_eq!(found.run.impacts().len(), 1);
         let closed =
             |numbers: &[Wide]| bounced(&[numbers[3], numbers[4].sqrt(), numbers[5], wide(0.0), wide(0.0)], 0.375).0;
-        let worst = off(&found, &["y", "vy"], &values[..6], &closed);
+        let worst = largest_error(&found, &["y", "vy"], &values[..6], &closed);
         assert!(worst < 1e-11, "{law}: {worst:e}");
         let apart = scene.sensitivities(&["g", "th"], At::Samples, &Overrides::default()).unwrap();
         let why = apart.missing().expect("the angle moves the ends apart");

@@ -1,7 +1,7 @@
 //! Friction with slips, sticking, reversals and bounces at an angle.
 
 use super::backwards::is_forwards;
-use super::{Planted, Wide, how, off, truth, wide};
+use super::{Planted, Wide, how, largest_error, truth, wide};
 use crate::friction::{BLOCK, FINE, on_plane};
 use crate::impacts::{PLANE, scene as scene_of};
 use crate::rough::feet;
@@ -9,10 +9,10 @@ use crate::sensitivity::near;
 use tripos::{At, Overrides, Scene};
 use tripos_traits::{Real, Scalar};
 
-/// Block on an incline with these parameters, from (x, vx).
-fn block(list: &[(&str, f64)], start: (f64, f64), span: f64) -> Scene {
+/// Block on an incline with these parameters, from the place `x` with the velocity `vx`.
+fn block(list: &[(&str, f64)], x: f64, vx: f64, span: f64) -> Scene {
     let parameters: Vec<String> = list.iter().map(|(name, value)| format!("{name} = {value:?}")).collect();
-    scene_of(BLOCK, &on_plane(&parameters.join("\n"), start, span))
+    scene_of(BLOCK, &on_plane(&parameters.join("\n"), x, vx, span))
 }
 
 /// Goal: a block that slides to rest, by all numbers that its path depends on, and the instant of its rest. Truth: x =
@@ -31,7 +31,7 @@ fn a_block_that_slides_to_rest_is_differentiated_by_all_that_its_way_depends_on(
         ];
         let [mu, g, alpha, v, x] = values;
         let way = if case % 3 == 2 { -1.0 } else { 1.0 };
-        let scene = block(&[("mu", mu), ("g", g), ("alpha", way * alpha)], (x, way * v), 4.0);
+        let scene = block(&[("mu", mu), ("g", g), ("alpha", way * alpha)], x, way * v, 4.0);
         let method = ["dop853", "ode45", "dopri5", "taylor", "gauss6", "radau5"][case % 6];
         let how = how(["kane", "lagrange", "newton-euler"][case % 3], method);
         let found = scene.sensitivities(&["mu", "g", "alpha", "vx", "x", "m"], At::End, &how).unwrap();
@@ -42,7 +42,7 @@ fn a_block_that_slides_to_rest_is_differentiated_by_all_that_its_way_depends_on(
             vec![x + wide(way) * v * v / (wide(2.0) * a), wide(0.0)]
         };
         let numbers = [mu, g, way * alpha, way * v, x, 2.0];
-        let worst = off(&found, &["x", "vx"], &numbers, &|numbers| {
+        let worst = largest_error(&found, &["x", "vx"], &numbers, &|numbers| {
             closed(&[&numbers[..3], &[wide(way) * numbers[3]], &numbers[4..]].concat())
         });
         assert!(worst < 1e-9, "{method}: {worst:e}");
@@ -65,7 +65,7 @@ fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
     for case in 0..8 {
         let values = [planted.next(0.1, 0.3), planted.next(5.0, 12.0), planted.next(0.4, 0.7), -planted.next(1.0, 3.0)];
         let [mu, g, alpha, v] = values;
-        let scene = block(&[("mu", mu), ("g", g), ("alpha", alpha)], (0.0, v), 1.5);
+        let scene = block(&[("mu", mu), ("g", g), ("alpha", alpha)], 0.0, v, 1.5);
         let how = how(["kane", "lagrange"][case % 2], ["dop853", "ode45"][case % 2]);
         let found = scene.sensitivities(&["mu", "g", "alpha", "vx", "m"], At::End, &how).unwrap();
         assert!(found.run.events().iter().any(|event| event.name == "plane reverses"));
@@ -76,7 +76,7 @@ fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
             let left = wide(1.5) + v / up;
             vec![-half * v * v / up + half * back * left * left, back * left]
         };
-        let worst = off(&found, &["x", "vx"], &[&values[..], &[2.0]].concat(), &closed);
+        let worst = largest_error(&found, &["x", "vx"], &[&values[..], &[2.0]].concat(), &closed);
         assert!(worst < 1e-9, "{values:?}: {worst:e}");
         is_forwards(&scene, &["x", "vx"], &how);
     }
@@ -86,7 +86,7 @@ fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
 /// takes 2 μ m g/k (J. P. Den Hartog, *Mechanical Vibrations*, 1956, § 8.2).
 #[test]
 fn a_spring_with_friction_is_differentiated_through_all_of_its_reversals() {
-    let scene = block(&[("k", 8.0), ("mu", 0.1)], (2.1, 0.0), 9.0);
+    let scene = block(&[("k", 8.0), ("mu", 0.1)], 2.1, 0.0, 9.0);
     let names = ["x", "mu", "g", "k", "m"];
     let found = scene.sensitivities(&names, At::End, &Overrides::default()).unwrap();
     // Four half swings, an even number, end at x₀ − 8 δ.
@@ -95,7 +95,7 @@ fn a_spring_with_friction_is_differentiated_through_all_of_its_reversals() {
         let step = mu * m * g / k;
         vec![x - wide(8.0) * step, wide(0.0)]
     };
-    let worst = off(&found, &["x", "vx"], &[2.1, 0.1, 10.0, 8.0, 2.0], &closed);
+    let worst = largest_error(&found, &["x", "vx"], &[2.1, 0.1, 10.0, 8.0, 2.0], &closed);
     assert!(worst < 1e-9, "{worst:e}");
     is_forwards(&scene, &["x"], &how("kane", "dop853"));
 }
@@ -109,7 +109,7 @@ fn a_block_that_a_belt_takes_along_is_differentiated_by_when_its_spring_pulls_it
         let values =
             [planted.next(0.15, 0.25), planted.next(7.0, 9.0), planted.next(0.4, 0.7), planted.next(9.0, 11.0), 2.0];
         let [mu, k, vb, g, _] = values;
-        let scene = block(&[("mu", mu), ("k", k), ("vb", vb), ("g", g)], (0.0, 0.0), 2.0);
+        let scene = block(&[("mu", mu), ("k", k), ("vb", vb), ("g", g)], 0.0, 0.0, 2.0);
         let how = how(["kane", "lagrange"][case % 2], ["dop853", "ode45"][case % 2]);
         let found = scene.sensitivities(&["mu", "k", "vb", "g", "m"], At::End, &how).unwrap();
         let names: Vec<&str> = found.run.events().iter().map(|event| event.name.as_str()).collect();
@@ -122,7 +122,7 @@ fn a_block_that_a_belt_takes_along_is_differentiated_by_when_its_spring_pulls_it
             let (sine, cosine) = (omega * (wide(2.0) - second)).sin_cos();
             vec![delta + vb / omega * sine, vb * cosine, first, second]
         };
-        let worst = off(&found, &["x", "vx"], &values, &closed);
+        let worst = largest_error(&found, &["x", "vx"], &values, &closed);
         for (by, list) in truth(&values, &closed).iter().enumerate() {
             for (event, truth) in found.events[2..].iter().zip(&list[2..]) {
                 near(event.as_ref().expect("the instant moves")[by], *truth, 1e-8, "the instant");
@@ -192,7 +192,7 @@ fn a_disk_that_bounces_with_friction_is_differentiated_through_its_impacts() {
         assert_eq!(found.run.impacts().len(), sticks.len(), "{values:?}");
         let slips = sticks.iter().filter(|sticks| !**sticks).count();
         (seen[0], seen[1]) = (seen[0] + slips, seen[1] + sticks.len() - slips);
-        let worst = off(&found, &["x", "vx", "om"], &numbers, &|numbers| rolled(numbers, 1.25).0);
+        let worst = largest_error(&found, &["x", "vx", "om"], &numbers, &|numbers| rolled(numbers, 1.25).0);
         assert!(worst < 1e-9, "{law} {values:?}: {worst:e}");
         is_forwards(&scene, &["x", "om"], &how);
     }
@@ -233,7 +233,7 @@ fn a_block_on_two_feet_is_differentiated_to_its_rest_as_a_point_is() {
         let (sine, cosine) = alpha.sin_cos();
         vec![x + v * v / (wide(2.0) * g * (wide(0.5) * cosine - sine)), wide(0.0)]
     };
-    let worst = off(&found, &["x", "vx"], &[1.5, 9.81, 0.3, 3.0, 0.05, 0.0], &closed);
+    let worst = largest_error(&found, &["x", "vx"], &[1.5, 9.81, 0.3, 3.0, 0.05, 0.0], &closed);
     assert!(worst < 1e-9, "{worst:e}");
     let lifted = scene.sensitivities(&["th"], At::End, &how).unwrap().missing().unwrap_or_default();
     assert!(lifted.contains("is closed at the start, and `th` opens it"), "{lifted}");
@@ -264,7 +264,7 @@ fn a_block_that_slides_to_a_wall_and_back_is_differentiated() {
             let twice = wide(2.0) * mu * g;
             vec![length - e * e * (v * v - twice * length) / twice]
         };
-        let worst = off(&found, &["x"], &[0.25, 10.0, 0.5, 0.75, 3.0, 2.0], &closed);
+        let worst = largest_error(&found, &["x"], &[0.25, 10.0, 0.5, 0.75, 3.0, 2.0], &closed);
         assert!(worst < 1e-9, "{law}: {worst:e}");
         is_forwards(&scene, &["x", "vx"], &how);
     }
@@ -278,7 +278,7 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
         let found = scene.sensitivities(&[by], At::End, &Overrides::default()).unwrap_or_else(|e| panic!("{e}"));
         found.missing().unwrap_or_default()
     };
-    let limit = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", (0.0, 0.0), 2.0));
+    let limit = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", 0.0, 0.0, 2.0));
     assert!(
         why(&limit, "mu").contains("at t = 0 s")
             || why(&limit, "mu")
@@ -287,18 +287,18 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
         why(&limit, "mu")
     );
     assert_eq!(why(&limit, "g"), "", "whatever g is, friction just suffices");
-    let steep = block(&[("alpha", 0.5), ("mu", 0.2)], (0.0, 0.0), 1.0);
+    let steep = block(&[("alpha", 0.5), ("mu", 0.2)], 0.0, 0.0, 1.0);
     let back = why(&steep, "vx");
     assert!(back.contains("the contact `plane` begins to slip at rest, and `vx` moves it"), "{back}");
     assert_eq!(why(&steep, "mu"), "");
     // A slip that ends where friction just holds.
-    let thrown = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", (0.0, -1.0), 2.0));
+    let thrown = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", 0.0, -1.0, 2.0));
     let stops = why(&thrown, "alpha");
     assert!(
         stops.contains("from t = 0.1118") && stops.contains("`plane` sticks or slips there changes with `alpha`"),
         "{stops}"
     );
-    let smooth = block(&[("mu", 0.0)], (0.0, 1.0), 1.0);
+    let smooth = block(&[("mu", 0.0)], 0.0, 1.0, 1.0);
     let refused =
         smooth.sensitivities(&["mu"], At::End, &Overrides::default()).err().expect("0 has two sides").to_string();
     assert!(refused.contains("changes the friction of the contact `plane` from 0 on"), "{refused}");
@@ -317,7 +317,7 @@ fn what_is_decided_together_has_no_derivative_by_what_parts_it() {
         found.missing().unwrap_or_default()
     };
     // It falls at 2 m/s, and μ (1 + e) of that is all of its 1.5 m/s.
-    let text = on_plane("e = 0.5", (0.0, 1.5), 0.4).replace("\nz = 0", "\nz = 0.2");
+    let text = on_plane("e = 0.5", 0.0, 1.5, 0.4).replace("\nz = 0", "\nz = 0.2");
     for law in ["newton", "poisson"] {
         let just = scene_of(BLOCK, &text.replace("friction = ", &format!("law = \"{law}\"\nfriction = ")));
         for by in ["vx", "mu", "g"] {
@@ -359,8 +359,8 @@ fn what_is_decided_together_has_no_derivative_by_what_parts_it() {
 #[test]
 fn a_run_with_friction_and_derivatives_is_the_run_without() {
     for (scene, names) in [
-        (block(&[("k", 8.0), ("mu", 0.1)], (2.1, 0.0), 9.0), ["mu", "k"]),
-        (block(&[("k", 8.0), ("mu", 0.2), ("vb", 0.6)], (0.0, 0.0), 3.0), ["mu", "vb"]),
+        (block(&[("k", 8.0), ("mu", 0.1)], 2.1, 0.0, 9.0), ["mu", "k"]),
+        (block(&[("k", 8.0), ("mu", 0.2), ("vb", 0.6)], 0.0, 0.0, 3.0), ["mu", "vb"]),
         (disk(&[0.1, 0.5, 0.5, 4.0, 1.0], "poisson", 3.0), ["h", "e"]),
     ] {
         for method in ["dop853", "ode45", "radau5"] {

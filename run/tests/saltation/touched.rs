@@ -35,9 +35,9 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-/// Checks that there are derivatives by some numbers to the end, and by others none, because something is only touched.
-/// This holds forwards and backwards alike.
-fn ends(scene: &Scene, (with, without): (&[&str], &[&str]), of: &str, case: &str) {
+/// Checks that there are derivatives by the numbers `with` to the end, and by the numbers `without` none, because
+/// something is only touched. This holds forwards and backwards alike.
+fn ends(scene: &Scene, with: &[&str], without: &[&str], of: &str, case: &str) {
     let all = [with, without].concat();
     let found = scene.sensitivities(&all, At::Samples, &Overrides::default()).unwrap();
     let back = scene.gradient(of, &Overrides::default()).unwrap();
@@ -70,7 +70,7 @@ fn a_touch_ends_derivatives_by_what_would_move_it() {
             w * w / (2.0 * g),
         );
         let case = format!("ball {case}");
-        ends(&scene_of(BALL, &text), (&["x", "v", "m"], &["w", "g", "L", "z"]), "z", &case);
+        ends(&scene_of(BALL, &text), &["x", "v", "m"], &["w", "g", "L", "z"], "z", &case);
     }
     for case in 0..4 {
         let (q, u) = (planted.next(-0.4, 0.4), planted.next(1.0, 4.0));
@@ -79,7 +79,7 @@ fn a_touch_ends_derivatives_by_what_would_move_it() {
             "span = [0, 1.2]\n[start]\nq = {q:?}\nu = {u:?}\n[parameters]\nstop = {stop:?}\n{FINE}[impacts.stop]\ngap = \"stop - q\"\nrestitution = \"e\"\n"
         );
         let case = format!("pendulum {case}");
-        ends(&scene_of(PENDULUM, &text), (&["m"], &["u", "q", "l", "g", "stop"]), "q", &case);
+        ends(&scene_of(PENDULUM, &text), &["m"], &["u", "q", "l", "g", "stop"], "q", &case);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tripos::studies::steady::{ClosedForm, Conditions, Formula, Solved, Told};
+use tripos::studies::steady::{ClosedForm, Conditions, Formula, NamedFormula, Solved};
 
 /// Largest number of branches in the text for each kind of motion; `MOST_LETTERS` is the largest length of a formula in
 /// it. JSON has all branches and whole formulas.
@@ -81,7 +81,7 @@ fn not_zero(list: &[Formula]) -> String {
 }
 
 fn branch_text(branch: &Solved) -> String {
-    let equal = |told: &Told| format!("{} = {}", told.name.text, short(&told.value.text));
+    let equal = |told: &NamedFormula| format!("{} = {}", told.name.text, short(&told.value.text));
     let mut parts: Vec<String> = branch.solved.iter().map(equal).collect();
     if parts.is_empty() {
         parts.push("what is not solved for".to_owned());
@@ -130,8 +130,8 @@ fn all(list: &[Formula]) -> Vec<Value> {
     list.iter().map(|e| json!({ "formula": e.text, "latex": e.latex })).collect()
 }
 
-fn all_told(list: &[Told]) -> Vec<Value> {
-    let told = |told: &Told| {
+fn all_told(list: &[NamedFormula]) -> Vec<Value> {
+    let told = |told: &NamedFormula| {
         json!({
             "name": told.name.text, "formula": told.value.text,
             "latex": format!("{} = {}", told.name.latex, told.value.latex),

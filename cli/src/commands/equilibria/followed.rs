@@ -4,7 +4,7 @@ use super::super::linearise::value_text;
 use super::figure;
 use super::point_of;
 use super::range::Range;
-use crate::failure::{Failure, print, print_json, say};
+use crate::failure::{Failure, Output, print, print_json, say};
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -23,12 +23,12 @@ pub fn along(
     source: &Source,
     range: &Range,
     out: Option<&Path>,
-    as_json: bool,
+    output: Output,
 ) -> Result<u8, Failure> {
     let of_model = model.clone();
     let mut asked_at = |value: f64| Ok(load_asked(source, model, &[(range.name.clone(), value)])?);
     let course = follow(&of_model, &mut asked_at, &range.values)?;
-    if as_json {
+    if output == Output::Json {
         let mut value = json_of(&course);
         value["model"] = json!(short_name(model));
         value["over"] = json!(range.name);
@@ -49,14 +49,14 @@ pub fn over_two(
     source: &Source,
     [first, second]: [&Range; 2],
     out: Option<&Path>,
-    as_json: bool,
+    output: Output,
 ) -> Result<u8, Failure> {
     let of_model = model.clone();
     let mut asked_at =
         |one: f64, two: f64| Ok(load_asked(source, model, &[(first.name.clone(), one), (second.name.clone(), two)])?);
-    let found = map(&of_model, &mut asked_at, (&first.values, &second.values))?;
+    let found = map(&of_model, &mut asked_at, &first.values, &second.values)?;
     let names = [first.name.as_str(), second.name.as_str()];
-    if as_json {
+    if output == Output::Json {
         let row = |(value, course): &(f64, _)| match course {
             Ok(course) => {
                 let mut row = json_of(course);

@@ -11,6 +11,7 @@ use crate::page::{Advice, Choice, Figure};
 use crate::stability::{tables, words};
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
+use tripos::studies::case::Printed;
 use tripos::studies::chart::{Plan, session};
 use tripos::studies::stability::{Findings, Run, Study, conditioning, ladder};
 use tripos_derive::scene::{FigureKind, Scene};
@@ -66,7 +67,7 @@ impl<'a> Measured<'a> {
     }
 
     fn work_precision(&mut self) -> Result<Option<Figure>, Failure> {
-        let session = session::chart(self.model, self.scene, false, &Plan::new(true), &())?;
+        let session = session::chart(self.model, self.scene, Printed::LeftOut, &Plan::quick(), &())?;
         let (folder, link) = self.table("work_precision.csv")?;
         files::write(&folder, &session.list, &session.watch.integrals)?;
         let choice = |target: f64| {

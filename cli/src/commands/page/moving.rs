@@ -3,14 +3,14 @@
 use crate::failure::Failure;
 use crate::follow;
 use crate::page::{Moving, SceneSection, Standing, Viewer};
-use crate::view::{Home, Live, STYLE, Seen, Shown, figure, script, turns_truly};
+use crate::view::{Home, Live, LiveView, STYLE, Seen, figure, script, turns_truly};
 use tripos::Mechanism;
 use tripos::pictures::view::{Motion, View};
 use tripos_derive::scene::Scene;
 
 /// Figure of the motion of one scene; `None` if no scene was finished, or after an interruption.
 pub fn moving(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) -> Option<Moving> {
-    if follow::asked() {
+    if follow::is_interrupted() {
         return None;
     }
     let scene = best(scenes, sections)?;
@@ -38,7 +38,7 @@ fn viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failu
     let view = View::new(model, scene, &motions.iter().collect::<Vec<_>>())?;
     let seen = Seen { mechanism: model, scene, view, motions, title: title.to_owned() };
     let live = Live::of(&seen, None, Home::Page)?;
-    let shown = Shown { seen: &seen, live: &live };
+    let shown = LiveView { seen: &seen, live: &live };
     let is_fast = !turns_truly(&seen, Home::Page);
     let doubt = "a body turns faster than the pictures of it follow: its turning is not seen truly.";
     Ok(Viewer {

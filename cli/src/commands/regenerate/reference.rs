@@ -1,7 +1,7 @@
 //! Reference beside each model, derived by SymPy: renewed if there is a Python, and recorded only if it agrees.
 
 use super::python::{find, run};
-use crate::failure::{Failure, print, status, warn};
+use crate::failure::{Failure, Output, print, status, warn};
 use crate::words::start_of;
 use std::fmt::Write;
 use std::path::Path;
@@ -34,7 +34,7 @@ enum Outcome {
 
 /// Derives every model anew by SymPy and records references that agree. Returns the exit status, 1 if a reference does
 /// not agree, and a line for each model. The lines are printed as they come, unless the result is JSON.
-pub fn renew(root: &Path, models: &[String], as_json: bool) -> Result<(u8, Vec<String>), Failure> {
+pub fn renew(root: &Path, models: &[String], output: Output) -> Result<(u8, Vec<String>), Failure> {
     let python = match find(root) {
         Ok(python) => python,
         Err(why) => {
@@ -66,7 +66,7 @@ pub fn renew(root: &Path, models: &[String], as_json: bool) -> Result<(u8, Vec<S
                     format!("{model}: {}", lines.trim_end())
                 }
             };
-            if !as_json {
+            if output == Output::Text {
                 print(&format!("{line}\n"))?;
             }
             lines.push(line);

@@ -8,7 +8,7 @@ use crate::follow;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::studies::sensitivity::gradient::Slope;
-use tripos::{Gradient, Mechanism, gradient};
+use tripos::{EquationsName, Gradient, Mechanism, gradient};
 use tripos_derive::scene::Scene;
 
 /// Runs a scene and prints its end, with the derivatives of one number there by all parameters and start values.
@@ -18,11 +18,12 @@ pub fn simulate(
     scene: &Scene,
     set: &[(String, f64)],
     of: &str,
+    by: Option<&EquationsName>,
 ) -> Result<u8, Failure> {
     check(request)?;
     follow::listen();
     follow::show(scene.span);
-    let found = gradient(model, scene, set, of, request.how.by.as_deref())?;
+    let found = gradient(model, scene, set, of, by)?;
     follow::hide();
     let status = shown_failure(request, &found.run, found.missing());
     if request.json {

@@ -131,7 +131,7 @@ pub fn tuple(arena: &Arena, components: &[Expr; 3]) -> String {
 }
 
 /// HTML of a formula in a sentence; if it is long, the number of its operations.
-pub fn said(arena: &Arena, e: Expr) -> String {
+pub fn in_sentence(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) { wrapped(&[Side::of(arena, e)]) } else { operations(arena, e) }
 }
 

@@ -1,6 +1,6 @@
 //! Formulas of a page: what may break, and what nobody would read.
 
-use crate::page::markup::math::{Side, formula, lines, said, tuple, vanishing, widest, wrapped};
+use crate::page::markup::math::{Side, formula, in_sentence, lines, tuple, vanishing, widest, wrapped};
 use crate::page::markup::typeset::typeset;
 use crate::page::tests::unbalanced;
 use tripos_derive::algebra::Arena;
@@ -44,7 +44,7 @@ fn what_nobody_would_read_is_told_by_its_number_of_operations() {
         zero(short)
     );
     assert_eq!(zero(medium), "a term of 499 operations vanishes", "too long for a sentence");
-    assert_eq!(said(&arena, long), "a term of 1499 operations");
+    assert_eq!(in_sentence(&arena, long), "a term of 1499 operations");
     assert!(formula(&arena, medium).contains("<msub><mi>q</mi><mn>99</mn></msub>"), "but not for a line of its own");
     assert_eq!(formula(&arena, long), "<mtext>a term of 1499 operations</mtext>");
 }

@@ -4,7 +4,8 @@ use super::laws::law;
 use crate::page::content::Page;
 use crate::page::markup::html::{escape, folded, link, part, scroll};
 use crate::page::markup::math::{
-    Side, formula, inline, is_short, length, line_name, lines, matrix, row_name, said, stage_title, unread, wrapped,
+    Side, formula, in_sentence, inline, is_short, length, line_name, lines, matrix, row_name, stage_title, unread,
+    wrapped,
 };
 use crate::words::NAMED;
 use std::fmt::Write;
@@ -139,7 +140,7 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
         more += &folded(&format!("Its entries <span class=\"quiet\">({})</span>", named.len()), &entries);
     }
     if !equations.divisors.is_empty() {
-        let divisors: Vec<_> = equations.divisors.iter().map(|e| said(arena, *e)).collect();
+        let divisors: Vec<_> = equations.divisors.iter().map(|e| in_sentence(arena, *e)).collect();
         known.push(format!(
             "The kinematic equations divide by {}: where one vanishes the generalized speeds do not determine the rates of the \
              coordinates.",

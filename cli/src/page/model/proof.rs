@@ -2,7 +2,9 @@
 
 use crate::page::content::Page;
 use crate::page::markup::html::{each, escape, head, part, table, words};
-use crate::page::markup::math::{Side, decimal, inline, is_short, length, said, symbol, unread, vanishing, wrapped};
+use crate::page::markup::math::{
+    Side, decimal, in_sentence, inline, is_short, length, symbol, unread, vanishing, wrapped,
+};
 use crate::page::model::derivation::named_terms;
 use std::fmt::Write;
 use tripos_derive::algebra::meaning::compare::{Verdict, Witness};
@@ -183,7 +185,7 @@ fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
         format!(
             "<tr><th scope=\"row\">{}</th><td><div class=\"formula\">{}</div></td><td>{}</td></tr>\n",
             escape(formulation.title()),
-            said(arena, s.determinant),
+            in_sentence(arena, s.determinant),
             zeros(arena, s)
         )
     };
@@ -206,7 +208,7 @@ pub fn zeros(arena: &Arena, singularity: &Singularity) -> String {
         statements.push("nowhere".to_owned());
     }
     for place in &singularity.at {
-        let (divisor, vanishing) = (said(arena, place.divisor), vanishing(arena, place.divisor));
+        let (divisor, vanishing) = (in_sentence(arena, place.divisor), vanishing(arena, place.divisor));
         match place.determinant {
             There::Zero => statements.push(format!("wherever {vanishing}")),
             There::NotZero if !singularity.never => statements.push(format!("not where {vanishing}")),

@@ -15,7 +15,7 @@ const SEEN: usize = 2;
 
 /// Part of a scene's section that is seen without unfolding.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Shown {
+pub enum VisiblePart {
     /// The runs and the first figures of the scene are seen too.
     Open,
     /// Only the outcome of the scene is seen.
@@ -23,7 +23,7 @@ pub enum Shown {
 }
 
 /// HTML of the section of one scene. `figures` counts figures over the whole page.
-pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: Shown, figures: &mut usize) -> String {
+pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: VisiblePart, figures: &mut usize) -> String {
     let place = anchor(at);
     let mut out = format!("<article id=\"{place}\">\n<h3>{}</h3>\n", escape(&scene.title));
     let about = match scene.about.as_str() {
@@ -35,8 +35,8 @@ pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: Shown, figur
     let _ = writeln!(out, "<p class=\"outcome\">{}</p>", sentences.join(" "));
     let content = content(page, scene, &place, figures);
     out += &match shown {
-        Shown::Open => about + &content,
-        Shown::InASentence => folded("Runs, figures and numbers", &(about + &content)),
+        VisiblePart::Open => about + &content,
+        VisiblePart::InASentence => folded("Runs, figures and numbers", &(about + &content)),
     };
     out + "</article>\n"
 }

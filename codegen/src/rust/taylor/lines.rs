@@ -17,6 +17,14 @@ enum Stage {
     Later,
 }
 
+/// Factors of a convolution Σ a_j b_{k−j}, as indices of series.
+struct Factors {
+    left: usize,
+    right: usize,
+    /// True if j times the left coefficient j is a factor.
+    weighted: bool,
+}
+
 impl Text<'_> {
     /// Sum Σ weight · value + constant. Values that are computed late are added late.
     fn linear(
@@ -184,17 +192,17 @@ impl Text<'_> {
         }
     }
 
-    /// Left and right factors of the convolution of a series; true if j times the left coefficient j is a factor.
-    /// `None` for a series without convolution.
-    fn factors(&self, at: usize) -> Option<(usize, usize, bool)> {
-        match self.plan.list.series[at].rule {
-            Rule::Product(x, y) => Some((x, y, false)),
-            Rule::Quotient(_, y) => Some((y, at, false)),
-            Rule::Root(_) => Some((at, at, false)),
-            Rule::Forward { of, slope, .. } => Some((of, slope, true)),
-            Rule::Backward { slope, .. } => Some((at, slope, true)),
-            Rule::State(_) | Rule::Linear { .. } => None,
-        }
+    /// Factors of the convolution of a series; `None` for a series without convolution.
+    fn factors(&self, at: usize) -> Option<Factors> {
+        let (left, right, weighted) = match self.plan.list.series[at].rule {
+            Rule::Product(x, y) => (x, y, false),
+            Rule::Quotient(_, y) => (y, at, false),
+            Rule::Root(_) => (at, at, false),
+            Rule::Forward { of, slope, .. } => (of, slope, true),
+            Rule::Backward { slope, .. } => (at, slope, true),
+            Rule::State(_) | Rule::Linear { .. } => return None,
+        };
+        Some(Factors { left, right, weighted })
     }
 
     /// Code that keeps the history of an order, in four places: the start of the first sums, the sums of the next
@@ -210,7 +218,7 @@ impl Text<'_> {
         let mut read: Vec<usize> = Vec::new();
         let mut first: [Vec<TokenStream>; 2] = [Vec::new(), Vec::new()];
         for at in (0..self.plan.list.series.len()).filter(|at| self.plan.slots.contains_key(at)) {
-            let Some((left, right, weighted)) = self.factors(at) else { continue };
+            let Some(Factors { left, right, weighted }) = self.factors(at) else { continue };
             ends.push(self.ends(at));
             read.extend([left, right]);
             first[0].push(self.at_one(left));
@@ -272,7 +280,7 @@ impl Text<'_> {
     /// Convolution of a series at an odd order k: the prepared sum plus the terms with coefficients of orders 1 and k −
     /// 1.
     fn ends(&self, at: usize) -> TokenStream {
-        let Some((left, right, weighted)) = self.factors(at) else { return TokenStream::new() };
+        let Some(Factors { left, right, weighted }) = self.factors(at) else { return TokenStream::new() };
         let slot = Literal::usize_unsuffixed(self.plan.slots[&at]);
         let [left_1, right_1] = [left, right].map(|x| self.at_one(x));
         let [left_last, right_last] = [left, right].map(|x| self.last(x));

@@ -11,10 +11,19 @@ use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::text::view::view;
 
+/// File that has the text of the function `taylor`.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum TaylorText {
+    /// The text is in the file itself.
+    Here,
+    /// Another file has the same text.
+    Elsewhere,
+}
+
 /// Items `use` of a file with the function `taylor`; only those of its `System` if the function is in another file.
-pub fn imports(plan: &TaylorPlan<'_>, is_here: bool) -> TokenStream {
+pub fn imports(plan: &TaylorPlan<'_>, text: TaylorText) -> TokenStream {
     match plan.list.convolutions() {
-        _ if !is_here => quote!(
+        _ if text == TaylorText::Elsewhere => quote!(
             use tripos_traits::series::{SLACK, rows};
         ),
         0 => quote!(

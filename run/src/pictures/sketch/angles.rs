@@ -1,9 +1,9 @@
 //! Arcs that show coordinates that turn frames: from the axis at zero to the axis in the drawn pose.
 
 use super::axes::{along_axis, is_drawn};
-use super::drawing::{Mark, Path, Role, Spot, Word, unit};
+use super::drawing::{Mark, Path, Role, SheetPoint, Word, unit};
 use super::sheet::{Sheet, Subject};
-use super::terms::Told;
+use super::terms::{SignedCoordinate, Turn};
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, length, minus, plus, rotated, rotated_back, transposed};
 use std::f64::consts::{PI, TAU};
@@ -24,7 +24,7 @@ const ALONG: f64 = 0.95;
 /// A coordinate that turns a frame about an axis.
 pub struct Angle {
     /// Coordinate, and its place in the formula for the angle of the turn.
-    pub told: Told,
+    pub signed: SignedCoordinate,
     /// Index of the frame that is turned.
     pub frame: usize,
     /// Index of the frame that the turned frame is turned from.
@@ -39,14 +39,24 @@ struct Arm {
     direction: Triple,
 }
 
+/// Part of a vector across the axis of an angle.
+struct Across {
+    /// Nearest basis vector of the turned frame across the axis, with its sign.
+    direction: Triple,
+    /// Length of the vector across the axis, m.
+    length: f64,
+    /// Share of the length of the vector along the basis vector.
+    share: f64,
+}
+
 impl Angle {
     /// Finds the turn of a frame whose angle is a coordinate; `None` if the coordinate is no such angle.
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
         let frames = 0..subject.pose.rotations.len();
         frames.into_iter().find_map(|frame| {
-            let (parent, axis, term) = subject.terms.turn(frame)?;
-            let told = subject.terms.told(subject.mechanism, (subject.p, subject.q), term, coordinate)?;
-            Some(Self { told, frame, parent, axis })
+            let Turn { parent, axis, term } = subject.terms.turn(frame)?;
+            let signed = subject.terms.signed_coordinate(subject.mechanism, subject.p, subject.q, term, coordinate)?;
+            Some(Self { signed, frame, parent, axis })
         })
     }
 
@@ -57,7 +67,7 @@ impl Angle {
 
     /// Angle of the turn without whole turns, rad, at least -π and below π.
     pub fn extent(&self) -> f64 {
-        let whole = self.told.now - self.told.zero;
+        let whole = self.signed.now - self.signed.zero;
         whole - TAU * ((whole + PI) / TAU).floor()
     }
 
@@ -77,18 +87,18 @@ impl Angle {
         let (own, all) = (ways(true), ways(false));
         let best = own.iter().filter_map(|(from, way)| Some((*from, self.across(subject, *way)?)));
         let best = best.min_by(|(_, a), (_, b)| {
-            let rank = |x: &(Triple, f64, f64)| (x.2 < ALONG, -(1e6 * x.1 / subject.view.size).round());
+            let rank = |x: &Across| (x.share < ALONG, -(1e6 * x.length / subject.view.size).round());
             let (a, b) = (rank(a), rank(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        if let Some((from, (direction, ..))) = best {
+        if let Some((from, Across { direction, .. })) = best {
             return Arm { apex: subject.pose.points[from], direction };
         }
         let mut next = [0.0; 3];
         next[(self.axis + 1) % 3] = 1.0;
         if let Some((from, way)) = all.first() {
             let of_first =
-                self.across(subject, *way).filter(|(.., share)| *share > 0.8).map(|(direction, ..)| direction);
+                self.across(subject, *way).filter(|across| across.share > 0.8).map(|across| across.direction);
             return Arm { apex: subject.pose.points[*from], direction: of_first.unwrap_or(next) };
         }
         let turned = |frame: usize| subject.chain(frame).any(|f| f == self.frame);
@@ -97,10 +107,9 @@ impl Angle {
         Arm { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
     }
 
-    /// Finds the basis vector of the turned frame across the axis that is nearest to a vector, with its sign. Also
-    /// returns the length of the vector across the axis, and the share of its length along the basis vector. `None` for
-    /// a vector that is too close to the axis.
-    fn across(&self, subject: &Subject<'_>, way: Triple) -> Option<(Triple, f64, f64)> {
+    /// Finds the basis vector of the turned frame across the axis that is nearest to a vector. `None` for a vector that
+    /// is too close to the axis.
+    fn across(&self, subject: &Subject<'_>, way: Triple) -> Option<Across> {
         let inside = rotated_back(&subject.pose.rotations[self.frame], way);
         let (j, k) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
         let across = inside[j].hypot(inside[k]);
@@ -111,17 +120,17 @@ impl Angle {
         let axis = if inside[k].abs() > inside[j].abs() * (1.0 + 1e-9) { k } else { j };
         let mut direction = [0.0; 3];
         direction[axis] = inside[axis].signum();
-        Some((direction, across, inside[axis].abs() / length(inside)))
+        Some(Across { direction, length: across, share: inside[axis].abs() / length(inside) })
     }
 }
 
 /// Places of the arcs drawn so far.
 #[derive(Default)]
-pub struct Arcs(Vec<Spot>);
+pub struct Arcs(Vec<SheetPoint>);
 
 impl Arcs {
     /// Radius of the next arc about a spot, px. The spot is added to the list.
-    fn radius(&mut self, at: Spot) -> f64 {
+    fn radius(&mut self, at: SheetPoint) -> f64 {
         let there = self.0.iter().filter(|spot| (spot[0] - at[0]).hypot(spot[1] - at[1]) < 8.0).count();
         self.0.push(at);
         RADIUS.0 + RADIUS.1 * there as f64
@@ -134,34 +143,30 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &A
     let (arm, axis, extent) = (angle.arm(subject), angle.about(subject), angle.extent());
     let apex = subject.camera.spot(arm.apex);
     let radius = arcs.radius(apex);
-    let zero = subject.turned((angle.parent, angle.axis), angle.told.zero, arm.direction);
+    let zero = subject.turned(angle.parent, angle.axis, angle.signed.zero, arm.direction);
     let now = rotated(&subject.pose.rotations[angle.frame], arm.direction);
     let is_open = extent.abs() >= TINY;
-    let (from, sweep) = if is_open { (zero, extent) } else { (now, angle.told.sign * SENSE) };
+    let (from, sweep) = if is_open { (zero, extent) } else { (now, angle.signed.sign * SENSE) };
     // The arc begins at the direction `from`, and turns towards the direction that is a quarter turn further.
     let [a, b] = [from, cross(axis, from)].map(|e| subject.camera.seen(e).map(|x| radius * x));
-    let path = Path::arc(apex, a, b, (0.0, sweep));
+    let path = Path::arc(apex, a, b, 0.0, sweep);
     for (direction, frame) in [(zero, angle.parent), (now, angle.frame)] {
         let seen = subject.camera.seen(direction).map(|x| (radius + 12.0) * x);
         let to = [0, 1].map(|i| apex[i] + seen[i]);
         sheet.add([Mark::line(Role::Reference, Path::line(&[apex, to]))]);
-        name_axis(subject, sheet, (frame, direction), (arm.apex, to));
+        name_axis(subject, sheet, frame, direction, arm.apex, to);
     }
     sheet.add(Mark::arrow(Role::Coordinate, path, TIP));
-    let middle = Path::arc(apex, a, b, (0.0, 0.5 * sweep)).end();
+    let middle = Path::arc(apex, a, b, 0.0, 0.5 * sweep).end();
     let outwards = unit([middle[0] - apex[0], middle[1] - apex[1]]);
-    let name = subject.mechanism.coordinates[angle.told.coordinate].name.clone();
+    let name = subject.mechanism.coordinates[angle.signed.coordinate].name.clone();
     sheet.name(Role::Coordinate, vec![Word::Name(name)], middle, Some(outwards), 4.0);
     is_open
 }
 
 /// Puts the name of the axis that a line of reference is along on the sheet, if the axes of its frame are not drawn.
-fn name_axis(
-    subject: &Subject<'_>,
-    sheet: &mut Sheet,
-    (frame, direction): (usize, Triple),
-    (apex, to): (Triple, Spot),
-) {
+/// The line leads from `apex` to the spot `to`, and has the `direction` in the inertial frame.
+fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, frame: usize, direction: Triple, apex: Triple, to: SheetPoint) {
     let is_at_origin = length(minus(apex, subject.pose.points[0])) < 1e-9;
     // In a planar mechanism the inertial axes are easily followed.
     if frame == 0 && (is_at_origin || subject.is_planar) || is_drawn(subject, frame) || subject.is_generated(frame) {
@@ -176,7 +181,7 @@ fn name_axis(
 
 /// Puts one arc on the sheet, with the names of all coordinates that turn a frame together. The arc leads from an axis
 /// of the parent frame to the same axis of the frame.
-pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, (frame, names): (usize, Vec<Word>)) {
+pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, frame: usize, names: Vec<Word>) {
     let Some((parent, _)) = subject.terms.links.frames[frame] else { return };
     let [before, after] = [parent, frame].map(|f| transposed(&subject.pose.rotations[f]));
     let bodies = &subject.mechanism.bodies;
@@ -193,11 +198,11 @@ pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, 
     let other = crate::pictures::view::space::unit(across).unwrap_or(before[(axis + 1) % 3]);
     let [a, b] = [before[axis], other].map(|e| subject.camera.seen(e).map(|x| radius * x));
     let sweep = turn(axis).max(SENSE);
-    let path = Path::arc(apex, a, b, (0.0, sweep));
+    let path = Path::arc(apex, a, b, 0.0, sweep);
     let to = [0, 1].map(|i| apex[i] + 1.25 * a[i]);
     sheet.add([Mark::line(Role::Reference, Path::line(&[apex, to]))]);
     sheet.add(Mark::arrow(Role::Coordinate, path, TIP));
-    let middle = Path::arc(apex, a, b, (0.0, 0.5 * sweep)).end();
+    let middle = Path::arc(apex, a, b, 0.0, 0.5 * sweep).end();
     let outwards = unit([middle[0] - apex[0], middle[1] - apex[1]]);
     sheet.name(Role::Coordinate, names, middle, Some(outwards), 4.0);
 }

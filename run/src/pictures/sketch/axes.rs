@@ -1,6 +1,6 @@
 //! Marks of frame axes with their names, and of gravity.
 
-use super::drawing::{Mark, Path, Role, Spot, Word, extent, unit};
+use super::drawing::{Mark, Path, Role, SheetPoint, Word, extent, unit};
 use super::sheet::{Sheet, Subject};
 use crate::pictures::view::space::{IDENTITY, dot, length, minus, rotated, transposed};
 use crate::pictures::view::{Rotation, Triple};
@@ -87,7 +87,7 @@ fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bo
             // for all bodies.
             if triad.frame == 0 || !subject.is_planar {
                 let is_out = dot(column, subject.camera.towards) > 0.0;
-                sheet.add(head_on(from, is_out));
+                sheet.add(if is_out { towards_viewer(from) } else { away_from_viewer(from) });
                 let role = Role::Axis;
                 if is_needed {
                     sheet.name(role, words, from, None, 8.0);
@@ -110,17 +110,18 @@ fn triad(subject: &Subject<'_>, sheet: &mut Sheet, triad: &Triad, is_needed: [bo
     }
 }
 
-/// Marks of an axis that points at the viewer if `is_out` is true, otherwise away from him.
-fn head_on(at: Spot, is_out: bool) -> Vec<Mark> {
+/// Marks of an axis that points at the viewer: a dot in a circle.
+fn towards_viewer(at: SheetPoint) -> Vec<Mark> {
+    vec![Mark::solid(Role::Axis, Path::circle(at, 5.0)), Mark::dot(Role::Axis, at, 1.6)]
+}
+
+/// Marks of an axis that points away from the viewer: a cross in a circle.
+fn away_from_viewer(at: SheetPoint) -> Vec<Mark> {
+    let arm = 3.5;
     let mut marks = vec![Mark::solid(Role::Axis, Path::circle(at, 5.0))];
-    if is_out {
-        marks.push(Mark::dot(Role::Axis, at, 1.6));
-    } else {
-        let arm = 3.5;
-        marks.extend([1.0, -1.0].map(|side| {
-            Mark::line(Role::Axis, Path::line(&[[at[0] - arm, at[1] - side * arm], [at[0] + arm, at[1] + side * arm]]))
-        }));
-    }
+    marks.extend([1.0, -1.0].map(|side| {
+        Mark::line(Role::Axis, Path::line(&[[at[0] - arm, at[1] - side * arm], [at[0] + arm, at[1] + side * arm]]))
+    }));
     marks
 }
 
@@ -139,7 +140,7 @@ pub fn gravity(subject: &Subject<'_>, sheet: &mut Sheet) -> bool {
         [0.5 * long * seen[0].abs() / share.max(HEAD_ON) + 9.0, 0.5 * long * seen[1].abs() / share.max(HEAD_ON) + 9.0];
     let middle = free_place(sheet, half);
     if long == 0.0 {
-        sheet.add(head_on(middle, false));
+        sheet.add(away_from_viewer(middle));
     } else {
         let way = unit(seen);
         let ends = [-0.5, 0.5].map(|side| [0, 1].map(|i| middle[i] + side * long * way[i]));
@@ -150,15 +151,16 @@ pub fn gravity(subject: &Subject<'_>, sheet: &mut Sheet) -> bool {
 }
 
 /// Finds the middle of a free box with the given half size, px: in a corner of the drawing, otherwise beside it.
-fn free_place(sheet: &Sheet, half: Spot) -> Spot {
+fn free_place(sheet: &Sheet, half: SheetPoint) -> SheetPoint {
     let Some((low, high)) = extent(&sheet.marks, &[]) else { return [0.0; 2] };
-    let spots: Vec<Spot> = sheet.marks.iter().flat_map(|mark| mark.path.spots(3.0)).collect();
+    let spots: Vec<SheetPoint> = sheet.marks.iter().flat_map(|mark| mark.path.spots(3.0)).collect();
     let inside = |side: [f64; 2]| {
         let of = |i: usize| if side[i] > 0.0 { high[i] - half[i] } else { low[i] + half[i] };
         [of(0), of(1)]
     };
     let corners = [[1.0, -1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(inside);
-    let is_free = |at: &Spot| !spots.iter().any(|spot| (0..2).all(|i| (spot[i] - at[i]).abs() < half[i] + FALL.1));
+    let is_free =
+        |at: &SheetPoint| !spots.iter().any(|spot| (0..2).all(|i| (spot[i] - at[i]).abs() < half[i] + FALL.1));
     corners.into_iter().find(is_free).unwrap_or([high[0] + half[0] + FALL.1, low[1] + half[1]])
 }
 

@@ -1,6 +1,6 @@
 //! Outlines of solids on the sheet, drawn from back to front.
 
-use super::drawing::{Mark, Path, Role, Spot};
+use super::drawing::{Mark, Path, Role, SheetPoint};
 use super::sheet::{Sheet, Subject};
 use crate::pictures::view::space::{along, cross, dot, length, minus, plus, product, rotated, transposed, unit};
 use crate::pictures::view::{Form, Place, Quaternion, Rotation, Solid, Triple};
@@ -67,7 +67,7 @@ fn drawn(subject: &Subject<'_>, solid: &Solid) -> Option<Drawn> {
         }
         Form::Cylinder { at, radius, length } => {
             let axis = rotated(&axes(subject, at), [0.0, 0.0, 1.0]);
-            (middle(subject, at), 1, cylinder(subject, middle(subject, at), axis, (*radius, *length)))
+            (middle(subject, at), 1, cylinder(subject, middle(subject, at), axis, *radius, *length))
         }
         Form::Box { at, size } => (middle(subject, at), 1, faces(subject, at, *size)),
         Form::Rod { ends, radius } => {
@@ -106,8 +106,9 @@ fn rotation([w, x, y, z]: Quaternion) -> Rotation {
     transposed(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
 }
 
-/// Marks of a cylinder about an axis of length 1: far end, side and near end.
-fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, (radius, long): (f64, f64)) -> Vec<Mark> {
+/// Marks of a cylinder about an axis of length 1: far end, side and near end. Its radius and its length `long` are in
+/// m.
+fn cylinder(subject: &Subject<'_>, middle: Triple, axis: Triple, radius: f64, long: f64) -> Vec<Mark> {
     let camera = &subject.camera;
     let towards = dot(axis, camera.towards);
     let axis = if towards < 0.0 { axis.map(|x| -x) } else { axis };
@@ -150,7 +151,7 @@ fn faces(subject: &Subject<'_>, at: &Place, size: Triple) -> Vec<Mark> {
 }
 
 /// Path of a coil spring from one spot to another.
-fn coil(a: Spot, b: Spot) -> Path {
+fn coil(a: SheetPoint, b: SheetPoint) -> Path {
     let way = [b[0] - a[0], b[1] - a[1]];
     let across = super::drawing::unit([-way[1], way[0]]);
     let at = |t: f64, side: f64| [0, 1].map(|i| a[i] + t * way[i] + side * SPRING.1 * across[i]);
@@ -204,9 +205,9 @@ fn ground(subject: &Subject<'_>, at: &Place) -> Option<Vec<Mark>> {
 }
 
 /// Least and greatest corner of the solids and points on a sheet whose scale is one px per metre.
-pub fn extent(subject: &Subject<'_>) -> (Spot, Spot) {
+pub fn extent(subject: &Subject<'_>) -> (SheetPoint, SheetPoint) {
     let camera = &subject.camera;
-    let mut all: Vec<(Spot, f64)> = Vec::new();
+    let mut all: Vec<(SheetPoint, f64)> = Vec::new();
     for solid in &subject.view.solids {
         match &solid.form {
             Form::Ground { .. } => {}

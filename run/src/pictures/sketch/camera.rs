@@ -1,6 +1,6 @@
 //! Orthographic projection of a mechanism onto the sheet, and the choice of its direction.
 
-use super::drawing::Spot;
+use super::drawing::SheetPoint;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{cross, dot, minus, plus, unit};
 
@@ -69,7 +69,7 @@ impl Camera {
     }
 
     /// Spot on the sheet of a place in the inertial frame.
-    pub fn spot(&self, place: Triple) -> Spot {
+    pub fn spot(&self, place: Triple) -> SheetPoint {
         [self.scale * dot(self.right, place), -self.scale * dot(self.up, place)]
     }
 
@@ -79,12 +79,12 @@ impl Camera {
     }
 
     /// Projection of a direction of length 1 onto the sheet, at most of length 1.
-    pub fn seen(&self, direction: Triple) -> Spot {
+    pub fn seen(&self, direction: Triple) -> SheetPoint {
         [dot(self.right, direction), -dot(self.up, direction)]
     }
 
     /// Projection of the vector from one place to another, px.
-    pub fn way(&self, from: Triple, to: Triple) -> Spot {
+    pub fn way(&self, from: Triple, to: Triple) -> SheetPoint {
         self.spot(minus(to, from))
     }
 

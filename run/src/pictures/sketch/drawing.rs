@@ -1,22 +1,22 @@
 //! Contents of a sketch's sheet: labels, and paths that each have a role.
 
 /// Place on the sheet: distances to the right and down, px.
-pub type Spot = [f64; 2];
+pub type SheetPoint = [f64; 2];
 
 /// Next part of a path, from the end of the part before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Part {
     /// Straight line to the given spot.
-    Line(Spot),
+    Line(SheetPoint),
     /// Cubic Bézier curve, by its two handles and its end.
-    Curve([Spot; 3]),
+    Curve([SheetPoint; 3]),
 }
 
 /// Line on the sheet that is made of straight and curved parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// First spot of the path.
-    pub from: Spot,
+    pub from: SheetPoint,
     /// Parts of the path, each from the end of the part before.
     pub parts: Vec<Part>,
     /// True if the end of the path is joined to its beginning.
@@ -113,9 +113,9 @@ pub struct Label {
     /// Text of the label, part by part.
     pub words: Vec<Word>,
     /// Middle of the label's box on the sheet.
-    pub at: Spot,
+    pub at: SheetPoint,
     /// Width and height of the label's box, px, estimated because no font is available.
-    pub size: Spot,
+    pub size: SheetPoint,
 }
 
 /// Distance of the handles of a quarter circle of radius 1 from its ends.
@@ -123,19 +123,19 @@ const QUARTER: f64 = 0.552_284_749_830_793_4;
 
 impl Path {
     /// Path of straight lines from spot to spot.
-    pub(super) fn line(spots: &[Spot]) -> Self {
+    pub(super) fn line(spots: &[SheetPoint]) -> Self {
         let from = spots.first().copied().unwrap_or_default();
         Self { from, parts: spots.iter().skip(1).map(|spot| Part::Line(*spot)).collect(), is_closed: false }
     }
 
     /// Closed path of a polygon with the given corners.
-    pub(super) fn polygon(corners: &[Spot]) -> Self {
+    pub(super) fn polygon(corners: &[SheetPoint]) -> Self {
         Self { is_closed: true, ..Self::line(corners) }
     }
 
     /// Path of an arc c + cos t a + sin t b from one t to another, rad. It is part of an ellipse with the conjugate
     /// semi-diameters a and b, which is the projection of a circle in space.
-    pub(super) fn arc(c: Spot, a: Spot, b: Spot, (from, to): (f64, f64)) -> Self {
+    pub(super) fn arc(c: SheetPoint, a: SheetPoint, b: SheetPoint, from: f64, to: f64) -> Self {
         let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
         let step = (to - from) / pieces;
         // 4/3 tan(step/4): the curve is within 3e-4 of the radius.
@@ -153,17 +153,17 @@ impl Path {
     }
 
     /// Closed path of an ellipse about c with the conjugate semi-diameters a and b.
-    pub(super) fn ellipse(c: Spot, a: Spot, b: Spot) -> Self {
-        Self { is_closed: true, ..Self::arc(c, a, b, (0.0, std::f64::consts::TAU)) }
+    pub(super) fn ellipse(c: SheetPoint, a: SheetPoint, b: SheetPoint) -> Self {
+        Self { is_closed: true, ..Self::arc(c, a, b, 0.0, std::f64::consts::TAU) }
     }
 
     /// Closed path of a circle about c.
-    pub(super) fn circle(c: Spot, radius: f64) -> Self {
+    pub(super) fn circle(c: SheetPoint, radius: f64) -> Self {
         Self::ellipse(c, [radius, 0.0], [0.0, radius])
     }
 
     /// Closed path around all spots within a radius of the line from a to b.
-    pub(super) fn capsule(a: Spot, b: Spot, radius: f64) -> Self {
+    pub(super) fn capsule(a: SheetPoint, b: SheetPoint, radius: f64) -> Self {
         let way = [b[0] - a[0], b[1] - a[1]];
         let long = way[0].hypot(way[1]);
         if long < 1e-6 {
@@ -171,8 +171,8 @@ impl Path {
         }
         let along = way.map(|x| radius * x / long);
         let across = [-along[1], along[0]];
-        let moved = |s: Spot, x: f64, y: f64| [0, 1].map(|i| s[i] + x * along[i] + y * across[i]);
-        let end = |s: Spot, side: f64| {
+        let moved = |s: SheetPoint, x: f64, y: f64| [0, 1].map(|i| s[i] + x * along[i] + y * across[i]);
+        let end = |s: SheetPoint, side: f64| {
             [
                 Part::Curve([moved(s, QUARTER * side, side), moved(s, side, QUARTER * side), moved(s, side, 0.0)]),
                 Part::Curve([moved(s, side, -QUARTER * side), moved(s, QUARTER * side, -side), moved(s, 0.0, -side)]),
@@ -186,7 +186,7 @@ impl Path {
     }
 
     /// Last spot of the path; the first if it has no parts.
-    pub(super) fn end(&self) -> Spot {
+    pub(super) fn end(&self) -> SheetPoint {
         match self.parts.last() {
             None => self.from,
             Some(Part::Line(to) | Part::Curve([.., to])) => *to,
@@ -194,7 +194,7 @@ impl Path {
     }
 
     /// Direction in which the path arrives at its end, of length 1; to the right if the path has no length.
-    pub(super) fn heading(&self) -> Spot {
+    pub(super) fn heading(&self) -> SheetPoint {
         let end = self.end();
         let before = match self.parts.as_slice() {
             [.., Part::Curve([_, handle, _])] => *handle,
@@ -206,11 +206,11 @@ impl Path {
 
     /// Spots along the path, at most a step apart, px.
     #[must_use]
-    pub fn spots(&self, step: f64) -> Vec<Spot> {
+    pub fn spots(&self, step: f64) -> Vec<SheetPoint> {
         let (mut list, mut at) = (vec![self.from], self.from);
         let closing = self.is_closed.then_some(Part::Line(self.from));
         for part in self.parts.iter().copied().chain(closing) {
-            let (to, of): (Spot, Box<dyn Fn(f64) -> Spot>) = match part {
+            let (to, of): (SheetPoint, Box<dyn Fn(f64) -> SheetPoint>) = match part {
                 Part::Line(to) => (to, Box::new(move |t| [0, 1].map(|i| at[i] + t * (to[i] - at[i])))),
                 Part::Curve([a, b, to]) => {
                     let of = move |t: f64, i: usize| {
@@ -243,7 +243,7 @@ impl Mark {
     }
 
     /// Mark of a filled circle about a spot.
-    pub(super) fn dot(role: Role, at: Spot, radius: f64) -> Self {
+    pub(super) fn dot(role: Role, at: SheetPoint, radius: f64) -> Self {
         Self { role, paint: Paint::Filled, path: Path::circle(at, radius) }
     }
 
@@ -255,20 +255,23 @@ impl Mark {
 }
 
 /// Mark of an arrow tip that ends at a spot and points in the direction `heading`.
-pub(super) fn tip(role: Role, end: Spot, heading: Spot, long: f64) -> Mark {
+pub(super) fn tip(role: Role, end: SheetPoint, heading: SheetPoint, long: f64) -> Mark {
     let at = |x: f64, y: f64| [end[0] - x * heading[0] - y * heading[1], end[1] - x * heading[1] + y * heading[0]];
     let corners = [end, at(long, 0.32 * long), at(0.8 * long, 0.0), at(long, -0.32 * long)];
     Mark { role, paint: Paint::Filled, path: Path::polygon(&corners) }
 }
 
 /// Direction of a vector on the sheet, of length 1; to the right if the vector is zero.
-pub(super) fn unit(way: Spot) -> Spot {
+pub(super) fn unit(way: SheetPoint) -> SheetPoint {
     let long = way[0].hypot(way[1]);
     if long > 1e-9 { way.map(|x| x / long) } else { [1.0, 0.0] }
 }
 
 /// Box around marks and labels: its least and its greatest corner. `None` if there are none.
-pub(super) fn extent<'a>(marks: impl IntoIterator<Item = &'a Mark>, labels: &[Label]) -> Option<(Spot, Spot)> {
+pub(super) fn extent<'a>(
+    marks: impl IntoIterator<Item = &'a Mark>,
+    labels: &[Label],
+) -> Option<(SheetPoint, SheetPoint)> {
     let corners = labels.iter().flat_map(|label| {
         let half = label.size.map(|x| 0.5 * x);
         [-1.0, 1.0].map(|side| [label.at[0] + side * half[0], label.at[1] + side * half[1]])

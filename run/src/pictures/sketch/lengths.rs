@@ -1,9 +1,9 @@
 //! Marks of coordinates that move points. A dimension line shows a length along its axis. An arrow shows a coordinate
 //! that is neither such a length nor an angle.
 
-use super::drawing::{Mark, Path, Role, Spot, Word, tip, unit};
+use super::drawing::{Mark, Path, Role, SheetPoint, Word, tip, unit};
 use super::sheet::{Sheet, Subject};
-use super::terms::Told;
+use super::terms::{Components, SignedCoordinate};
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{length, minus, plus, transposed};
 
@@ -19,7 +19,7 @@ const SENSE: f64 = 34.0;
 /// Coordinate that is a component of the position vector of a point.
 pub struct Length {
     /// Coordinate, and its place in the formula of the component.
-    pub told: Told,
+    pub signed: SignedCoordinate,
     /// Index of the point that the coordinate moves.
     pub point: usize,
     /// Index of the component of the position vector, 0 to 2.
@@ -30,11 +30,11 @@ impl Length {
     /// Finds the component of a point's position that a coordinate is; `None` if it is not such a component.
     pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
         (0..subject.pose.points.len()).find_map(|point| {
-            let (.., first) = subject.terms.components(point)?;
+            let Components { first, .. } = subject.terms.components(point)?;
             (0..3).find_map(|component| {
-                let at = (subject.p, subject.q);
-                let told = subject.terms.told(subject.mechanism, at, first + component, coordinate)?;
-                Some(Self { told, point, component })
+                let (p, q) = (subject.p, subject.q);
+                let signed = subject.terms.signed_coordinate(subject.mechanism, p, q, first + component, coordinate)?;
+                Some(Self { signed, point, component })
             })
         })
     }
@@ -42,12 +42,12 @@ impl Length {
     /// Ends of the length in the inertial frame, m, with the earlier components of the position added. `None` if the
     /// point has no components.
     fn ends(&self, subject: &Subject<'_>) -> Option<[Triple; 2]> {
-        let (from, frame, first) = subject.terms.components(self.point)?;
+        let Components { from, frame, first } = subject.terms.components(self.point)?;
         let values = subject.terms.values(subject.p, subject.q);
         let axes = transposed(&subject.pose.rotations[frame]);
         let corner = (0..self.component)
             .fold(subject.pose.points[from], |at, before| plus(at, values[first + before], axes[before]));
-        Some([self.told.zero, self.told.now].map(|value| plus(corner, value, axes[self.component])))
+        Some([self.signed.zero, self.signed.now].map(|value| plus(corner, value, axes[self.component])))
     }
 
     /// Direction across the length, away from the other components, of length 1. `None` if the line is drawn between
@@ -56,7 +56,7 @@ impl Length {
         if !subject.is_planar {
             return None;
         }
-        let (_, frame, first) = subject.terms.components(self.point)?;
+        let Components { frame, first, .. } = subject.terms.components(self.point)?;
         let values = subject.terms.values(subject.p, subject.q);
         let axes = transposed(&subject.pose.rotations[frame]);
         let other = (0..3).find(|k| *k != self.component && values[first + k].abs() > 0.02 * subject.view.size);
@@ -75,17 +75,17 @@ impl Length {
 /// arrow shows its sense.
 pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, lengths: &Length) -> bool {
     let Some([from, to]) = lengths.ends(subject) else { return false };
-    let name = vec![Word::Name(subject.mechanism.coordinates[lengths.told.coordinate].name.clone())];
+    let name = vec![Word::Name(subject.mechanism.coordinates[lengths.signed.coordinate].name.clone())];
     let [a, b] = [from, to].map(|place| subject.camera.spot(place));
     let long = (b[0] - a[0]).hypot(b[1] - a[1]);
     if long < TINY {
-        let (_, frame, _) = subject.terms.components(lengths.point).unwrap_or_default();
+        let Components { frame, .. } = subject.terms.components(lengths.point).unwrap_or_default();
         let axis = transposed(&subject.pose.rotations[frame])[lengths.component];
-        grows(subject, sheet, b, subject.camera.seen(axis.map(|x| lengths.told.sign * x)), name);
+        grows(subject, sheet, b, subject.camera.seen(axis.map(|x| lengths.signed.sign * x)), name);
         return false;
     }
     let moved = lengths.aside(subject).map(|aside| subject.camera.seen(aside));
-    let away = |spot: Spot, by: f64| moved.map_or(spot, |way| [0, 1].map(|i| spot[i] + by * way[i]));
+    let away = |spot: SheetPoint, by: f64| moved.map_or(spot, |way| [0, 1].map(|i| spot[i] + by * way[i]));
     if moved.is_some() {
         for end in [a, b] {
             let line = Path::line(&[away(end, 4.0), away(end, AWAY.0 + AWAY.1)]);
@@ -102,7 +102,7 @@ pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, lengths: &Length) -> bool 
 }
 
 /// Puts an arrow with a name on the sheet, from a spot in the direction in which a coordinate grows.
-fn grows(subject: &Subject<'_>, sheet: &mut Sheet, from: Spot, seen: Spot, name: Vec<Word>) {
+fn grows(subject: &Subject<'_>, sheet: &mut Sheet, from: SheetPoint, seen: SheetPoint, name: Vec<Word>) {
     let share = seen[0].hypot(seen[1]);
     let way = if share < 0.05 { subject.camera.seen(subject.camera.right) } else { unit(seen) };
     let at = |t: f64| [0, 1].map(|i| from[i] + t * way[i]);

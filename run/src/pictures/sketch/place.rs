@@ -4,7 +4,7 @@
 //! first, and take the cheapest place. Then each label chooses again, twice. Costs are rounded, so that machines whose
 //! last digits differ give the same places.
 
-use super::drawing::{Label, Mark, Path, Role, Spot, Word, unit};
+use super::drawing::{Label, Mark, Path, Role, SheetPoint, Word, unit};
 use tripos_derive::algebra::text::print::name_parts;
 
 /// Distances of a label's box from its anchor in each ring, px, beyond the wished gap.
@@ -32,9 +32,9 @@ pub struct Wish {
     /// Text of the label, part by part.
     pub words: Vec<Word>,
     /// Spot beside which the label stands.
-    pub anchor: Spot,
+    pub anchor: SheetPoint,
     /// Preferred direction from the anchor, of length 1; `None` for any direction.
-    pub towards: Option<Spot>,
+    pub towards: Option<SheetPoint>,
     /// Least distance from the anchor, px.
     pub gap: f64,
     /// True if the label must be placed, false if it may be left out for lack of room.
@@ -58,19 +58,19 @@ fn width(words: &[Word]) -> f64 {
 /// Places labels: all that are needed, and the optional ones that find room. Also returns leader lines of distant
 /// labels.
 pub fn placed(wishes: &[Wish], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
-    let ink: Vec<(Spot, f64)> = marks.iter().flat_map(ink).collect();
-    let sizes: Vec<Spot> = wishes.iter().map(|wish| [width(&wish.words), HIGH]).collect();
+    let ink: Vec<(SheetPoint, f64)> = marks.iter().flat_map(ink).collect();
+    let sizes: Vec<SheetPoint> = wishes.iter().map(|wish| [width(&wish.words), HIGH]).collect();
     let mut order: Vec<usize> = (0..wishes.len()).collect();
     order.sort_by_key(|at| !wishes[*at].is_needed);
-    let candidates: Vec<Vec<(Spot, f64)>> =
+    let candidates: Vec<Vec<(SheetPoint, f64)>> =
         wishes.iter().zip(&sizes).map(|(wish, size)| candidates(wish, *size, &ink)).collect();
-    let mut chosen: Vec<Option<(Spot, f64)>> = vec![None; wishes.len()];
+    let mut chosen: Vec<Option<(SheetPoint, f64)>> = vec![None; wishes.len()];
     for _ in 0..3 {
         for at in &order {
             chosen[*at] = None;
-            let taken: Vec<(Spot, Spot)> =
+            let taken: Vec<(SheetPoint, SheetPoint)> =
                 chosen.iter().zip(&sizes).filter_map(|(spot, size)| Some(((*spot)?.0, *size))).collect();
-            let of = |(spot, cost): &(Spot, f64)| {
+            let of = |(spot, cost): &(SheetPoint, f64)| {
                 let on = taken.iter().filter(|other| overlaps((*spot, sizes[*at]), **other)).count();
                 (*spot, cost + OVERLAP * on as f64)
             };
@@ -88,7 +88,7 @@ pub fn placed(wishes: &[Wish], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
 }
 
 /// Spots of a mark's line, each with the cost of a label on it.
-fn ink(mark: &Mark) -> Vec<(Spot, f64)> {
+fn ink(mark: &Mark) -> Vec<(SheetPoint, f64)> {
     let weight = match mark.role {
         Role::Ground => 0.2,
         Role::Support => 0.8,
@@ -101,7 +101,7 @@ fn ink(mark: &Mark) -> Vec<(Spot, f64)> {
 }
 
 /// Candidate places of a label, each with its cost without other labels.
-fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> {
+fn candidates(wish: &Wish, size: SheetPoint, ink: &[(SheetPoint, f64)]) -> Vec<(SheetPoint, f64)> {
     let half = size.map(|x| 0.5 * x);
     let mut list = Vec::with_capacity(RINGS.len() * DIRECTIONS);
     for (ring, further) in RINGS.iter().enumerate() {
@@ -126,17 +126,17 @@ fn candidates(wish: &Wish, size: Spot, ink: &[(Spot, f64)]) -> Vec<(Spot, f64)> 
 }
 
 /// True if a spot is inside a box with the given middle and half size, or too close to it.
-fn holds(middle: Spot, half: Spot, at: Spot) -> bool {
+fn holds(middle: SheetPoint, half: SheetPoint, at: SheetPoint) -> bool {
     (0..2).all(|i| (at[i] - middle[i]).abs() <= half[i] + CLEAR.1)
 }
 
 /// True if two boxes, by middle and size, overlap or are too close.
-fn overlaps(a: (Spot, Spot), b: (Spot, Spot)) -> bool {
+fn overlaps(a: (SheetPoint, SheetPoint), b: (SheetPoint, SheetPoint)) -> bool {
     (0..2).all(|i| (a.0[i] - b.0[i]).abs() < 0.5 * (a.1[i] + b.1[i]) + CLEAR.0)
 }
 
 /// Leader line from a label to its anchor; `None` if the label is near its anchor.
-fn leader(wish: &Wish, spot: Spot, size: Spot) -> Option<Mark> {
+fn leader(wish: &Wish, spot: SheetPoint, size: SheetPoint) -> Option<Mark> {
     let way = [wish.anchor[0] - spot[0], wish.anchor[1] - spot[1]];
     let towards = unit(way);
     let long = way[0].hypot(way[1]);

@@ -1,7 +1,7 @@
 //! Mechanism and pose that are sketched, the camera, and the sheet with its marks.
 
 use super::camera::Camera;
-use super::drawing::{Mark, Role, Spot, Word};
+use super::drawing::{Mark, Role, SheetPoint, Word};
 use super::place::Wish;
 use super::terms::Terms;
 use crate::mechanism::Mechanism;
@@ -43,7 +43,7 @@ pub struct Sheet {
 
 impl Subject<'_> {
     /// Spot of a point of the model on the sheet.
-    pub fn spot(&self, point: usize) -> Spot {
+    pub fn spot(&self, point: usize) -> SheetPoint {
         self.camera.spot(self.pose.points[point])
     }
 
@@ -94,7 +94,7 @@ impl Subject<'_> {
 
     /// Direction in the inertial frame that a direction of a frame has if the frame is turned about an axis of its
     /// parent by an angle.
-    pub fn turned(&self, (parent, axis): (usize, usize), angle: f64, direction: Triple) -> Triple {
+    pub fn turned(&self, parent: usize, axis: usize, angle: f64, direction: Triple) -> Triple {
         let rotation: Rotation = product(&self.pose.rotations[parent], &about(axis, angle));
         rotated(&rotation, direction)
     }
@@ -107,12 +107,19 @@ impl Sheet {
     }
 
     /// Requests a label that must be placed.
-    pub fn name(&mut self, role: Role, words: Vec<Word>, anchor: Spot, towards: Option<Spot>, gap: f64) {
+    pub fn name(&mut self, role: Role, words: Vec<Word>, anchor: SheetPoint, towards: Option<SheetPoint>, gap: f64) {
         self.wishes.push(Wish { role, words, anchor, towards, gap, is_needed: true });
     }
 
     /// Requests a label that is placed only if there is room.
-    pub fn may_name(&mut self, role: Role, words: Vec<Word>, anchor: Spot, towards: Option<Spot>, gap: f64) {
+    pub fn may_name(
+        &mut self,
+        role: Role,
+        words: Vec<Word>,
+        anchor: SheetPoint,
+        towards: Option<SheetPoint>,
+        gap: f64,
+    ) {
         self.wishes.push(Wish { role, words, anchor, towards, gap, is_needed: false });
     }
 }

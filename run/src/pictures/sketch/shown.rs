@@ -14,9 +14,12 @@ use tripos_derive::scene::load;
 const ANGLES: [f64; 6] = [30.0, 40.0, 25.0, 50.0, 35.0, 45.0];
 /// Lengths that replace values of about 0, or values too large for the sheet, as shares of the size of the mechanism.
 const LENGTHS: [f64; 3] = [0.8, 0.65, 0.5];
-/// Limits of visibility: the angle, rad, and the share of the mechanism's size, below which a mark is not seen. The
-/// last number is the share above which a length makes all else too small.
-const UNSEEN: (f64, f64, f64) = (0.14, 0.06, 1.8);
+/// Angle below which the mark of an angle is not seen, rad.
+const UNSEEN_ANGLE: f64 = 0.14;
+/// Share of the mechanism's size below which the mark of a length is not seen.
+const UNSEEN_SHARE: f64 = 0.06;
+/// Share of the mechanism's size above which a length makes all else too small.
+const LARGEST_SHARE: f64 = 1.8;
 
 /// Coordinate that is drawn at another value than at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,11 +43,12 @@ pub struct Kinds {
 impl Kinds {
     /// Sorts the coordinates of a mechanism into angles and lengths; others are in neither list.
     pub fn new(mechanism: &Mechanism, terms: &Terms, at: Configuration<'_>) -> Self {
-        let told = |term: usize, c: usize| terms.told(mechanism, (at.parameters, at.q), term, c).is_some();
+        let told = |term: usize, c: usize| terms.signed_coordinate(mechanism, at.parameters, at.q, term, c).is_some();
         let frames = 0..mechanism.frames.len();
-        let turns = |c: &usize| frames.clone().any(|f| terms.turn(f).is_some_and(|(.., term)| told(term, *c)));
+        let turns = |c: &usize| frames.clone().any(|f| terms.turn(f).is_some_and(|turn| told(turn.term, *c)));
         let points = 0..mechanism.points.len();
-        let component = |p: usize, c: usize| terms.components(p).is_some_and(|(.., t)| (t..t + 3).any(|t| told(t, c)));
+        let component =
+            |p: usize, c: usize| terms.components(p).is_some_and(|of| (of.first..of.first + 3).any(|t| told(t, c)));
         let moves = |c: &usize| points.clone().any(|p| component(p, *c));
         let all = 0..mechanism.coordinates.len();
         let (angles, others): (Vec<usize>, Vec<usize>) = all.partition(turns);
@@ -70,7 +74,7 @@ pub fn shown(
     }
     let kinds = Kinds::new(mechanism, terms, at);
     let mut q = start.clone();
-    let tiny = kinds.angles.iter().filter(|c| near_turn(start[**c]).abs() < UNSEEN.0);
+    let tiny = kinds.angles.iter().filter(|c| near_turn(start[**c]).abs() < UNSEEN_ANGLE);
     for (c, angle) in tiny.zip(ANGLES.iter().cycle()) {
         q[*c] = angle.to_radians().copysign(if start[*c] < 0.0 { -1.0 } else { 1.0 });
     }
@@ -89,8 +93,8 @@ pub fn shown(
     };
     for (at, c) in kinds.lengths.iter().enumerate() {
         let share = start[*c].abs() / size;
-        if !(UNSEEN.1..=UNSEEN.2).contains(&share) {
-            let far = if share > UNSEEN.2 { 1.5 } else { 1.0 };
+        if !(UNSEEN_SHARE..=LARGEST_SHARE).contains(&share) {
+            let far = if share > LARGEST_SHARE { 1.5 } else { 1.0 };
             let sign = if start[*c] < 0.0 { -1.0 } else { 1.0 };
             q[*c] = rounded(far * LENGTHS[at % LENGTHS.len()] * size) * sign;
         }

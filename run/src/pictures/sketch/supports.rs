@@ -1,6 +1,6 @@
 //! Marks of the ground at joints: pins on their supports, rails, and walls that hold springs.
 
-use super::drawing::{Mark, Path, Role, Spot, unit};
+use super::drawing::{Mark, Path, Role, SheetPoint, unit};
 use super::sheet::{Sheet, Subject};
 use crate::pictures::view::space::{cross, length, minus};
 use crate::pictures::view::{Form, Triple};
@@ -56,7 +56,7 @@ fn ways(subject: &Subject<'_>) -> Vec<[usize; 2]> {
 }
 
 /// Sum of the unit vectors on the sheet from a point along its rods and springs.
-fn leads(subject: &Subject<'_>, point: usize) -> Spot {
+fn leads(subject: &Subject<'_>, point: usize) -> SheetPoint {
     let mut sum = [0.0; 2];
     for [a, b] in ways(subject) {
         for (from, to) in [(a, b), (b, a)] {
@@ -127,7 +127,7 @@ fn guide(subject: &Subject<'_>, point: usize, way: Triple) -> Vec<Mark> {
 }
 
 /// Marks of a wall: a line with hatching behind it.
-pub fn wall(ends: [Spot; 2], behind: Spot) -> Vec<Mark> {
+pub fn wall(ends: [SheetPoint; 2], behind: SheetPoint) -> Vec<Mark> {
     let [a, b] = ends;
     let way = [b[0] - a[0], b[1] - a[1]];
     let long = way[0].hypot(way[1]);

@@ -24,7 +24,7 @@ pub struct Terms {
 
 /// A term that is a coordinate times 1 or -1, plus a rest that does not depend on the coordinate.
 #[derive(Clone, Copy, Debug)]
-pub struct Told {
+pub struct SignedCoordinate {
     /// Index of the coordinate.
     pub coordinate: usize,
     /// Factor of the coordinate, 1 or -1.
@@ -33,6 +33,27 @@ pub struct Told {
     pub zero: f64,
     /// Value of the term in the present pose.
     pub now: f64,
+}
+
+/// Turn of a frame about a single axis of its parent.
+pub struct Turn {
+    /// Index of the parent frame.
+    pub parent: usize,
+    /// Index of the axis, from 0 to 2.
+    pub axis: usize,
+    /// Index of the term that is the angle.
+    pub term: usize,
+}
+
+/// Vector to a point in components of a frame.
+#[derive(Default)]
+pub struct Components {
+    /// Index of the point from which the vector is measured.
+    pub from: usize,
+    /// Index of the frame of the components.
+    pub frame: usize,
+    /// Index of the term that is the first of the three components.
+    pub first: usize,
 }
 
 impl Terms {
@@ -60,18 +81,16 @@ impl Terms {
         Ok(Self { tape, links, frames, points })
     }
 
-    /// Turn of a frame about a single axis: the parent frame, the axis, and the index of the angle's term. `None` if
-    /// the frame does not turn about a single axis.
-    pub fn turn(&self, frame: usize) -> Option<(usize, usize, usize)> {
+    /// Turn of a frame about a single axis; `None` if the frame does not turn about a single axis.
+    pub fn turn(&self, frame: usize) -> Option<Turn> {
         let (parent, axis) = self.links.frames[frame]?;
-        Some((parent, axis?, self.frames[frame]))
+        Some(Turn { parent, axis: axis?, term: self.frames[frame] })
     }
 
-    /// Vector to a point: the point from which it is measured, the frame of its components, and the index of the first
-    /// component's term. `None` for the origin.
-    pub fn components(&self, point: usize) -> Option<(usize, usize, usize)> {
-        let (parent, frame) = self.links.points[point]?;
-        Some((parent, frame, self.points[point]))
+    /// Components of the vector to a point; `None` for the origin.
+    pub fn components(&self, point: usize) -> Option<Components> {
+        let (from, frame) = self.links.points[point]?;
+        Some(Components { from, frame, first: self.points[point] })
     }
 
     /// True if a term mentions a coordinate.
@@ -96,13 +115,14 @@ impl Terms {
 
     /// Reads a coordinate from a term. `None` unless the term is the coordinate or its opposite, plus a rest that does
     /// not depend on it.
-    pub fn told(
+    pub fn signed_coordinate(
         &self,
         mechanism: &Mechanism,
-        (p, q): (&[f64], &[f64]),
+        p: &[f64],
+        q: &[f64],
         term: usize,
         coordinate: usize,
-    ) -> Option<Told> {
+    ) -> Option<SignedCoordinate> {
         if self.links.values[term] == Expr::ZERO || !self.mentions(mechanism, term, coordinate) {
             return None;
         }
@@ -114,11 +134,7 @@ impl Terms {
         let (zero, one, other, now) = (at(0.0), at(1.0), at(-2.5), at(q[coordinate]));
         let sign = (one - zero).round();
         let is_straight = |value: f64, of: f64| (of - zero - sign * value).abs() <= SAME * (1.0 + of.abs());
-        ((sign.abs() - 1.0).abs() < 0.5 && is_straight(1.0, one) && is_straight(-2.5, other)).then_some(Told {
-            coordinate,
-            sign,
-            zero,
-            now,
-        })
+        ((sign.abs() - 1.0).abs() < 0.5 && is_straight(1.0, one) && is_straight(-2.5, other))
+            .then_some(SignedCoordinate { coordinate, sign, zero, now })
     }
 }

@@ -11,7 +11,7 @@ use crate::pictures::view::{Form, Solid};
 use tripos_derive::model::{TIME, Unit};
 
 /// Mark that shows a coordinate.
-pub enum Shown {
+pub enum CoordinateMark {
     /// An arc of an angle. The flag is false if the arc shows only the sense in which the angle grows.
     Arc(Angle, bool),
     /// A dimension line of a length. The flag is false if only an arrow shows the sense in which the length grows.
@@ -25,11 +25,12 @@ pub enum Shown {
 }
 
 /// Sentences that describe the view, the drawn bodies and the coordinates of a sketch.
-pub fn about(subject: &Subject<'_>, shown: &[(usize, Shown)], has_gravity: bool) -> String {
+pub fn about(subject: &Subject<'_>, shown: &[(usize, CoordinateMark)], has_gravity: bool) -> String {
     let mut sentences = vec![seen(subject, has_gravity)];
     sentences.extend(bodies(subject));
     sentences.extend(coordinates(subject, shown));
-    let is_closed = shown.iter().any(|(_, how)| matches!(how, Shown::Arc(_, false) | Shown::Line(_, false)));
+    let is_closed =
+        shown.iter().any(|(_, how)| matches!(how, CoordinateMark::Arc(_, false) | CoordinateMark::Line(_, false)));
     if is_closed {
         sentences.push("Where one is about 0 its arrow shows the sense in which it grows.".to_owned());
     }
@@ -87,22 +88,22 @@ fn noun(form: &Form, is_particle: bool) -> &'static str {
 }
 
 /// Sentence that says how each coordinate is shown; `None` without coordinates.
-fn coordinates(subject: &Subject<'_>, shown: &[(usize, Shown)]) -> Option<String> {
-    let one = |(coordinate, how): &(usize, Shown)| {
+fn coordinates(subject: &Subject<'_>, shown: &[(usize, CoordinateMark)]) -> Option<String> {
+    let one = |(coordinate, how): &(usize, CoordinateMark)| {
         let coordinate = &subject.mechanism.coordinates[*coordinate];
         let about = if coordinate.about.is_empty() { String::new() } else { format!(" ({})", coordinate.about) };
         let frame = |at: usize| subject.mechanism.frames[at].name.clone();
         let what = match how {
-            Shown::Arc(angle, _) => {
+            CoordinateMark::Arc(angle, _) => {
                 let axis = format!("{}{}", frame(angle.parent).to_lowercase(), angle.axis + 1);
                 format!("turns {} about {axis}", frame(angle.frame))
             }
-            Shown::Line(length, _) => {
+            CoordinateMark::Line(length, _) => {
                 format!("is a length towards {}", subject.mechanism.points[length.point].name)
             }
-            Shown::Together(at) => format!("turns {} with others", frame(*at)),
-            Shown::Arrow => "moves what its arrow is at".to_owned(),
-            Shown::Name => "moves nothing that is drawn".to_owned(),
+            CoordinateMark::Together(at) => format!("turns {} with others", frame(*at)),
+            CoordinateMark::Arrow => "moves what its arrow is at".to_owned(),
+            CoordinateMark::Name => "moves nothing that is drawn".to_owned(),
         };
         format!("{}{about} {what}", coordinate.name)
     };

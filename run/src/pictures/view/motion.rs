@@ -3,6 +3,7 @@
 use super::arrows::{Arrows, Forces};
 use super::pose::{Pose, Poses};
 use super::space::{Quaternion, Triple, length, minus, plus, quaternion};
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::simulation::run::Run;
@@ -15,9 +16,12 @@ use tripos_sim::Method;
 const SAMPLES: usize = 6000;
 /// Greatest number of samples from one kept instant to the next.
 const LONGEST: usize = 60;
-/// Greatest errors between two instants that are not visible: of places, relative to the mechanism's size; of angles,
-/// rad; and of forces, relative to the usual force.
-const NOT_SEEN: (f64, f64, f64) = (5e-4, 4e-3, 2e-2);
+/// Greatest error of a place between two instants that is not visible, relative to the mechanism's size.
+const UNSEEN_PLACE: f64 = 5e-4;
+/// Greatest error of an angle between two instants that is not visible, rad.
+const UNSEEN_ANGLE: f64 = 4e-3;
+/// Greatest error of a force between two instants that is not visible, relative to the usual force.
+const UNSEEN_FORCE: f64 = 2e-2;
 /// Angle between drawn and true attitude above which a turn looks wrong, rad.
 const UNTRUE: f64 = 0.2;
 /// Greatest angle between two attitudes for which the shortest turn is unique despite rounding errors, rad.
@@ -50,7 +54,7 @@ impl Motion {
     ///
     /// # Errors
     /// Errors of [`crate::simulate()`].
-    pub fn of_scene(mechanism: &Mechanism, scene: &Scene, by: Option<&str>) -> Result<Self, Error> {
+    pub fn of_scene(mechanism: &Mechanism, scene: &Scene, by: Option<&EquationsName>) -> Result<Self, Error> {
         let mut scene = scene.clone();
         let how = &mut scene.integration;
         how.samples = Some(SAMPLES);
@@ -59,7 +63,7 @@ impl Motion {
             how.method = Method::Dop853.into();
         }
         let by = crate::code::by_or_first(mechanism, by)?;
-        let run = simulate(mechanism, &scene, Some(&by.name()))?;
+        let run = simulate(mechanism, &scene, Some(&EquationsName::from(&by)))?;
         Self::of_run(mechanism, &scene, &run)
     }
 
@@ -125,7 +129,7 @@ impl Motion {
         let mut from = 0;
         while from < last {
             let mut to = from + 1;
-            while to < last && to - from < LONGEST && self.is_near(scale, (from, to + 1), looser) {
+            while to < last && to - from < LONGEST && self.is_near(scale, from, to + 1, looser) {
                 to += 1;
             }
             kept.push(to);
@@ -136,7 +140,7 @@ impl Motion {
 
     /// True if straight paths, even turns and evenly growing forces between two instants come close to all instants
     /// between them.
-    fn is_near(&self, Scale { turns, size }: &Scale, (from, to): (usize, usize), looser: f64) -> bool {
+    fn is_near(&self, Scale { turns, size }: &Scale, from: usize, to: usize, looser: f64) -> bool {
         let (a, b) = (&self.poses[from], &self.poses[to]);
         let span = self.t[to] - self.t[from];
         let has_one_way = turns[from].iter().zip(&turns[to]).all(|(a, b)| angle(*a, *b) <= ONE_WAY);
@@ -152,9 +156,9 @@ impl Motion {
                 let grown = forces[from].iter().zip(&forces[to]).zip(&forces[at]);
                 let drawn = |force: &Triple| self.forces.drawn(*force);
                 let mut off = grown.map(|((a, b), x)| length(minus(between(drawn(a), drawn(b), share), drawn(x))));
-                ways.all(|off| off <= looser * NOT_SEEN.0 * size)
-                    && angles.all(|off| off <= looser * NOT_SEEN.1)
-                    && !off.any(|off| off > looser * NOT_SEEN.2 * self.forces.usual)
+                ways.all(|off| off <= looser * UNSEEN_PLACE * size)
+                    && angles.all(|off| off <= looser * UNSEEN_ANGLE)
+                    && !off.any(|off| off > looser * UNSEEN_FORCE * self.forces.usual)
             })
     }
 

@@ -2,10 +2,10 @@
 //!
 //! Values alone decide which contacts close, push and open. Slopes accompany the values and decide nothing.
 
+use super::contact_change::ContactChange;
 use super::contacts::Contacts;
-use super::happening::Happening;
 use super::held::Held;
-use super::kept::Kept;
+use super::held_contacts::HeldContacts;
 use super::meeting::After;
 use tripos_sim::{RightHandSide, SimError};
 
@@ -17,11 +17,11 @@ pub struct Crossing<'c> {
     /// Instant of the crossing, s.
     pub t: f64,
     /// Change of a contact that caused the crossing; `None` at the start of the run.
-    pub happening: Option<Happening>,
+    pub contact_change: Option<ContactChange>,
     /// Values of the state just before the crossing.
     pub before: &'c [f64],
     /// Contacts that were held before the crossing, each with its mode.
-    pub kept: &'c Kept,
+    pub kept: &'c HeldContacts,
     /// State after the crossing, with the impact and the contacts that are held after it.
     pub after: &'c After,
 }
@@ -43,7 +43,7 @@ pub trait Carrier<S> {
     ///
     /// # Errors
     /// [`SimError`] if the equations of motion cannot be made.
-    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
+    fn equations<'e>(&'e self, kept: &'e HeldContacts) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
 
     /// Receives the instant, s, at which each step inside a part of the run ends, except the last step.
     fn stepped(&self, _t: f64) {}
@@ -68,7 +68,7 @@ pub struct Doubles<'a> {
 }
 
 impl Carrier<f64> for Doubles<'_> {
-    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<f64> + 'e>, SimError> {
+    fn equations<'e>(&'e self, kept: &'e HeldContacts) -> Result<Box<dyn RightHandSide<f64> + 'e>, SimError> {
         Ok(Box::new(Held { rhs: (self.equations)()?, contacts: self.contacts, kept }))
     }
 

@@ -1,7 +1,7 @@
 //! Checks of a finished part of a run for changes of contacts that the events missed.
 
 use super::held::Held;
-use super::kept::Kept;
+use super::held_contacts::HeldContacts;
 use super::{Bouncing, OVERLAP, values};
 use tripos_sim::{Failure, Mode, Solution, Stop};
 use tripos_traits::Real;
@@ -12,7 +12,7 @@ pub const NEARLY: f64 = 1e-3;
 
 impl Bouncing<'_> {
     /// Failure if a gap is negative at the end of a part of a run whose events missed the closing; otherwise `None`.
-    pub(super) fn overlapping<S: Real>(&self, part: &Solution<S>, kept: &Kept) -> Option<Failure> {
+    pub(super) fn overlapping<S: Real>(&self, part: &Solution<S>, kept: &HeldContacts) -> Option<Failure> {
         let y_end = values(&part.y_end);
         let rates = self.contacts.rates(&y_end);
         let gap = |contact: usize| self.contacts.gap(contact, &y_end);

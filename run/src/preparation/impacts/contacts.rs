@@ -79,7 +79,8 @@ impl<'a> Contacts<'a> {
     pub fn new(
         model: &Model,
         impacts: &'a [Impact],
-        (system, parameters): (&'a dyn System<f64>, &'a [f64]),
+        system: &'a dyn System<f64>,
+        parameters: &'a [f64],
         in_rates: bool,
     ) -> Self {
         let mut arena = model.arena.clone();

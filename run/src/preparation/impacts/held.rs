@@ -6,7 +6,7 @@
 //! any equations, as v̇ + M⁻¹ Wᵀ λ. Each step ends on the contacts, as on any constraint.
 
 use super::contacts::{Contacts, Rates, Response};
-use super::kept::Kept;
+use super::held_contacts::HeldContacts;
 use nalgebra::DVector;
 use tripos_sim::{Failure, RightHandSide};
 
@@ -16,7 +16,7 @@ pub struct Held<'a> {
     pub rhs: Box<dyn RightHandSide<f64> + 'a>,
     pub contacts: &'a Contacts<'a>,
     /// Contacts that are held, with the mode of each.
-    pub kept: &'a Kept,
+    pub kept: &'a HeldContacts,
 }
 
 /// Motion of the contacts at a state without the forces of held contacts, and the response to forces.
@@ -68,7 +68,7 @@ impl Held<'_> {
     ///
     /// # Errors
     /// [`Failure`] where the forces are not finite.
-    pub fn forces_of(&self, free: &Free, kept: &Kept) -> Result<DVector<f64>, Failure> {
+    pub fn forces_of(&self, free: &Free, kept: &HeldContacts) -> Result<DVector<f64>, Failure> {
         let (closed, rows) = self.contacts.closed(&free.response, &kept.which);
         let some = closed.hold(&free.accelerations.select_rows(&rows), &kept.modes).ok_or_else(|| Failure {
             code: "not-finite",

@@ -1,10 +1,10 @@
 //! Impacts of contacts that are closed together, and the contacts that are held afterwards.
 
 use super::checked::NEARLY;
+use super::contact_change::ContactChange;
 use super::contacts::Response;
-use super::happening::Happening;
 use super::held::{Held, ROUNDED};
-use super::kept::{Kept, NONE};
+use super::held_contacts::{HeldContacts, NONE};
 use super::{Bouncing, NOTHING};
 use nalgebra::DVector;
 use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
@@ -12,23 +12,25 @@ use tripos_sim::{Failure, ImpactRecord, Mode, SimError};
 /// Contacts that are closed at one instant, the contacts that were held before it, and the change of a contact that
 /// caused it.
 pub struct Meeting<'m> {
+    /// Instant of the meeting, s.
+    pub t: f64,
     pub closed: &'m [usize],
-    pub kept: &'m Kept,
-    pub happening: Option<Happening>,
+    pub kept: &'m HeldContacts,
+    pub contact_change: Option<ContactChange>,
 }
 
 impl Meeting<'_> {
     /// Contact that opens at the instant of the meeting; `None` if no contact opens.
     fn opens(&self) -> Option<usize> {
-        match self.happening {
-            Some(Happening::Opens(contact)) => Some(contact),
+        match self.contact_change {
+            Some(ContactChange::Opens(contact)) => Some(contact),
             _ => None,
         }
     }
 }
 
 /// A meeting of contacts after its impact, if there was one.
-pub struct Met<'m> {
+pub struct SettledMeeting<'m> {
     pub meeting: &'m Meeting<'m>,
     /// Change of the velocity along each row of contacts by the impacts; `None` without an impact.
     pub changes: Option<&'m DVector<f64>>,
@@ -42,7 +44,7 @@ pub struct Met<'m> {
     pub is_jamming: bool,
 }
 
-impl Met<'_> {
+impl SettledMeeting<'_> {
     /// True if an impact changed the motion of a contact with these rows. An impact elsewhere changes nothing here.
     pub fn is_hit(&self, rows: &[usize]) -> bool {
         self.changes.is_some_and(|changes| rows.iter().any(|row| changes[*row] != 0.0))
@@ -51,11 +53,11 @@ impl Met<'_> {
 
 /// Contacts that are held after a meeting, and contacts whose next flight would be too short.
 struct Settled {
-    kept: Kept,
+    kept: HeldContacts,
     /// Indices of the contacts whose next flight would be too short.
     short: Vec<usize>,
     /// Contacts whose next flight would be too short and that are not held, each with the mode that it would have.
-    more: Kept,
+    more: HeldContacts,
 }
 
 /// Largest number of impacts that may follow one another at one instant.
@@ -69,20 +71,20 @@ pub struct After {
     /// Record of the impact; `None` if there was no impact.
     pub record: Option<ImpactRecord>,
     /// Contacts that are held from this instant on, each with its mode.
-    pub kept: Kept,
+    pub kept: HeldContacts,
     /// Contacts that were closed at the instant of the meeting.
     pub closed: Vec<usize>,
     /// Contacts that had impulses together by the law of impact, one list for each impact of the instant. A further
     /// impact follows where an impact closes a contact that had opened. Empty if there was no impact.
     pub hits: Vec<Vec<usize>>,
     /// Contacts that impulses brought to rest after the impacts, each with its mode during these impulses.
-    pub rested: Kept,
+    pub rested: HeldContacts,
 }
 
 impl After {
     /// Result at a state at which no contact is closed: the state stays as it is.
     pub fn unchanged(y: &[f64]) -> Self {
-        let none = Kept::default;
+        let none = HeldContacts::default;
         Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), hits: Vec::new(), rested: none() }
     }
 }
@@ -111,37 +113,36 @@ struct Blow {
 }
 
 impl Bouncing<'_> {
-    /// Handles contacts that are closed at an instant: an impact if one of them closes further, then the holding.
-    pub(super) fn meet(
-        &self,
-        (t, y): (f64, &[f64]),
-        meeting: &Meeting<'_>,
-    ) -> Result<Result<After, Failure>, SimError> {
+    /// Handles contacts that are closed at an instant, in the state `y`: an impact if one of them closes further, then
+    /// the holding.
+    pub(super) fn meet(&self, y: &[f64], meeting: &Meeting<'_>) -> Result<Result<After, Failure>, SimError> {
         let mut free = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: &NONE };
         let mut held = Held { rhs: (self.equations)()?, contacts: self.contacts, kept: meeting.kept };
-        Ok(self.met((&mut free, &mut held), (t, y), meeting))
+        Ok(self.met(&mut free, &mut held, y, meeting))
     }
 
-    /// Handles contacts that are closed at an instant. `free` are the equations without forces of contacts, `held`
-    /// those with the forces of the contacts held until then.
+    /// Handles contacts that are closed at an instant, in the state `y`. `free` are the equations without forces of
+    /// contacts, `held` those with the forces of the contacts held until then.
     fn met(
         &self,
-        (free, held): (&mut Held<'_>, &mut Held<'_>),
-        (t, y): (f64, &[f64]),
+        free: &mut Held<'_>,
+        held: &mut Held<'_>,
+        y: &[f64],
         meeting: &Meeting<'_>,
     ) -> Result<After, Failure> {
+        let t = meeting.t;
         // Accelerations remove a slower velocity within the shortest flight.
         let slowest = free.free(t, y)?.sizes * self.least;
-        let Hit { mut blow, hits, scale, changes } = self.hit((t, y), meeting, &slowest)?;
+        let Hit { mut blow, hits, scale, changes } = self.hit(y, meeting, &slowest)?;
         let is_hit = !hits.is_empty();
-        let (mut is_impact, mut rested) = (is_hit, Kept::default());
+        let (mut is_impact, mut rested) = (is_hit, HeldContacts::default());
         let scale = scale.zip_map(&self.speeds(&blow.y)?, f64::max);
-        let before = self.approach(held, (t, y))?;
+        let before = self.approach(held, t, y)?;
         let slips = meeting.opens().is_some() && meeting.kept.slipping().next().is_some();
         let is_jamming = slips && held.determinant(y).abs() < NEARLY;
         let changes = is_hit.then_some(&changes);
-        let met = Met { meeting, changes, scale: &scale, slowest: &slowest, before: &before, is_jamming };
-        let Settled { mut kept, short, more } = self.settle(free, (t, &blow.y), &met)?;
+        let met = SettledMeeting { meeting, changes, scale: &scale, slowest: &slowest, before: &before, is_jamming };
+        let Settled { mut kept, short, more } = self.settle(free, &blow.y, &met)?;
         let mut all = kept.clone();
         more.iter().for_each(|(at, mode)| all.push(at, mode));
         if let Some((last, slips)) = self.bring_to_rest(&blow.y, &all, &met)? {
@@ -152,7 +153,7 @@ impl Bouncing<'_> {
                 loss: blow.loss + last.loss,
                 work: blow.work + last.work,
             };
-            kept = self.settle(free, (t, &blow.y), &met)?.kept;
+            kept = self.settle(free, &blow.y, &met)?.kept;
             rested = all;
         }
         let kept = self.pushing(free, t, &blow.y, kept)?;
@@ -167,7 +168,7 @@ impl Bouncing<'_> {
     /// to zero. A force that is zero already, as where two contacts open at one instant, gives no event, and the
     /// contact would pull. So the forces are computed at two instants shortly after: where one pulls there, ever
     /// harder, the contact opens now.
-    fn pushing(&self, free: &mut Held<'_>, t: f64, y: &[f64], mut kept: Kept) -> Result<Kept, Failure> {
+    fn pushing(&self, free: &mut Held<'_>, t: f64, y: &[f64], mut kept: HeldContacts) -> Result<HeldContacts, Failure> {
         while !kept.is_empty() {
             let now = free.free(t, y)?;
             let forces = free.forces_of(&now, &kept)?;
@@ -204,7 +205,8 @@ impl Bouncing<'_> {
     ///
     /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact closes such a
     /// contact, another impact follows at the same instant.
-    fn hit(&self, (t, y): (f64, &[f64]), meeting: &Meeting<'_>, slowest: &DVector<f64>) -> Result<Hit, Failure> {
+    fn hit(&self, y: &[f64], meeting: &Meeting<'_>, slowest: &DVector<f64>) -> Result<Hit, Failure> {
+        let t = meeting.t;
         let rates = self.contacts.rates(y);
         let response = self.contacts.response(y, &rates)?;
         let mut scale = self.speeds(y)?;
@@ -243,10 +245,14 @@ impl Bouncing<'_> {
             all += impulses;
             hits.push(hit);
         }
-        let told = told(&response, &all, &scale);
+        let least = least_gain(&response, &all, &scale);
         let changes = &response.compliance * &all;
         let blow = struck(y, &response, all);
-        if blow.loss < -told { Err(self.gains(t, meeting, -blow.loss)) } else { Ok(Hit { blow, hits, scale, changes }) }
+        if blow.loss < -least {
+            Err(self.gains(t, meeting, -blow.loss))
+        } else {
+            Ok(Hit { blow, hits, scale, changes })
+        }
     }
 
     /// Failure that reports impacts of closed contacts that follow one another without end.
@@ -261,8 +267,8 @@ impl Bouncing<'_> {
 
     /// Finds the closed contacts that are at rest and stay pushed together, and the further contacts whose next flight
     /// would be too short.
-    fn settle(&self, free: &mut Held<'_>, (t, y): (f64, &[f64]), met: &Met<'_>) -> Result<Settled, Failure> {
-        let (meeting, scale) = (met.meeting, met.scale);
+    fn settle(&self, free: &mut Held<'_>, y: &[f64], met: &SettledMeeting<'_>) -> Result<Settled, Failure> {
+        let (meeting, scale, t) = (met.meeting, met.scale, met.meeting.t);
         let now = free.free(t, y)?;
         let normal = |contact: &usize| self.contacts.rows[*contact][0];
         let velocity = |contact: &usize| now.response.velocities[normal(contact)];
@@ -278,7 +284,7 @@ impl Bouncing<'_> {
         let stays = |at: &usize| meeting.opens() != Some(*at);
         let (rest, moving): (Vec<usize>, Vec<usize>) =
             meeting.closed.iter().copied().filter(stays).partition(|at| is_still(at) || is_slow(at));
-        let (modes, forces) = self.modes(free, (t, y), &now, &rest, met)?;
+        let (modes, forces) = self.modes(free, y, &now, &rest, met)?;
         let accelerations = &now.accelerations + &now.response.compliance * &forces;
         // Where friction adds as much pressure as causes it, a force passes infinity and the contact does not open.
         let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();
@@ -288,7 +294,7 @@ impl Bouncing<'_> {
         let nothing = |at: &usize| NOTHING * now.accelerations.amax().max(now.sizes[normal(at)]);
         // A contact that neither pushes nor opens stays held as well, if that takes no friction.
         let lies = |at: &usize| self.contacts.rows[*at].len() == 1 && accelerations[normal(at)] <= nothing(at);
-        let mut kept = Kept::default();
+        let mut kept = HeldContacts::default();
         for (at, mode) in rest.iter().zip(modes) {
             let stays = if self.contacts.friction(*at).is_some() {
                 mode.is_held()
@@ -304,7 +310,7 @@ impl Bouncing<'_> {
         let is_short = |at: &usize| falls(at) && velocity(at) <= slow(at, &accelerations);
         let short: Vec<usize> =
             kept.which.iter().filter(bounces).copied().chain(moving.into_iter().filter(is_short)).collect();
-        let mut more = Kept::default();
+        let mut more = HeldContacts::default();
         for at in short.iter().filter(|at| kept.mode(**at).is_none()) {
             let slips = self.slips(*at, &now.response.velocities, met);
             more.push(*at, slips.map_or_else(|| self.contacts.firm(*at), Mode::Slips));
@@ -314,7 +320,12 @@ impl Bouncing<'_> {
 
     /// Computes the impulses that remove the last velocities of contacts that are to be held. The flag is true if a
     /// contact slips that must not slip. `None` if these velocities are zero already.
-    fn bring_to_rest(&self, y: &[f64], kept: &Kept, met: &Met<'_>) -> Result<Option<(Blow, bool)>, Failure> {
+    fn bring_to_rest(
+        &self,
+        y: &[f64],
+        kept: &HeldContacts,
+        met: &SettledMeeting<'_>,
+    ) -> Result<Option<(Blow, bool)>, Failure> {
         let response = self.contacts.response(y, &self.contacts.rates(y))?;
         if kept.rows(self.contacts).iter().all(|row| response.velocities[*row] == 0.0) {
             return Ok(None);
@@ -366,7 +377,7 @@ fn struck(y: &[f64], response: &Response, impulses: DVector<f64>) -> Blow {
 /// Least energy that impulses must add to be told from rounding, J. The terms of the sum are impulses times a small
 /// fraction of the velocities before and after. Each impulse times a velocity that is rounding is added. Velocities
 /// before and after may cancel: an elastic impact reverses each velocity and adds no energy.
-fn told(response: &Response, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
+fn least_gain(response: &Response, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
     let (before, after) = (&response.velocities, &response.velocities + &response.compliance * impulses);
     let of = |row: usize| NOTHING.sqrt() * (before[row].abs() + after[row].abs()) + NOTHING * scale[row];
     (0..impulses.len()).map(|row| impulses[row].abs() * of(row)).sum()

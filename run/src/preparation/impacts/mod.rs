@@ -14,23 +14,24 @@
 mod carrier;
 mod changes;
 mod checked;
+mod contact_change;
 mod contacts;
-mod happening;
 mod held;
-mod kept;
+mod held_contacts;
 mod meeting;
-mod said;
+mod short_bounces;
 mod slipping;
 mod watching;
 
 pub use carrier::{Approach, Carrier, Crossing, Doubles, Equations};
+pub use contact_change::ContactChange;
 pub use contacts::{Contacts, Operators, Response};
-pub use happening::Happening;
 pub use held::Held;
-pub use kept::{Kept, NONE};
+pub use held_contacts::{HeldContacts, NONE};
 pub use meeting::After;
-pub use said::said;
+pub use short_bounces::notes_on_short_bounces;
 
+use super::initial::InitialState;
 use super::passage::{joined, rest};
 use meeting::Meeting;
 use tripos_sim::{
@@ -65,44 +66,45 @@ pub struct Bouncing<'a> {
 }
 
 impl Bouncing<'_> {
-    /// Integrates from y0 over a span that goes forward in time, in the numbers of a carrier. Passes from one part of
-    /// the run to the next at each change of a contact.
+    /// Integrates from a start over its span, which goes forward in time, in the numbers of a carrier. Passes from one
+    /// part of the run to the next at each change of a contact.
     ///
     /// # Errors
     /// [`SimError`] if the run cannot begin: an empty span, or an option out of range.
     pub fn solve<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
-        (span, y0): ((f64, f64), &[S]),
+        start: InitialState<'_, S>,
         options: &Options,
         events: &mut [Event<'_>],
         mut power: Option<Power<'_>>,
     ) -> Result<Solution<S>, SimError> {
+        let InitialState { span, y: y0 } = start;
         let base = events.len();
         let before = values(y0);
         let after = match self.begin(span.0, &before)? {
             Ok(after) => after,
             Err(failure) => return Ok(Solution::unbegun(span.0, y0, Stop::Failed(failure))),
         };
-        let begins = Crossing { t: span.0, happening: None, before: &before, kept: &NONE, after: &after };
+        let begins = Crossing { t: span.0, contact_change: None, before: &before, kept: &NONE, after: &after };
         let mut y = carrier.across(&begins, y0);
         let (mut kept, mut changes) = (after.kept, 0);
-        let mut whole = self.part(carrier, (span, &y), &kept, options, events, power.as_mut())?;
-        whole.events.splice(..0, self.at_start(base, &kept, (span.0, &after.y)));
+        let mut whole = self.part(carrier, InitialState { span, y: &y }, &kept, options, events, power.as_mut())?;
+        whole.events.splice(..0, self.at_start(base, &kept, span.0, &after.y));
         // The first sample shows the state after the impact: its work need not be added.
         whole.impacts.extend(after.record);
-        while let Some(happening) = self.happening(&whole, base) {
+        while let Some(contact_change) = self.contact_change(&whole, base) {
             let before = values(&whole.y_end);
-            let next = self.next(happening, (whole.t_end, &before), &kept)?;
+            let next = self.next(contact_change, whole.t_end, &before, &kept)?;
             if let Ok(after) = &next {
-                self.tell(&mut whole, base, (&kept, &after.kept));
+                self.tell(&mut whole, base, &kept, &after.kept);
             }
             whole.events.iter_mut().for_each(|event| event.terminal = false);
             match next {
                 Ok(after) => {
                     let crossing = Crossing {
                         t: whole.t_end,
-                        happening: Some(happening),
+                        contact_change: Some(contact_change),
                         before: &before,
                         kept: &kept,
                         after: &after,
@@ -126,7 +128,8 @@ impl Bouncing<'_> {
             }
             let mut how = rest(options, &whole, span);
             how.step_limit = how.step_limit.saturating_sub(changes);
-            let part = self.part(carrier, ((whole.t_end, span.1), &y), &kept, &how, events, power.as_mut())?;
+            let from = InitialState { span: (whole.t_end, span.1), y: &y };
+            let part = self.part(carrier, from, &kept, &how, events, power.as_mut())?;
             whole = joined(whole, part, options);
         }
         if let Stop::StepLimit { limit } = &mut whole.stop {
@@ -155,40 +158,42 @@ impl Bouncing<'_> {
         if closed.is_empty() {
             return Ok(Ok(After::unchanged(y)));
         }
-        self.meet((t, y), &Meeting { closed: &closed, kept: &NONE, happening: None })
+        self.meet(y, &Meeting { t, closed: &closed, kept: &NONE, contact_change: None })
     }
 
     /// Finds the state and the held contacts after the end of a part of the run.
     fn next(
         &self,
-        happening: Happening,
-        (t, y): (f64, &[f64]),
-        kept: &Kept,
+        contact_change: ContactChange,
+        t: f64,
+        y: &[f64],
+        kept: &HeldContacts,
     ) -> Result<Result<After, Failure>, SimError> {
-        if let Happening::Jams(contact) = happening {
+        if let ContactChange::Jams(contact) = contact_change {
             return Ok(Err(self.jams(contact, t)));
         }
         let rates = self.contacts.rates(y);
         let is_closed = |at: &usize| {
-            let closes = happening == Happening::Closes(*at);
+            let closes = contact_change == ContactChange::Closes(*at);
             closes
                 || kept.mode(*at).is_some()
                 || self.contacts.gap(*at, y) <= self.contacts.closing_gap(*at, y, &rates, self.least)
         };
         let closed: Vec<usize> = (0..self.contacts.impacts.len()).filter(is_closed).collect();
-        self.meet((t, y), &Meeting { closed: &closed, kept, happening: Some(happening) })
+        self.meet(y, &Meeting { t, closed: &closed, kept, contact_change: Some(contact_change) })
     }
 
     /// Integrates a part of the run in which the contacts `kept` are held.
     fn part<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
-        (span, y): ((f64, f64), &[S]),
-        kept: &Kept,
+        start: InitialState<'_, S>,
+        kept: &HeldContacts,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution<S>, SimError> {
+        let InitialState { span, y } = start;
         let base = events.len();
         let anew = || Ok::<_, SimError>(Held { rhs: (self.equations)()?, contacts: self.contacts, kept });
         let mut list = self.watched(kept, &values(y), &anew)?;
@@ -236,27 +241,30 @@ impl Bouncing<'_> {
         let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<S>), span, y, &options, &mut watched)?;
         drop(watched);
         for event in &mut part.events {
-            if let Some(happening) = event.event.checked_sub(base).map(|at| may[at]) {
-                event.event = base + happening.event(self.contacts.impacts.len());
+            if let Some(contact_change) = event.event.checked_sub(base).map(|at| may[at]) {
+                event.event = base + contact_change.event(self.contacts.impacts.len());
             }
         }
-        self.tell_approaches(carrier, &mut part, (base, span.0, &values(y)));
-        self.tidy(&mut part, (base, own), &mut anew()?);
+        self.tell_approaches(carrier, &mut part, base, span.0, &values(y));
+        self.tidy(&mut part, base, own, &mut anew()?);
         Ok(part)
     }
 
     /// Reports minima of gaps that are close to zero to the carrier, and removes the events of all minima from a part
-    /// of a run. The part began at `begun`, s, in the state `y`.
+    /// of a run. The part began at `begun`, s, in the state `y`. `base` is the number of events that belong to no
+    /// contact.
     fn tell_approaches<S: Real>(
         &self,
         carrier: &dyn Carrier<S>,
         part: &mut Solution<S>,
-        (base, begun, y): (usize, f64, &[f64]),
+        base: usize,
+        begun: f64,
+        y: &[f64],
     ) {
         let Some(near) = carrier.near() else { return };
         let count = self.contacts.impacts.len();
-        let nears = |event: &EventRecord| match Happening::of_event(event.event.checked_sub(base)?, count) {
-            Some(Happening::Nears(contact)) => Some(contact),
+        let nears = |event: &EventRecord| match ContactChange::of_event(event.event.checked_sub(base)?, count) {
+            Some(ContactChange::Nears(contact)) => Some(contact),
             _ => None,
         };
         for event in part.events.iter().filter(|event| event.kind == Kind::Rising) {
@@ -292,8 +300,9 @@ impl Bouncing<'_> {
     }
 
     /// Removes the events and projections of the contacts from a part of a run. The part fails if its state could not
-    /// be kept on the held contacts.
-    fn tidy<S: Real>(&self, part: &mut Solution<S>, (base, own): (usize, usize), forces: &mut Held<'_>) {
+    /// be kept on the held contacts. `base` is the number of events that belong to no contact, `own` the number of
+    /// constraints that belong to none.
+    fn tidy<S: Real>(&self, part: &mut Solution<S>, base: usize, own: usize, forces: &mut Held<'_>) {
         let kept = forces.kept;
         // A function that starts on a contact begins at 0, and a force that grows without bound does not cross 0.
         part.events.retain(|event| event.event < base || !matches!(event.kind, Kind::AtStart | Kind::Pole));
@@ -318,11 +327,11 @@ impl Bouncing<'_> {
 
     /// Change of a contact that ended the latest part of a run; `None` if the part ended for another reason. `base` is
     /// the number of events that belong to no contact.
-    fn happening<S>(&self, whole: &Solution<S>, base: usize) -> Option<Happening> {
+    fn contact_change<S>(&self, whole: &Solution<S>, base: usize) -> Option<ContactChange> {
         let Stop::Event { .. } = whole.stop else { return None };
         // The first event of an instant counts: other events come before contacts.
         let first = whole.events.iter().find(|event| event.terminal)?;
-        Happening::of_event(first.event.checked_sub(base)?, self.contacts.impacts.len())
+        ContactChange::of_event(first.event.checked_sub(base)?, self.contacts.impacts.len())
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::Bouncing;
 use super::NOTHING;
-use super::happening::Happening;
+use super::contact_change::ContactChange;
 use super::held::{Free, Held};
-use super::meeting::Met;
+use super::meeting::SettledMeeting;
 use nalgebra::DVector;
 use tripos_sim::{Failure, Found, Mode, Undecided};
 
@@ -14,7 +14,7 @@ const AHEAD: f64 = 16384.0;
 impl Bouncing<'_> {
     /// Accelerations along all rows just before a meeting, with the forces of the contacts held until then; zeros if
     /// none of these has friction.
-    pub(super) fn approach(&self, held: &mut Held<'_>, (t, y): (f64, &[f64])) -> Result<DVector<f64>, Failure> {
+    pub(super) fn approach(&self, held: &mut Held<'_>, t: f64, y: &[f64]) -> Result<DVector<f64>, Failure> {
         if held.kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
             return Ok(DVector::zeros(self.contacts.count));
         }
@@ -24,12 +24,12 @@ impl Bouncing<'_> {
     }
 
     /// Sign of the velocity at which a contact with friction slips; `None` if it does not slip.
-    pub(super) fn slips(&self, contact: usize, velocities: &DVector<f64>, met: &Met<'_>) -> Option<f64> {
+    pub(super) fn slips(&self, contact: usize, velocities: &DVector<f64>, met: &SettledMeeting<'_>) -> Option<f64> {
         self.contacts.friction(contact)?;
         let row = self.contacts.rows[contact][1];
         let velocity = velocities[row];
         let rests = !met.is_hit(&self.contacts.rows[contact])
-            && (met.meeting.happening == Some(Happening::Sticks(contact))
+            && (met.meeting.contact_change == Some(ContactChange::Sticks(contact))
                 || met.meeting.kept.mode(contact) == Some(Mode::Sticks)
                 // Contacts that came to rest at this instant as well.
                 || velocity.abs() <= met.before[row].abs() * self.least);
@@ -44,11 +44,12 @@ impl Bouncing<'_> {
     pub(super) fn modes(
         &self,
         free: &mut Held<'_>,
-        (t, y): (f64, &[f64]),
+        y: &[f64],
         now: &Free,
         rest: &[usize],
-        met: &Met<'_>,
+        met: &SettledMeeting<'_>,
     ) -> Result<(Vec<Mode>, DVector<f64>), Failure> {
+        let t = met.meeting.t;
         let slips: Vec<Option<f64>> = rest.iter().map(|at| self.slips(*at, &now.response.velocities, met)).collect();
         let (system, rows) = self.contacts.closed(&now.response, rest);
         let found = system.ways(&now.accelerations.select_rows(&rows), &slips);
@@ -57,12 +58,19 @@ impl Bouncing<'_> {
         // A contact whose force has reached its friction limit no longer sticks.
         let begins = |found: &Found| {
             let mut modes = rest.iter().zip(&found.modes);
-            !modes.any(|(at, mode)| met.meeting.happening == Some(Happening::Slips(*at)) && *mode == Mode::Sticks)
+            !modes.any(|(at, mode)| {
+                met.meeting.contact_change == Some(ContactChange::Slips(*at)) && *mode == Mode::Sticks
+            })
         };
         if found.iter().any(begins) {
             found.retain(begins);
         }
-        let at = if found.len() > 1 { self.lasting(free, (t, y), now, (rest, &slips), &found) } else { 0 };
+        let at = if found.len() > 1 {
+            let (ahead, later) = self.ahead(t, y, now, &self.contacts.spread(&found[0].forces, &rows), 1.0);
+            free.free(ahead, &later).map_or(0, |then| self.lasting(&then, rest, &slips, &found))
+        } else {
+            0
+        };
         let one = found.swap_remove(at);
         Ok((one.modes, self.contacts.spread(&one.forces, &rows)))
     }
@@ -78,19 +86,10 @@ impl Bouncing<'_> {
         (t + ahead, y.iter().zip(&rates).map(|(y, rate)| y + ahead * rate).collect())
     }
 
-    /// Index of the first combination of modes that still satisfies the laws of contact shortly after the instant.
-    /// Zero, the firmest combination, if none does.
-    fn lasting(
-        &self,
-        free: &mut Held<'_>,
-        (t, y): (f64, &[f64]),
-        now: &Free,
-        (rest, slips): (&[usize], &[Option<f64>]),
-        found: &[Found],
-    ) -> usize {
-        let (_, rows) = self.contacts.closed(&now.response, rest);
-        let (ahead, later) = self.ahead(t, y, now, &self.contacts.spread(&found[0].forces, &rows), 1.0);
-        let Ok(then) = free.free(ahead, &later) else { return 0 };
+    /// Index of the first combination of modes that still satisfies the laws of contact shortly after the instant,
+    /// under the accelerations `then`. Zero, the firmest combination, if none does. `slips` has a sign for each contact
+    /// of `rest` that slips.
+    fn lasting(&self, then: &Free, rest: &[usize], slips: &[Option<f64>], found: &[Found]) -> usize {
         let (system, rows) = self.contacts.closed(&then.response, rest);
         let accelerations = then.accelerations.select_rows(&rows);
         found.iter().position(|found| system.allows(&accelerations, slips, &found.modes)).unwrap_or(0)

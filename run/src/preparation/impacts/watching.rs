@@ -2,9 +2,9 @@
 //! slips that end.
 
 use super::Bouncing;
-use super::happening::Happening;
+use super::contact_change::ContactChange;
 use super::held::Held;
-use super::kept::Kept;
+use super::held_contacts::HeldContacts;
 use tripos_sim::{Direction, Effect, Event, InRanges, Mode, SimError};
 use tripos_traits::{Enclosure, Scalar};
 
@@ -20,24 +20,24 @@ impl Bouncing<'_> {
     /// Errors of `anew`.
     pub(super) fn watched<'e>(
         &'e self,
-        kept: &'e Kept,
+        kept: &'e HeldContacts,
         y: &[f64],
         anew: &dyn Fn() -> Result<Held<'e>, SimError>,
-    ) -> Result<Vec<(Happening, Event<'e>)>, SimError> {
+    ) -> Result<Vec<(ContactChange, Event<'e>)>, SimError> {
         let mut list = Vec::new();
         for contact in 0..self.contacts.impacts.len() {
             let Some(mode) = kept.mode(contact) else {
-                list.push((Happening::Closes(contact), self.closing(contact)));
+                list.push((ContactChange::Closes(contact), self.closing(contact)));
                 continue;
             };
             let mut forces = anew()?;
             let opens = move |t: f64, y: &[f64]| forces.normal(contact, t, y);
-            list.push(self.falling(Happening::Opens(contact), opens));
+            list.push(self.falling(ContactChange::Opens(contact), opens));
             match mode {
                 Mode::Sticks => {
                     let mut forces = anew()?;
                     let margin = move |t: f64, y: &[f64]| forces.margin(contact, t, y);
-                    list.push(self.falling(Happening::Slips(contact), margin));
+                    list.push(self.falling(ContactChange::Slips(contact), margin));
                 }
                 Mode::Slips(way) if self.contacts.is_rough(contact) => list.extend(self.stopping(contact, way)),
                 Mode::Slips(_) | Mode::Pushes | Mode::Opens => {}
@@ -45,21 +45,21 @@ impl Bouncing<'_> {
         }
         let forces = anew()?;
         if let (Some((first, _)), true) = (kept.slipping().next(), forces.determinant(y).abs() > TOLD) {
-            let (jams, event) = self.falling(Happening::Jams(first), move |_, y: &[f64]| forces.determinant(y));
+            let (jams, event) = self.falling(ContactChange::Jams(first), move |_, y: &[f64]| forces.determinant(y));
             list.push((jams, Event { direction: Direction::Either, ..event }));
         }
         Ok(list)
     }
 
     /// Events for the minima of open gaps, one for each contact that is not held.
-    pub(super) fn approaches(&self, kept: &Kept) -> Vec<(Happening, Event<'_>)> {
+    pub(super) fn approaches(&self, kept: &HeldContacts) -> Vec<(ContactChange, Event<'_>)> {
         let contacts = self.contacts;
         let free = (0..contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
         let event = |contact: usize| {
             let row = contacts.rows[contact][0];
-            let happening = Happening::Nears(contact);
+            let contact_change = ContactChange::Nears(contact);
             let rate = move |_: f64, y: &[f64]| contacts.rates(y).values[row];
-            (happening, Event::recorded(happening.name(contacts.impacts), Direction::Rising, rate))
+            (contact_change, Event::recorded(contact_change.name(contacts.impacts), Direction::Rising, rate))
         };
         free.map(event).collect()
     }
@@ -94,7 +94,7 @@ impl Bouncing<'_> {
     }
 
     /// Event for the end of a contact's slip in the direction `way`; `None` if the contact has no friction.
-    fn stopping(&self, contact: usize, way: f64) -> Option<(Happening, Event<'_>)> {
+    fn stopping(&self, contact: usize, way: f64) -> Option<(ContactChange, Event<'_>)> {
         let p = self.contacts.parameters;
         let (numbers, ranges) = self.contacts.slips[contact].as_ref()?;
         let used = ranges.used().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
@@ -111,19 +111,19 @@ impl Bouncing<'_> {
             ranges.evaluate_into(&inputs, &mut wide_scratch, &mut out);
             Enclosure::from_f64(way) * out[0]
         };
-        let (happening, event) = self.falling(Happening::Sticks(contact), function);
+        let (contact_change, event) = self.falling(ContactChange::Sticks(contact), function);
         let ranges = Some(InRanges { function: Box::new(in_ranges), components: Some(used) });
-        Some((happening, Event { ranges, ..event }))
+        Some((contact_change, Event { ranges, ..event }))
     }
 
     /// Event for a function that falls below 0, with the change of a contact that it reports.
     fn falling<'e>(
         &self,
-        happening: Happening,
+        contact_change: ContactChange,
         function: impl FnMut(f64, &[f64]) -> f64 + 'e,
-    ) -> (Happening, Event<'e>) {
-        let name = happening.name(self.contacts.impacts);
-        (happening, Event::terminal(name, Direction::Falling, function))
+    ) -> (ContactChange, Event<'e>) {
+        let name = contact_change.name(self.contacts.impacts);
+        (contact_change, Event::terminal(name, Direction::Falling, function))
     }
 }
 

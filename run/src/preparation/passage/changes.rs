@@ -17,7 +17,7 @@ pub struct Change {
 
 /// Notes to the user on the parts of a run in all rates, the most important first. `speeds` are the names of the chosen
 /// speeds, `by` the equations in them.
-pub fn said(changes: &[Change], speeds: &[String], by: &By) -> Vec<String> {
+pub fn notes_on_changes(changes: &[Change], speeds: &[String], by: &By) -> Vec<String> {
     /// Greatest number of changes that are listed one by one.
     const MOST: usize = 3;
     let list = speeds.join(", ");

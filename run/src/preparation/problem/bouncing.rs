@@ -2,7 +2,8 @@
 
 use super::{Power, Problem};
 use crate::error::Error;
-use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, Kept, LEAST};
+use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, HeldContacts, LEAST};
+use crate::preparation::initial::InitialState;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Integrator, Scene};
@@ -14,14 +15,13 @@ impl Problem<'_> {
     #[must_use]
     pub(crate) fn contacts(&self) -> Contacts<'_> {
         let in_rates = self.by.formulation().is_some_and(Formulation::is_in_rates);
-        let of = (self.system(), self.scene.parameters.as_slice());
-        Contacts::new(self.model, &self.scene.impacts, of, in_rates)
+        Contacts::new(self.model, &self.scene.impacts, self.system(), &self.scene.parameters, in_rates)
     }
 
     /// Runs a scene with contacts in parts, from impact to impact, in doubles.
     pub(super) fn bouncing(
         &self,
-        from: ((f64, f64), &[f64]),
+        start: InitialState<'_>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<Power<'_>>,
@@ -29,7 +29,7 @@ impl Problem<'_> {
         let contacts = self.contacts();
         let equations = || self.right_hand_side();
         let doubles = Doubles { contacts: &contacts, equations: &equations };
-        self.bounce(&contacts, &doubles, from, options, events, power)
+        self.bounce(&contacts, &doubles, start, options, events, power)
     }
 
     /// Runs a scene with contacts in parts, from impact to impact, in the numbers of a carrier.
@@ -40,22 +40,29 @@ impl Problem<'_> {
         &self,
         contacts: &Contacts<'_>,
         carrier: &dyn Carrier<S>,
-        (span, y0): ((f64, f64), &[S]),
+        start: InitialState<'_, S>,
         options: &Options,
         events: &mut [Event<'_>],
         power: Option<Power<'_>>,
     ) -> Result<Solution<S>, SimError> {
+        let span = start.span;
         let least = LEAST * span.0.abs().max(span.1.abs());
         let equations = || self.right_hand_side();
         let bouncing = Bouncing { contacts, equations: &equations, least };
-        bouncing.solve(carrier, (span, y0), options, events, power)
+        bouncing.solve(carrier, start, options, events, power)
     }
 
     /// Derivative of the state by time, y′, while the contacts `kept` are held.
     ///
     /// # Errors
     /// [`Failure`] where the equations or the forces of contacts have no value.
-    pub(crate) fn flow(&self, contacts: &Contacts<'_>, kept: &Kept, t: f64, y: &[f64]) -> Result<Vec<f64>, Failure> {
+    pub(crate) fn flow(
+        &self,
+        contacts: &Contacts<'_>,
+        kept: &HeldContacts,
+        t: f64,
+        y: &[f64],
+    ) -> Result<Vec<f64>, Failure> {
         let unknown = |error: SimError| Failure { code: "not-finite", message: error.to_string() };
         let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept };
         let mut rates = vec![0.0; y.len()];

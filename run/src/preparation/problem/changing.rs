@@ -3,14 +3,15 @@
 use super::{Power, Problem};
 use crate::code::Code;
 use crate::error::{Error, refused};
-use crate::preparation::passage::{self, Chosen};
+use crate::preparation::initial::InitialState;
+use crate::preparation::passage::{self, Chosen, Energy, Systems};
 use tripos_sim::{Event, Options, Solution};
 
 impl<'a> Problem<'a> {
     /// Adds equations in chosen speeds, which run as far as these speeds determine the motion. The problem's own
     /// equations, in all rates with multipliers, run elsewhere.
     #[must_use]
-    pub fn beside(self, chosen: Chosen<'a>) -> Self {
+    pub fn with_chosen_speeds(self, chosen: Chosen<'a>) -> Self {
         Self { chosen: Some(chosen), ..self }
     }
 
@@ -28,8 +29,8 @@ impl<'a> Problem<'a> {
     ) -> Result<Option<Solution>, Error> {
         let Ok(y0) = self.start() else { return Ok(None) };
         let run = self.right_hand_side().and_then(|mut rhs| {
-            let systems = (rates.system(), self.system(), self.scene.parameters.as_slice());
-            let start = (self.scene.span, y0.as_slice());
+            let systems = Systems { rates: rates.system(), speeds: self.system(), parameters: &self.scene.parameters };
+            let start = InitialState { span: self.scene.span, y: &y0 };
             passage::in_speeds_alone(systems, rhs.as_mut(), start, &self.options(options), events, power)
         });
         run.map_err(|error| refused(self.scene, &error))
@@ -46,11 +47,12 @@ impl<'a> Problem<'a> {
     ) -> Result<Solution, Error> {
         let speeds = Problem { by: chosen.by, code: chosen.code, solve: chosen.solve, chosen: None, ..*self };
         let run = speeds.right_hand_side().and_then(|mut rhs| {
-            let systems = (self.system(), speeds.system(), self.scene.parameters.as_slice());
-            let start = (self.scene.span, y0);
+            let systems = Systems { rates: self.system(), speeds: speeds.system(), parameters: &self.scene.parameters };
+            let start = InitialState { span: self.scene.span, y: y0 };
             // Without a given power, energy is kept only if all forces have a potential.
             let keeps_energy = !self.mechanism.is_driven() && (power.is_some() || !self.system().has_power());
-            passage::solve(systems, rhs.as_mut(), start, &self.options(options), events, (power, keeps_energy))
+            let energy = Energy { power, is_kept: keeps_energy };
+            passage::solve(systems, rhs.as_mut(), start, &self.options(options), events, energy)
         });
         let (solution, list) = run.map_err(|error| refused(self.scene, &error))?;
         if let Ok(mut changes) = chosen.changes.lock() {

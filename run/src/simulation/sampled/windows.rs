@@ -48,15 +48,17 @@ pub struct Loop<'a> {
 }
 
 /// Results of a run through all its windows.
-pub struct Way {
+pub struct WindowedRun {
     t: Vec<f64>,
     states: Vec<Vec<f64>>,
     decisions: Vec<Decision>,
     events: Vec<EventRecord>,
     t_end: f64,
     end: Vec<f64>,
-    /// Numbers of accepted and of rejected steps.
-    steps: (u64, u64),
+    /// Number of accepted steps.
+    steps: u64,
+    /// Number of rejected steps.
+    rejected: u64,
     pub stop: Stop,
     warnings: Vec<String>,
 }
@@ -70,16 +72,17 @@ impl Loop<'_> {
         start: &[f64],
         how: &Options,
         controller: &mut dyn FnMut(&Sample<'_>) -> Vec<f64>,
-    ) -> Result<Way, Error> {
+    ) -> Result<WindowedRun, Error> {
         let (from, to) = scene.span;
-        let mut way = Way {
+        let mut way = WindowedRun {
             t: Vec::new(),
             states: Vec::new(),
             decisions: Vec::new(),
             events: Vec::new(),
             t_end: from,
             end: Vec::new(),
-            steps: (0, 0),
+            steps: 0,
+            rejected: 0,
             stop: Stop::End,
             warnings: Vec::new(),
         };
@@ -100,7 +103,7 @@ impl Loop<'_> {
             let end = ahead.peek().map_or(to, |(_, instant)| *instant);
             now.span = (t, end);
             let problem = self.problem.with_scene(&now);
-            let solution = self.window(&problem, &y, how, way.steps)?;
+            let solution = self.window(&problem, &y, how, way.steps + way.rejected)?;
             way.take(&problem, &solution);
             if solution.stop != Stop::End || end >= to {
                 way.end = problem.state(solution.t_end, &solution.y_end);
@@ -110,15 +113,9 @@ impl Loop<'_> {
         }
     }
 
-    /// Runs one window, with the options `how` of the whole run. `steps` and `rejected` are the numbers of steps so
-    /// far.
-    fn window(
-        &self,
-        problem: &Problem<'_>,
-        y: &[f64],
-        how: &Options,
-        (steps, rejected): (u64, u64),
-    ) -> Result<Solution, Error> {
+    /// Runs one window, with the options `how` of the whole run. `steps` is the number of steps so far, the rejected
+    /// ones included.
+    fn window(&self, problem: &Problem<'_>, y: &[f64], how: &Options, steps: u64) -> Result<Solution, Error> {
         let (from, to) = problem.scene.span;
         let output = match &how.output {
             Output::At(times) => {
@@ -128,7 +125,7 @@ impl Loop<'_> {
             }
             other => other.clone(),
         };
-        let step_limit = how.step_limit.saturating_sub(steps + rejected);
+        let step_limit = how.step_limit.saturating_sub(steps);
         let mut options = Options { output, step_limit, ..how.clone() };
         // The second run keeps no samples.
         if how.output == Output::Ends && how.step.is_none() {
@@ -163,7 +160,7 @@ impl Loop<'_> {
     }
 
     /// Makes the result of a run, with the errors that the difference from a second run gives.
-    pub fn told(&self, first: Way, second: Option<&Way>, form: Form) -> SampledRun {
+    pub fn sampled_run(&self, first: WindowedRun, second: Option<&WindowedRun>, form: Form) -> SampledRun {
         let mut decisions = first.decisions;
         let mut errors_at_end = None;
         if let Some(second) = second {
@@ -195,7 +192,7 @@ impl Loop<'_> {
             t_end: first.t_end,
             end: first.end,
             errors_at_end,
-            steps: first.steps,
+            steps: (first.steps, first.rejected),
             stop: first.stop,
             warnings,
         }
@@ -210,7 +207,7 @@ fn apart(own: &[f64], other: &[f64]) -> Vec<f64> {
     own.iter().zip(other).map(|(a, b)| (a - b).abs() + ROUNDING * a.abs()).collect()
 }
 
-impl Way {
+impl WindowedRun {
     /// Adds the solution of a window to the results of the run.
     fn take(&mut self, problem: &Problem<'_>, solution: &Solution) {
         // A window begins at the end of the window before it, whose sample is known.
@@ -222,7 +219,8 @@ impl Way {
         }
         self.events.extend(solution.events.iter().cloned());
         self.t_end = solution.t_end;
-        self.steps = (self.steps.0 + solution.steps, self.steps.1 + solution.rejected);
+        self.steps += solution.steps;
+        self.rejected += solution.rejected;
         self.stop = solution.stop.clone();
         let said = solution.warnings.iter().map(ToString::to_string);
         let said = said.chain(opened(problem, solution)).chain(broken(problem, solution));

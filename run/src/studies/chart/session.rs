@@ -7,7 +7,7 @@ use crate::follow::Progress;
 use crate::mechanism::Mechanism;
 use crate::options::options;
 use crate::preparation::problem::Problem;
-use crate::studies::case::cases;
+use crate::studies::case::{Printed, cases};
 use crate::trust::comparison::Compared;
 use crate::trust::events::{Balance, events};
 use crate::trust::invariants::Watch;
@@ -42,7 +42,7 @@ pub struct Session {
 pub fn chart(
     model: &Mechanism,
     scene: &Scene,
-    printed: bool,
+    printed: Printed,
     plan: &Plan,
     bar: &dyn Progress,
 ) -> Result<Session, Error> {
@@ -51,7 +51,7 @@ pub fn chart(
     bar.set_message("reference");
     let (mut cases, mut left_out) = cases(model, &scene, printed)?;
     let mut compared = Compared::new(model, &scene)?;
-    let said = compared.said();
+    let in_words = compared.in_words();
     if compared.is_empty() {
         // Whole states show none of the requested outputs, so the states themselves are compared.
         scene.states_outputs = false;
@@ -80,8 +80,10 @@ pub fn chart(
     }
     let watch = Watch::of_model(model)?;
     let truth = Truth { reference: &reference, compared: &compared, watch: &watch };
-    let list = measure(model, &scene, &cases, plan, &truth, (bar, &mut left_out))?;
-    Ok(Session { list, compared: said, reference, watch, until: scene.span.1, cut, left_out })
+    let measured = measure(model, &scene, &cases, plan, &truth, bar)?;
+    left_out.extend(measured.left_out);
+    let list = measured.list;
+    Ok(Session { list, compared: in_words, reference, watch, until: scene.span.1, cut, left_out })
 }
 
 /// Finds the instant, s, at which the motion leaves the domain of its equations or meets a terminal event. `None` if

@@ -16,6 +16,14 @@ use tripos_traits::DoubleDouble;
 /// Residual of the constraints up to which a given motion is accepted, relative to the largest given rate or 1.
 const BROKEN: f64 = 1e-9;
 
+/// Parameters, coordinates and speeds at one instant.
+#[derive(Clone, Copy)]
+struct Instantaneous<'a> {
+    p: &'a [DoubleDouble],
+    q: &'a [DoubleDouble],
+    u: &'a [DoubleDouble],
+}
+
 /// Computes coordinates, speeds and accelerations of a motion at each of its instants.
 ///
 /// # Errors
@@ -101,8 +109,8 @@ impl Course {
             q = self.loops.close(p, &q, &self.free).ok_or_else(|| stopped(self.not_closed(p, &q)))?;
         }
         let still = vec![DoubleDouble::from(0.0); self.speeds];
-        let u = self.match_rates(&stopped, 0, (p, &q, &still), |place| values[3 * place + 1])?;
-        let rates = self.match_rates(&stopped, 1, (p, &q, &u), |place| values[3 * place + 2])?;
+        let u = self.match_rates(&stopped, 0, Instantaneous { p, q: &q, u: &still }, |place| values[3 * place + 1])?;
+        let rates = self.match_rates(&stopped, 1, Instantaneous { p, q: &q, u: &u }, |place| values[3 * place + 2])?;
         Ok(Moving { t: Some(t), q, u, rates })
     }
 
@@ -131,9 +139,10 @@ impl Course {
         &self,
         stopped: &dyn Fn(String) -> Error,
         order: usize,
-        (p, q, u): (&[DoubleDouble], &[DoubleDouble], &[DoubleDouble]),
+        at: Instantaneous<'_>,
         wanted: impl Fn(usize) -> DoubleDouble,
     ) -> Result<Vec<DoubleDouble>, Error> {
+        let Instantaneous { p, q, u } = at;
         let n = q.len();
         let still = vec![DoubleDouble::from(0.0); self.speeds];
         let values = self.rates.evaluate(&[p, q, u, &still].concat());

@@ -13,7 +13,7 @@ pub struct Least {
 }
 
 /// Least-squares solution of a linear system; of several the one with the least norm.
-pub struct Found {
+pub struct LeastSolution {
     pub x: Vec<DoubleDouble>,
     /// Residual: the right side minus the matrix times `x`.
     pub left: Vec<DoubleDouble>,
@@ -43,7 +43,7 @@ impl Least {
 
     /// Solves the linear system for a right side. Each step of refinement gives sixteen digits more. `rows` is the
     /// matrix again.
-    pub fn solve(&self, rows: &[&[DoubleDouble]], right: &[DoubleDouble]) -> Found {
+    pub fn solve(&self, rows: &[&[DoubleDouble]], right: &[DoubleDouble]) -> LeastSolution {
         let mut x = vec![DoubleDouble::from(0.0); self.inverse.nrows()];
         let left_of = |x: &[DoubleDouble]| -> Vec<DoubleDouble> {
             let one = |(row, right): (&&[DoubleDouble], &DoubleDouble)| {
@@ -59,6 +59,6 @@ impl Least {
             }
             left = left_of(&x);
         }
-        Found { x, left, rank: self.rank }
+        LeastSolution { x, left, rank: self.rank }
     }
 }

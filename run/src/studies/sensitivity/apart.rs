@@ -64,7 +64,7 @@ pub struct Difference {
 }
 
 /// Results of one run: values at its end with their errors, the instant of the end, and the instants of events.
-struct Told {
+struct RunResults {
     values: Vec<f64>,
     errors: Option<Vec<f64>>,
     t_end: f64,
@@ -83,9 +83,9 @@ impl Apart<'_> {
         let size = value.to_f64().abs();
         let is_parameter = self.mechanism.parameters.iter().any(|p| p.name == name);
         let size = if is_parameter && size > 0.0 { size } else { size.max(LEAST) };
-        let mut at = |by: f64| -> Result<Told, Error> {
+        let mut at = |by: f64| -> Result<RunResults, Error> {
             let scene = nearby.at(value + DoubleDouble::from_f64(by))?;
-            self.told(&finer(scene), run)
+            self.results(&finer(scene), run)
         };
         let count = run.solution.events.len();
         let quantities = self.names.len();
@@ -106,9 +106,9 @@ impl Apart<'_> {
             failure = None;
             have_errors &= above.errors.is_some() && below.errors.is_some();
             have_events = above.events.len() == count && below.events.len() == count;
-            let known = |told: &Told, at: usize| told.errors.as_ref().map_or(0.0, |errors| errors[at]);
+            let known = |told: &RunResults, at: usize| told.errors.as_ref().map_or(0.0, |errors| errors[at]);
             for (at, table) in tables.iter_mut().enumerate() {
-                let pick = |told: &Told| match at.checked_sub(quantities) {
+                let pick = |told: &RunResults| match at.checked_sub(quantities) {
                     None => told.values[at],
                     Some(0) => told.t_end,
                     Some(event) => told.events.get(event - 1).copied().unwrap_or(f64::NAN),
@@ -135,7 +135,7 @@ impl Apart<'_> {
     }
 
     /// Runs a scene with a changed number. The error says if this run ends for another reason than `first`.
-    fn told(&self, scene: &Scene, first: &Run) -> Result<Told, Error> {
+    fn results(&self, scene: &Scene, first: &Run) -> Result<RunResults, Error> {
         let run = run_whole(self.mechanism, scene, self.by, None)?;
         if run.solution.stop.code() != first.solution.stop.code() {
             let message = format!("there are no derivatives: a run beside this one ends otherwise, {}", run.ending);
@@ -152,7 +152,7 @@ impl Apart<'_> {
         // The largest known error of the states is used as the error of an energy.
         let worst = known.map(|errors| errors.iter().copied().fold(0.0, larger));
         let error = |name: &String| place(name).map_or(worst, |at| known.and_then(|errors| errors.get(at).copied()));
-        Ok(Told {
+        Ok(RunResults {
             values: self.names.iter().map(value).collect(),
             errors: self.names.iter().map(error).collect(),
             t_end: run.solution.t_end,

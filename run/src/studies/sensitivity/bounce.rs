@@ -2,10 +2,10 @@
 
 use super::contacts::{Direction, Wide};
 use super::crossing::Crossed;
-use super::held::{HeldTangents, Told, slopes, values};
+use super::held::{ContactTapes, HeldTangents, slopes, values};
+use super::history::{ContactHistory, Instant, end};
 use super::start::Seed;
-use super::way::{Instant, Way, end};
-use crate::preparation::impacts::{Approach, Carrier, Contacts, Crossing, Held, Kept};
+use crate::preparation::impacts::{Approach, Carrier, Contacts, Crossing, Held, HeldContacts};
 use crate::preparation::problem::Problem;
 use std::cell::RefCell;
 use tripos_sim::{Corner, RightHandSide, SimError, Tangents};
@@ -25,30 +25,32 @@ pub struct Bounced<'a, const K: usize> {
     pub corners: &'a [Corner],
     pub contacts: &'a Contacts<'a>,
     wide: Wide<'a>,
-    told: Told<K>,
+    tapes: ContactTapes<K>,
     /// Gap below which a contact counts as touched, relative to the size of its terms; `None` if this is not watched.
     pub near: Option<f64>,
     /// Minima of gaps that are below `near`.
     pub approaches: RefCell<Vec<Approach>>,
     /// Slopes of the instants of the run so far, and the ends of derivatives.
-    pub way: RefCell<Way>,
+    pub history: RefCell<ContactHistory>,
 }
 
 impl<'a, const K: usize> Bounced<'a, K> {
     /// Prepares a run of a problem with contacts. Gaps below `near`, relative to the size of their terms, count as
-    /// touched if `is_watched` is true.
+    /// zero. The drive has no corners, and touched contacts are not watched, until these fields are set.
     pub fn new(
         problem: &'a Problem<'a>,
         parts: Parts<'a, K>,
-        (parameters, seeds): (&'a [Tangent<K>], &'a [Seed]),
-        (contacts, corners): (&'a Contacts<'a>, &'a [Corner]),
-        (near, is_watched): (f64, bool),
+        parameters: &'a [Tangent<K>],
+        seeds: &'a [Seed],
+        contacts: &'a Contacts<'a>,
+        near: f64,
     ) -> Self {
         let wide = Wide::new(contacts, problem.code.extended(), near);
-        let told = Told { gaps: contacts.gaps.iter().map(|(gap, _)| gap.to()).collect(), rates: contacts.rates.to() };
-        let way = RefCell::new(Way::new(seeds.len()));
-        let (near, approaches) = (is_watched.then_some(near), RefCell::new(Vec::new()));
-        Self { problem, parts, parameters, seeds, corners, contacts, wide, told, near, approaches, way }
+        let tapes =
+            ContactTapes { gaps: contacts.gaps.iter().map(|(gap, _)| gap.to()).collect(), rates: contacts.rates.to() };
+        let history = RefCell::new(ContactHistory::new(seeds.len()));
+        let approaches = RefCell::new(Vec::new());
+        Self { problem, parts, parameters, seeds, corners: &[], contacts, wide, tapes, near: None, approaches, history }
     }
 }
 
@@ -78,20 +80,28 @@ pub fn rates_along<const K: usize>(
 pub fn meets_no_corner(corners: &[Corner], crossing: &Crossing<'_>) -> Result<(), String> {
     let t = crossing.t;
     let meets = |corner: &Corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs();
-    if crossing.happening.is_some() && corners.iter().any(meets) {
+    if crossing.contact_change.is_some() && corners.iter().any(meets) {
         return Err("contacts change where the drive jumps".to_owned());
     }
     Ok(())
 }
 
 impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
-    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<Tangent<K>> + 'e>, SimError> {
+    fn equations<'e>(&'e self, kept: &'e HeldContacts) -> Result<Box<dyn RightHandSide<Tangent<K>> + 'e>, SimError> {
         let rhs = Tangents::new(self.problem.system(), self.parts.0, self.parts.1, self.parameters);
         let unsolved = SimError::Option { name: "equations", must: "equations with eliminated accelerations" };
         let rhs = rhs.ok_or(unsolved)?;
         let held = Held { rhs: self.problem.right_hand_side()?, contacts: self.contacts, kept };
-        let (wide, told, seeds) = (&self.wide, &self.told, self.seeds);
-        Ok(Box::new(HeldTangents { rhs, held, wide, told, parameters: self.parameters, seeds, way: &self.way }))
+        let (wide, tapes, seeds) = (&self.wide, &self.tapes, self.seeds);
+        Ok(Box::new(HeldTangents {
+            rhs,
+            held,
+            wide,
+            tapes,
+            parameters: self.parameters,
+            seeds,
+            history: &self.history,
+        }))
     }
 
     fn near(&self) -> Option<f64> {
@@ -106,7 +116,7 @@ impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
         if crossing.after.closed.is_empty() {
             return before.to_vec();
         }
-        let flow = |kept: &Kept, t: f64, y: &[f64]| self.problem.flow(self.contacts, kept, t, y);
+        let flow = |kept: &HeldContacts, t: f64, y: &[f64]| self.problem.flow(self.contacts, kept, t, y);
         let along = |y: &[f64], direction: Direction<'_>| rates_along(self.problem, self.parts.0, y, direction);
         let crossed = meets_no_corner(self.corners, crossing);
         let crossed = crossed.and_then(|()| Crossed::new(&self.wide, crossing, &along, &flow));
@@ -117,16 +127,16 @@ impl<const K: usize> Carrier<Tangent<K>> for Bounced<'_, K> {
                 Ok(crossed) => crossed.across(&seed.varied(), &slopes(before, k)),
                 Err(message) => Err(message.clone()),
             };
-            let over = self.way.borrow().endings[k].as_ref().map(|ending| ending.why.clone());
+            let over = self.history.borrow().endings[k].as_ref().map(|ending| ending.why.clone());
             let (later, list) = over.map_or(found, Err).unwrap_or_else(|why| {
-                end(&self.way, k, crossing.t, why);
+                end(&self.history, k, crossing.t, why);
                 (f64::NAN, vec![0.0; after.len()])
             });
             moves.push(later);
             after.iter_mut().zip(list).for_each(|(y, slope)| *y = y.turned(k, slope));
         }
         let kept = crossing.after.kept.clone();
-        self.way.borrow_mut().instants.push(Instant { t: crossing.t, moves, kept });
+        self.history.borrow_mut().instants.push(Instant { t: crossing.t, moves, kept });
         debug_assert_eq!(values(&after), crossing.after.y);
         after
     }

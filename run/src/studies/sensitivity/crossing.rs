@@ -17,12 +17,12 @@ use super::forces::{Forces, NOTHING, RatesAlong, Varied};
 use super::grip::Grip;
 use super::strike::{Law, Strike, along_rows, strikes};
 use super::zero::{Coming, Zeros};
-use crate::preparation::impacts::{Crossing, Kept, NONE};
+use crate::preparation::impacts::{Crossing, HeldContacts, NONE};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
 
 /// Function that gives the rates at an instant and a state while contacts are held.
-pub type Flow<'c> = dyn Fn(&Kept, f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c;
+pub type HeldRates<'c> = dyn Fn(&HeldContacts, f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c;
 
 /// Change of contacts at an instant, with the data that its derivatives along all directions need.
 pub struct Crossed<'c> {
@@ -60,11 +60,11 @@ impl<'c> Crossed<'c> {
         wide: &'c Wide<'c>,
         crossing: &'c Crossing<'c>,
         rates_along: &'c RatesAlong<'c>,
-        flow: &Flow<'_>,
+        flow: &HeldRates<'_>,
     ) -> Result<Self, String> {
         let said = |failure: Failure| failure.message;
         let (t, y, kept) = (crossing.t, &crossing.after.y, &crossing.after.kept);
-        let forces = |kept: &Kept, y: &[f64]| -> Result<Option<Forces>, Failure> {
+        let forces = |kept: &HeldContacts, y: &[f64]| -> Result<Option<Forces>, Failure> {
             if kept.is_empty() {
                 return Ok(None);
             }
@@ -134,7 +134,7 @@ impl<'c> Crossed<'c> {
         let mut slopes: Vec<f64> = state.iter().zip(&self.zeros.coming.rates).map(|(s, f)| s + f * later).collect();
         let (mut changes, mut before): (Vec<Change>, _) = (Vec::new(), Vec::new());
         for strike in &self.strikes {
-            let change = self.strike((strike, &strike.grip), varied, &slopes, changes.last())?;
+            let change = self.strike(strike, &strike.grip, varied, &slopes, changes.last())?;
             before.push(slopes.clone());
             let first = slopes.len() - change.variables.len();
             slopes[first..].iter_mut().zip(change.variables.iter()).for_each(|(s, more)| *s += more);
@@ -157,7 +157,8 @@ impl<'c> Crossed<'c> {
     /// derivative of the strike before.
     fn strike(
         &self,
-        (strike, grip): (&Strike, &Grip),
+        strike: &Strike,
+        grip: &Grip,
         varied: &Varied<'_>,
         slopes: &[f64],
         last: Option<&Change>,
@@ -198,7 +199,7 @@ impl<'c> Crossed<'c> {
 
     /// Refuses, at the start of a run, a number that opens a closed contact or lets it overlap.
     fn begins_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
-        if self.crossing.happening.is_some() {
+        if self.crossing.contact_change.is_some() {
             return Ok(());
         }
         let after = self.crossing.after;
@@ -246,7 +247,7 @@ impl<'c> Crossed<'c> {
             }
             for grip in &strike.others {
                 let last = at.checked_sub(1).map(|before| &across.changes[before]);
-                let other = self.strike((strike, grip), varied, &across.before[at], last)?;
+                let other = self.strike(strike, grip, varied, &across.before[at], last)?;
                 let apart = inertia.l().transpose() * (&other.speeds - &change.speeds);
                 if apart.norm() > SMALL * largest.max(other.size) {
                     return Err(format!("whether contacts stick or slip in the impact changes with `{}`", varied.name));
@@ -271,7 +272,7 @@ impl<'c> Crossed<'c> {
 
     /// Contacts that begin to slip from rest at the start of the run.
     fn at_rest(&self) -> Vec<usize> {
-        let Some(forces) = self.forces.as_ref().filter(|_| self.crossing.happening.is_none()) else {
+        let Some(forces) = self.forces.as_ref().filter(|_| self.crossing.contact_change.is_none()) else {
             return Vec::new();
         };
         let (contacts, y) = (self.wide.contacts, &self.crossing.after.y);

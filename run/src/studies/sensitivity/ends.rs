@@ -1,11 +1,11 @@
 //! Derivatives at the end of a run and at its events, and their errors.
 
 use super::corners::corners;
-use super::equations::{Carried, From};
+use super::equations::{Carried, SeededStart};
 use super::{Parts, onward};
 use crate::error::Error;
 use crate::options::options;
-use crate::preparation::impacts::Kept;
+use crate::preparation::impacts::HeldContacts;
 use crate::trust::digits::other_side;
 use crate::trust::events::{Balance, events};
 use tripos_derive::scene::Scene;
@@ -32,8 +32,9 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
     };
     let place = parts.quantities.place(parts.problem, solution.t_end, &solution.y_end)?;
     let still = vec![0.0; parts.problem.scene.parameters.len()];
-    let rates =
-        event.map(|_| rates(parts, carried.way.kept(solution.t_end), (solution.t_end, &solution.y_end))).transpose()?;
+    let rates = event
+        .map(|_| rates(parts, carried.history.kept(solution.t_end), solution.t_end, &solution.y_end))
+        .transpose()?;
     let flow = rates.map(|rates| parts.quantities.slopes(&place, &still, &rates));
     let (mut shown, mut t) = (Vec::new(), Vec::new());
     for (seed, state) in parts.seeds.iter().zip(&carried.end) {
@@ -51,7 +52,7 @@ pub fn end(parts: &Parts<'_>, carried: &Carried) -> Result<End, Error> {
 }
 
 /// Rates y′ of a state while the contacts `kept` are held.
-fn rates(parts: &Parts<'_>, kept: &Kept, (t, y): (f64, &[f64])) -> Result<Vec<f64>, Error> {
+fn rates(parts: &Parts<'_>, kept: &HeldContacts, t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
     if !kept.is_empty() {
         let rates = parts.problem.flow(&parts.problem.contacts(), kept, t, y);
         return rates.map_err(|failure| Error::Stopped(failure.message));
@@ -86,12 +87,12 @@ fn instant(
         return Ok(None);
     }
     if event.event >= parts.quantities.watched() {
-        return Ok(carried.way.moves(event.t).map(<[f64]>::to_vec));
+        return Ok(carried.history.moves(event.t).map(<[f64]>::to_vec));
     }
     let Some((y, slopes)) = on_the_way(parts, carried, event.t)? else { return Ok(None) };
     let place = parts.quantities.place(parts.problem, event.t, &y)?;
     let still = vec![0.0; parts.problem.scene.parameters.len()];
-    let rates = rates(parts, carried.way.kept(event.t), (event.t, &y))?;
+    let rates = rates(parts, carried.history.kept(event.t), event.t, &y)?;
     let flow = parts.quantities.slopes(&place, &still, &rates).watched[event.event];
     let later = parts.seeds.iter().zip(&slopes).map(|(seed, state)| {
         let along = parts.quantities.slopes(&place, &seed.parameters, state).watched[event.event];
@@ -117,8 +118,8 @@ fn on_the_way(parts: &Parts<'_>, carried: &Carried, t: f64) -> Result<Option<Sta
     if t - solution.t[sample] == 0.0 {
         return Ok(Some((y.clone(), slopes)));
     }
-    let from = From { span: (solution.t[sample], t), y, slopes: &slopes };
-    let run = parts.equations.run(parts.problem, (&from, parts.seeds), &onward(parts), &mut [])?;
+    let from = SeededStart { span: (solution.t[sample], t), y, seeds: parts.seeds, slopes: &slopes };
+    let run = parts.equations.run(parts.problem, &from, &onward(parts), &mut [])?;
     Ok((run.solution.stop == Stop::End).then_some((run.solution.y_end, run.end)))
 }
 
@@ -129,13 +130,14 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 type Assessed = (Option<Vec<Vec<f64>>>, Option<String>);
 
 /// Estimates the errors of the derivatives at the end, by a second run with other steps, from numbers one rounding
-/// away. `None` if no second run comes to the same end.
+/// away. `None` if no second run comes to the same end. `starts` holds the slopes of the state at the start by each
+/// seed.
 ///
 /// Differences shortly before the end count as well: two motions that oscillate about each other meet now and then.
 ///
 /// # Errors
 /// [`Error`] if the second run is refused although the first was not.
-pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<f64>])) -> Result<Assessed, Error> {
+pub fn second(parts: &Parts<'_>, carried: &Carried, own: &End, starts: &[Vec<f64>]) -> Result<Assessed, Error> {
     let (problem, first) = (parts.problem, &carried.solution);
     if first.steps == 0 || first.stop.is_failure() {
         return Ok((None, None));
@@ -150,9 +152,9 @@ pub fn second(parts: &Parts<'_>, carried: &Carried, (own, starts): (&End, &[Vec<
     let times: Vec<f64> = before.iter().map(|at| first.t[*at]).collect();
     for second in seconds(&how, first, problem.scene.span, has_series) {
         let how = Options { output: Output::At(times.clone()), ..second.options.clone() };
-        let from = From { span: problem.scene.span, y: &y, slopes: starts };
+        let from = SeededStart { span: problem.scene.span, y: &y, seeds: parts.seeds, slopes: starts };
         let mut watched = events(&beside, &balance);
-        let run = parts.equations.run(&beside, (&from, parts.seeds), &how, &mut watched)?;
+        let run = parts.equations.run(&beside, &from, &how, &mut watched)?;
         if run.solution.stop.code() != first.stop.code() || run.solution.t.len() < times.len() {
             continue;
         }
@@ -189,7 +191,7 @@ fn before(parts: &Parts<'_>, carried: &Carried) -> Vec<usize> {
     let (t, t_end) = (&carried.solution.t, carried.solution.t_end);
     let p: Vec<Tangent<1>> = parts.problem.scene.parameters.iter().map(|p| Tangent::from_f64(*p)).collect();
     let jumps = corners(parts.problem, &p).into_iter().filter(|corner| corner.jumps).map(|corner| corner.at);
-    let jumps: Vec<f64> = jumps.chain(carried.way.instants.iter().map(|instant| instant.t)).collect();
+    let jumps: Vec<f64> = jumps.chain(carried.history.instants.iter().map(|instant| instant.t)).collect();
     let is_beside = |t: f64| jumps.iter().any(|jump| (t - jump).abs() <= BESIDE * t.abs().max(1.0));
     let up_to = |part: usize| (0..=t.len() * part / 40).rev().find(|at| t.get(*at).is_some_and(|t| !is_beside(*t)));
     let mut list: Vec<usize> = [38, 39].into_iter().filter_map(up_to).collect();

@@ -4,13 +4,14 @@ use super::bounce::{Bounced, Parts};
 use super::contacts::Wide;
 use super::corners::corners;
 use super::graze::{self, near};
+use super::history::ContactHistory;
 use super::start::Seed;
-use super::way::Way;
 use crate::code::{Code, Ready, code, code_of, derivation};
 use crate::error::{Error, refused};
 use crate::interpreted::Interpreted;
 use crate::mechanism::Mechanism;
 use crate::preparation::impacts::Approach;
+use crate::preparation::initial::InitialState;
 use crate::preparation::problem::Problem;
 use crate::trust::power::accounted;
 use std::cell::OnceCell;
@@ -73,7 +74,7 @@ impl Equations {
         }
     }
 
-    /// Makes a run with its derivatives by each of the seeds, from a state with slopes along each seed.
+    /// Makes a run with its derivatives by each of the seeds of its start.
     ///
     /// The results are the derivatives of the run itself, along the steps that it takes. One run carries four slopes.
     /// If there are more seeds, the same run is made again for each further four.
@@ -83,23 +84,23 @@ impl Equations {
     pub fn run(
         &self,
         problem: &Problem<'_>,
-        (from, seeds): (&From<'_>, &[Seed]),
+        from: &SeededStart<'_>,
         options: &Options,
         events: &mut [Event<'_>],
     ) -> Result<Carried, Error> {
         let mut carried: Option<Carried> = None;
-        for first in (0..seeds.len()).step_by(4) {
-            let part = first..seeds.len().min(first + 4);
-            let more = match part.len() {
-                1 => watched(problem, self.one(), (from, part.start, &seeds[part]), options, events)?,
-                _ => watched(problem, self.four(), (from, part.start, &seeds[part]), options, events)?,
+        for (seeds, slopes) in from.seeds.chunks(4).zip(from.slopes.chunks(4)) {
+            let part = SeededStart { seeds, slopes, ..*from };
+            let more = match seeds.len() {
+                1 => watched(problem, self.one(), &part, options, events)?,
+                _ => watched(problem, self.four(), &part, options, events)?,
             };
             match &mut carried {
                 None => carried = Some(more),
                 Some(known) => {
                     known.at.extend(more.at);
                     known.end.extend(more.end);
-                    known.way.extend(more.way);
+                    known.history.extend(more.history);
                 }
             }
         }
@@ -108,11 +109,14 @@ impl Equations {
 }
 
 /// Start of a run with slopes: an instant, a state, and the slopes of the state by each seed.
-pub struct From<'a> {
+#[derive(Clone, Copy)]
+pub struct SeededStart<'a> {
     /// First and last instant, s.
     pub span: (f64, f64),
     /// Integrated state at the first instant.
     pub y: &'a [f64],
+    /// Numbers by which derivatives are taken.
+    pub seeds: &'a [Seed],
     /// Slopes of the state `y`, a list for each seed.
     pub slopes: &'a [Vec<f64>],
 }
@@ -126,7 +130,7 @@ pub struct Carried {
     /// Slopes of the integrated state at the end of the run: by each seed, of each component.
     pub end: Vec<Vec<f64>>,
     /// Changes of contacts during the run, and ends of derivatives.
-    pub way: Way,
+    pub history: ContactHistory,
 }
 
 /// Functions of interpreted equations that compute rates and Taylor coefficients with slopes.
@@ -146,13 +150,13 @@ fn compiled(code: &Code) -> Option<InTangents<'static>> {
 fn watched<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
-    from: (&From<'_>, usize, &[Seed]),
+    from: &SeededStart<'_>,
     options: &Options,
     events: &mut [Event<'_>],
 ) -> Result<Carried, Error> {
-    let (mut carried, approaches) = carry(problem, parts, from, (options, true), events)?;
+    let (mut carried, approaches) = carry(problem, parts, from, options, Touches::Listed, events)?;
     for approach in &approaches {
-        end_at(problem, parts, &mut carried, (approach, from.2), options)?;
+        end_at(problem, parts, &mut carried, approach, from.seeds, options)?;
     }
     Ok(carried)
 }
@@ -162,7 +166,8 @@ fn end_at<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
     carried: &mut Carried,
-    (approach, seeds): (&Approach, &[Seed]),
+    approach: &Approach,
+    seeds: &[Seed],
     options: &Options,
 ) -> Result<(), Error> {
     let Approach { contact, t, y } = approach;
@@ -170,14 +175,14 @@ fn end_at<const K: usize>(
     let Some(sample) = solution.t.iter().rposition(|sample| sample <= t) else { return Ok(()) };
     let mut slopes: Vec<Vec<f64>> = carried.at.iter().map(|list| list[sample].clone()).collect();
     if solution.t[sample] < *t {
-        let from = From { span: (solution.t[sample], *t), y: &solution.y[sample], slopes: &slopes };
+        let from = SeededStart { span: (solution.t[sample], *t), y: &solution.y[sample], seeds, slopes: &slopes };
         let short = Options { output: Output::Ends, ..options.clone() };
-        slopes = carry(problem, parts, (&from, 0, seeds), (&short, false), &mut [])?.0.end;
+        slopes = carry(problem, parts, &from, &short, Touches::Ignored, &mut [])?.0.end;
     }
     let contacts = problem.contacts();
     let wide = Wide::new(&contacts, problem.code.extended(), near(options));
     for (k, (seed, slopes)) in seeds.iter().zip(&slopes).enumerate() {
-        if let Err(why) = graze::check(&wide, (*contact, y), &seed.varied(), slopes) {
+        if let Err(why) = graze::check(&wide, *contact, y, &seed.varied(), slopes) {
             carried.over(k, *t, why);
         }
     }
@@ -187,22 +192,33 @@ fn end_at<const K: usize>(
 impl Carried {
     /// Ends the derivatives by a number at the instant `t`, s: later slopes become NaN.
     fn over(&mut self, number: usize, t: f64, why: String) {
-        self.way.end(number, t, why);
+        self.history.end(number, t, why);
         let later = self.solution.t.iter().zip(&mut self.at[number]).filter(|(sample, _)| **sample >= t);
         let later = later.map(|(_, slopes)| slopes);
         later.chain([&mut self.end[number]]).for_each(|slopes| slopes.fill(f64::NAN));
     }
 }
 
-/// Makes one run in numbers with `K` slopes, by `seeds`. Also lists the minima of gaps that are nearly zero, if
-/// `is_watched` is true.
+/// Treatment of gaps whose minimum is nearly zero.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Touches {
+    /// Their minima are listed.
+    Listed,
+    /// Their minima are not looked for.
+    Ignored,
+}
+
+/// Makes one run in numbers with `K` slopes, by at most `K` seeds. Also lists the minima of gaps that are nearly zero,
+/// if `touches` says so.
 fn carry<const K: usize>(
     problem: &Problem<'_>,
     parts: Parts<'_, K>,
-    (from, first, seeds): (&From<'_>, usize, &[Seed]),
-    (options, is_watched): (&Options, bool),
+    from: &SeededStart<'_>,
+    options: &Options,
+    touches: Touches,
     events: &mut [Event<'_>],
 ) -> Result<(Carried, Vec<Approach>), Error> {
+    let SeededStart { span, seeds, .. } = *from;
     let tangent = |value: f64, slope: &dyn Fn(usize) -> f64| {
         let mut slopes = [0.0; K];
         for (k, out) in slopes.iter_mut().enumerate().take(seeds.len()) {
@@ -213,19 +229,22 @@ fn carry<const K: usize>(
     let values = problem.scene.parameters.iter().enumerate();
     let p: Vec<Tangent<K>> = values.map(|(at, p)| tangent(*p, &|k| seeds[k].parameters[at])).collect();
     let values = from.y.iter().enumerate();
-    let y0: Vec<Tangent<K>> = values.map(|(at, y)| tangent(*y, &|k| from.slopes[first + k][at])).collect();
+    let y0: Vec<Tangent<K>> = values.map(|(at, y)| tangent(*y, &|k| from.slopes[k][at])).collect();
     let options = Options { corners: corners(problem, &p), ..problem.options(options) };
-    let (solution, way, approaches) = if problem.scene.impacts.is_empty() {
-        (smooth(problem, parts, &p, (from.span, &y0), &options, events)?, Way::new(seeds.len()), Vec::new())
+    let start = InitialState { span, y: &y0 };
+    let (solution, history, approaches) = if problem.scene.impacts.is_empty() {
+        (smooth(problem, parts, &p, start, &options, events)?, ContactHistory::new(seeds.len()), Vec::new())
     } else {
-        let (contacts, near) = (problem.contacts(), (near(&options), is_watched));
-        let bounced = Bounced::new(problem, parts, (&p, seeds), (&contacts, &options.corners), near);
-        let run = problem.bounce(&contacts, &bounced, (from.span, &y0), &options, events, accounted(problem)?);
+        let (contacts, near) = (problem.contacts(), near(&options));
+        let mut bounced = Bounced::new(problem, parts, &p, seeds, &contacts, near);
+        bounced.corners = &options.corners;
+        bounced.near = (touches == Touches::Listed).then_some(near);
+        let run = problem.bounce(&contacts, &bounced, start, &options, events, accounted(problem)?);
         let run = run.map_err(|error| refused(problem.scene, &error))?;
-        (run, bounced.way.into_inner(), bounced.approaches.into_inner())
+        (run, bounced.history.into_inner(), bounced.approaches.into_inner())
     };
     let slopes = |k: usize, t: f64, y: &[Tangent<K>]| -> Vec<f64> {
-        let is_over = way.endings[k].as_ref().is_some_and(|ending| t >= ending.t);
+        let is_over = history.endings[k].as_ref().is_some_and(|ending| t >= ending.t);
         y.iter().map(|y| if is_over { f64::NAN } else { y.slopes[k] }).collect()
     };
     let at = |k: usize| solution.t.iter().zip(&solution.y).map(|(t, y)| slopes(k, *t, y)).collect();
@@ -233,7 +252,7 @@ fn carry<const K: usize>(
         at: (0..seeds.len()).map(at).collect(),
         end: (0..seeds.len()).map(|k| slopes(k, solution.t_end, &solution.y_end)).collect(),
         solution: solution.rounded(),
-        way,
+        history,
     };
     Ok((carried, approaches))
 }
@@ -243,7 +262,7 @@ fn smooth<const K: usize>(
     problem: &Problem<'_>,
     (flow, series): Parts<'_, K>,
     p: &[Tangent<K>],
-    (span, y0): ((f64, f64), &[Tangent<K>]),
+    start: InitialState<'_, Tangent<K>>,
     options: &Options,
     events: &mut [Event<'_>],
 ) -> Result<Solution<Tangent<K>>, Error> {
@@ -264,5 +283,5 @@ fn smooth<const K: usize>(
         yields: None,
     };
     let lent = Lent(&mut with as &mut dyn RightHandSide<Tangent<K>>);
-    integrate(lent, span, y0, options, events).map_err(|error| refused(problem.scene, &error))
+    integrate(lent, start.span, start.y, options, events).map_err(|error| refused(problem.scene, &error))
 }

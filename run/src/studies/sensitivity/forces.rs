@@ -2,7 +2,7 @@
 
 use super::contacts::{Acting, Change, Direction, Wide, Without};
 use super::grip::Grip;
-use crate::preparation::impacts::{Contacts, Kept, Operators};
+use crate::preparation::impacts::{Contacts, HeldContacts, Operators};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Mode};
 
@@ -25,7 +25,7 @@ pub struct Varied<'v> {
 
 /// Contacts that are held at a state, and their forces.
 pub struct Forces {
-    kept: Kept,
+    kept: HeldContacts,
     y: Vec<f64>,
     /// Rates of the state without the forces of contacts.
     free: Vec<f64>,
@@ -45,7 +45,7 @@ impl Forces {
     ///
     /// # Errors
     /// [`Failure`] where the forces are not finite.
-    pub fn new(contacts: &Contacts<'_>, kept: &Kept, y: &[f64], free: Vec<f64>) -> Result<Self, Failure> {
+    pub fn new(contacts: &Contacts<'_>, kept: &HeldContacts, y: &[f64], free: Vec<f64>) -> Result<Self, Failure> {
         let rates = contacts.rates(y);
         let (operators, response) = (contacts.operators(y, &rates)?, contacts.response(y, &rates)?);
         let accelerations = &rates.slopes * DVector::from_column_slice(&free);

@@ -24,7 +24,7 @@ pub fn near(options: &Options) -> f64 {
 ///
 /// # Errors
 /// Text that says why there is no derivative by the varied number.
-pub fn check(wide: &Wide<'_>, (contact, y): (usize, &[f64]), varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
+pub fn check(wide: &Wide<'_>, contact: usize, y: &[f64], varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
     let direction = Direction { parameters: varied.parameters, state };
     let row = wide.contacts.rows[contact][0];
     let changes = [wide.gap(contact, y, direction), wide.velocity(row, y, direction)];

@@ -1,7 +1,7 @@
 //! Rows that contacts hold, and friction of slipping contacts. Forces along held rows follow from the motion of the
 //! rows, and friction follows from the forces along gaps.
 
-use crate::preparation::impacts::{Contacts, Kept};
+use crate::preparation::impacts::{Contacts, HeldContacts};
 use nalgebra::{DMatrix, DVector};
 use tripos_sim::{Found, Mode};
 
@@ -34,11 +34,20 @@ pub struct Slip {
     pub factor: f64,
 }
 
+/// Row of the gap of a contact.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Gap {
+    /// The velocity of the gap is held.
+    Held,
+    /// Only the slip is held: the contact does not push beyond its given impulse.
+    Free,
+}
+
 impl Grip {
     /// Rows and friction of contacts that are held in a motion.
-    pub fn of(contacts: &Contacts<'_>, kept: &Kept) -> Self {
+    pub fn of(contacts: &Contacts<'_>, kept: &HeldContacts) -> Self {
         let mut grip = Self::default();
-        kept.iter().for_each(|(at, mode)| grip.add(contacts, at, mode, true));
+        kept.iter().for_each(|(at, mode)| grip.add(contacts, at, mode, Gap::Held));
         grip
     }
 
@@ -46,16 +55,16 @@ impl Grip {
     pub fn found(contacts: &Contacts<'_>, which: &[usize], found: &Found) -> Self {
         let mut grip = Self::default();
         let each = which.iter().zip(&found.modes).zip(&found.pushes);
-        each.for_each(|((at, mode), pushes)| grip.add(contacts, *at, *mode, *pushes));
+        each.for_each(|((at, mode), pushes)| {
+            grip.add(contacts, *at, *mode, if *pushes { Gap::Held } else { Gap::Free });
+        });
         grip
     }
 
-    /// Adds the rows and friction of a contact in a mode. `pushes` is false if the contact does not push beyond its
-    /// given impulse.
-    fn add(&mut self, contacts: &Contacts<'_>, contact: usize, mode: Mode, pushes: bool) {
+    /// Adds the rows and friction of a contact in a mode.
+    fn add(&mut self, contacts: &Contacts<'_>, contact: usize, mode: Mode, gap: Gap) {
         let rows = &contacts.rows[contact];
-        // A contact that does not push beyond its given impulse holds its slip alone.
-        let first = usize::from(!pushes);
+        let first = usize::from(gap == Gap::Free);
         match mode {
             Mode::Opens => {}
             Mode::Pushes | Mode::Sticks => self.rows.extend(&rows[first..]),

@@ -5,8 +5,8 @@
 
 use super::contacts::{Acting, Change, Direction, Wide, Without};
 use super::grip::Grip;
+use super::history::{ContactHistory, end};
 use super::start::Seed;
-use super::way::{Way, end};
 use crate::preparation::impacts::Held;
 use std::cell::RefCell;
 use tripos_derive::algebra::value::evaluate::Tape;
@@ -14,7 +14,7 @@ use tripos_sim::{Failure, RightHandSide, Tangents};
 use tripos_traits::{Real, Scalar, Tangent};
 
 /// Gaps and velocities of contacts as tapes in numbers with slopes.
-pub struct Told<const K: usize> {
+pub struct ContactTapes<const K: usize> {
     /// Tape of the gap of each contact. Inputs: parameters, then coordinates.
     pub gaps: Vec<Tape<Tangent<K>>>,
     /// Tape whose first values are the velocities along all rows. Inputs: parameters, then state.
@@ -28,11 +28,11 @@ pub struct HeldTangents<'a, const K: usize> {
     /// Equations with the forces of held contacts in doubles.
     pub held: Held<'a>,
     pub wide: &'a Wide<'a>,
-    pub told: &'a Told<K>,
+    pub tapes: &'a ContactTapes<K>,
     /// Values of the parameters with their slopes by the seeds.
     pub parameters: &'a [Tangent<K>],
     pub seeds: &'a [Seed],
-    pub way: &'a RefCell<Way>,
+    pub history: &'a RefCell<ContactHistory>,
 }
 
 /// Rounds a state to doubles.
@@ -68,7 +68,7 @@ impl<const K: usize> HeldTangents<'_, K> {
                     let more = dydt[first..].iter_mut().zip(change.variables.iter());
                     more.for_each(|(rate, more)| *rate = rate.turned(k, *more));
                 }
-                Err(why) => end(self.way, k, t, why),
+                Err(why) => end(self.history, k, t, why),
             }
         }
         for (rate, change) in dydt[first..].iter_mut().zip(changes.iter()) {
@@ -82,11 +82,11 @@ impl<const K: usize> HeldTangents<'_, K> {
         let n = y.len() - self.held.contacts.system.lengths().variables;
         let of_gaps: Vec<Tangent<K>> = [self.parameters, &y[..n]].concat();
         let of_rates: Vec<Tangent<K>> = [self.parameters, y].concat();
-        let gaps = self.held.kept.which.iter().map(|at| self.told.gaps[*at].evaluate(&of_gaps)[0]);
-        let velocities = self.told.rates.evaluate(&of_rates);
+        let gaps = self.held.kept.which.iter().map(|at| self.tapes.gaps[*at].evaluate(&of_gaps)[0]);
+        let velocities = self.tapes.rates.evaluate(&of_rates);
         let rates = self.held.rows().into_iter().map(|row| velocities[row]);
-        for (value, told) in values[own..].iter_mut().zip(gaps.chain(rates)) {
-            value.slopes = told.slopes;
+        for (value, tapes) in values[own..].iter_mut().zip(gaps.chain(rates)) {
+            value.slopes = tapes.slopes;
         }
     }
 }

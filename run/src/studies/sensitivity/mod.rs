@@ -29,26 +29,27 @@ pub mod gradient;
 mod graze;
 mod grip;
 mod held;
+mod history;
 mod shown;
 mod start;
 mod strike;
-mod way;
 mod zero;
 
 use crate::code::by_or_first;
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::options::options;
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::Shown;
+use crate::simulation::outputs::ShownQuantities;
 use crate::simulation::run::Run;
-use crate::simulation::simulate::{changes_speeds, proved, run_by};
+use crate::simulation::run_problem::{proved, run_by};
+use crate::simulation::simulate::changes_speeds;
 use apart::Apart;
 use ends::{End, end, instants, second};
-use equations::{Carried, Equations, From};
+use equations::{Carried, Equations, SeededStart};
 use shown::Quantities;
 use start::Seed;
-use tripos_derive::mechanics::By;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 
 /// A run with the derivatives of its shown quantities.
@@ -133,8 +134,9 @@ pub fn sensitivities(
     mechanism: &Mechanism,
     scene: &Scene,
     set: &[(String, f64)],
-    (names, at): (&[String], At),
-    by: Option<&str>,
+    names: &[String],
+    at: At,
+    by: Option<&EquationsName>,
 ) -> Result<Sensitivities, Error> {
     check_names(names)?;
     check_equations(scene, by)?;
@@ -144,32 +146,32 @@ pub fn sensitivities(
         return Err(Error::request("printed equations are not differentiated", help));
     }
     if let Some(run) = changes_speeds(mechanism, scene, &by)? {
-        return by_differences(mechanism, (scene, set), (names, at), run);
+        return by_differences(mechanism, scene, set, names, at, run);
     }
     let equations = Equations::new(mechanism, scene, &by, scene.integration.method.method().unwrap_or_default())?;
     let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(Solve::Eliminated))?;
     let seeds = names.iter().map(|name| Seed::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
     let how = options(scene);
     seeds.iter().try_for_each(|seed| corners::check(&problem, seed, &how).and_then(|()| seed.check(scene)))?;
-    let (shown, quantities) = (Shown::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
+    let (shown, quantities) = (ShownQuantities::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
     let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
     let mut carried = None;
     let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
-        let from = From { span: scene.span, y: y0, slopes: &slopes };
-        let carried = carried.insert(equations.run(&problem, (&from, &seeds), options, events)?);
+        let from = SeededStart { span: scene.span, y: y0, seeds: &seeds, slopes: &slopes };
+        let carried = carried.insert(equations.run(&problem, &from, options, events)?);
         Ok(carried.solution.clone())
     })?;
     let carried = carried.ok_or_else(|| Error::Stopped("the run was not made".to_owned()))?;
     let parts = Parts { problem: &problem, equations: &equations, quantities: &quantities, seeds: &seeds };
     let own = end(&parts, &carried)?;
-    let (errors, assessed_by) = second(&parts, &carried, (&own, &slopes))?;
+    let (errors, assessed_by) = second(&parts, &carried, &own, &slopes)?;
     let samples = match at {
         At::End => Vec::new(),
         At::Samples => samples(&parts, &carried)?,
     };
     let events = instants(&parts, &carried, &own.t)?;
     let ended: Vec<Option<String>> =
-        carried.way.endings.iter().map(|ending| Some(ending.as_ref()?.to_string())).collect();
+        carried.history.endings.iter().map(|ending| Some(ending.as_ref()?.to_string())).collect();
     run.notes.splice(..0, notes(mechanism, &seeds, &carried, &own));
     run.warnings.extend(jumps(mechanism));
     let over = names.iter().zip(&ended).filter_map(|(name, why)| Some((name, why.as_ref()?)));
@@ -195,8 +197,10 @@ pub fn sensitivities(
 /// Computes the derivatives of a run that changes its speeds on the way, by differences of runs.
 fn by_differences(
     mechanism: &Mechanism,
-    (scene, set): (&Scene, &[(String, f64)]),
-    (names, at): (&[String], At),
+    scene: &Scene,
+    set: &[(String, f64)],
+    names: &[String],
+    at: At,
     run: Run,
 ) -> Result<Sensitivities, Error> {
     if at == At::Samples {
@@ -247,10 +251,10 @@ fn check_names(names: &[String]) -> Result<(), Error> {
 }
 
 /// Refuses equations and runs that cannot be differentiated.
-fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
+fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Error> {
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
-    if by == Some(By::Reduced.name().as_str()) {
+    if by == Some(&EquationsName::Reduced) {
         let help = "leave `--by` out: whole equations are run for derivatives";
         return refuse("a scene's reduced equations are not differentiated", help);
     }

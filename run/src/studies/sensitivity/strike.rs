@@ -3,7 +3,7 @@
 
 use super::forces::NOTHING;
 use super::grip::Grip;
-use crate::preparation::impacts::{Contacts, Crossing, Kept, Operators, Response};
+use crate::preparation::impacts::{Contacts, Crossing, HeldContacts, Operators, Response};
 use nalgebra::DVector;
 use tripos_sim::{Failure, Share};
 
@@ -56,7 +56,7 @@ pub fn strikes(contacts: &Contacts<'_>, crossing: &Crossing<'_>) -> Result<Vec<S
             made.note_resting(hit, crossing.kept);
         }
     }
-    let mut still = Kept::default();
+    let mut still = HeldContacts::default();
     for at in &after.closed {
         if let Some(mode) = after.rested.mode(*at).or_else(|| after.kept.mode(*at)) {
             still.push(*at, mode);
@@ -106,7 +106,7 @@ impl Making<'_> {
             let grips: Vec<Grip> = found.iter().map(|found| Grip::found(contacts, which, found)).collect();
             let impulses = contacts.spread(&found[0].forces, &rows);
             let (grip, others) = (grips[0].clone(), grips[1..].to_vec());
-            return self.add(law, impulses, grip, (Vec::new(), others));
+            return self.add(law, impulses, grip, Vec::new(), others);
         }
         let impulses = closed.push(&taken).map_err(|_| unknown())?;
         let shares = closed.shares(&taken, &impulses);
@@ -115,12 +115,13 @@ impl Making<'_> {
         };
         let rows_of = of(&|share| share != Share::Parts).into_iter().flat_map(|at| contacts.rows[at].clone()).collect();
         let grip = Grip { rows: rows_of, slips: Vec::new() };
-        self.add(law, contacts.spread(&impulses, &rows), grip, (of(&|share| share == Share::Neither), Vec::new()))
+        let undecided = of(&|share| share == Share::Neither);
+        self.add(law, contacts.spread(&impulses, &rows), grip, undecided, Vec::new())
     }
 
     /// Records the contacts of the last strike whose gaps had no velocity. A contact that was held is left out: its
     /// velocity stays zero whatever is varied.
-    fn note_resting(&mut self, hit: &[usize], kept: &Kept) {
+    fn note_resting(&mut self, hit: &[usize], kept: &HeldContacts) {
         let contacts = self.contacts;
         let Some(strike) = self.list.last_mut() else { return };
         let (rates, first) = (contacts.rates(&strike.y), strike.y.len() - strike.operators.basis.nrows());
@@ -137,27 +138,29 @@ impl Making<'_> {
         let nothing = || DVector::zeros(self.contacts.count);
         let compression = self.list.last().map_or_else(nothing, |strike| strike.impulses.clone());
         let given = along_rows(self.contacts, |at| self.contacts.impacts[at].restitution).component_mul(&compression);
-        self.add(Law::Return(compression), given.clone(), Grip::default(), (Vec::new(), Vec::new()))?;
+        self.add(Law::Return(compression), given.clone(), Grip::default(), Vec::new(), Vec::new())?;
         Ok(given)
     }
 
     /// Adds a strike whose impulses bring contacts to rest.
-    fn rest(&mut self, still: &Kept) -> Result<(), Failure> {
+    fn rest(&mut self, still: &HeldContacts) -> Result<(), Failure> {
         let contacts = self.contacts;
         let response = self.response()?;
         let (closed, rows) = contacts.closed(&response, &still.which);
         let impulses = closed.hold(&response.velocities.select_rows(&rows), &still.modes).ok_or_else(unknown)?;
         let impulses = contacts.spread(&impulses, &rows);
-        self.add(Law::Stop { given: None }, impulses, Grip::of(contacts, still), (Vec::new(), Vec::new()))
+        self.add(Law::Stop { given: None }, impulses, Grip::of(contacts, still), Vec::new(), Vec::new())
     }
 
-    /// Adds a strike with known impulses, and applies them to the state.
+    /// Adds a strike with known impulses, and applies them to the state. `undecided` and `others` are the fields of
+    /// [`Strike`].
     fn add(
         &mut self,
         law: Law,
         impulses: DVector<f64>,
         grip: Grip,
-        (undecided, others): (Vec<usize>, Vec<Grip>),
+        undecided: Vec<usize>,
+        others: Vec<Grip>,
     ) -> Result<(), Failure> {
         let operators = self.contacts.operators(&self.y, &self.contacts.rates(&self.y))?;
         let changes = &operators.basis * operators.inertia.solve(&(operators.of_u.transpose() * &impulses));

@@ -3,7 +3,7 @@
 use super::contacts::{Direction, SMALL, Wide};
 use super::forces::{Forces, NOTHING, RatesAlong, Varied};
 use super::graze;
-use crate::preparation::impacts::{Crossing, Happening};
+use crate::preparation::impacts::{ContactChange, Crossing};
 use tripos_sim::Mode;
 
 /// Function of the state that is zero where a contact changes.
@@ -88,7 +88,7 @@ impl<'c> Zeros<'c> {
     /// Text that names the contacts and the number.
     pub fn stay_together(&self, varied: &Varied<'_>, state: &[f64]) -> Result<(), String> {
         let (wide, y) = (self.coming.wide, self.coming.crossing.before);
-        self.touched.iter().try_for_each(|contact| graze::check(wide, (*contact, y), varied, state))?;
+        self.touched.iter().try_for_each(|contact| graze::check(wide, *contact, y, varied, state))?;
         let Some(first) = self.first.as_ref().filter(|_| !self.others.is_empty()) else { return Ok(()) };
         let a = self.coming.moves(first, varied, state)?;
         for other in &self.others {
@@ -113,12 +113,12 @@ impl<'c> Zeros<'c> {
 
 /// Finds the zeros of a crossing, the one that causes it first, and the contacts that are touched without a velocity.
 fn zeros(of: &Coming<'_>) -> Result<(Vec<Zero>, Vec<usize>), String> {
-    let Crossing { happening, kept, after, .. } = of.crossing;
-    let Some(happening) = *happening else { return Ok((Vec::new(), Vec::new())) };
-    let contact = happening.contact();
+    let Crossing { contact_change, kept, after, .. } = of.crossing;
+    let Some(contact_change) = *contact_change else { return Ok((Vec::new(), Vec::new())) };
+    let contact = contact_change.contact();
     let mut touched = Vec::new();
-    let mut list = match happening {
-        Happening::Closes(_) | Happening::Nears(_) => {
+    let mut list = match contact_change {
+        ContactChange::Closes(_) | ContactChange::Nears(_) => {
             let is_new = |other: &usize| kept.mode(*other).is_none() && *other != contact;
             let mut list = Vec::new();
             for at in std::iter::once(contact).chain(after.closed.iter().copied().filter(is_new)) {
@@ -130,10 +130,12 @@ fn zeros(of: &Coming<'_>) -> Result<(Vec<Zero>, Vec<usize>), String> {
             }
             list
         }
-        Happening::Opens(_) => vec![of.crosses(What::Force, contact)?],
-        Happening::Slips(_) => vec![of.crosses(What::Margin, contact)?],
-        Happening::Sticks(_) | Happening::Reverses(_) => vec![of.crosses(What::Slip, contact)?],
-        Happening::Jams(_) => return Err(format!("the force of the contact `{}` is not determined", of.name(contact))),
+        ContactChange::Opens(_) => vec![of.crosses(What::Force, contact)?],
+        ContactChange::Slips(_) => vec![of.crosses(What::Margin, contact)?],
+        ContactChange::Sticks(_) | ContactChange::Reverses(_) => vec![of.crosses(What::Slip, contact)?],
+        ContactChange::Jams(_) => {
+            return Err(format!("the force of the contact `{}` is not determined", of.name(contact)));
+        }
     };
     if after.hits.is_empty() {
         for (other, mode) in kept.iter().filter(|(other, _)| *other != contact) {

@@ -7,7 +7,7 @@ use crate::code::{Ready, code, tape};
 use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
 use crate::preparation::problem::Problem;
-use crate::studies::case::{Case, whole};
+use crate::studies::case::{Case, Printed, whole};
 use crate::studies::figure::{Figure, Panel, Scale, Series};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::text::print::text;
@@ -37,16 +37,24 @@ fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint)
     u_dot
 }
 
-/// Examines the accelerations of a case at a state of a passage. Returns the largest error of u̇ relative to the largest
-/// u̇, NaN if the linear system has no solution. Also returns the condition numbers of the matrix, first as it is, then
-/// with its rows and columns scaled.
+/// Error of the accelerations at a state, and condition numbers of their matrix.
+struct Examined {
+    /// Largest error of u̇ relative to the largest u̇; NaN if the linear system has no solution.
+    error: f64,
+    /// Condition number of the matrix as it is.
+    plain: f64,
+    /// Condition number of the matrix with its rows and columns scaled.
+    scaled: f64,
+}
+
+/// Examines the accelerations of a case at a state of a passage.
 fn look(
     case: &Case,
     extended: &dyn System<DoubleDouble>,
     scene: &Scene,
     place: &Waypoint,
     exact: &[DoubleDouble],
-) -> Result<(f64, f64, f64), Error> {
+) -> Result<Examined, Error> {
     let (system, p) = (case.code.system(), scene.parameters.as_slice());
     let mut v = vec![0.0; system.lengths().variables];
     system.motion_variables(p, &place.q, &place.u, &mut v);
@@ -70,7 +78,8 @@ fn look(
     let n = system.lengths().unknowns();
     let mut matrix = vec![0.0; n * n];
     system.mass_matrix(p, &place.q, &v, &mut matrix);
-    Ok((error, 1.0 / linear::plain_reciprocal_condition(&matrix, n), 1.0 / linear::reciprocal_condition(&matrix, n)))
+    let plain = 1.0 / linear::plain_reciprocal_condition(&matrix, n);
+    Ok(Examined { error, plain, scaled: 1.0 / linear::reciprocal_condition(&matrix, n) })
 }
 
 /// States along the first passage of the scene's rung that is nearest to the singular surface, up to `PER_DECADE` in
@@ -163,13 +172,14 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let places = places(study)?;
     let mut scene = study.scene.clone();
     scene.integration.distance = None;
-    let (cases, _) = whole(study.model, &scene, false)?;
+    let (cases, _) = whole(study.model, &scene, Printed::LeftOut)?;
     let mut curves = Curves::default();
     for case in &cases {
         let (mut error_points, mut plain, mut scaled) = (Vec::new(), Vec::new(), Vec::new());
         for place in &places {
             let exact = exact(study, lagrange.extended(), place);
-            let (error, cond, equilibrated) = look(case, case.code.extended(), &scene, place, &exact)?;
+            let Examined { error, plain: cond, scaled: equilibrated } =
+                look(case, case.code.extended(), &scene, place, &exact)?;
             // An error below half a unit in the last place counts as 1e-17.
             error_points.push((place.divisor, larger(error, 1e-17)));
             plain.push((place.divisor, cond));

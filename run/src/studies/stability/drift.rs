@@ -43,6 +43,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let samples = instants(long, 500);
     let unit = &watch.integrals[energy].unit;
     let mut series = Vec::new();
+    let long_run = LongRun { problem: &problem, y0: &y0, span: long, watch: &watch, energy };
     for method in Method::ALL {
         let system = code.system();
         let has_jacobian = system.has_accelerations() || !method.needs_jacobian();
@@ -62,8 +63,8 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
                 output: Output::At(samples.clone()),
                 ..Options::tolerances(1e-6, 1e-8)
             };
-            let (word, points) = energy_along(&problem, &y0, long, &options, (&watch, energy), (how, findings))?;
-            series.push(Series::curve(format!("{}, {how}: {word}", method.name()), series.len() + at, points));
+            let EnergyCourse { trend, changes } = long_run.course(&options, how, findings)?;
+            series.push(Series::curve(format!("{}, {how}: {trend}", method.name()), series.len() + at, changes));
         }
     }
     let panel = Panel {
@@ -79,49 +80,62 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     Ok(())
 }
 
-/// A word for the trend of the energy, and pairs of instant, s, and size of the energy's change since the start.
-type Told = (&'static str, Vec<(f64, f64)>);
+/// Change of the energy along a run.
+struct EnergyCourse {
+    /// Word that says if the energy drifts.
+    trend: &'static str,
+    /// Pairs of an instant, s, and the size of the energy's change since the start.
+    changes: Vec<(f64, f64)>,
+}
 
-/// Makes one long run. Returns a word that says if the energy drifts, and its change since the start at each sample.
-/// Adds the rows of the table.
-fn energy_along(
-    problem: &Problem<'_>,
-    y0: &[f64],
+/// A long run whose energy is examined.
+struct LongRun<'r> {
+    problem: &'r Problem<'r>,
+    /// Integrated state at the start.
+    y0: &'r [f64],
+    /// First and last instant, s.
     span: (f64, f64),
-    options: &Options,
-    (watch, energy): (&Watch, usize),
-    (how, findings): (&str, &mut Findings),
-) -> Result<Told, Error> {
-    let run = problem.integrate_over(span, y0, options, &mut []).map_err(|e| refused(problem.scene, &e))?;
-    let run = uninterrupted(run)?;
-    let drifts = watch.course(problem, &run, energy);
-    // A run that did not arrive has no trend.
-    let word = match trend(&drifts) {
-        _ if run.stop.is_failure() => "stopped",
-        Trend::Secular => "secular",
-        Trend::Bounded => "bounded",
-    };
-    findings.rows.push(Row {
-        check: "long run",
-        formulation: problem.by.name(),
-        solve: problem.solve.name(),
-        method: options.method.name(),
-        case: how.to_owned(),
-        quantity: "energy drift",
-        value: Some(drifts.iter().map(|x| x.abs()).fold(0.0, larger)),
-        expected: None,
-        remark: format!("{word}; {} after {} steps", run.stop.code(), run.steps),
-    });
-    let points: Vec<(f64, f64)> = run.t.iter().copied().zip(drifts.iter().map(|x| x.abs())).skip(1).collect();
-    findings.rows.extend(points.iter().map(|(t, drift)| Row {
-        check: "long run",
-        method: options.method.name(),
-        case: format!("{how} t={t}"),
-        quantity: "energy change",
-        value: Some(*drift),
-        ..Row::default()
-    }));
-    Ok((word, points))
+    /// First integrals of the motion.
+    watch: &'r Watch,
+    /// Index of the energy among the first integrals.
+    energy: usize,
+}
+
+impl LongRun<'_> {
+    /// Makes the run with given options. Adds the rows of the table, under the case `how`.
+    fn course(&self, options: &Options, how: &str, findings: &mut Findings) -> Result<EnergyCourse, Error> {
+        let Self { problem, y0, span, watch, energy } = *self;
+        let run = problem.integrate_over(span, y0, options, &mut []).map_err(|e| refused(problem.scene, &e))?;
+        let run = uninterrupted(run)?;
+        let drifts = watch.course(problem, &run, energy);
+        // A run that did not arrive has no trend.
+        let word = match trend(&drifts) {
+            _ if run.stop.is_failure() => "stopped",
+            Trend::Secular => "secular",
+            Trend::Bounded => "bounded",
+        };
+        findings.rows.push(Row {
+            check: "long run",
+            formulation: problem.by.name(),
+            solve: problem.solve.name(),
+            method: options.method.name(),
+            case: how.to_owned(),
+            quantity: "energy drift",
+            value: Some(drifts.iter().map(|x| x.abs()).fold(0.0, larger)),
+            expected: None,
+            remark: format!("{word}; {} after {} steps", run.stop.code(), run.steps),
+        });
+        let points: Vec<(f64, f64)> = run.t.iter().copied().zip(drifts.iter().map(|x| x.abs())).skip(1).collect();
+        findings.rows.extend(points.iter().map(|(t, drift)| Row {
+            check: "long run",
+            method: options.method.name(),
+            case: format!("{how} t={t}"),
+            quantity: "energy change",
+            value: Some(*drift),
+            ..Row::default()
+        }));
+        Ok(EnergyCourse { trend: word, changes: points })
+    }
 }
 
 /// Runs a problem with a tolerance below the rounding of the variables, and with a larger one for comparison. The small

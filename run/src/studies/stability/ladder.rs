@@ -7,7 +7,7 @@ use crate::error::{Error, refused};
 use crate::follow::uninterrupted;
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
-use crate::studies::case::{Case, Way, own, whole};
+use crate::studies::case::{Case, MethodAtTolerance, Printed, own, whole};
 use crate::studies::figure::{Cell, Figure, HeatMap};
 use crate::trust::comparison::Compared;
 use crate::trust::reference::Reference;
@@ -30,7 +30,7 @@ const METHODS: [(Method, f64); 5] = [
 ];
 /// Method for a scene's reduced equations. Near the surface their states have very different sizes, and none of them
 /// loses digits. An absolute tolerance alone keeps the digits of all.
-const OWN: Way = Way::Absolute(Method::Dop853, 1e-14);
+const OWN: MethodAtTolerance = MethodAtTolerance::Absolute(Method::Dop853, 1e-14);
 /// Number of methods that a quick study compares.
 const QUICK: usize = 2;
 
@@ -95,23 +95,25 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let limit = if study.quick { 20_000 } else { 200_000 };
     let length = study.scene.span.1 - study.scene.span.0;
     let mut rows: Vec<(String, Vec<Cell>)> = Vec::new();
-    let mut row = |findings: &mut Findings, case: &Case, what: Integrated, way: Way| -> Result<(), Error> {
-        let name = [case.by.name().as_str(), way.solve(case.solve), way.name()].join(" ").replace(" - ", " ");
-        let name = what.distance.map_or_else(|| name.clone(), |v| format!("{name}, {}", v.name(model)));
-        study.progress.set_message(&name);
-        let cells = rungs.iter().map(|rung| cell(study, findings, rung, case, what, way, &way.options(length, limit)));
-        rows.push((name, cells.collect::<Result<Vec<_>, _>>()?));
-        Ok(())
-    };
+    let mut row =
+        |findings: &mut Findings, case: &Case, what: Integrated, way: MethodAtTolerance| -> Result<(), Error> {
+            let name = [case.by.name().as_str(), way.solve(case.solve), way.name()].join(" ").replace(" - ", " ");
+            let name = what.distance.map_or_else(|| name.clone(), |v| format!("{name}, {}", v.name(model)));
+            study.progress.set_message(&name);
+            let cells =
+                rungs.iter().map(|rung| cell(study, findings, rung, case, what, way, &way.options(length, limit)));
+            rows.push((name, cells.collect::<Result<Vec<_>, _>>()?));
+            Ok(())
+        };
     for distance in std::iter::once(None).chain(distances(model).first().copied().map(Some)) {
         let mut scene = study.scene.clone();
         scene.integration.distance = distance;
         let what = Integrated { distance, variable: distance.map_or(Variable::Coordinate, |_| Variable::Distance) };
         // The list has only formulations that the model has.
-        for case in whole(model, &scene, false)?.0 {
+        for case in whole(model, &scene, Printed::LeftOut)?.0 {
             for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
                 if case.has(method) {
-                    row(findings, &case, what, Way::Steps(method, tolerance))?;
+                    row(findings, &case, what, MethodAtTolerance::Steps(method, tolerance))?;
                 }
             }
         }
@@ -127,7 +129,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         let what = Integrated { distance: None, variable };
         row(findings, &case, what, OWN)?;
         if case.has_quadrature() {
-            row(findings, &case, what, Way::Quadrature)?;
+            row(findings, &case, what, MethodAtTolerance::Quadrature)?;
         }
     }
     let t = study.scene.span.1;
@@ -161,7 +163,7 @@ fn cell(
     rung: &Rung,
     case: &Case,
     Integrated { distance, variable }: Integrated,
-    way: Way,
+    way: MethodAtTolerance,
     options: &Options,
 ) -> Result<Cell, Error> {
     let mut scene = rung.scene.clone();
@@ -197,7 +199,7 @@ fn cell(
     for (quantity, (next, state)) in ["error inside", "error at the end"].into_iter().zip(instants) {
         // Quadrature starts anew for each part: it takes no steps that a first part could save, and a state inside the
         // passage holds the energy with fewer digits.
-        if way == Way::Quadrature {
+        if way == MethodAtTolerance::Quadrature {
             (t, y) = (scene.span.0, start.clone());
         }
         let arrival = arrive(study, &problem, (t, *next), &y, way, options)?;
@@ -239,7 +241,7 @@ fn arrive(
     problem: &Problem<'_>,
     span: (f64, f64),
     y0: &[f64],
-    way: Way,
+    way: MethodAtTolerance,
     options: &Options,
 ) -> Result<Arrival, Error> {
     match way.run(problem, span, y0, options) {
@@ -250,7 +252,7 @@ fn arrive(
             y_end: Some(solution.y_end),
         }),
         // Quadrature does not give every motion.
-        Err(_) if way == Way::Quadrature && !study.model.follow.asked() => {
+        Err(_) if way == MethodAtTolerance::Quadrature && !study.model.follow.is_interrupted() => {
             Ok(Arrival { stop: Some("no-quadrature".to_owned()), t_end: span.0, steps: 0, y_end: None })
         }
         Err(failure) => Err(failure),

@@ -3,9 +3,10 @@
 use super::Question;
 use super::control::{Transfer, reached, transfers};
 use super::dense::Wide;
-use super::eigen::{Mode, modes};
+use super::eigen::modes;
+use super::mode::Mode;
 use super::newton::{Steady, Unknowns};
-use super::quotient::Quotient;
+use super::quotient::{Quotient, Shifted};
 use super::verdict::Stability;
 use crate::{Error, Mechanism};
 use nalgebra::DMatrix;
@@ -82,34 +83,44 @@ pub fn linearise(model: &Mechanism, asked: &Asked, wanted: &Wanted) -> Result<Ab
         }
         steady = question.as_it_is(model, asked)?;
     }
-    question.about(model, steady, wanted.whole)
+    let shifted = if wanted.whole { Shifted::Kept } else { Shifted::LeftOut };
+    question.about(model, steady, shifted)
+}
+
+/// Treatment of the family of a steady motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Family {
+    /// Other steady motions beside this one are sought.
+    Sought,
+    /// The family is not sought.
+    LeftOut,
 }
 
 impl Question {
-    /// Computes the linear system near a steady motion, with its modes and stability; `whole` keeps the states that
-    /// symmetries shift.
+    /// Computes the linear system near a steady motion, with its modes and stability; `shifted` tells if the
+    /// states that symmetries shift are kept.
     ///
     /// # Errors
     /// [`Error::Stopped`] in a singular pose, and if a slope has no value.
-    pub fn about(&mut self, model: &Mechanism, steady: Steady, whole: bool) -> Result<About, Error> {
-        self.about_in(model, steady, whole, true)
+    pub fn about(&mut self, model: &Mechanism, steady: Steady, shifted: Shifted) -> Result<About, Error> {
+        self.about_in(model, steady, shifted, Family::Sought)
     }
 
-    /// Linearises about a steady motion. `with_family` also finds its family, which the search for a crossing does not
-    /// need.
+    /// Linearises about a steady motion. The search for a crossing does not need its family.
     pub(super) fn about_in(
         &mut self,
         model: &Mechanism,
         steady: Steady,
-        whole: bool,
-        with_family: bool,
+        shifted: Shifted,
+        family: Family,
     ) -> Result<About, Error> {
         self.poles.refuse(&self.parameters, &steady)?;
-        let system = self.quotient(&steady, whole)?;
+        let system = self.quotient(&steady, shifted)?;
         let [a, b, c] = [&system.a, &system.b, &system.c].map(Wide::rounded);
         let modes = modes(&system.a, steady.uncertain + steady.residual / a.norm().max(1.0))?;
         let still = modes.iter().find(|mode| mode.value.iter().all(|x| x.abs() <= 0.0)).map_or(0, |mode| mode.vectors);
-        let beside = self.beside(&steady, &system, if with_family { still } else { 0 });
+        let sought = if family == Family::Sought { still } else { 0 };
+        let beside = self.family_directions(&steady, &system, sought);
         let family: Vec<String> = leading(&beside).iter().map(|at| self.names[system.kept[*at]].clone()).collect();
         let stability = self.stability(&steady, &system, &modes, family.len());
         Ok(About {

@@ -1,10 +1,11 @@
 //! A steady motion followed along a number: its eigenvalues that cross the imaginary axis, and its end.
 
 use super::Question;
-use super::about::About;
+use super::about::{About, Family};
 use super::dense::Wide;
-use super::eigen::Mode;
+use super::mode::Mode;
 use super::newton::{Steady, Unknowns};
+use super::quotient::Shifted;
 use super::search::{ELSEWHERE, unknowns};
 use crate::{Error, Mechanism};
 use tripos_derive::scene::Asked;
@@ -84,12 +85,13 @@ pub fn follow(
 ) -> Result<Course, Error> {
     let Some(first) = values.first() else { return Ok(Course::default()) };
     let mut question = Question::new(model, &asked(*first)?, &[])?;
-    along((model, &mut question), asked, values)
+    along(model, &mut question, asked, values)
 }
 
 /// Follows a steady motion, as [`follow`] does, for a mechanism that is already prepared.
 pub(super) fn along(
-    (model, question): (&Mechanism, &mut Question),
+    model: &Mechanism,
+    question: &mut Question,
     asked: &mut dyn FnMut(f64) -> Result<Asked, Error>,
     values: &[f64],
 ) -> Result<Course, Error> {
@@ -102,7 +104,7 @@ pub(super) fn along(
         let other = asked(*last)?;
         unknowns.states.retain(|at| start.x[*at] == other.x[*at]);
     }
-    let mut way = Way { model, question, unknowns, asked };
+    let mut way = FollowedMotion { model, question, unknowns, asked };
     for value in values {
         let from = course.points.last();
         match (way.point(*value, from.map(|point| &point.about.steady)), from) {
@@ -124,21 +126,22 @@ pub(super) fn along(
 }
 
 /// Mechanism, unknowns and requests of a steady motion that is followed along a number.
-struct Way<'w> {
+struct FollowedMotion<'w> {
     model: &'w Mechanism,
     question: &'w mut Question,
     unknowns: Unknowns,
     asked: &'w mut dyn FnMut(f64) -> Result<Asked, Error>,
 }
 
-impl Way<'_> {
+impl FollowedMotion<'_> {
     /// Finds the steady motion at a value of the number, beginning at a steady motion near it.
     fn point(&mut self, value: f64, near: Option<&Steady>) -> Result<Point, Error> {
-        self.point_in(value, near, true)
+        self.point_in(value, near, Family::Sought)
     }
 
-    /// Finds the steady motion at a value of the number; `with_family` also finds its family.
-    fn point_in(&mut self, value: f64, near: Option<&Steady>, with_family: bool) -> Result<Point, Error> {
+    /// Finds the steady motion at a value of the number. Also finds its family if that is
+    /// sought.
+    fn point_in(&mut self, value: f64, near: Option<&Steady>, family: Family) -> Result<Point, Error> {
         let asked = (self.asked)(value)?;
         self.question.at(&asked.parameters);
         let mut x: Vec<DoubleDouble> = asked.x;
@@ -149,7 +152,7 @@ impl Way<'_> {
         if !steady.is_steady() {
             return Err(self.question.unbalanced(&steady, ELSEWHERE));
         }
-        Ok(Point { value, about: self.question.about_in(self.model, steady, false, with_family)? })
+        Ok(Point { value, about: self.question.about_in(self.model, steady, Shifted::LeftOut, family)? })
     }
 
     /// Last value at which the steady motion is found, between a point of it and the value `to` at which it is not
@@ -161,7 +164,7 @@ impl Way<'_> {
             if (beyond - last).abs() <= 1e-10 * last.abs().max(1e-3) {
                 break;
             }
-            match self.point_in(middle, Some(&near), false) {
+            match self.point_in(middle, Some(&near), Family::LeftOut) {
                 Ok(point) => (near, last) = (point.about.steady, middle),
                 Err(_) => beyond = middle,
             }
@@ -219,7 +222,7 @@ impl Way<'_> {
             if width <= WIDTH * low.value.abs().max(high.value.abs()) {
                 break;
             }
-            let point = self.point_in(middle, Some(&low.about.steady), false)?;
+            let point = self.point_in(middle, Some(&low.about.steady), Family::LeftOut)?;
             let side = if what(&point) == before { &mut low } else { &mut high };
             *side = point;
         }

@@ -24,7 +24,7 @@ pub struct Formula {
 
 /// A name and its value, both as formulas.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Told {
+pub struct NamedFormula {
     /// An unknown, its square, or a sine, cosine or tangent of it.
     pub name: Formula,
     /// Formula of the value of `name`.
@@ -46,7 +46,7 @@ pub struct Velocity {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Solved {
     /// Formulas of the unknowns that were solved for, in terms of those that are left free.
-    pub solved: Vec<Told>,
+    pub solved: Vec<NamedFormula>,
     /// Conditions for the unknowns to be real, such as `l*cos(q) >= 0`.
     pub needs: Vec<Formula>,
     /// Divisors of the formulas, which must not be 0.
@@ -64,7 +64,7 @@ pub struct Conditions {
     /// Velocities along symmetries; empty at rest.
     pub along: Vec<Velocity>,
     /// Generalized speeds as formulas in coordinates and the velocities `along`.
-    pub speeds: Vec<Told>,
+    pub speeds: Vec<NamedFormula>,
     /// Velocities, coordinates and parameters that were solved for, the preferred ones first.
     pub unknowns: Vec<String>,
     /// Terms that must vanish.
@@ -126,8 +126,10 @@ pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Err
             is_rate: along.is_rate,
         });
         let along: Vec<Velocity> = along.collect();
-        let told =
-            |arena: &Arena, (e, value): (Expr, &Expr)| Told { name: formula(arena, e), value: formula(arena, *value) };
+        let told = |arena: &Arena, (e, value): (Expr, &Expr)| NamedFormula {
+            name: formula(arena, e),
+            value: formula(arena, *value),
+        };
         let speeds = model.u().into_iter().zip(&speeds).map(|pair| told(arena, pair)).collect();
         let branches = found.branches.into_iter().map(|branch| solved(arena, branch)).collect();
         list.push(Conditions {
@@ -171,7 +173,7 @@ fn solved(arena: &mut Arena, branch: Branch) -> Solved {
     let mut list = Vec::new();
     for relation in &branch.solved {
         let subject = subject(arena, relation);
-        list.push(Told { name: formula(arena, subject), value: formula(arena, relation.value) });
+        list.push(NamedFormula { name: formula(arena, subject), value: formula(arena, relation.value) });
     }
     let need = |need: &Need| {
         let Formula { text, latex } = formula(arena, need.term());

@@ -16,20 +16,20 @@ const BACK: f64 = 0.3;
 
 impl Question {
     /// Directions, in the kept states, in which steady motions were found beside a steady motion: as many as A maps to
-    /// zero, or none. Each direction is tried both ways, and so is their sum. For example, q̈ = −q³ has no steady motion
-    /// beside q = 0.
-    pub(super) fn beside(&self, steady: &Steady, system: &Quotient, count: usize) -> DMatrix<f64> {
+    /// zero, or none. Each direction is tried both ways, and so is their sum. For example, q̈ = −q³ has no steady
+    /// motion beside q = 0.
+    pub(super) fn family_directions(&self, steady: &Steady, system: &Quotient, count: usize) -> DMatrix<f64> {
         let directions = least_moved(&system.a.rounded(), count);
         let together = directions.column_iter().fold(DVector::zeros(directions.nrows()), |sum, column| sum + column);
         let single = directions.column_iter().map(nalgebra::Matrix::into_owned);
         let ways = single.chain((count > 1).then_some(together)).flat_map(|way| [way.clone(), -way]);
         let is_found =
-            steady.is_steady() && ways.into_iter().all(|way| self.goes_on(steady, system, (&directions, &way)));
+            steady.is_steady() && ways.into_iter().all(|way| self.goes_on(steady, system, &directions, &way));
         if is_found { directions } else { DMatrix::zeros(directions.nrows(), 0) }
     }
 
     /// True if another steady motion is found in a direction `way` of the kept states.
-    fn goes_on(&self, steady: &Steady, system: &Quotient, (directions, way): (&DMatrix<f64>, &DVector<f64>)) -> bool {
+    fn goes_on(&self, steady: &Steady, system: &Quotient, directions: &DMatrix<f64>, way: &DVector<f64>) -> bool {
         let unknowns = Unknowns { states: self.free_states(), moves: true };
         let Some(lifted) = self.lifted(steady, &unknowns.states, system, way) else { return false };
         let beside = |at: usize, by: f64| by.abs() / steady.x[at].hi().abs().max(1.0);

@@ -20,14 +20,15 @@ pub struct Map {
 pub fn map(
     model: &Mechanism,
     asked: &mut dyn FnMut(f64, f64) -> Result<Asked, Error>,
-    (first, second): (&[f64], &[f64]),
+    first: &[f64],
+    second: &[f64],
 ) -> Result<Map, Error> {
     let mut rows = Vec::with_capacity(second.len());
     let (Some(start), Some(row)) = (first.first(), second.first()) else { return Ok(Map { rows }) };
     let mut question = Question::new(model, &asked(*start, *row)?, &[])?;
     let mut refused = None;
     for value in second {
-        let course = along((model, &mut question), &mut |at| asked(at, *value), first);
+        let course = along(model, &mut question, &mut |at| asked(at, *value), first);
         if let Err(error) = &course {
             refused.get_or_insert_with(|| error.clone());
         }

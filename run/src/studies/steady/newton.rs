@@ -151,12 +151,12 @@ impl Question {
         let carried = self.improved(x, none.clone(), &Sought { states: Vec::new(), along: all.clone() });
         let near = self.improved(x, carried.along, &Sought { states: unknowns.states.clone(), along: all });
         if !unknowns.moves {
-            return self.told(near);
+            return self.steady_of(near);
         }
         // If symmetries act alike at a state, as spin and turn of an upright top do, the first one carries it along.
         let along = self.independent(&near.values.symmetries);
         let settled = self.improved(&near.x, none, &Sought { states: Vec::new(), along });
-        self.told(Guess { uncertain: near.uncertain, ..settled })
+        self.steady_of(Guess { uncertain: near.uncertain, ..settled })
     }
 
     /// Accepts the requested state as it is, carried along by no symmetry. Only the sought coordinates that close the
@@ -171,7 +171,7 @@ impl Question {
         if let Some(q) = (!self.loops.is_empty() && !free.is_empty()).then(closed).flatten() {
             x[..n].copy_from_slice(&q);
         }
-        let steady = self.told(Guess::new(self, x, self.standing()));
+        let steady = self.steady_of(Guess::new(self, x, self.standing()));
         if steady.open.is_empty() {
             return Ok(steady);
         }
@@ -284,7 +284,7 @@ impl Question {
     }
 
     /// Makes the result of a search from a guess, with the residuals that are not balanced.
-    fn told(&self, guess: Guess) -> Steady {
+    fn steady_of(&self, guess: Guess) -> Steady {
         let (rates, loops) = guess.left.split_at(self.program.sizes.states);
         let open = |size: f64, beside: f64| size.is_nan() || size.abs() > BALANCED * beside;
         let unbalanced = rates.iter().zip(&guess.values.flow).enumerate();

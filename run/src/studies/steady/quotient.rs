@@ -32,10 +32,19 @@ pub struct Quotient {
     pub d: Wide,
 }
 
+/// Treatment of the states that symmetries shift.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shifted {
+    /// Shifted states are states of the linear system.
+    Kept,
+    /// Shifted states are left out of the linear system.
+    LeftOut,
+}
+
 impl Question {
-    /// Computes the linear system near a state that the symmetries carry along; `whole` keeps the states that these
-    /// shift.
-    pub(super) fn quotient(&self, steady: &Steady, whole: bool) -> Result<Quotient, Error> {
+    /// Computes the linear system near a state that the symmetries carry along; `shifted` tells if the states
+    /// that these shift are kept.
+    pub(super) fn quotient(&self, steady: &Steady, shifted: Shifted) -> Result<Quotient, Error> {
         let sizes = self.program.sizes;
         let (values, slopes) = self.program.all_slopes(&self.wide, &self.parameters, &steady.x);
         let (by_state, by_input) = slopes.split_at(sizes.states);
@@ -71,7 +80,8 @@ impl Question {
         }
         let (closed, symmetries) = all.on_loops(&loops(by_state), &loops(by_input), &values.symmetries)?;
         // A shift of time is not a difference from the motion, even if differences along symmetries are kept.
-        let left_out: Vec<usize> = (0..sizes.symmetries).filter(|at| !whole || Some(*at) == self.by_time).collect();
+        let left_out: Vec<usize> =
+            (0..sizes.symmetries).filter(|at| shifted == Shifted::LeftOut || Some(*at) == self.by_time).collect();
         Ok(closed.without(&symmetries, &left_out, self.coordinates))
     }
 }

@@ -35,7 +35,8 @@ impl Rests {
         model: &Mechanism,
         question: &Question,
         steady: Steady,
-        (x, unknowns): (&[DoubleDouble], &Unknowns),
+        x: &[DoubleDouble],
+        unknowns: &Unknowns,
     ) -> Steady {
         let is_singular = question.poles.refuse(&question.parameters, &steady).is_err();
         let may_rest = question.time.is_none() && (!unknowns.moves || steady.is_steady() && steady.is_rest());

@@ -3,6 +3,7 @@
 use super::Question;
 use super::about::About;
 use super::newton::{Steady, Unknowns, is_near, is_same};
+use super::quotient::Shifted;
 use super::rest::Rests;
 use crate::{Error, Mechanism};
 use std::f64::consts::PI;
@@ -18,7 +19,7 @@ pub(super) const ELSEWHERE: &str =
 
 /// Steady motion that a search found, with its linear system if there is one.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct FoundMotion {
     /// State and velocities of the steady motion.
     pub steady: Steady,
     /// Linear system near the steady motion, or the reason why there is none.
@@ -67,7 +68,7 @@ fn sought(question: &Question, asked: &Asked) -> Vec<Vec<(Vec<DoubleDouble>, Unk
 /// # Errors
 /// [`Error`] if the model cannot be derived, or if no steady motion is found. It states the residuals of the first
 /// search.
-pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<Found>, Error> {
+pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<FoundMotion>, Error> {
     let mut question = Question::new(model, asked, &[])?;
     let spread = Spread::new(model, asked);
     let mut list: Vec<Steady> = Vec::new();
@@ -82,7 +83,7 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
         let others = (1..=starts).map(|start| spread.start(&x, &unknowns.states, start));
         for (start, x) in std::iter::once(x.clone()).chain(others).enumerate() {
             let steady = if start == 0 { first.clone() } else { question.settle(&x, &unknowns) };
-            let steady = rests.in_place_of(model, &question, steady, (&x, &unknowns));
+            let steady = rests.in_place_of(model, &question, steady, &x, &unknowns);
             if steady.is_steady() && !list.iter().any(|known| is_same(model, known, &steady)) {
                 list.push(steady);
             }
@@ -100,19 +101,19 @@ pub fn equilibria(model: &Mechanism, asked: &Asked, starts: u64) -> Result<Vec<F
     if list.iter().any(is_regular) {
         list.retain(is_regular);
     }
-    let mut found: Vec<Found> = Vec::new();
+    let mut found: Vec<FoundMotion> = Vec::new();
     for steady in list {
-        let about = question.about(model, steady.clone(), false);
+        let about = question.about(model, steady.clone(), Shifted::LeftOut);
         let is_known = found.iter().any(|known| is_shifted(model, known, &about));
         if !is_known {
-            found.push(Found { steady, about });
+            found.push(FoundMotion { steady, about });
         }
     }
     Ok(found)
 }
 
 /// True if one steady motion is another, moved along symmetries: the states that these do not shift are equal.
-fn is_shifted(model: &Mechanism, known: &Found, new: &Result<About, Error>) -> bool {
+fn is_shifted(model: &Mechanism, known: &FoundMotion, new: &Result<About, Error>) -> bool {
     let (Ok(a), Ok(b)) = (&known.about, new) else { return false };
     a.system.kept == b.system.kept
         && !a.system.shifted.is_empty()

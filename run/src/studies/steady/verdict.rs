@@ -1,7 +1,7 @@
 //! Stability of a steady motion by its eigenvalues.
 
 use super::Question;
-use super::eigen::Mode;
+use super::mode::Mode;
 use super::newton::Steady;
 use super::quotient::Quotient;
 use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};

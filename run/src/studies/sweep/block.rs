@@ -8,8 +8,9 @@ use crate::mechanism::Mechanism;
 use crate::options::{options, options_of_ends};
 use crate::overrides::Overrides;
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::Shown;
-use crate::simulation::simulate::{changing_speeds, in_rates, proved};
+use crate::simulation::outputs::ShownQuantities;
+use crate::simulation::run_problem::proved;
+use crate::simulation::simulate::{changing_speeds, in_rates};
 use crate::trust::digits::assess;
 use crate::trust::events::{Balance, events};
 use crate::trust::invariants::Watch;
@@ -48,7 +49,7 @@ pub struct Sweep<'a> {
     /// if there are no such places.
     rates: Option<Code>,
     balance: Balance,
-    shown: Shown,
+    shown: ShownQuantities,
     /// True if a second run of each point determines the number of correct digits.
     pub tells_digits: bool,
     /// Flag that is set when no more rows are wanted.
@@ -83,7 +84,7 @@ impl<'a> Sweep<'a> {
         };
         // Impacts change the conserved quantities.
         let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
-        let shown = Shown::new(model, scene)?;
+        let shown = ShownQuantities::new(model, scene)?;
         let names = shown.names.clone();
         Ok(Self {
             model,
@@ -181,7 +182,7 @@ impl Worker<'_> {
                 break;
             }
             let outcome = scene.and_then(|scene| self.run(&scene, solution));
-            if self.sweep.model.follow.asked() {
+            if self.sweep.model.follow.is_interrupted() {
                 // The last run may have been cut short.
                 break;
             }
@@ -248,7 +249,7 @@ impl Worker<'_> {
         let solution = solve(&y0, &options, &mut watched)?;
         drop(watched);
         let values = |problem: &Problem<'_>, t: f64, y: &[f64]| shown.of(problem, t, y);
-        let digits = if *tells_digits { assess(problem, &y0, &options, &solution, (&values, balance))? } else { None };
+        let digits = if *tells_digits { assess(problem, &y0, &options, &solution, &values, balance)? } else { None };
         self.ended(problem, &solution, digits.and_then(|digits| digits.end()))
     }
 

@@ -1,14 +1,14 @@
 //! Impacts and changes of contacts in the backward sweep that computes a gradient.
 
 use super::stepped::Part;
-use crate::preparation::impacts::{Contacts, Crossing, Kept};
+use crate::preparation::impacts::{Contacts, Crossing, HeldContacts};
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::bounce::{meets_no_corner, rates_along};
 use crate::studies::sensitivity::contacts::{Direction, Wide};
 use crate::studies::sensitivity::crossing::Crossed;
 use crate::studies::sensitivity::equations::Equations;
 use crate::studies::sensitivity::forces::Varied;
-use crate::studies::sensitivity::way::Ending;
+use crate::studies::sensitivity::history::Ending;
 use tripos_sim::{Corner, Pulled};
 
 /// Contacts of a problem, and the data for derivatives across their changes.
@@ -33,7 +33,7 @@ impl Crossings<'_> {
         crossing: &Crossing<'_>,
         of: impl FnOnce(&Crossed<'_>) -> Result<T, String>,
     ) -> Result<T, Ending> {
-        let flow = |kept: &Kept, t: f64, y: &[f64]| self.problem.flow(self.contacts, kept, t, y);
+        let flow = |kept: &HeldContacts, t: f64, y: &[f64]| self.problem.flow(self.contacts, kept, t, y);
         let along =
             |y: &[f64], direction: Direction<'_>| rates_along(self.problem, self.equations.one().0, y, direction);
         let crossed = meets_no_corner(self.corners, crossing);

@@ -10,7 +10,7 @@
 
 use super::products::{Products, Tapes};
 use crate::error::{Error, refused};
-use crate::preparation::impacts::{Contacts, Held, Kept, Operators};
+use crate::preparation::impacts::{Contacts, Held, HeldContacts, Operators};
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::grip::Grip;
 use nalgebra::DVector;
@@ -25,6 +25,13 @@ pub struct Motion<'a> {
     held: Option<Holding<'a>>,
     /// Number of parameters and of coefficients of contacts.
     parameters: usize,
+}
+
+/// All contacts of a scene, and those of them that are held.
+#[derive(Clone, Copy)]
+pub struct HeldOf<'a> {
+    pub contacts: &'a Contacts<'a>,
+    pub kept: &'a HeldContacts,
 }
 
 /// Contacts that are held, with the data for products with their transposed slopes.
@@ -48,15 +55,11 @@ impl<'a> Motion<'a> {
     ///
     /// # Errors
     /// [`Error::Request`] for equations that were not solved for their accelerations.
-    pub fn new(
-        problem: &'a Problem<'_>,
-        tapes: &'a Tapes,
-        contacts: Option<(&'a Contacts<'a>, &'a Kept)>,
-    ) -> Result<Self, Error> {
+    pub fn new(problem: &'a Problem<'_>, tapes: &'a Tapes, contacts: Option<HeldOf<'a>>) -> Result<Self, Error> {
         let free = Products::new(problem, tapes)?;
-        let count = contacts.map_or(0, |(contacts, _)| contacts.impacts.len());
+        let count = contacts.map_or(0, |held| held.contacts.impacts.len());
         let parameters = problem.scene.parameters.as_slice();
-        let held = contacts.filter(|(_, kept)| !kept.is_empty()).map(|(contacts, kept)| {
+        let held = contacts.filter(|held| !held.kept.is_empty()).map(|HeldOf { contacts, kept }| {
             let rhs = problem.right_hand_side().map_err(|error| refused(problem.scene, &error))?;
             let weights = Weights { tapes, parameters, room: Backwards::default(), slopes: Vec::new() };
             Ok::<_, Error>(Holding { held: Held { rhs, contacts, kept }, grip: Grip::of(contacts, kept), weights })
@@ -96,7 +99,7 @@ impl Transposed for Motion<'_> {
 
     fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], (state, parameters): Pulled<'_>) -> Result<(), Failure> {
         let Some(holding) = &mut self.held else { return self.free.pull(t, y, weights, (state, parameters)) };
-        let weights = holding.pull((t, y), weights, (&mut *state, &mut *parameters))?;
+        let weights = holding.pull(t, y, weights, (&mut *state, &mut *parameters))?;
         self.free.pull(t, y, &weights, (state, parameters))
     }
 
@@ -127,7 +130,8 @@ impl Holding<'_> {
     /// weights of the rates without forces.
     fn pull(
         &mut self,
-        (t, y): (f64, &[f64]),
+        t: f64,
+        y: &[f64],
         weights: &[f64],
         (state, parameters): Pulled<'_>,
     ) -> Result<Vec<f64>, Failure> {
@@ -179,9 +183,9 @@ impl Holding<'_> {
         let weights = &mut self.weights;
         weights.pull(&contacts.rates, y, &of_contacts, (&mut *to.0, &mut *to.1));
         for (x, by) in of_motions {
-            weights.pull_motion(&y[..n], (x, &by), (&mut *to.0, &mut *to.1));
+            weights.pull_motion(&y[..n], x, &by, (&mut *to.0, &mut *to.1));
         }
-        weights.pull_inertia(&y[..n], (&a, &z1), (&mut *to.0, &mut *to.1));
+        weights.pull_inertia(&y[..n], &a, &z1, (&mut *to.0, &mut *to.1));
         Ok(left)
     }
 }
@@ -190,7 +194,7 @@ impl Weights<'_> {
     /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs. The tape reads parameters and
     /// state.
     fn pull(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): Pulled<'_>) {
-        self.add(tape, (y, &[]), weights, (state, parameters));
+        self.add(tape, y, &[], weights, (state, parameters));
     }
 
     /// Adds the slopes, by parameters and state, of a weighted sum of a tape's outputs. Returns its slopes by the
@@ -198,7 +202,8 @@ impl Weights<'_> {
     fn add(
         &mut self,
         tape: &Tape,
-        (y, more): (&[f64], &[f64]),
+        y: &[f64],
+        more: &[f64],
         weights: &[f64],
         (state, parameters): Pulled<'_>,
     ) -> Vec<f64> {
@@ -214,15 +219,15 @@ impl Weights<'_> {
     }
 
     /// Adds the slopes of w·B x by parameters and state: motion variables of the speeds x minus those of zero speeds.
-    fn pull_motion(&mut self, q: &[f64], (x, w): (&DVector<f64>, &DVector<f64>), (state, parameters): Pulled<'_>) {
+    fn pull_motion(&mut self, q: &[f64], x: &DVector<f64>, w: &DVector<f64>, (state, parameters): Pulled<'_>) {
         let tapes = self.tapes;
         let still = vec![0.0; x.len()];
-        self.add(&tapes.motions, (q, x.as_slice()), w.as_slice(), (&mut *state, &mut *parameters));
-        self.add(&tapes.motions, (q, &still), (-w).as_slice(), (state, parameters));
+        self.add(&tapes.motions, q, x.as_slice(), w.as_slice(), (&mut *state, &mut *parameters));
+        self.add(&tapes.motions, q, &still, (-w).as_slice(), (state, parameters));
     }
 
     /// Adds the slopes of z·M x = T(x + z) − T(x) − T(z) + T(0) by parameters and state. z is scaled to the size of x.
-    fn pull_inertia(&mut self, q: &[f64], (x, z): (&DVector<f64>, &DVector<f64>), (state, parameters): Pulled<'_>) {
+    fn pull_inertia(&mut self, q: &[f64], x: &DVector<f64>, z: &DVector<f64>, (state, parameters): Pulled<'_>) {
         let (size, own) = (x.norm(), z.norm());
         if !(size > 0.0 && own > 0.0) {
             return;
@@ -234,8 +239,8 @@ impl Weights<'_> {
             let mut v = vec![0.0; tapes.motions.outputs()];
             let inputs = [self.parameters, q, u.as_slice()].concat();
             v.copy_from_slice(&tapes.motions.evaluate(&inputs));
-            let by_v = self.add(&tapes.energy, (q, &v), &[sign], (&mut *state, &mut *parameters));
-            self.add(&tapes.motions, (q, u.as_slice()), &by_v, (&mut *state, &mut *parameters));
+            let by_v = self.add(&tapes.energy, q, &v, &[sign], (&mut *state, &mut *parameters));
+            self.add(&tapes.motions, q, u.as_slice(), &by_v, (&mut *state, &mut *parameters));
         }
     }
 }

@@ -20,18 +20,20 @@ mod stepped;
 mod sweep;
 
 use super::apart::{Apart, WORDS};
-use super::equations::{Equations, From};
+use super::equations::{Equations, SeededStart};
 use super::shown::Quantities;
 use super::start::Seed;
 use super::{check_equations, jumps};
 use crate::code::{Ready, by_or_first, code};
+use crate::equations_name::EquationsName;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::options::{options, options_of_ends};
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::Shown;
+use crate::simulation::outputs::ShownQuantities;
 use crate::simulation::run::Run;
-use crate::simulation::simulate::{changes_speeds, proved, run_by};
+use crate::simulation::run_problem::{proved, run_by};
+use crate::simulation::simulate::changes_speeds;
 use crate::trust::digits::other_side;
 use crate::trust::events::{Balance, events};
 use numbers::{Number, names, numbers};
@@ -116,7 +118,7 @@ pub fn gradient(
     scene: &Scene,
     set: &[(String, f64)],
     of: &str,
-    by: Option<&str>,
+    by: Option<&EquationsName>,
 ) -> Result<Gradient, Error> {
     check_equations(scene, by)?;
     let own = scene.integration.method.method().unwrap_or_default();
@@ -126,11 +128,11 @@ pub fn gradient(
         return Err(Error::request("printed equations are not differentiated", "take kane, lagrange or newton-euler"));
     }
     if let Some(run) = changes_speeds(mechanism, &scene, &by)? {
-        return by_differences(mechanism, scene, (set, of), run);
+        return by_differences(mechanism, scene, set, of, run);
     }
     let code = code(mechanism, &by, scene.integration.distance, Ready::Solved)?;
     let problem = Problem::new(mechanism, &scene, &by, &code, Some(Solve::Eliminated))?;
-    let (shown, quantities) = (Shown::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
+    let (shown, quantities) = (ShownQuantities::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
     let target = target(&quantities, &scene, of)?;
     let numbers = numbers(&problem, set, &options(&scene));
     let tapes = Tapes::new(mechanism, &by, scene.integration.distance, &code)?;
@@ -176,7 +178,8 @@ pub fn gradient(
 fn by_differences(
     mechanism: &Mechanism,
     scene: Scene,
-    (set, of): (&[(String, f64)], &str),
+    set: &[(String, f64)],
+    of: &str,
     mut run: Run,
 ) -> Result<Gradient, Error> {
     let quantities = Quantities::new(mechanism, &scene)?;
@@ -296,8 +299,8 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl Parts<'_> {
     /// Sweeps the target backwards through the steps of a run.
-    fn sweep(&self, problem: &Problem<'_>, from: (&Options, &Stepped)) -> Result<Swept, Error> {
-        sweep(problem, &self.through, self.target, from)
+    fn sweep(&self, problem: &Problem<'_>, options: &Options, run: &Stepped) -> Result<Swept, Error> {
+        sweep(problem, &self.through, self.target, options, run)
     }
 
     /// Reason why there is no derivative by each number; `None` if there is one. If contacts that meet together leave
@@ -313,11 +316,11 @@ impl Parts<'_> {
             return Ok(list);
         }
         let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
-        let from = From { span: problem.scene.span, y: y0, slopes: &slopes };
+        let from = SeededStart { span: problem.scene.span, y: y0, seeds: &seeds, slopes: &slopes };
         let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
         let mut watched = events(problem, &balance);
-        let run = equations.run(problem, (&from, &seeds), &options_of_ends(problem.scene), &mut watched)?;
-        for (at, ending) in places.into_iter().zip(run.way.endings) {
+        let run = equations.run(problem, &from, &options_of_ends(problem.scene), &mut watched)?;
+        for (at, ending) in places.into_iter().zip(run.history.endings) {
             list[at] = ending.map(|ending| ending.to_string());
         }
         Ok(list)
@@ -327,7 +330,7 @@ impl Parts<'_> {
     fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
         let how = options_of_ends(problem.scene);
         let y0 = problem.start()?;
-        let own = self.sweep(problem, (&how, first))?;
+        let own = self.sweep(problem, &how, first)?;
         let missing = self.missing(problem, &y0, &own)?;
         if first.solution.steps == 0 {
             return Ok(Assessed { own, errors: None, by: None, missing });
@@ -340,7 +343,7 @@ impl Parts<'_> {
             let mut watched = events(&beside, &balance);
             let run = Stepped::new(&beside, &y, &options, &mut watched)?;
             if run.solution.stop.code() == first.solution.stop.code() {
-                let other = self.sweep(&beside, (&options, &run))?;
+                let other = self.sweep(&beside, &options, &run)?;
                 if other.ended.is_some() == own.ended.is_some() {
                     let errors = Some(self.errors(&own, &other, part));
                     return Ok(Assessed { errors, by: Some(words), own, missing });

@@ -1,7 +1,8 @@
 //! A run with a record of its steps, from impact to impact.
 
 use crate::error::{Error, refused};
-use crate::preparation::impacts::{After, Approach, Carrier, Crossing, Doubles, Happening, Kept, NONE};
+use crate::preparation::impacts::{After, Approach, Carrier, ContactChange, Crossing, Doubles, HeldContacts, NONE};
+use crate::preparation::initial::InitialState;
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::graze::near;
 use crate::trust::power::accounted;
@@ -31,23 +32,23 @@ pub struct Part {
 
 /// Copy of the crossing, or of the start, with which a part of a run begins.
 pub struct Begun {
-    happening: Option<Happening>,
+    contact_change: Option<ContactChange>,
     /// State before the crossing.
     pub before: Vec<f64>,
-    kept: Kept,
+    kept: HeldContacts,
     after: After,
 }
 
 impl Part {
     /// Contacts that are held in this part.
-    pub fn kept(&self) -> &Kept {
+    pub fn kept(&self) -> &HeldContacts {
         self.begun.as_ref().map_or(&NONE, |begun| &begun.after.kept)
     }
 
     /// Crossing with which the part begins; `None` if no contact is closed there.
     pub fn crossing(&self) -> Option<Crossing<'_>> {
-        let Begun { happening, before, kept, after } = self.begun.as_ref()?;
-        let crossing = Crossing { t: self.t, happening: *happening, before, kept, after };
+        let Begun { contact_change, before, kept, after } = self.begun.as_ref()?;
+        let crossing = Crossing { t: self.t, contact_change: *contact_change, before, kept, after };
         (!after.closed.is_empty()).then_some(crossing)
     }
 
@@ -70,7 +71,7 @@ struct Noting<'a> {
 }
 
 impl Carrier<f64> for Noting<'_> {
-    fn equations<'e>(&'e self, kept: &'e Kept) -> Result<Box<dyn RightHandSide<f64> + 'e>, SimError> {
+    fn equations<'e>(&'e self, kept: &'e HeldContacts) -> Result<Box<dyn RightHandSide<f64> + 'e>, SimError> {
         self.doubles.equations(kept)
     }
 
@@ -95,7 +96,7 @@ impl Carrier<f64> for Noting<'_> {
             last.ends_at(crossing.t);
         }
         let begun = Begun {
-            happening: crossing.happening,
+            contact_change: crossing.contact_change,
             before: crossing.before.to_vec(),
             kept: crossing.kept.clone(),
             after: crossing.after.clone(),
@@ -153,8 +154,8 @@ impl Stepped {
         let doubles = Doubles { contacts: &contacts, equations: &equations };
         let parts = RefCell::new(Vec::new());
         let noting = Noting { doubles, parts, near: near(options), is_near: Cell::new(false) };
-        let from = (problem.scene.span, y0);
-        let run = problem.bounce(&contacts, &noting, from, options, events, accounted(problem)?);
+        let start = InitialState { span: problem.scene.span, y: y0 };
+        let run = problem.bounce(&contacts, &noting, start, options, events, accounted(problem)?);
         let solution = run.map_err(|error| refused(problem.scene, &error))?;
         Ok(Self { solution, parts: noting.parts.into_inner(), is_near: noting.is_near.get() })
     }

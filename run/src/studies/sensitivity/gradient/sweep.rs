@@ -1,7 +1,7 @@
 //! Backward sweep through the steps of a run, and across the changes of contacts between its parts.
 
 use super::crossings::Crossings;
-use super::held::Motion;
+use super::held::{HeldOf, Motion};
 use super::numbers::{Number, moved};
 use super::products::Tapes;
 use super::stepped::{Part, Stepped};
@@ -10,8 +10,8 @@ use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::contacts::Wide;
 use crate::studies::sensitivity::equations::Equations;
 use crate::studies::sensitivity::graze::near;
+use crate::studies::sensitivity::history::Ending;
 use crate::studies::sensitivity::shown::Quantities;
-use crate::studies::sensitivity::way::Ending;
 use tripos_sim::adjoint::{Adjoint, Course, Unswept, segments};
 use tripos_sim::{Options, RightHandSide};
 
@@ -80,7 +80,8 @@ pub fn sweep(
     problem: &Problem<'_>,
     through: &Through<'_>,
     target: Target,
-    (options, run): (&Options, &Stepped),
+    options: &Options,
+    run: &Stepped,
 ) -> Result<Swept, Error> {
     let options = problem.options(options);
     let contacts = through.equations.map(|equations| (problem.contacts(), equations));
@@ -95,15 +96,14 @@ pub fn sweep(
     let mut swept = Swept::new(through.numbers, crossings.as_ref(), run);
     swept.asks |= run.is_near;
     for (at, part) in run.parts.iter().enumerate().rev() {
-        let held = contacts.as_ref().map(|(contacts, _)| (contacts, part.kept()));
+        let held = contacts.as_ref().map(|(contacts, _)| HeldOf { contacts, kept: part.kept() });
         let mut motion = Motion::new(problem, through.tapes, held)?;
         let span = (part.t, problem.scene.span.1);
         let course = Course { span, y0: &part.y, ends: &part.ends, options: &options, moved: &moved };
         let adjoint = Adjoint::new(course, &mut motion, &segments(part.ends.len())).map_err(stopped)?;
         if at + 1 == run.parts.len() {
-            let end = (run.solution.t_end, adjoint.end.as_slice());
-            let what = (target, run.event());
-            (swept.state, swept.parameters) = weights(problem, through.quantities, what, end, &mut motion)?;
+            let end = RunEnd { t: run.solution.t_end, y: &adjoint.end, event: run.event() };
+            (swept.state, swept.parameters) = weights(problem, through.quantities, target, &end, &mut motion)?;
         }
         let by_part = adjoint.pull(&mut motion, &swept.state).map_err(stopped)?;
         swept.add(by_part, at);
@@ -156,15 +156,26 @@ fn stopped(why: Unswept) -> Error {
     }
 }
 
+/// End of a run.
+struct RunEnd<'a> {
+    /// Instant of the end, s.
+    t: f64,
+    /// Integrated state at the end.
+    y: &'a [f64],
+    /// Index of the event that ended the run; `None` if no event did.
+    event: Option<usize>,
+}
+
 /// Derivatives of a target by the state at the end of a run, and directly by parameters. They are total ones if an
 /// event g = 0 ends the run, as its instant moves by dt = −(g_y dy + g_p dp)/(g_y f).
 fn weights(
     problem: &Problem<'_>,
     quantities: &Quantities,
-    (target, event): (Target, Option<usize>),
-    (t, y): (f64, &[f64]),
+    target: Target,
+    end: &RunEnd<'_>,
     motion: &mut Motion<'_>,
 ) -> Result<(Vec<f64>, Vec<f64>), Error> {
+    let RunEnd { t, y, event } = *end;
     let place = quantities.place(problem, t, y)?;
     let count = problem.scene.parameters.len();
     let still = (vec![0.0; count], vec![0.0; y.len()]);

@@ -4,9 +4,9 @@ use std::sync::Mutex;
 
 /// Working memory that is kept between calls. A thread that calls while another thread uses the memory allocates its
 /// own, so that equations can be shared and no call waits.
-pub struct Room<T>(Mutex<T>);
+pub struct ScratchPool<T>(Mutex<T>);
 
-impl<T: Default> Room<T> {
+impl<T: Default> ScratchPool<T> {
     /// Calls `work` with the kept memory, or with new memory if another thread uses it.
     pub fn with<R>(&self, work: impl FnOnce(&mut T) -> R) -> R {
         match self.0.try_lock() {
@@ -16,7 +16,7 @@ impl<T: Default> Room<T> {
     }
 }
 
-impl<T: Default> Default for Room<T> {
+impl<T: Default> Default for ScratchPool<T> {
     fn default() -> Self {
         Self(Mutex::default())
     }

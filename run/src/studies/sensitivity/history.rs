@@ -1,7 +1,7 @@
 //! Changes during a run with slopes: instants at which slopes jump, contacts held from there on, and ends of
 //! derivatives.
 
-use crate::preparation::impacts::{Kept, NONE};
+use crate::preparation::impacts::{HeldContacts, NONE};
 use std::cell::RefCell;
 use std::fmt;
 
@@ -22,26 +22,26 @@ pub struct Instant {
     /// Derivative of the instant by each seed; NaN if there is none.
     pub moves: Vec<f64>,
     /// Contacts that are held from this instant on.
-    pub kept: Kept,
+    pub kept: HeldContacts,
 }
 
 /// Changes of contacts during a run, and ends of derivatives.
 #[derive(Clone, Debug, Default)]
-pub struct Way {
+pub struct ContactHistory {
     /// Changes of contacts, in the order of the run.
     pub instants: Vec<Instant>,
     /// End of the derivatives by each seed; `None` if they reach the end of the run.
     pub endings: Vec<Option<Ending>>,
 }
 
-impl Way {
+impl ContactHistory {
     /// Creates a record without changes of contacts, with derivatives by `numbers` seeds.
     pub fn new(numbers: usize) -> Self {
         Self { instants: Vec::new(), endings: vec![None; numbers] }
     }
 
     /// Contacts that are held just after an instant.
-    pub fn kept(&self, t: f64) -> &Kept {
+    pub fn kept(&self, t: f64) -> &HeldContacts {
         self.instants.iter().rfind(|instant| instant.t <= t).map_or(&NONE, |instant| &instant.kept)
     }
 
@@ -70,9 +70,9 @@ impl Way {
 }
 
 /// Ends the derivatives by the seed `number` at an instant, s, if they had not ended before.
-pub fn end(way: &RefCell<Way>, number: usize, t: f64, why: String) {
-    let mut way = way.borrow_mut();
-    way.endings[number].get_or_insert(Ending { t, why });
+pub fn end(history: &RefCell<ContactHistory>, number: usize, t: f64, why: String) {
+    let mut history = history.borrow_mut();
+    history.endings[number].get_or_insert(Ending { t, why });
 }
 
 /// Writes "from t = 0.5 s on: the contact …".

@@ -5,7 +5,7 @@ use tripos_sim::Mode;
 
 /// Contacts that are held, each with its mode: it pushes, sticks or slips.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Kept {
+pub struct HeldContacts {
     /// Indices of the held contacts among the contacts of the scene.
     pub which: Vec<usize>,
     /// Modes of the held contacts, in the order of `which`.
@@ -13,9 +13,9 @@ pub struct Kept {
 }
 
 /// Empty list of held contacts.
-pub static NONE: Kept = Kept { which: Vec::new(), modes: Vec::new() };
+pub static NONE: HeldContacts = HeldContacts { which: Vec::new(), modes: Vec::new() };
 
-impl Kept {
+impl HeldContacts {
     /// True if no contact is held.
     pub fn is_empty(&self) -> bool {
         self.which.is_empty()

@@ -5,7 +5,7 @@ use tripos_sim::Solution;
 
 /// Notes to the user: contacts that are held because their bounces became too short, and the instant from which each is
 /// held.
-pub fn said(impacts: &[Impact], solution: &Solution) -> Vec<String> {
+pub fn notes_on_short_bounces(impacts: &[Impact], solution: &Solution) -> Vec<String> {
     let mut notes = Vec::new();
     let mut known: Vec<&[usize]> = Vec::new();
     for record in solution.impacts.iter().filter(|record| !record.held.is_empty()) {

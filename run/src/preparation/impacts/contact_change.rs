@@ -4,7 +4,7 @@ use tripos_derive::scene::Impact;
 
 /// Change of a contact that ends a part of a run, or that begins there. It holds the index of the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Happening {
+pub enum ContactChange {
     /// The gap of the contact closed.
     Closes(usize),
     /// The normal force of the contact no longer pushes.
@@ -21,7 +21,7 @@ pub enum Happening {
     Nears(usize),
 }
 
-impl Happening {
+impl ContactChange {
     /// Index of the contact, and index of the kind of change.
     fn parts(self) -> (usize, usize) {
         match self {

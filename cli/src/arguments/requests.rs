@@ -1,0 +1,206 @@
+//! Options of the commands that run scenes, one struct for each command, and the options that several of them share.
+
+use std::path::PathBuf;
+use tripos::{EquationsName, Error, Overrides};
+
+/// A page about a model.
+#[derive(clap::Args)]
+pub struct Page {
+    /// A model file, or a folder with model.toml and its scenes; in a workspace, models/disk if not given
+    pub model: Option<PathBuf>,
+    /// Folder for index.html
+    #[arg(long, default_value = "target/page")]
+    pub out: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// A run of a scene.
+#[derive(clap::Args)]
+pub struct Simulate {
+    /// A scene file
+    pub scene: PathBuf,
+    #[command(flatten)]
+    pub set: Set,
+    #[command(flatten)]
+    pub how: RunOptions,
+    /// Also print the derivatives of all shown quantities by a parameter or a number of the start, at the end, at
+    /// events, and in the columns d(NAME)/d(PARAMETER) of --csv; more than once for several. Whole equations are run
+    #[arg(long, value_name = "NAME")]
+    pub sensitivity: Vec<String>,
+    /// Also print the derivatives of this output, coordinate, speed or energy at the end, or of t, the instant at which
+    /// an event ends the run, by all parameters and all numbers of the start at once. Whole equations are run
+    #[arg(long, value_name = "NAME")]
+    pub gradient: Option<String>,
+    /// Write the samples to this file; one that is there is replaced if its name ends in .csv
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Replace the file of --csv whatever its name is; never what the run reads
+    #[arg(long, requires = "csv")]
+    pub overwrite: bool,
+    /// End with status 3 also where a warning says not to trust the run, or where its digits are not assessed
+    #[arg(long)]
+    pub strict: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// A figure of runs.
+#[derive(clap::Args)]
+pub struct Plot {
+    /// Scene files
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// Quantities of a panel, with commas between them: names or formulas as in `outputs` of a scene; or `integrals`
+    /// for the changes of all conserved quantities. If not given, each shown quantity of the scene has a panel
+    #[arg(long, value_name = "QUANTITIES")]
+    pub what: Vec<String>,
+    /// Quantity on the horizontal axis; the time if not given
+    #[arg(long, value_name = "QUANTITY")]
+    pub against: Option<String>,
+    /// A further curve of each scene, run in another way: by, method, solve, step, rtol, atol
+    #[arg(long, value_name = "KEY=VALUE,…")]
+    pub also: Vec<String>,
+    /// The figure, .svg, .png or .pdf, or .csv for its data alone, which are written beside every figure; if not given,
+    /// an .svg named as the first scene
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Pixels of an inch of a .png
+    #[arg(long, value_name = "DOTS", default_value_t = crate::picture::DPI)]
+    pub dpi: u32,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub set: Set,
+    #[command(flatten)]
+    pub how: RunOptions,
+}
+
+/// A view of a scene.
+#[derive(clap::Args)]
+pub struct View {
+    /// A scene file
+    pub scene: PathBuf,
+    #[command(flatten)]
+    pub set: Set,
+    #[command(flatten)]
+    pub how: RunOptions,
+    /// Also show, transparent: the scene by other equations (kane, lagrange, newton-euler, printed:ID), or another
+    /// scene of the same model; more than once for several
+    #[arg(long, value_name = "F|SCENE")]
+    pub against: Vec<String>,
+    /// File of the view
+    #[arg(long, value_name = "FILE.html", default_value = "view.html")]
+    pub out: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Runs of a scene from many starts or with many parameters.
+#[derive(clap::Args)]
+#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
+pub struct Sweep {
+    /// A scene file
+    pub scene: PathBuf,
+    /// Values of a parameter or of a number of the start: NAME=FROM:TO:COUNT (evenly spaced, both ends included),
+    /// NAME=FROM:TO:COUNT:log, or NAME=a,b,c, each as a scene would state it; of several, every combination, the last
+    /// varying fastest
+    #[arg(long, required = true, value_name = "NAME=VALUES")]
+    pub over: Vec<String>,
+    #[command(flatten)]
+    pub how: RunOptions,
+    /// Run the i-th of n parts of the points; the files of all parts, one after another with one header, are the file
+    /// of the whole sweep
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    pub shard: String,
+    /// Threads; all that the machine has if not given. The results do not depend on them
+    #[arg(long)]
+    pub threads: Option<usize>,
+    /// A column of digits: how many are right at the end, by a second run of each point, which takes about as long
+    #[arg(long)]
+    pub digits: bool,
+    /// Write a row for each point to this file
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Replace the file if it is there
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Go on where this sweep was interrupted or killed: the rows in FILE.part stay, and the others are run. A sweep
+    /// begun with other options or other files is refused
+    #[arg(long)]
+    pub resume: bool,
+    /// Print a summary as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Other values for numbers of a scene.
+#[derive(clap::Args)]
+pub struct Set {
+    /// Another value of a parameter or of a number of the start, as the scene would state it: NAME=VALUE, more than
+    /// once for several
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// Options with which the command line overrides a scene's integration.
+#[derive(clap::Args)]
+pub struct RunOptions {
+    /// kane, lagrange, newton-euler, or printed:ID for a system of the publication beside the model. If not given,
+    /// `simulate` and `plot` take the scene's reduced equations where these are a gain (`tripos scene`), `view` and
+    /// `sweep` the first formulation that the model supports
+    #[arg(long)]
+    pub by: Option<String>,
+    /// The method of integration: rk4, ode45, dopri5, dop853, gauss6, radau5 or taylor; or quadrature, for a scene's
+    /// reduced equations with one degree of freedom
+    #[arg(long)]
+    pub method: Option<String>,
+    /// Invariant onto which each step is projected: energy, for a scene's reduced equations; the removed drift is
+    /// reported
+    #[arg(long)]
+    pub project: Option<String>,
+    /// Solution for the accelerations: eliminated (solved for when the code was generated) or numeric (the linear
+    /// system at each state)
+    #[arg(long)]
+    pub solve: Option<String>,
+    /// The length of every step, s, instead of steps chosen by the error
+    #[arg(long)]
+    pub step: Option<f64>,
+    /// The longest step that the error may choose, s
+    #[arg(long)]
+    pub max_step: Option<f64>,
+    /// Relative tolerance
+    #[arg(long)]
+    pub rtol: Option<f64>,
+    /// Absolute tolerance
+    #[arg(long)]
+    pub atol: Option<f64>,
+    /// The last instant, s; before the first, the run goes backward
+    #[arg(long, allow_negative_numbers = true)]
+    pub until: Option<f64>,
+}
+
+impl RunOptions {
+    /// Settings of the command line that override the scene's; `None` keeps the scene's value.
+    ///
+    /// # Errors
+    /// [`Error::Request`] for an unknown name of a method, solve or invariant.
+    pub fn overrides(&self) -> Result<Overrides, Error> {
+        let Self { by, method, project, solve, step, max_step, rtol, atol, until } = self;
+        Ok(Overrides {
+            by: by.as_deref().map(EquationsName::from),
+            method: method.as_deref().map(str::parse).transpose()?,
+            project: project.as_deref().map(str::parse).transpose()?,
+            solve: solve.as_deref().map(str::parse).transpose()?,
+            step: *step,
+            max_step: *max_step,
+            rtol: *rtol,
+            atol: *atol,
+            until: *until,
+        })
+    }
+}

@@ -1,0 +1,219 @@
+//! Runs of prepared problems, with their energies, first integrals, errors and notes.
+
+use super::outputs::{ShownQuantities, state_names};
+use super::run::Run;
+use crate::code::{Code, Ready, code};
+use crate::error::{Error, refused};
+use crate::mechanism::Mechanism;
+use crate::options::options;
+use crate::preparation::impacts;
+use crate::preparation::passage::{self, Chosen};
+use crate::preparation::problem::Problem;
+use crate::trust;
+use crate::trust::digits::{Digits, Values, assess};
+use crate::trust::events::{Balance, events};
+use crate::trust::invariants::Watch;
+use crate::trust::power::accounted;
+use crate::trust::residuals::residuals;
+use crate::trust::stiffness;
+use tripos_derive::algebra::text::print::text;
+use tripos_derive::mechanics::{By, load_divisors};
+use tripos_derive::scene::Scene;
+use tripos_derive::{Formulation, Model};
+use tripos_sim::{Event, Options, Solution, Stop};
+
+/// Replaces the energies of a run by those of the whole model, computed from the shown states. A run that shows outputs
+/// of its scene has no such energies, but keeps the drift of its own energy if it has one.
+///
+/// The energies of reduced equations differ from these: motion due to constant momenta counts as potential energy.
+///
+/// # Errors
+/// [`Error`] if the model has no Kane's equations.
+pub fn whole_energies(model: &Mechanism, scene: &Scene, run: &mut Run) -> Result<(), Error> {
+    if scene.states_outputs {
+        run.energies.clear();
+        return Ok(());
+    }
+    let code = code(model, &Formulation::Kane.into(), None, Ready::AsDerived)?;
+    let (system, p, n) = (code.system(), scene.parameters.as_slice(), scene.q.len());
+    let energies = |state: &Vec<f64>| {
+        let (q, u) = state.split_at(n);
+        (system.kinetic_energy(p, q, u), system.potential_energy(p, q))
+    };
+    run.energies = run.states.iter().map(energies).collect();
+    let (kinetic, potential) = energies(&run.end);
+    let drift = || run.solution.energy_drift(run.energies.iter().map(|(t, v)| t + v), kinetic + potential);
+    run.energy_drift = (!model.is_driven()).then(drift);
+    Ok(())
+}
+
+/// Names of the quantities that a run shows: the outputs of a scene, or coordinates and generalized speeds.
+fn shown_names(problem: &Problem<'_>) -> Vec<String> {
+    if problem.by.is_reduced() {
+        problem.shown.outputs.iter().map(|o| o.name.clone()).collect()
+    } else {
+        state_names(problem.model)
+    }
+}
+
+/// Proves the first integrals of a model, to watch them in runs. `None` for a large model, whose proof may take longer
+/// than the run; then only energy is watched.
+///
+/// # Errors
+/// [`Error`] if the model cannot be derived.
+pub fn proved(model: &Mechanism) -> Result<Option<Watch>, Error> {
+    is_proved(model).then(|| Watch::of_model(model)).transpose()
+}
+
+/// True if the first integrals of a model are proved before a run watches them.
+pub fn is_proved(model: &Mechanism) -> bool {
+    // A fully prescribed motion conserves nothing of its own.
+    model.coordinates.len() <= MOST_PROVED && !model.speeds.is_empty()
+}
+
+/// Greatest number of coordinates for which a run proves the first integrals before it watches them.
+const MOST_PROVED: usize = 8;
+
+/// Runs a scene by one set of equations that is ready to run, in the scene's distance if it has one.
+///
+/// # Errors
+/// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
+pub fn run_code(model: &Mechanism, scene: &Scene, by: &By, code: &Code, watch: Option<&Watch>) -> Result<Run, Error> {
+    run_problem(&Problem::new(model, scene, by, code, None)?, watch)
+}
+
+/// Runs a problem over the span of its scene, as the scene says, and shows its states.
+///
+/// # Errors
+/// [`Error`] if the run cannot begin; one that began and could not go on is a [`Run`] that says so.
+pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Error> {
+    run_shown(problem, watch, None)
+}
+
+/// Runs a problem, and shows the quantities `shown` of its states. Without `shown` it shows the states, or the outputs
+/// of a reduced scene.
+pub fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&ShownQuantities>) -> Result<Run, Error> {
+    run_by(problem, watch, shown, |y0, options, events| problem.solve(y0, options, events, accounted(problem)?))
+}
+
+/// Runs a problem by `solve`, which gets the integrated state at the start, the options and the watched events.
+///
+/// # Errors
+/// Errors of [`run_problem`], and the errors of `solve`.
+pub fn run_by(
+    problem: &Problem<'_>,
+    watch: Option<&Watch>,
+    shown: Option<&ShownQuantities>,
+    solve: impl FnOnce(&[f64], &Options, &mut [Event<'_>]) -> Result<Solution, Error>,
+) -> Result<Run, Error> {
+    let scene = problem.scene;
+    let watch = watch.filter(|_| scene.impacts.is_empty());
+    let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;
+    let y0 = problem.start()?;
+    let mut events = events(problem, &balance);
+    let options = options(scene);
+    let solution = solve(&y0, &options, &mut events)?;
+    drop(events);
+    let changes = problem.chosen.map(|chosen| changes(problem.model, chosen));
+    let values = |problem: &Problem<'_>, t: f64, y: &[f64]| match shown {
+        Some(shown) => shown.of(problem, t, y),
+        None => Ok(problem.state(t, y)),
+    };
+    let names = shown.map_or_else(|| shown_names(problem), |shown| shown.names.clone());
+    let digits = assess(problem, &y0, &options, &solution, &values, &balance)?;
+    let mut run = finish(problem, solution, watch, names, digits, &values)?;
+    run.notes.splice(..0, changes.into_iter().flatten());
+    Ok(run)
+}
+
+/// Notes on the instants at which the last run changed between its chosen speeds and all rates.
+fn changes(model: &Model, chosen: Chosen<'_>) -> Vec<String> {
+    let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
+    chosen.changes.lock().map_or_else(|_| Vec::new(), |list| passage::notes_on_changes(&list, &speeds, chosen.by))
+}
+
+/// Makes the result of a run from its solution: shown values, energies, notes and objections.
+fn finish(
+    problem: &Problem<'_>,
+    solution: Solution,
+    watch: Option<&Watch>,
+    names: Vec<String>,
+    digits: Option<Digits>,
+    values: &Values<'_>,
+) -> Result<Run, Error> {
+    let scene = problem.scene;
+    let (system, p) = (problem.system(), scene.parameters.as_slice());
+    let dynamics = problem.dynamics().map_err(|error| refused(scene, &error))?;
+    let energy = |y: &[f64]| {
+        let (q, v) = dynamics.split(y);
+        (system.kinetic_energy(p, q, v), system.potential_energy(p, q))
+    };
+    let energies: Vec<(f64, f64)> = solution.y.iter().map(|y| energy(y)).collect();
+    // Reduced equations may have no energy of their own, and the work of a drive is unknown.
+    let has_energy = (!problem.by.is_reduced() || system.has_energy_gradient()) && !problem.mechanism.is_driven();
+    let energy_drift = has_energy.then(|| dynamics.energy_drift(&solution));
+    let warnings = trust::objections(problem, &solution, watch, energy_drift, digits.as_ref(), &names)?;
+    let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
+    let variables = problem.variables();
+    let at = match &solution.stop {
+        Stop::Singular { divisor } => meaning(problem, divisor),
+        stop if stop.is_failure() => problem.near_divisors(&solution.y_end)?,
+        _ => String::new(),
+    };
+    let states = solution.t.iter().zip(&solution.y).map(|(t, y)| values(problem, *t, y));
+    let mut run = Run {
+        why: solution.stop.described(&variables) + &at,
+        ending: solution.described(&variables) + &at,
+        missing: None,
+        drifts,
+        by: problem.by.clone(),
+        code: problem.code.form(),
+        solve: problem.solve,
+        states: states.collect::<Result<_, _>>()?,
+        energies,
+        names,
+        end: values(problem, solution.t_end, &solution.y_end)?,
+        energy_drift,
+        residuals: residuals(problem, &solution),
+        notes: closed(scene)
+            .chain(impacts::notes_on_short_bounces(&scene.impacts, &solution))
+            .chain(driven(problem))
+            .chain(digits.as_ref().and_then(trust::unassessed))
+            .chain(stiffness::advice(problem, &solution)?)
+            .collect(),
+        digits,
+        warnings,
+        solution,
+    };
+    run.look_for_missing(problem)?;
+    Ok(run)
+}
+
+/// Consequence for a load of the zero divisor with the given name, as the end of a sentence; empty if no load has it.
+fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
+    let mut arena = problem.mechanism.arena.clone();
+    let loads = load_divisors(&mut arena, problem.mechanism);
+    let of_load = loads.iter().find(|load| text(&arena, load.value) == divisor);
+    of_load.map_or_else(String::new, |load| format!(": {}", load.meaning()))
+}
+
+/// Note that the energy of a driven mechanism is no measure of a run; `None` if constraints do not drive it.
+fn driven(problem: &Problem<'_>) -> Option<String> {
+    problem.mechanism.is_driven().then(|| {
+        "constraints drive the mechanism: its energy changes by what their forces work, and no drift of it is stated"
+            .to_owned()
+    })
+}
+
+/// Notes on the coordinates and rates that were solved for at the start, to close the loops and satisfy the
+/// constraints.
+fn closed(scene: &Scene) -> impl Iterator<Item = String> {
+    let solved = |is_rate: bool| -> Option<String> {
+        let list = scene.closed.iter().filter(|c| c.is_rate == is_rate);
+        let list: Vec<String> = list.map(|c| format!("{} = {}", c.name, c.value)).collect();
+        (!list.is_empty()).then(|| list.join(", "))
+    };
+    let places = solved(false).map(|list| format!("the loops are closed at the start by {list}"));
+    let rates = solved(true).map(|list| format!("the constraints give {list} at the start"));
+    places.into_iter().chain(rates)
+}

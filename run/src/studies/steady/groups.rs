@@ -1,0 +1,205 @@
+//! Groups of eigenvalues that coincide.
+//!
+//! Rounding splits an eigenvalue of multiplicity k by the k-th root of the rounding. Two questions are therefore asked
+//! of each set of eigenvalues. They coincide if the symmetric functions of their differences are zero, compared with
+//! rounding. These functions are the coefficients of the characteristic polynomial of the eigenvalues' part of the
+//! Schur form. They stay apart from the others if an error of the matrix moves none of them across a circle around the
+//! set: ‖E‖ ‖(A − z)⁻¹‖ < 1 on the circle (L. N. Trefethen & M. Embree, *Spectra and Pseudospectra*, 2005, chapter 52).
+
+use super::complex::Complex;
+use super::mode::Mode;
+use super::nilpotent::{NOT_ZERO, Part, Size, ZERO, projector};
+use super::schur::Schur;
+
+/// Number of points of a circle around eigenvalues at which the inverse of A − z is computed.
+const AROUND: usize = 8;
+/// Largest number of circles that are tried around eigenvalues.
+const CIRCLES: usize = 4;
+
+/// Eigenvalues that coincide, by their indices on the diagonal of the Schur form.
+#[derive(Clone, Debug)]
+pub(super) struct Group {
+    places: Vec<usize>,
+    /// Mean of the eigenvalues.
+    mean: Complex,
+    /// Possible error of the mean.
+    off: f64,
+    /// Circle that the eigenvalues of the group do not leave, by its centre and radius, if the group may coincide with
+    /// others.
+    doubt: Option<(Complex, f64)>,
+}
+
+impl Group {
+    /// Makes the mode of the group. `form` is the Schur form of the whole matrix, `noise` its possible error, and
+    /// `size` its norm. Eigenvalues of a group in doubt have a mode each.
+    pub(super) fn modes(&self, form: &Schur, noise: f64, size: f64) -> Vec<Mode> {
+        if let (Some(_), true) = (self.doubt, self.places.len() > 1) {
+            let single = |at: &usize| Self { places: vec![*at], mean: form.t[*at][*at], ..self.clone() };
+            return self.places.iter().flat_map(|at| single(at).modes(form, noise, size)).collect();
+        }
+        let form = form.with_first(&self.places);
+        let many = self.places.len();
+        let part = Part::new(&form, many);
+        let (norm, shares) = projector(&form, many, noise.max(f64::MIN_POSITIVE));
+        let condition = norm / (many as f64).sqrt();
+        let mode = |value, error: f64, is_undecided| Mode {
+            value,
+            condition,
+            error: error.max(f64::EPSILON * self.mean.norm()).min(size),
+            shares,
+            multiplicity: many,
+            power: 0,
+            vectors: many,
+            is_undecided,
+        };
+        let raw = [self.mean.re.hi(), self.mean.im.hi()];
+        if let Some((centre, radius)) = self.doubt {
+            // An eigenvalue whose real part is not 0 decays or grows, whatever it coincides with.
+            let is_undecided = centre.re.hi().abs() <= radius || centre.re.hi() * raw[0] <= 0.0;
+            return vec![mode(raw, radius + (self.mean - centre).norm(), is_undecided)];
+        }
+        let off = noise * condition;
+        let [re, im] = raw.map(|x| Size::of(x.abs(), self.off));
+        let clean = |x: f64, size: Size| if size == Size::Zero { 0.0 } else { x };
+        let (power, power_is_sure) = part.power(off);
+        let (rank, rank_is_sure) = part.rank(off);
+        let is_undecided = match re {
+            Size::Zero => !power_is_sure || !rank_is_sure,
+            Size::Undecided => true,
+            Size::NotZero => false,
+        };
+        let value = [clean(raw[0], re), clean(raw[1], im)];
+        vec![Mode { power, vectors: many - rank, ..mode(value, ZERO * self.off, is_undecided) }]
+    }
+}
+
+/// Unites groups of separate parts of a matrix whose means are equal, compared with their errors.
+pub(super) fn united(groups: Vec<Group>) -> Vec<Group> {
+    let mut list: Vec<Group> = Vec::new();
+    for mut group in groups {
+        let mut apart = Vec::new();
+        for other in list {
+            let between = (group.mean - other.mean).norm();
+            let off = (group.off + other.off).max(f64::MIN_POSITIVE);
+            let reach = |group: &Group| group.doubt.map_or(0.0, |(centre, r)| r + (group.mean - centre).norm());
+            let far = reach(&group) + reach(&other);
+            if between > far + NOT_ZERO * off {
+                apart.push(other);
+                continue;
+            }
+            let is_same = far <= 0.0 && between <= off;
+            let radius = far + between + NOT_ZERO * off;
+            let doubt = if is_same { None } else { Some((group.mean, radius)) };
+            let places = [other.places, group.places].concat();
+            group = Group { places, mean: group.mean, off: group.off.max(other.off), doubt };
+        }
+        apart.push(group);
+        list = apart;
+    }
+    list
+}
+
+/// Schur form of a matrix, with the data that sort its eigenvalues into groups that coincide.
+pub(super) struct Spectrum<'f> {
+    pub(super) form: &'f Schur,
+    pub(super) values: Vec<Complex>,
+    /// Possible error of the matrix, by its norm.
+    pub(super) noise: f64,
+    /// Norm of the matrix.
+    pub(super) size: f64,
+}
+
+impl Spectrum<'_> {
+    /// Sorts the eigenvalues into groups that coincide. `first` is added to their indices.
+    ///
+    /// Sets of eigenvalues that do not coincide are split at the largest gap. Eigenvalues that an error of the matrix
+    /// may mix with others are in doubt; they stay in the smallest circle that no error moves an eigenvalue across.
+    pub(super) fn groups(&self, first: usize) -> Vec<Group> {
+        let all: Vec<usize> = (0..self.values.len()).collect();
+        let mut groups = Vec::new();
+        let mut sets = vec![(all, (Complex::default(), self.size))];
+        while let Some((places, within)) = sets.pop() {
+            let part = Part::new(&self.form.with_first(&places), places.len());
+            let circle = self.circle(&places, part.mean).map(|radius| (part.mean, radius));
+            let off = self.noise * self.condition(&places);
+            let is_one = places.len() == 1 || (circle.is_some() && part.coincides(off));
+            if is_one {
+                let doubt = if circle.is_some() { None } else { Some(within) };
+                let places = places.iter().map(|at| first + at).collect();
+                groups.push(Group { places, mean: part.mean, off, doubt });
+            } else {
+                sets.extend(self.split(&places).map(|places| (places, circle.unwrap_or(within))));
+            }
+        }
+        groups
+    }
+
+    /// Growth of an error of the matrix in the mean of eigenvalues.
+    fn condition(&self, places: &[usize]) -> f64 {
+        let many = places.len();
+        let (norm, _) = projector(&self.form.with_first(places), many, self.noise.max(f64::MIN_POSITIVE));
+        norm / (many as f64).sqrt()
+    }
+
+    /// Splits eigenvalues at the largest gap: the longest link of the shortest tree that connects them.
+    fn split(&self, places: &[usize]) -> [Vec<usize>; 2] {
+        let between = |a: usize, b: usize| (self.values[a] - self.values[b]).norm();
+        let mut tree = vec![(places[0], places[0], 0.0)];
+        let mut left = places[1..].to_vec();
+        while !left.is_empty() {
+            let links = left.iter().flat_map(|at| tree.iter().map(|(from, _, _)| (*at, *from, between(*at, *from))));
+            let Some(link) = links.min_by(|a, b| a.2.total_cmp(&b.2)) else { break };
+            left.retain(|at| *at != link.0);
+            tree.push(link);
+        }
+        let longest = tree[1..].iter().max_by(|a, b| a.2.total_cmp(&b.2)).map_or(places[0], |link| link.0);
+        let mut far = vec![longest];
+        for (at, from, _) in &tree[1..] {
+            if far.contains(from) && !far.contains(at) {
+                far.push(*at);
+            }
+        }
+        let near = places.iter().copied().filter(|at| !far.contains(at)).collect();
+        [near, far]
+    }
+
+    /// Radius of a circle around eigenvalues that no error of the matrix moves an eigenvalue across; `None` if none is
+    /// found.
+    fn circle(&self, places: &[usize], mean: Complex) -> Option<f64> {
+        let distance = |at: &usize| (self.values[*at] - mean).norm();
+        let inner = places.iter().map(distance).fold(0.0, f64::max);
+        let others = (0..self.values.len()).filter(|at| !places.contains(at));
+        let outer = others.map(|at| distance(&at)).fold(f64::INFINITY, f64::min);
+        let error = NOT_ZERO * self.noise;
+        if outer.is_infinite() {
+            // All eigenvalues move by less than the size of the matrix and its error.
+            return Some(2.0 * self.size + error);
+        }
+        let inner = inner.max(error.min(0.5 * outer));
+        let share = |k: usize| (2 * k + 1) as f64 / (2 * CIRCLES) as f64;
+        let radii = [0.5].into_iter().chain((0..CIRCLES).map(share)).map(|x| inner * (outer / inner).powf(x));
+        let is_barrier = |radius: &f64| {
+            let points = (0..AROUND).map(|k| std::f64::consts::TAU * k as f64 / AROUND as f64);
+            let mut points = points.map(|angle| mean + Complex::polar(*radius, angle));
+            inner < outer && points.all(|z| error * self.inverse(z) < 1.0)
+        };
+        radii.into_iter().find(is_barrier)
+    }
+
+    /// Frobenius norm of (T − z)⁻¹.
+    fn inverse(&self, z: Complex) -> f64 {
+        let (t, n) = (&self.form.t, self.form.t.len());
+        let one = Complex::from_f64(1.0);
+        let mut all = 0.0_f64;
+        for column in 0..n {
+            let mut x = vec![Complex::default(); column + 1];
+            x[column] = one / (t[column][column] - z);
+            for row in (0..column).rev() {
+                let sum = (row + 1..=column).fold(Complex::default(), |sum, k| sum + t[row][k] * x[k]);
+                x[row] = -sum / (t[row][row] - z);
+            }
+            all = x.iter().fold(all, |all, x| all.hypot(x.norm()));
+        }
+        if all.is_nan() { f64::INFINITY } else { all }
+    }
+}
