@@ -167,6 +167,8 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Give marks to submissions by their root mistakes; exit status 1 if any has one
+    Grade(Box<crate::commands::grade::Request>),
     /// Write generated/ anew from models/
     Regenerate {
         /// Models of the workspace, by the names of their folders; all of them if none is given
@@ -368,6 +370,7 @@ impl Command {
             | Self::Diff { json, .. }
             | Self::Evaluate { json, .. }
             | Self::Scene { json, .. } => *json,
+            Self::Grade(request) => request.json || request.format == crate::commands::grade::MarksFormat::Json,
             Self::Page(request) => request.json,
             Self::Plot(request) => request.json,
             Self::View(request) => request.json,

@@ -80,6 +80,7 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::derive::derive(&model, by.as_deref(), form, (format, fragment))
         }
         Command::Diff { model, other, json } => commands::diff::diff(&model, &other, json),
+        Command::Grade(request) => commands::grade::grade(&request),
         Command::Check { model, json } => commands::check::check(&model, Output::of_flag(json)),
         Command::Equilibria { model, from, starts, over, wanted, out, json } => {
             let from = commands::equilibria::StartingPoints { file: from.as_deref(), starts };

@@ -9,7 +9,7 @@
 //! paths of the machine. Links out of the page lead only to the tables of measured figures.
 
 mod content;
-mod markup;
+pub mod markup;
 mod model;
 mod print;
 mod scenes;

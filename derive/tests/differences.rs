@@ -297,7 +297,7 @@ fn a_verdict_names_the_term_that_is_wrong() {
         said("both"),
         "the term m*l^2*u^2 should be m*l^2*u^2/2; the term -3*m*l*g*cos(q) should be -m*l*g*cos(q)"
     );
-    assert_eq!(said("other"), "the term m*l*g*q should not be there; the term -m*l*g*cos(q) is missing");
+    assert_eq!(said("other"), "the term m*l*g*q should be -m*l*g*cos(q)");
     assert_eq!(said("right"), "");
     let course = course_report();
     let row = course.finding("newton-euler-final-row5").remarks.join("; ");

@@ -24,6 +24,11 @@ fn a_controller_in_twenty_minutes() {
     carry_out("control");
 }
 
+#[test]
+fn three_homeworks_graded() {
+    carry_out("grading");
+}
+
 /// Goal: no command shown in the documentation has been forgotten by the program. Method: clap reads each of them,
 /// beside `cli/src/arguments.rs`; here, the models and scenes that they name must exist.
 #[test]

@@ -7,6 +7,7 @@
 mod edits;
 pub mod equations;
 mod formulas;
+pub mod grade;
 pub mod printed;
 mod repairs;
 mod roots;
@@ -18,6 +19,7 @@ pub use edits::scenes::{Setting, diff_scenes};
 pub use formulas::finding::{Finding, Judgement};
 pub use printed::consequences::{Agreement, Consequences, Rate};
 pub use printed::emitted::printed_equations;
+pub use repairs::Slip;
 pub use roots::{Follower, Link, Root};
 
 use crate::algebra::Expr;

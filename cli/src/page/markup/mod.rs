@@ -1,6 +1,6 @@
 //! Markup of the page: shapes of HTML, formulas as MathML, transcribed formulas.
 
-pub(super) mod html;
+pub mod html;
 pub(super) mod math;
 #[cfg(test)]
 pub(super) mod math_tests;

@@ -7,7 +7,7 @@ use super::ratio::constant_ratio;
 use super::rounding::agrees_as_rounded;
 use super::terms::{WrongTerm, wrong_terms};
 use crate::diff::equations::claim::Claim;
-use crate::diff::repairs::{Repair, repair};
+use crate::diff::repairs::{Repair, Slip, repair};
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -201,7 +201,9 @@ impl Judge<'_, '_> {
             let difference = self.simplify(difference);
             finding.difference = Some(difference);
             finding.factor = constant_ratio(self.quantities, self.comparer, printed.value, derived);
-            if finding.factor.is_none() {
+            if let Some(factor) = finding.factor {
+                finding.slip = Slip::of_factor(&self.quantities.derivations.kinematics.arena, factor);
+            } else {
                 finding.name_mistake(self.mistake(printed, derived, difference));
             }
         }
@@ -231,27 +233,34 @@ impl Judge<'_, '_> {
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
         let terms = wrong_terms(arena, simplifier, printed.value, difference);
         let words: Vec<String> = terms.iter().map(|term| term.words(arena)).collect();
+        let slip = if let [term] = *terms.as_slice() { Some(term.slip(arena)) } else { None };
         match *terms.as_slice() {
-            [WrongTerm::Extra(own)] => return Mistake { words, change: Some((own, Expr::ZERO)) },
-            [WrongTerm::Other(own, right)] => return Mistake { words, change: Some((own, right)) },
+            [WrongTerm::Extra(own)] => return Mistake { words, change: Some((own, Expr::ZERO)), slip },
+            [WrongTerm::Other(own, right)] => return Mistake { words, change: Some((own, right)), slip },
             _ => {}
         }
         if self.near.is_none() {
             let (names, reading) = (self.names, printed.reading);
             let mut rewriting = |quantities: &mut Quantities<'_>, e: Expr| reading.value(quantities, names, e);
             let found = repair(self.quantities, self.comparer, printed.raw, derived, &mut rewriting);
-            if let Some(Repair { words, parts }) = found {
-                return Mistake { words: vec![words], change: parts };
+            if let Some(Repair { words, parts, slip }) = found {
+                return Mistake { words: vec![words], change: parts, slip: Some(slip) };
             }
         }
         let arena = &self.quantities.derivations.kinematics.arena;
+        if let [WrongTerm::Extra(own), WrongTerm::Missing(right)] | [WrongTerm::Missing(right), WrongTerm::Extra(own)] =
+            *terms.as_slice()
+        {
+            let words = WrongTerm::Other(own, right).words(arena);
+            return Mistake { words: vec![words], change: Some((own, right)), slip };
+        }
         let [before, after] = [printed.value, derived].map(|e| text(arena, e));
         let is_long = before.len() > LONGEST || after.len() > LONGEST;
         let is_each_printed = !terms.is_empty() && terms.iter().all(|term| !matches!(term, WrongTerm::Missing(_)));
         if is_long || is_each_printed {
-            return Mistake { words, change: None };
+            return Mistake { words, change: None, slip };
         }
-        Mistake { words: vec![format!("{before} should be {after}")], change: Some((printed.value, derived)) }
+        Mistake { words: vec![format!("{before} should be {after}")], change: Some((printed.value, derived)), slip }
     }
 
     /// Shortest form of a term that is equal in permitted states.

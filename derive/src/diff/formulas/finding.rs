@@ -3,6 +3,7 @@
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Verdict, Witness};
 use crate::algebra::meaning::permitted::Holds;
+use crate::diff::repairs::Slip;
 
 /// Remark on an entry that is equal to the digits printed only.
 pub(in crate::diff) const ROUNDED: &str =
@@ -48,6 +49,8 @@ impl Finding {
             difference: None,
             wrong: None,
             change: None,
+            slip: None,
+            places: Vec::new(),
             witness: None,
             factor: None,
             ..self
@@ -62,6 +65,8 @@ pub(in crate::diff) struct Mistake {
     pub(in crate::diff) words: Vec<String>,
     /// Wrong part, and the right part in its place, if this is the whole mistake.
     pub(in crate::diff) change: Option<(Expr, Expr)>,
+    /// Kind of the mistake, if there is one alone.
+    pub(in crate::diff) slip: Option<Slip>,
 }
 
 /// One entry of a publication with its judgement.
@@ -90,6 +95,10 @@ pub struct Finding {
     pub wrong: Option<String>,
     /// Wrong part of the printed formula, and the right part in its place, if this is the whole mistake.
     pub change: Option<(Expr, Expr)>,
+    /// Kind of the mistake, if there is one alone.
+    pub slip: Option<Slip>,
+    /// Places of the mistakes in a row, such as "the right-hand side"; empty for other entries.
+    pub places: Vec<String>,
     /// State in which the printed and the derived value differ.
     pub witness: Option<Witness>,
     /// Further remarks, such as the matched row or the garbled part of the scan.
@@ -111,6 +120,8 @@ impl Finding {
             difference: None,
             wrong: None,
             change: None,
+            slip: None,
+            places: Vec::new(),
             witness: None,
             remarks: Vec::new(),
         }
@@ -123,7 +134,8 @@ impl Finding {
 
     /// Adds the description of the mistake, if there is one.
     pub(in crate::diff) fn name_mistake(&mut self, mistake: Mistake) {
-        let Mistake { words, change } = mistake;
+        let Mistake { words, change, slip } = mistake;
+        self.slip = slip;
         self.wrong = (!words.is_empty()).then(|| words.join("; "));
         self.remarks.extend(words);
         self.change = change;

@@ -7,6 +7,7 @@
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr, Node, Rational};
+use crate::diff::repairs::Slip;
 
 /// Most wrong terms that a list names.
 const MOST: usize = 3;
@@ -25,6 +26,21 @@ pub enum WrongTerm {
 }
 
 impl WrongTerm {
+    /// Kind of the mistake.
+    pub fn slip(self, arena: &mut Arena) -> Slip {
+        match self {
+            Self::Extra(_) => Slip::ExtraTerm,
+            Self::Missing(_) => Slip::LostTerm,
+            Self::Other(own, right) => {
+                if arena.neg(own) == right {
+                    Slip::Sign
+                } else {
+                    Slip::Number
+                }
+            }
+        }
+    }
+
     /// Description of the mistake in words.
     pub fn words(self, arena: &Arena) -> String {
         match self {

@@ -474,10 +474,17 @@ impl Judge<'_, '_> {
             finding.remarks.push(format!("units alone show it: {message}"));
         }
         let wrong: Vec<usize> = (0..judged.entries.len()).filter(|at| !judged.entries[*at].is_equal()).collect();
-        let (places, changes): (Vec<String>, Vec<_>) =
-            wrong.into_iter().map(|at| self.wrong_place(order.unknowns.get(at), row[at], judged.expected[at])).unzip();
-        if let [change] = changes.as_slice() {
-            finding.change = *change;
+        let mut places = Vec::new();
+        let mut mistakes = Vec::new();
+        for at in wrong {
+            let unknown = order.unknowns.get(at);
+            let (words, mistake) = self.wrong_place(unknown, row[at], judged.expected[at]);
+            finding.places.push(self.place(unknown));
+            places.push(words);
+            mistakes.push(mistake);
+        }
+        if let [mistake] = mistakes.as_slice() {
+            (finding.change, finding.slip) = (mistake.change, mistake.slip);
         }
         let wrong = places.join("; ");
         finding.remarks.push(format!("wrong: {wrong}"));
@@ -496,26 +503,26 @@ impl Judge<'_, '_> {
         finding
     }
 
-    /// Description of a wrong entry of a row, its place and what should be there, and the change that makes it right.
-    fn wrong_place(
-        &mut self,
-        unknown: Option<&Expr>,
-        printed: Printed,
-        expected: Expr,
-    ) -> (String, Option<(Expr, Expr)>) {
-        let arena = &mut self.quantities.derivations.kinematics.arena;
-        let place = match unknown {
+    /// Name of an entry of a row.
+    fn place(&self, unknown: Option<&Expr>) -> String {
+        let arena = &self.quantities.derivations.kinematics.arena;
+        match unknown {
             Some(unknown) => format!("the coefficient of {}", text(arena, *unknown)),
             None => "the right-hand side".to_owned(),
-        };
-        let difference = arena.sub(printed.value, expected);
+        }
+    }
+
+    /// Description of a wrong entry of a row, its place and what should be there, and the mistake.
+    fn wrong_place(&mut self, unknown: Option<&Expr>, printed: Printed, expected: Expr) -> (String, Mistake) {
+        let place = self.place(unknown);
+        let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, expected);
         let difference = self.simplify(difference);
-        let Mistake { words, change } = self.mistake(printed, expected, difference);
-        if !words.is_empty() {
-            return (format!("in {place}, {}", words.join(", ")), change);
+        let mistake = self.mistake(printed, expected, difference);
+        if !mistake.words.is_empty() {
+            return (format!("in {place}, {}", mistake.words.join(", ")), mistake);
         }
         let arena = &self.quantities.derivations.kinematics.arena;
-        (format!("{place} is off by {}", text(arena, difference)), None)
+        (format!("{place} is off by {}", text(arena, difference)), mistake)
     }
 
     fn entry_finding(&mut self, finding: Finding, printed: Printed, judged: &RowJudgement, at: usize) -> Finding {

@@ -11,9 +11,9 @@ const MOST: usize = 40_000;
 const NUMBERS: [(i64, i64); 12] =
     [(-1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (-1, 2)];
 
-/// Kind of a change, the likeliest mistake first.
+/// Kind of a mistake in a printed formula, the likeliest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Rank {
+pub enum Slip {
     /// A lost or gained sign.
     Sign,
     /// A wrong number.
@@ -30,13 +30,49 @@ pub enum Rank {
     LostFactor,
     /// A term too many.
     ExtraTerm,
+    /// A term too few.
+    LostTerm,
+}
+
+impl Slip {
+    /// Kind of the mistake in a value that is wrong by a factor; `None` for a factor of both kinds.
+    pub fn of_factor(arena: &Arena, factor: Expr) -> Option<Self> {
+        if factor == Expr::MINUS_ONE {
+            return Some(Self::Sign);
+        }
+        if arena.as_number(factor).is_some() {
+            return Some(Self::Number);
+        }
+        match arena.node(factor) {
+            Node::Symbol(_) => Some(Self::ExtraFactor),
+            Node::Product(factors) if factors.iter().all(|(_, n)| *n > 0) => Some(Self::ExtraFactor),
+            Node::Product(factors) if factors.iter().all(|(_, n)| *n < 0) => Some(Self::LostFactor),
+            _ => None,
+        }
+    }
+
+    /// Name of the kind of mistake, such as "a sign".
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Sign => "a sign",
+            Self::Number => "a number",
+            Self::Symbol => "a symbol or a dot",
+            Self::Function => "a sine, cosine or argument",
+            Self::Power => "a power",
+            Self::ExtraFactor => "a factor too many",
+            Self::LostFactor => "a factor too few",
+            Self::ExtraTerm => "a term too many",
+            Self::LostTerm => "a term too few",
+        }
+    }
 }
 
 /// A formula in which one place is changed.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
     /// Kind of the change.
-    pub rank: Rank,
+    pub slip: Slip,
     /// Changed part, as printed.
     pub before: Expr,
     /// Changed part, as changed; 0 if the part is left out.
@@ -60,7 +96,7 @@ impl Change {
 
 /// Part of a formula in the place of another one.
 struct Variant {
-    rank: Rank,
+    slip: Slip,
     part: Expr,
 }
 
@@ -75,8 +111,8 @@ pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, tell: &mut dyn FnMut(
     };
     let parts = arena.reachable(&[root]);
     if !matches!(arena.node(root), Node::Sum(..)) {
-        for Variant { rank, part } in variants_of_term(arena, pool, root) {
-            tell(arena, Change { rank, before: root, after: part, whole: part, throughout: false });
+        for Variant { slip, part } in variants_of_term(arena, pool, root) {
+            tell(arena, Change { slip, before: root, after: part, whole: part, throughout: false });
         }
     }
     for sum in parts.iter().copied() {
@@ -85,16 +121,16 @@ pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, tell: &mut dyn FnMut(
         let constant = arena.number(constant);
         let list: Vec<Expr> = terms.iter().map(|(term, k)| arena.scale(*term, k)).chain([constant]).collect();
         for term in list.into_iter().filter(|e| *e != Expr::ZERO) {
-            for Variant { rank, part } in variants_of_term(arena, pool, term) {
+            for Variant { slip, part } in variants_of_term(arena, pool, term) {
                 let rest = arena.sub(sum, term);
                 let changed = arena.add(rest, part);
                 // A term too many within a formula is told with the sum that it stands in.
-                let is_inner = rank == Rank::ExtraTerm && sum != root;
+                let is_inner = slip == Slip::ExtraTerm && sum != root;
                 let place = if is_inner { (sum, changed) } else { (term, part) };
                 let (before, after) = around(arena, &parents, (sum, changed), place);
                 let mut add = |arena: &mut Arena, whole: Option<Expr>| {
                     if let Some(whole) = whole {
-                        tell(arena, Change { rank, before, after, whole, throughout: false });
+                        tell(arena, Change { slip, before, after, whole, throughout: false });
                     }
                 };
                 let whole = replaced(arena, root, sum, changed);
@@ -109,9 +145,9 @@ pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, tell: &mut dyn FnMut(
     }
     for part in parts {
         let Some(list) = throughout(arena, pool, part) else { continue };
-        for Variant { rank, part: after } in list {
+        for Variant { slip, part: after } in list {
             if let Some(whole) = replaced(arena, root, part, after) {
-                tell(arena, Change { rank, before: part, after, whole, throughout: true });
+                tell(arena, Change { slip, before: part, after, whole, throughout: true });
             }
         }
     }
@@ -121,10 +157,10 @@ pub fn changes(arena: &mut Arena, pool: &Pool, root: Expr, tell: &mut dyn FnMut(
 fn throughout(arena: &mut Arena, pool: &Pool, part: Expr) -> Option<Vec<Variant>> {
     match *arena.node(part) {
         Node::Symbol(_) => {
-            Some(pool.swaps(part).iter().map(|other| Variant { rank: Rank::Symbol, part: *other }).collect())
+            Some(pool.swaps(part).iter().map(|other| Variant { slip: Slip::Symbol, part: *other }).collect())
         }
         Node::Apply(f, argument) => {
-            Some(turned(arena, f, argument).into_iter().map(|part| Variant { rank: Rank::Function, part }).collect())
+            Some(turned(arena, f, argument).into_iter().map(|part| Variant { slip: Slip::Function, part }).collect())
         }
         _ => None,
     }
@@ -153,20 +189,20 @@ fn variants_of_term(arena: &mut Arena, pool: &Pool, term: Expr) -> Vec<Variant> 
     let mut list = Vec::new();
     for (n, d) in NUMBERS {
         let Some(k) = Rational::fraction(n, d) else { continue };
-        let rank = if (n, d) == (-1, 1) { Rank::Sign } else { Rank::Number };
-        list.push(Variant { rank, part: arena.scale(term, &k) });
+        let slip = if (n, d) == (-1, 1) { Slip::Sign } else { Slip::Number };
+        list.push(Variant { slip, part: arena.scale(term, &k) });
     }
     let (content, bare) = arena.split_content(term);
-    for Variant { rank, part } in variants(arena, pool, bare) {
-        list.push(Variant { rank, part: arena.scale(part, &content) });
+    for Variant { slip, part } in variants(arena, pool, bare) {
+        list.push(Variant { slip, part: arena.scale(part, &content) });
     }
     for factor in pool.factors() {
-        list.push(Variant { rank: Rank::LostFactor, part: arena.mul(term, *factor) });
+        list.push(Variant { slip: Slip::LostFactor, part: arena.mul(term, *factor) });
         if let Some(part) = arena.div(term, *factor) {
-            list.push(Variant { rank: Rank::LostFactor, part });
+            list.push(Variant { slip: Slip::LostFactor, part });
         }
     }
-    list.push(Variant { rank: Rank::ExtraTerm, part: Expr::ZERO });
+    list.push(Variant { slip: Slip::ExtraTerm, part: Expr::ZERO });
     list
 }
 
@@ -178,18 +214,18 @@ fn variants(arena: &mut Arena, pool: &Pool, part: Expr) -> Vec<Variant> {
             for (base, n) in factors {
                 let Ok(power) = arena.pow(base, n) else { continue };
                 let Some(rest) = arena.div(part, power) else { continue };
-                list.push(Variant { rank: Rank::ExtraFactor, part: rest });
+                list.push(Variant { slip: Slip::ExtraFactor, part: rest });
                 for other in [n + 1, n - 1, -n, 2 * n].into_iter().filter(|other| *other != 0 && *other != n) {
                     if let Ok(power) = arena.pow(base, other) {
-                        list.push(Variant { rank: Rank::Power, part: arena.mul(rest, power) });
+                        list.push(Variant { slip: Slip::Power, part: arena.mul(rest, power) });
                     }
                 }
                 if matches!(arena.node(base), Node::Sum(..)) {
                     continue;
                 }
-                for Variant { rank, part } in variants(arena, pool, base) {
+                for Variant { slip, part } in variants(arena, pool, base) {
                     if let Ok(power) = arena.pow(part, n) {
-                        list.push(Variant { rank, part: arena.mul(rest, power) });
+                        list.push(Variant { slip, part: arena.mul(rest, power) });
                     }
                 }
             }
@@ -197,26 +233,29 @@ fn variants(arena: &mut Arena, pool: &Pool, part: Expr) -> Vec<Variant> {
         }
         Node::Symbol(_) => {
             let mut list: Vec<Variant> =
-                pool.swaps(part).iter().map(|other| Variant { rank: Rank::Symbol, part: *other }).collect();
-            list.push(Variant { rank: Rank::Power, part: arena.square(part) });
+                pool.swaps(part).iter().map(|other| Variant { slip: Slip::Symbol, part: *other }).collect();
+            list.push(Variant { slip: Slip::Power, part: arena.square(part) });
+            // θ is printed for sin θ.
+            list.extend([arena.sin(part), arena.cos(part)].map(|part| Variant { slip: Slip::Function, part }));
             list
         }
         Node::Apply(f, argument) => {
             let mut list: Vec<Variant> =
-                turned(arena, f, argument).into_iter().map(|part| Variant { rank: Rank::Function, part }).collect();
+                turned(arena, f, argument).into_iter().map(|part| Variant { slip: Slip::Function, part }).collect();
             for (n, d) in [(2, 1), (1, 2), (-1, 1)] {
                 let Some(k) = Rational::fraction(n, d) else { continue };
                 let scaled = arena.scale(argument, &k);
-                list.push(Variant { rank: Rank::Function, part: arena.apply(f, scaled) });
+                list.push(Variant { slip: Slip::Function, part: arena.apply(f, scaled) });
             }
+            list.push(Variant { slip: Slip::Function, part: argument });
             if !matches!(arena.node(argument), Node::Sum(..)) {
                 let (content, bare) = arena.split_content(argument);
-                for Variant { rank, part } in variants(arena, pool, bare) {
+                for Variant { slip, part } in variants(arena, pool, bare) {
                     let scaled = arena.scale(part, &content);
-                    list.push(Variant { rank, part: arena.apply(f, scaled) });
+                    list.push(Variant { slip, part: arena.apply(f, scaled) });
                 }
             }
-            list.push(Variant { rank: Rank::Power, part: arena.square(part) });
+            list.push(Variant { slip: Slip::Power, part: arena.square(part) });
             list
         }
         _ => Vec::new(),

@@ -15,6 +15,7 @@ use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::print::text;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Quantities;
+pub use change::Slip;
 use change::changes;
 use points::Points;
 use pool::Pool;
@@ -36,6 +37,8 @@ pub struct Repair {
     pub words: String,
     /// Wrong part and right part; `None` for a term that is missing.
     pub parts: Option<(Expr, Expr)>,
+    /// Kind of the mistake.
+    pub slip: Slip,
 }
 
 /// Smallest change of `printed`, as it is printed, that makes it the derived value. `None` if no change of one place
@@ -62,7 +65,7 @@ pub fn repair(
             close.push(change);
         }
     });
-    close.sort_by_key(|change| change.rank);
+    close.sort_by_key(|change| change.slip);
     close.dedup_by_key(|change| change.whole);
     for change in close.into_iter().take(MOST_PROOFS) {
         let [before, after] = [change.before, change.after].map(|e| text(&arena, e));
@@ -76,9 +79,9 @@ pub fn repair(
         if comparer.compare(main, whole, derived).is_equal() {
             let mut transfer = Transfer::new(&arena);
             let parts = (transfer.term(main, change.before), transfer.term(main, change.after));
-            return Some(Repair { words: change.words(&before, &after), parts: Some(parts) });
+            return Some(Repair { words: change.words(&before, &after), parts: Some(parts), slip: change.slip });
         }
     }
     let words = missing::missing_term(quantities, comparer, printed, derived, rewriting)?;
-    Some(Repair { words, parts: None })
+    Some(Repair { words, parts: None, slip: Slip::LostTerm })
 }

@@ -1,0 +1,301 @@
+//! `tripos grade`: marks and feedback for submissions, by root mistakes.
+
+use crate::failure::{Failure, print, print_json, status};
+use crate::output;
+use crate::page::markup::html::escape;
+use crate::workspace::{read_model, short_name};
+use clap::ValueEnum;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use tripos::Mechanism;
+use tripos_derive::diagnostic::Source;
+use tripos_derive::diff::diff;
+use tripos_derive::diff::grade::{Grade, Level, Mark, Outcome, Rubric, grade as graded};
+use tripos_derive::mechanics::derive_all;
+use tripos_derive::plain::path_in_line;
+use tripos_derive::prove::prove;
+
+/// Largest submission that is read, in bytes.
+const LARGEST: u64 = 1_000_000;
+
+/// Form in which marks are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MarksFormat {
+    /// Lines for people.
+    Text,
+    /// JSON for programs.
+    Json,
+    /// The `results.json` of Gradescope, for one submission.
+    Gradescope,
+}
+
+/// Request for marks, as the command line states it.
+#[derive(Debug, clap::Args)]
+pub struct Request {
+    /// A model file, or a folder with model.toml
+    pub model: PathBuf,
+    /// Submissions: publication files (docs/publication.md), or folders of them
+    #[arg(required = true)]
+    pub submissions: Vec<PathBuf>,
+    /// Points of entries, and the entries that a submission must have (docs/grading.md)
+    #[arg(long)]
+    pub rubric: Option<PathBuf>,
+    /// How much feedback tells: hint, place or term; the rubric's if nothing is said, else hint
+    #[arg(long)]
+    pub level: Option<String>,
+    /// Form of the marks
+    #[arg(long, value_enum, default_value_t = MarksFormat::Text)]
+    pub format: MarksFormat,
+    /// Also write a page about all submissions to this file: who made which mistake
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long, conflicts_with = "format")]
+    pub json: bool,
+}
+
+/// A submission with its marks, or the reason why it has none.
+struct Graded {
+    name: String,
+    grade: Result<Grade, String>,
+}
+
+/// Runs `tripos grade`; exit status 1 if any submission has a mistake or could not be read.
+pub fn grade(request: &Request) -> Result<u8, Failure> {
+    let model = read_model(&request.model)?;
+    let rubric = match &request.rubric {
+        Some(path) => Rubric::load(&Source::read(path)?)?,
+        None => Rubric::default(),
+    };
+    let level = level(request, &rubric)?;
+    let files = files(&request.submissions)?;
+    let list: Vec<Graded> = files.iter().map(|file| submission(&model, &rubric, file)).collect();
+    let format = if request.json { MarksFormat::Json } else { request.format };
+    match format {
+        MarksFormat::Text => print(&text_of(&list, level))?,
+        MarksFormat::Json => print_json(&json!({
+            "model": short_name(&model),
+            "level": Level::ALL.iter().find(|(own, _)| *own == level).map(|(_, name)| name),
+            "submissions": list.iter().map(|one| json_of(one, level)).collect::<Vec<_>>(),
+        }))?,
+        MarksFormat::Gradescope => {
+            let [one] = list.as_slice() else {
+                let help = "give one submission: Gradescope runs the grader once for each";
+                return Err(Failure::request(format!("{} for `--format gradescope`", list.len()), help));
+            };
+            print(&format!("{:#}\n", gradescope(one, level)))?;
+        }
+    }
+    if let Some(out) = &request.out {
+        output::text(out, &page(&model, &list))?;
+    }
+    let is_right = |one: &Graded| one.grade.as_ref().is_ok_and(|grade| grade.marks.iter().all(is_right));
+    Ok(if list.iter().all(is_right) { 0 } else { status::NO })
+}
+
+fn is_right(mark: &Mark) -> bool {
+    mark.outcome == Outcome::Right
+}
+
+/// Amount that feedback tells: that of the command line, else that of the rubric.
+fn level(request: &Request, rubric: &Rubric) -> Result<Level, Failure> {
+    let Some(name) = &request.level else { return Ok(rubric.level.unwrap_or_default()) };
+    Level::named(name).ok_or_else(|| {
+        let help = "give `hint`, `place` or `term`";
+        Failure::request(format!("there is no level `{}`", tripos_derive::diagnostic::shown(name)), help)
+    })
+}
+
+/// Files of all submissions; a folder stands for the TOML files in it, by name.
+fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let mut files = Vec::new();
+    for path in given {
+        if !path.is_dir() {
+            files.push(path.clone());
+            continue;
+        }
+        let failed =
+            |error| Failure::request(format!("{}: {error}", path_in_line(path)), "give a folder that can be read");
+        let mut inside = Vec::new();
+        for entry in std::fs::read_dir(path).map_err(failed)? {
+            let file = entry.map_err(failed)?.path();
+            if file.extension().is_some_and(|ending| ending == "toml") {
+                inside.push(file);
+            }
+        }
+        if inside.is_empty() {
+            let what = format!("{} has no submission", path_in_line(path));
+            return Err(Failure::request(what, "a submission is a TOML file, as docs/publication.md describes it"));
+        }
+        inside.sort();
+        files.extend(inside);
+    }
+    Ok(files)
+}
+
+fn submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> Graded {
+    let name = file.file_stem().map_or_else(|| path_in_line(file), |stem| stem.to_string_lossy().into_owned());
+    Graded { name, grade: marks(model, rubric, file).map_err(|failure| failure.to_string()) }
+}
+
+fn marks(model: &Mechanism, rubric: &Rubric, file: &Path) -> Result<Grade, Failure> {
+    if std::fs::metadata(file).is_ok_and(|about| about.len() > LARGEST) {
+        let what = format!("{} has more than {LARGEST} bytes", path_in_line(file));
+        return Err(Failure::request(what, "a submission is a text of some pages"));
+    }
+    let source = Source::read(file)?;
+    // Each submission gets a model of its own: nothing of one may reach another.
+    let mut model = model.clone();
+    let publication = tripos_derive::publication::load(&source, &mut model)?;
+    let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
+    let proof = prove(&model, &mut derivations);
+    Ok(graded(&diff(&model, &mut derivations, &publication, &proof), rubric))
+}
+
+/// Points as people write them: whole numbers without decimals.
+fn points(x: f64) -> String {
+    let text = format!("{x:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Outcome of an entry, and feedback on it, in words.
+fn words(mark: &Mark, level: Level) -> (&'static str, String) {
+    match &mark.outcome {
+        Outcome::Right => ("right", String::new()),
+        Outcome::Mistake(feedback) => ("WRONG", feedback.words(level)),
+        Outcome::Follows(from) => ("follows", format!("from {from}, which is wrong")),
+        Outcome::Undecided(why) => ("look", format!("not decided: {why}")),
+        Outcome::Lacking => ("LACKING", "the submission does not have it".to_owned()),
+    }
+}
+
+fn text_of(list: &[Graded], level: Level) -> String {
+    let mut out = String::new();
+    for one in list {
+        match &one.grade {
+            Err(why) => {
+                let _ = writeln!(out, "{}: not read\n{why}\n", one.name);
+            }
+            Ok(grade) => {
+                let _ = writeln!(out, "{}: {} of {} points", one.name, points(grade.points), points(grade.of));
+                for mark in &grade.marks {
+                    let (outcome, feedback) = words(mark, level);
+                    let feedback = if feedback.is_empty() { feedback } else { format!(": {feedback}") };
+                    let _ = writeln!(out, "  {outcome:8} {}{feedback}", mark.id);
+                }
+                out.push('\n');
+            }
+        }
+    }
+    if list.len() > 1 {
+        out += "Who made which mistake\n";
+        for ((id, term), names) in mistakes(list) {
+            let _ = writeln!(out, "  {id}: {term}\n    {}", names.join(", "));
+        }
+    }
+    out
+}
+
+/// Submissions with each mistake, by the id of its entry and its words.
+fn mistakes(list: &[Graded]) -> BTreeMap<(&str, &str), Vec<&str>> {
+    let mut found: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
+    for one in list {
+        for mark in one.grade.iter().flat_map(|grade| &grade.marks) {
+            if let Outcome::Mistake(feedback) = &mark.outcome {
+                found.entry((&mark.id, &feedback.term)).or_default().push(&one.name);
+            }
+        }
+    }
+    found
+}
+
+fn json_of(one: &Graded, level: Level) -> Value {
+    let grade = match &one.grade {
+        Ok(grade) => grade,
+        Err(why) => return json!({ "name": one.name, "error": why }),
+    };
+    let entries: Vec<Value> = grade
+        .marks
+        .iter()
+        .map(|mark| {
+            let (outcome, feedback) = words(mark, level);
+            let term = match &mark.outcome {
+                Outcome::Mistake(feedback) => Some(feedback.term.as_str()),
+                _ => None,
+            };
+            json!({
+                "id": mark.id, "points": mark.points, "of": mark.of, "outcome": outcome.to_lowercase(),
+                "feedback": feedback, "mistake": term,
+            })
+        })
+        .collect();
+    json!({ "name": one.name, "points": grade.points, "of": grade.of, "entries": entries })
+}
+
+/// Marks in the form of Gradescope's `results.json`: one test for each entry. A student sees the feedback alone.
+fn gradescope(one: &Graded, level: Level) -> Value {
+    let grade = match &one.grade {
+        Ok(grade) => grade,
+        Err(why) => return json!({ "score": 0, "output": why, "output_format": "text" }),
+    };
+    let tests: Vec<Value> = grade
+        .marks
+        .iter()
+        .map(|mark| {
+            let (outcome, feedback) = words(mark, level);
+            let status = if mark.points < mark.of { "failed" } else { "passed" };
+            json!({
+                "name": mark.id, "score": mark.points, "max_score": mark.of, "status": status,
+                "output": if feedback.is_empty() { outcome.to_owned() } else { format!("{}: {feedback}", outcome.to_lowercase()) },
+            })
+        })
+        .collect();
+    json!({ "score": grade.points, "output_format": "text", "tests": tests })
+}
+
+/// Page about all submissions: marks, and who made which mistake.
+fn page(model: &Mechanism, list: &[Graded]) -> String {
+    let title = format!(
+        "{}: {} {}",
+        escape(&model.title),
+        list.len(),
+        if list.len() == 1 { "submission" } else { "submissions" }
+    );
+    let mut out = format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n<title>{title}</title>\n\
+         <style>body{{font:1rem/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color-scheme:light dark}}\
+         table{{border-collapse:collapse;width:100%}}th,td{{text-align:left;padding:.3rem .6rem;border-bottom:1px solid #8886;vertical-align:top}}\
+         td.n{{text-align:right;white-space:nowrap}}code{{font-size:.95em;overflow-wrap:anywhere}}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
+    );
+    out += "<h2>Who made which mistake</h2>\n<table>\n<tr><th>Entry</th><th>Mistake</th><th>Submissions</th></tr>\n";
+    for ((id, term), names) in mistakes(list) {
+        let names: Vec<String> = names.into_iter().map(escape).collect();
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td><code>{}</code></td><td>{}: {}</td></tr>",
+            escape(id),
+            escape(term),
+            names.len(),
+            names.join(", ")
+        );
+    }
+    out += "</table>\n<h2>Marks</h2>\n<table>\n<tr><th>Submission</th><th>Points</th><th>Not right</th></tr>\n";
+    for one in list {
+        let (marks, remarks) = match &one.grade {
+            Err(why) => ("not read".to_owned(), escape(why)),
+            Ok(grade) => {
+                let wrong = grade.marks.iter().filter(|mark| !is_right(mark)).map(|mark| {
+                    let (outcome, feedback) = words(mark, Level::Term);
+                    format!("{} {}: <code>{}</code>", outcome.to_lowercase(), escape(&mark.id), escape(&feedback))
+                });
+                let list = wrong.collect::<Vec<_>>().join("<br>");
+                (format!("{} of {}", points(grade.points), points(grade.of)), list)
+            }
+        };
+        let _ = writeln!(out, "<tr><td>{}</td><td class=\"n\">{marks}</td><td>{remarks}</td></tr>", escape(&one.name));
+    }
+    out + "</table>\n</body>\n</html>\n"
+}

@@ -1,0 +1,222 @@
+//! Marks of a submission by its root mistakes: a consequence of a mistake costs nothing.
+
+use super::{Difference, Finding, Judgement, Root, Slip};
+use crate::diagnostic::{Diagnostics, Source, nearest, shown};
+use crate::read::Reader;
+use toml::Spanned;
+use toml::de::DeValue;
+
+/// Amount that feedback tells of a mistake.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Level {
+    /// The entry and the kind of the mistake.
+    #[default]
+    Hint,
+    /// Also the place within the entry.
+    Place,
+    /// Also the wrong term and the right one.
+    Term,
+}
+
+impl Level {
+    /// All levels, each with its name in rubrics and on the command line.
+    pub const ALL: [(Self, &'static str); 3] = [(Self::Hint, "hint"), (Self::Place, "place"), (Self::Term, "term")];
+
+    /// Level of this name; `None` for an unknown name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|(_, own)| *own == name).map(|(level, _)| level)
+    }
+}
+
+/// Points of entries, and the entries that a submission must have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rubric {
+    /// Points of an entry that `points` does not name.
+    pub default: f64,
+    /// Points of entries, by id.
+    pub points: Vec<(String, f64)>,
+    /// Ids of entries that a submission must have.
+    pub required: Vec<String>,
+    /// Amount that feedback tells; `None` if the rubric does not say.
+    pub level: Option<Level>,
+}
+
+impl Default for Rubric {
+    fn default() -> Self {
+        Self { default: 1.0, points: Vec::new(), required: Vec::new(), level: None }
+    }
+}
+
+/// Most points of one entry.
+const MOST_POINTS: f64 = 1e6;
+
+impl Rubric {
+    /// Reads a rubric file.
+    ///
+    /// # Errors
+    /// [`Diagnostics`] with every error of the file.
+    pub fn load(source: &Source) -> Result<Self, Diagnostics> {
+        let (mut reader, table) = Reader::parse(source)?;
+        let table = table.get_ref();
+        reader.allow(table, "a rubric", &["default", "points", "required", "level"]);
+        let mut rubric = Self::default();
+        if let Some(value) = reader.get(table, "default") {
+            rubric.default = points(&mut reader, value, "`default`").unwrap_or(1.0);
+        }
+        let list = reader.get(table, "points");
+        let example = "[points] with lines such as row1 = 2";
+        if let Some(list) = list.and_then(|value| reader.table(value, "`points`", example)) {
+            for (id, value) in reader.entries(list) {
+                let found = points(&mut reader, value, &format!("`{}`", shown(&id.text)));
+                rubric.points.extend(found.map(|points| (id.text, points)));
+            }
+        }
+        if let Some(value) = reader.get(table, "required") {
+            if let DeValue::Array(list) = value.get_ref() {
+                for value in list {
+                    rubric.required.extend(reader.string(value, "an id").map(|id| id.text));
+                }
+            } else {
+                reader.error(value.span(), "`required` must be a list of ids", "write required = [\"row1\"]");
+            }
+        }
+        let name = reader.get(table, "level");
+        if let Some(name) = name.and_then(|value| reader.string(value, "`level`")) {
+            rubric.level = Level::named(&name.text);
+            if rubric.level.is_none() {
+                let help = nearest(&name.text, Level::ALL.map(|(_, name)| name));
+                reader.error(name.span, format!("there is no level `{}`", shown(&name.text)), help);
+            }
+        }
+        reader.finish()?;
+        Ok(rubric)
+    }
+
+    /// Points of an entry.
+    #[must_use]
+    pub fn points_of(&self, id: &str) -> f64 {
+        self.points.iter().find(|(own, _)| own == id).map_or(self.default, |(_, points)| *points)
+    }
+}
+
+/// Number of points in a rubric; reports another value.
+fn points(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>, what: &str) -> Option<f64> {
+    let number = match value.get_ref() {
+        DeValue::Integer(n) => n.as_str().parse::<f64>().ok(),
+        DeValue::Float(n) => n.as_str().parse::<f64>().ok(),
+        _ => None,
+    };
+    let number = number.filter(|n| (0.0..=MOST_POINTS).contains(n));
+    if number.is_none() {
+        let message = format!("{what} must be a number of points, from 0 to {MOST_POINTS}");
+        reader.error(value.span(), message, "write points as in row1 = 2");
+    }
+    number
+}
+
+/// Marks of a submission.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grade {
+    /// Points that the submission has.
+    pub points: f64,
+    /// Points that the submission could have.
+    pub of: f64,
+    /// Entries that count, in the order of the submission; then the required ones that it lacks.
+    pub marks: Vec<Mark>,
+}
+
+/// Marks of one entry of a submission.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// Id of the entry.
+    pub id: String,
+    /// Points that the entry has.
+    pub points: f64,
+    /// Points that the entry could have.
+    pub of: f64,
+    /// Outcome of the entry.
+    pub outcome: Outcome,
+}
+
+/// Outcome of one entry of a submission.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// The entry is right.
+    Right,
+    /// The entry is wrong by a mistake of its own.
+    Mistake(Feedback),
+    /// The entry is wrong by a mistake in an earlier entry, whose id is given; it costs nothing.
+    Follows(String),
+    /// Nothing decides whether the entry is right, with the reason; it costs nothing, and a person must look.
+    Undecided(String),
+    /// The rubric requires the entry, and the submission lacks it.
+    Lacking,
+}
+
+/// Feedback on one mistake.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feedback {
+    /// Kind of the mistake; `None` if it is not one slip.
+    pub slip: Option<Slip>,
+    /// Places within the entry, such as "the right-hand side"; empty for an entry without parts.
+    pub places: Vec<String>,
+    /// Wrong terms with the right ones, in words.
+    pub term: String,
+}
+
+impl Feedback {
+    fn new(finding: &Finding, root: &Root) -> Self {
+        Self { slip: finding.slip, places: finding.places.clone(), term: root.mistake.clone() }
+    }
+
+    /// Feedback in words, as much as a level tells.
+    #[must_use]
+    pub fn words(&self, level: Level) -> String {
+        if level == Level::Term {
+            return self.term.clone();
+        }
+        let kind = self.slip.map_or_else(|| "it is not right".to_owned(), |slip| format!("look for {}", slip.words()));
+        if level == Level::Hint || self.places.is_empty() {
+            return kind;
+        }
+        format!("{kind} in {}", self.places.join(" and "))
+    }
+}
+
+/// Marks of a submission, from its difference to the derived equations.
+#[must_use]
+pub fn grade(difference: &Difference, rubric: &Rubric) -> Grade {
+    let mut marks = Vec::new();
+    for (at, finding) in difference.findings.iter().enumerate() {
+        let outcome = match &finding.judgement {
+            Judgement::Stated => continue,
+            Judgement::Equal | Judgement::Scaled => Outcome::Right,
+            Judgement::Undecided(why) => Outcome::Undecided(why.clone()),
+            Judgement::Different => wrong(difference, at),
+        };
+        let of = rubric.points_of(&finding.id);
+        let points = if matches!(outcome, Outcome::Mistake(_)) { 0.0 } else { of };
+        marks.push(Mark { id: finding.id.clone(), points, of, outcome });
+    }
+    for id in &rubric.required {
+        if difference.findings.iter().all(|finding| finding.id != *id) {
+            marks.push(Mark { id: id.clone(), points: 0.0, of: rubric.points_of(id), outcome: Outcome::Lacking });
+        }
+    }
+    let sum = |of: fn(&Mark) -> f64| marks.iter().map(of).sum::<f64>();
+    Grade { points: sum(|mark| mark.points), of: sum(|mark| mark.of), marks }
+}
+
+/// Outcome of a wrong entry: a mistake of its own, or the consequence of another one.
+fn wrong(difference: &Difference, at: usize) -> Outcome {
+    for root in &difference.roots {
+        if root.finding == at {
+            return Outcome::Mistake(Feedback::new(&difference.findings[at], root));
+        }
+        if root.followers.iter().any(|follower| follower.finding == at) {
+            return Outcome::Follows(difference.findings[root.finding].id.clone());
+        }
+    }
+    unreachable!("each wrong entry is in one group")
+}
