@@ -201,7 +201,8 @@ impl Train {
                     bodies,
                     "[bodies.wheel{side}{at}]\nframe = \"W{side}{at}\"\ncentre = \"C{side}{at}\"\nmass = \"m\"\ninertia = {{ diagonal = [\"J\", \"J\", \"J\"] }}"
                 );
-                let _ = writeln!(rolling, "[rolling.r{side}{at}]\nbody = \"wheel{side}{at}\"\nat = \"P{side}{at}\"{along}");
+                let _ =
+                    writeln!(rolling, "[rolling.r{side}{at}]\nbody = \"wheel{side}{at}\"\nat = \"P{side}{at}\"{along}");
             }
         }
         format!(

@@ -138,7 +138,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         onto: Onto<'p, 'a, S>,
         rhs: &mut R,
         options: &Options,
-        (t0, y0): (f64, &[S]),
+        t0: f64,
+        y0: &[S],
     ) -> Self {
         let count = match &onto {
             Onto::Invariants(invariants) => invariants.count,

@@ -113,7 +113,7 @@ impl Closed {
     pub fn allows(&self, c: &DVector<f64>, slips: &[Option<f64>], modes: &[Mode]) -> bool {
         let (scaled, unit) = self.scaled();
         let c = c.component_mul(&unit);
-        self.trial((&scaled, &unit), slips, &vec![0.0; slips.len()]).holds(&c, modes, NOTHING * c.amax())
+        self.trial(&scaled, &unit, slips, &vec![0.0; slips.len()]).holds(&c, modes, NOTHING * c.amax())
     }
 
     /// Determinant of the linear system for the forces of these modes, in units in which all rows are alike. Without
@@ -122,7 +122,7 @@ impl Closed {
     pub fn determinant(&self, modes: &[Mode]) -> f64 {
         let (scaled, unit) = self.scaled();
         let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
-        self.trial((&scaled, &unit), &none.0, &none.1).determinant(modes)
+        self.trial(&scaled, &unit, &none.0, &none.1).determinant(modes)
     }
 
     /// Finds modes and forces as [`Closed::ways`] does, with given impulses along gaps in addition to the wanted ones.
@@ -133,7 +133,7 @@ impl Closed {
     pub fn tried(&self, c: &DVector<f64>, slips: &[Option<f64>], given: &[f64]) -> Result<Vec<Found>, Undecided> {
         let (scaled, unit) = self.scaled();
         let c = c.component_mul(&unit);
-        let found = self.trial((&scaled, &unit), slips, given).found(&c, NOTHING * c.amax());
+        let found = self.trial(&scaled, &unit, slips, given).found(&c, NOTHING * c.amax());
         let mut list = one_motion(found, c.amax())?;
         for found in &mut list {
             found.forces.component_mul_assign(&unit);
@@ -144,7 +144,8 @@ impl Closed {
     /// Trial of these contacts, in units in which all rows are alike.
     fn trial<'t>(
         &'t self,
-        (scaled, unit): (&'t DMatrix<f64>, &DVector<f64>),
+        scaled: &'t DMatrix<f64>,
+        unit: &DVector<f64>,
         slips: &[Option<f64>],
         given: &[f64],
     ) -> Trial<'t> {
@@ -183,7 +184,7 @@ impl Closed {
     pub fn hold(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
         let (scaled, unit) = self.scaled();
         let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
-        let trial = self.trial((&scaled, &unit), &none.0, &none.1);
+        let trial = self.trial(&scaled, &unit, &none.0, &none.1);
         Some(trial.held(&c.component_mul(&unit), modes)?.component_mul(&unit))
     }
 

@@ -71,7 +71,7 @@ where
         None => run.walk(rhs, &mut watch, (&mut recorder, projector.as_mut(), work.as_mut()), &mut y_end),
     };
     let work = work.map(|work| work.done);
-    recorder.finish((t_end, &y_end, work), run.steps);
+    recorder.finish(t_end, &y_end, work, run.steps);
     let undecided: Vec<Warning> = watch.warnings().collect();
     Solution {
         t: recorder.t,
@@ -181,7 +181,7 @@ impl<M: Stepper> Run<'_, M> {
             }
             if let Some(moves) = self.pace.pass_corners(now) {
                 let mut here = self.stepper.ends().0.to_vec();
-                rhs.enter(self.pace.sides(), (now, &mut here), &moves);
+                rhs.enter(self.pace.sides(), now, &mut here, &moves);
                 recorder.turned(now, &here);
                 if let Err(trouble) = self.stepper.restart(rhs, &here) {
                     break stop_for(trouble);

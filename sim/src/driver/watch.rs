@@ -134,8 +134,9 @@ impl<'w, 'e> Watch<'w, 'e> {
         Ok(end.map(|(i, f)| (f.theta, stop_for(&self.events[i]))))
     }
 
-    /// Removes the records of a step, from `start` to `end`, that lie beyond the instant `t`.
-    pub(crate) fn forget_beyond(&mut self, t: f64, (start, end): (f64, f64)) {
+    /// Removes the records of a step over `span`, s, that lie beyond the instant `t`.
+    pub(crate) fn forget_beyond(&mut self, t: f64, span: (f64, f64)) {
+        let (start, end) = span;
         self.records.retain(|record| (record.t - t) * (end - start).signum() <= 0.0);
     }
 

@@ -97,7 +97,8 @@ fn crossing_to(side: Sign, theta: f64) -> Found {
 /// sample except the first.
 pub(crate) fn walk(
     probe: &mut Probe<'_>,
-    (nodes, doubt): (&[Node], &dyn Fn(usize) -> Doubt),
+    nodes: &[Node],
+    doubt: &dyn Fn(usize) -> Doubt,
     memory: &mut Memory,
     tolerance: f64,
     findings: &mut Findings,
@@ -114,7 +115,7 @@ pub(crate) fn walk(
         if memory.side == 0 {
             memory.side = node.sign;
         } else if node.sign != memory.side {
-            findings.found.push(change(probe, nodes, (clear.unwrap_or(k.saturating_sub(1)), k), tolerance)?);
+            findings.found.push(change(probe, nodes, clear.unwrap_or(k.saturating_sub(1)), k, tolerance)?);
             memory.side = node.sign;
         } else if let (Some(low), Some(_)) = (clear, zeros) {
             dip(probe, [nodes[low], *node], Doubt::Dip, tolerance, findings)?;
@@ -131,12 +132,7 @@ pub(crate) fn walk(
 
 /// Finds the change of sign between samples `low` and `high`. It is at the last sample before `high` if both have one
 /// sign, and it is a pole if the function grows towards it.
-fn change(
-    probe: &mut Probe<'_>,
-    nodes: &[Node],
-    (low, high): (usize, usize),
-    tolerance: f64,
-) -> Result<Found, NotANumber> {
+fn change(probe: &mut Probe<'_>, nodes: &[Node], low: usize, high: usize, tolerance: f64) -> Result<Found, NotANumber> {
     let (a, b) = (nodes[low], nodes[high]);
     if (a.g < 0.0) == (b.g < 0.0) || a.g == 0.0 {
         return Ok(crossing_to(b.sign, nodes[high.saturating_sub(1)].theta));
@@ -157,7 +153,7 @@ fn dip(
 ) -> Result<(), NotANumber> {
     let side = f64::from(a.sign);
     let mut height = |theta| side * probe.at(theta);
-    let (theta, least) = root::minimum(&mut height, (a.theta, b.theta), -tolerance)?;
+    let (theta, least) = root::minimum(&mut height, a.theta, b.theta, -tolerance)?;
     if least < -tolerance {
         let mut g = |theta| probe.at(theta);
         let bottom = (theta, side * least);

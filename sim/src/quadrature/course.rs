@@ -78,7 +78,7 @@ impl Course {
                     let rising = energy.orientation * v > 0.0;
                     let forward = if rising { 1.0 } else { -1.0 };
                     if let Some(length) = energy.repeats {
-                        match Self::rotation(energy, n, (length, rising), scratch)? {
+                        match Self::rotation(energy, n, length, rising, scratch)? {
                             Ok(course) => return Ok(course),
                             Err(obstacle) => {
                                 note(energy, turns, obstacle, PANELS_OF_SWING)?;
@@ -125,7 +125,8 @@ impl Course {
     fn rotation(
         energy: &Energy<'_>,
         n: usize,
-        (length, rising): (f64, bool),
+        length: f64,
+        rising: bool,
         scratch: &mut Scratch<'_>,
     ) -> Result<Result<Self, Obstacle>, NoQuadrature> {
         let side = if rising { 1.0 } else { -1.0 };
