@@ -39,7 +39,8 @@ impl Motion {
         &self,
         arena: &mut Arena,
         frames: &mut Frames,
-        (frame, centre): (usize, usize),
+        frame: usize,
+        centre: usize,
         point: usize,
     ) -> Vector {
         let back = self.positions[centre].neg(arena);

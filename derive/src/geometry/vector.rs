@@ -232,7 +232,7 @@ impl Frames {
     /// Components of a whole vector in one frame.
     pub fn express(&mut self, arena: &mut Arena, v: &Vector, frame: usize) -> Components {
         if self.carries {
-            return self.carry(arena, v, frame, ("x", &self.tree[frame].name));
+            return self.carry(arena, v, frame, "x", &self.tree[frame].name);
         }
         let mut sums: [Vec<Expr>; 3] = Default::default();
         for (from, components) in &v.parts {
@@ -250,7 +250,7 @@ impl Frames {
     /// Component of a whole vector along the axis 0, 1 or 2 of one frame.
     pub fn component(&mut self, arena: &mut Arena, v: &Vector, frame: usize, axis: usize) -> Expr {
         if self.carries {
-            return self.carry(arena, v, frame, ("x", &self.tree[frame].name))[axis];
+            return self.carry(arena, v, frame, "x", &self.tree[frame].name)[axis];
         }
         let mut products = Vec::new();
         for (from, components) in &v.parts {
@@ -264,7 +264,7 @@ impl Frames {
     pub fn dot(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Expr {
         if self.carries {
             let home = self.home([a, b]);
-            let [a, b] = [a, b].map(|v| self.carry(arena, v, home, ("x", &self.tree[home].name)));
+            let [a, b] = [a, b].map(|v| self.carry(arena, v, home, "x", &self.tree[home].name));
             return row_times(arena, &a, &b);
         }
         let mut terms = Vec::new();

@@ -207,7 +207,7 @@ impl<'a> Loading<'a> {
         let ties = if is_known { self.ties(tied) } else { None };
         let known = ties.as_ref().filter(|_| motion_errors == 0 && speeds.len() == stated_speeds);
         let (speeds, left_out) = match known {
-            Some(ties) => self.independent_speeds((&coordinates, &replacements), speeds, &joints, ties),
+            Some(ties) => self.independent_speeds(&coordinates, &replacements, speeds, &joints, ties),
             None => (speeds, Vec::new()),
         };
         let stated_speeds = stated_speeds - left_out.len();
@@ -265,7 +265,7 @@ impl<'a> Loading<'a> {
             unused: self.names.unused(),
             declared: self.names.places(),
         };
-        self.complete(&mut model, (holding, &prescribing), &mut fixed);
+        self.complete(&mut model, holding, &prescribing, &mut fixed);
         Some(model)
     }
 
@@ -290,12 +290,7 @@ impl<'a> Loading<'a> {
     }
 
     /// Finds reactions, and puts those that conditions of the domain name into these conditions.
-    fn complete(
-        &mut self,
-        model: &mut Model,
-        (holding, prescribing): (Vec<Holding>, &[String]),
-        fixed: &mut Substitution,
-    ) {
+    fn complete(&mut self, model: &mut Model, holding: Vec<Holding>, prescribing: &[String], fixed: &mut Substitution) {
         model.loops.iter_mut().for_each(|one| one.prescribes = prescribing.contains(&one.name));
         model.hold_joints(holding, fixed);
         model.complete_loads();
@@ -349,7 +344,7 @@ impl<'a> Loading<'a> {
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
         let mut compared: Vec<Compared> =
-            stated.iter().map(|c| self.compared(elements, coordinates, &velocities, (&c.name, c.equation))).collect();
+            stated.iter().map(|c| self.compared(elements, coordinates, &velocities, &c.name, c.equation)).collect();
         let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
         let needs_motion = !closings.is_empty()
             || !rolling.is_empty()

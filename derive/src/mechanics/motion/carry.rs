@@ -33,7 +33,7 @@ impl Frames {
     /// Carries all parts of a vector into one frame, the farthest part first, and returns the components there. A part
     /// on its way takes up the parts that it meets. Components are named after the letter and the owner, `w_B_1`; on
     /// the way they are named after the frame that they come from, `w_A_in_B_1`.
-    pub fn carry(&self, arena: &mut Arena, v: &Vector, frame: usize, (letter, of): (&str, &str)) -> Components {
+    pub fn carry(&self, arena: &mut Arena, v: &Vector, frame: usize, letter: &str, of: &str) -> Components {
         let path = self.ancestors(frame);
         let what = &format!("{letter}_{of}");
         let mut parts: BTreeMap<usize, Components> = v.parts.iter().copied().collect();

@@ -38,6 +38,17 @@ struct Node {
     inertia: [Vec<Expr>; 6],
 }
 
+/// Composite of all bodies beyond a node, about the node's point and in the node's frame.
+#[derive(Clone)]
+struct Composite {
+    /// Mass, kg.
+    mass: Expr,
+    /// First moment Σ m r, kg m.
+    moment: Components,
+    /// Inertia Σ m (r² − r rᵀ), kg m²: upper triangle, row by row.
+    inertia: [Expr; 6],
+}
+
 /// Index of entry (i, j) of a symmetric tensor, stored as its upper triangle.
 fn place(i: usize, j: usize) -> usize {
     let (i, j) = (i.min(j), i.max(j));
@@ -47,8 +58,14 @@ fn place(i: usize, j: usize) -> usize {
 /// Linear and angular momentum about the point of a node.
 type Momentum = (Components, Components);
 
-/// Unit motion of the edge to a node, as (node, axis): a turn about, or a shift along, the axis.
-type Motion = (usize, usize);
+/// Unit motion of the edge to a node: a turn about, or a shift along, the axis.
+#[derive(Clone, Copy)]
+struct Motion {
+    /// Index of the node.
+    node: usize,
+    /// Index of the axis: 0, 1 or 2.
+    axis: usize,
+}
 
 /// The bodies of a model as a tree of frames and points.
 struct Tree {
@@ -71,12 +88,12 @@ impl Kinematics {
         let mut gradient = Gradient::new(variables);
         let slopes: Vec<_> = motions
             .iter()
-            .map(|(node, axis)| gradient.apply(&mut self.arena, tree.nodes[*node].rates[*axis]))
+            .map(|motion| gradient.apply(&mut self.arena, tree.nodes[motion.node].rates[motion.axis]))
             .collect();
         let n = variables.len();
         let mut terms = vec![vec![Vec::new(); n]; n];
-        for (at, (node, axis)) in motions.iter().enumerate() {
-            for (other, entry) in tree.couplings(&mut self.arena, model, &composites, &motions, (*node, *axis)) {
+        for (at, motion) in motions.iter().enumerate() {
+            for (other, entry) in tree.couplings(&mut self.arena, model, &composites, &motions, *motion) {
                 for (r, by_r) in slopes[at].iter() {
                     for (s, by_s) in slopes[other].iter() {
                         // A pair counts once for a motion with itself, and in both orders for two motions.
@@ -177,9 +194,10 @@ impl Tree {
         }
     }
 
-    /// Mass m, first moment s and inertia J of all bodies beyond each node, in the order of the nodes.
-    fn composites(&mut self, arena: &mut Arena, model: &Model) -> Vec<(Expr, Components, [Expr; 6])> {
-        let mut list = vec![(Expr::ZERO, NOTHING, [Expr::ZERO; 6]); self.nodes.len()];
+    /// Composite bodies beyond each node, in the order of the nodes.
+    fn composites(&mut self, arena: &mut Arena, model: &Model) -> Vec<Composite> {
+        let mut list =
+            vec![Composite { mass: Expr::ZERO, moment: NOTHING, inertia: [Expr::ZERO; 6] }; self.nodes.len()];
         for at in (0..self.nodes.len()).rev() {
             let node = &self.nodes[at];
             let name = &model.frames[node.frame].name;
@@ -192,7 +210,7 @@ impl Tree {
             let inertia = std::array::from_fn(|k| {
                 total(&node.inertia[k], format!("J_{name}_{}", ["11", "12", "13", "22", "23", "33"][k]))
             });
-            list[at] = (mass, moment, inertia);
+            list[at] = Composite { mass, moment, inertia };
             if at == 0 {
                 break;
             }
@@ -202,7 +220,7 @@ impl Tree {
                     let moment = turned(arena, turn, true, &moment, &format!("s_{name}_in_{before}"));
                     (moment, turned_tensor(arena, turn, &inertia, &format!("J_{name}_in_{before}")))
                 }
-                Edge::Shift { by } => shifted(arena, (mass, &moment, &inertia), by, name),
+                Edge::Shift { by } => shifted(arena, &list[at], by, name),
             };
             let before = node.parent;
             let parent = &mut self.nodes[before];
@@ -216,22 +234,25 @@ impl Tree {
     /// Lists the unit motions of all edges that move.
     fn motions(&self) -> Vec<Motion> {
         let axes = |at: usize| {
-            (0..3).filter(move |axis| self.nodes[at].rates[*axis] != Expr::ZERO).map(move |axis| (at, axis))
+            (0..3)
+                .filter(move |axis| self.nodes[at].rates[*axis] != Expr::ZERO)
+                .map(move |axis| Motion { node: at, axis })
         };
         (1..self.nodes.len()).flat_map(axes).collect()
     }
 
-    /// Entries that couple the unit motion `(start, axis)` with the motions from its edge to the root, itself included.
+    /// Entries that couple the unit motion with the motions from its edge to the root, itself included.
     /// Each is the index of the other motion with the momentum along it; each pair occurs once.
     fn couplings(
         &self,
         arena: &mut Arena,
         model: &Model,
-        composites: &[(Expr, Components, [Expr; 6])],
+        composites: &[Composite],
         motions: &[Motion],
-        (start, axis): Motion,
+        motion: Motion,
     ) -> Vec<(usize, Expr)> {
-        let (mass, moment, inertia) = &composites[start];
+        let Motion { node: start, axis } = motion;
+        let Composite { mass, moment, inertia } = &composites[start];
         let mut unit = NOTHING;
         unit[axis] = Expr::ONE;
         let (mut linear, mut angular): Momentum = match &self.nodes[start].edge {
@@ -243,9 +264,9 @@ impl Tree {
         while at != 0 {
             let node = &self.nodes[at];
             let along = if matches!(node.edge, Edge::Turn(_)) { &angular } else { &linear };
-            for (place, (_, by)) in motions.iter().enumerate().filter(|(_, (of, _))| *of == at) {
-                if at != start || *by >= axis {
-                    list.push((place, along[*by]));
+            for (place, other) in motions.iter().enumerate().filter(|(_, other)| other.node == at) {
+                if at != start || other.axis >= axis {
+                    list.push((place, along[other.axis]));
                 }
             }
             let name = &model.frames[node.frame].name;
@@ -276,13 +297,9 @@ impl Node {
 
 /// First moment and inertia about the parent's point, from which the node's point lies at r = `by`. They are s + m r
 /// and, with w = 2 s + m r, J + (r · w) 1 − ½ (r wᵀ + w rᵀ).
-fn shifted(
-    arena: &mut Arena,
-    (mass, moment, inertia): (Expr, &Components, &[Expr; 6]),
-    by: &Components,
-    name: &str,
-) -> (Components, [Expr; 6]) {
-    let carried = by.map(|e| arena.mul(mass, e));
+fn shifted(arena: &mut Arena, composite: &Composite, by: &Components, name: &str) -> (Components, [Expr; 6]) {
+    let Composite { mass, moment, inertia } = composite;
+    let carried = by.map(|e| arena.mul(*mass, e));
     let carried = named(arena, carried, &format!("mr_{name}"));
     let sum = std::array::from_fn(|i| arena.add(moment[i], carried[i]));
     let sum = named(arena, sum, &format!("s_{name}"));

@@ -20,7 +20,7 @@ use crate::mechanics::derivation::derive_with;
 use crate::mechanics::error::DeriveError;
 use crate::mechanics::formulations::formulation::Formulation;
 use crate::mechanics::motion::anchor::Anchor;
-use crate::mechanics::motion::carried_accelerations::Accelerations;
+use crate::mechanics::motion::carried_accelerations::{Accelerations, AlphaTerms};
 use crate::mechanics::motion::form::Form;
 use crate::mechanics::motion::inertial::Inertial;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
@@ -96,13 +96,18 @@ impl Regressor {
 
     fn of_bodies(model: &Model, mut kinematics: Kinematics, required: Vec<Expr>, candidates: &[usize]) -> Self {
         let velocities = kinematics.in_speeds(model);
-        let accelerations =
-            kinematics.accelerations(model, &velocities, &mut motion_rates(model), (&Kinematics::fall(model), false));
+        let accelerations = kinematics.accelerations(
+            model,
+            &velocities,
+            &mut motion_rates(model),
+            &Kinematics::fall(model),
+            AlphaTerms::InMatrix,
+        );
         let mut bodies: Vec<(usize, Vec<Column>)> = Vec::new();
         let mut anchors = Vec::new();
         for at in 0..model.bodies.len() {
             let anchor = Anchor::of(model, at);
-            let motion = Motion::new(&mut kinematics, model, (&velocities, &accelerations), &anchor);
+            let motion = Motion::new(&mut kinematics, model, &velocities, &accelerations, &anchor);
             let deep = motion.moves_with();
             bodies.push((deep, motion.columns(&mut kinematics, model, &anchor)));
             anchors.push(anchor);
@@ -209,12 +214,13 @@ impl Motion {
     fn new(
         kinematics: &mut Kinematics,
         model: &Model,
-        (velocities, accelerations): (&Velocities, &Accelerations),
+        velocities: &Velocities,
+        accelerations: &Accelerations,
         anchor: &Anchor,
     ) -> Self {
         let name = anchor_name(model, anchor);
         let Kinematics { arena, frames, .. } = kinematics;
-        let mut carry = |vector: &Vector, letter: &str| frames.carry(arena, vector, anchor.frame, (letter, &name));
+        let mut carry = |vector: &Vector, letter: &str| frames.carry(arena, vector, anchor.frame, letter, &name);
         let v = carry(&velocities.linear[anchor.point], "v");
         let b = carry(&accelerations.linear[anchor.point], "a");
         let (omega, alpha) = match anchor.turns {

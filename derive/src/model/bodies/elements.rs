@@ -154,7 +154,7 @@ impl Elements {
                     (None, None) => loading.frame_turns(entry, &what, &name.span),
                 };
                 if let (Some(parent), Some(turns)) = (parent, turns) {
-                    loading.chain(&mut nodes, (parent, name.clone()), turns);
+                    loading.chain(&mut nodes, parent, &name, turns);
                 }
                 continue;
             }

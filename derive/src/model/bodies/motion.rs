@@ -49,7 +49,7 @@ impl Moving {
     pub fn material(&mut self, arena: &mut Arena, elements: &Elements, body: usize, point: usize) -> Vector {
         let body = &elements.bodies[body];
         match &body.rigid {
-            Some((frame, _)) => self.motion.of_material(arena, &mut self.frames, (*frame, body.centre), point),
+            Some((frame, _)) => self.motion.of_material(arena, &mut self.frames, *frame, body.centre, point),
             None => self.motion.linear[body.centre].clone(),
         }
     }

@@ -9,22 +9,33 @@ use crate::model::reading::reader::Loading;
 use crate::model::{Coordinate, DependentConstraint, Tie, Unit};
 use std::ops::{Range, RangeInclusive};
 
+/// Definitions of all speeds, in terms of q and q̇.
+#[derive(Clone, Copy)]
+pub struct SpeedDefinitions<'s> {
+    /// Right sides of the definitions.
+    pub definitions: &'s [Expr],
+    /// True for each speed that a joint brings.
+    pub brought: &'s [bool],
+}
+
 impl Loading<'_> {
     /// Removes from the independent constraints those that follow from others wherever the loops are closed. If there
-    /// are too many speeds, it chooses among those of joints (`brought`). Without closed poses it removes the
+    /// are too many speeds, it chooses among those of joints. Without closed poses it removes the
     /// constraints at `also`, whose rates follow from the others everywhere.
     pub fn when_closed(
         &mut self,
         coordinates: &[Coordinate],
-        (speeds, brought): (&[Expr], &[bool]),
-        (defaults, also): (&[(Expr, f64)], Range<usize>),
+        speeds: SpeedDefinitions<'_>,
+        defaults: &[(Expr, f64)],
+        also: Range<usize>,
         ties: &mut Ties,
     ) {
+        let SpeedDefinitions { definitions: speeds, brought } = speeds;
         if ties.loops.is_empty() {
             return;
         }
         let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
-        let Some(closed) = self.closed_poses(coordinates, (speeds, declared), defaults, ties) else {
+        let Some(closed) = self.closed_poses(coordinates, speeds, declared, defaults, ties) else {
             for at in also.rev() {
                 take_out(ties, at);
             }
@@ -53,7 +64,8 @@ impl Loading<'_> {
     fn closed_poses(
         &mut self,
         coordinates: &[Coordinate],
-        (speeds, declared): (&[Expr], RangeInclusive<usize>),
+        speeds: &[Expr],
+        declared: RangeInclusive<usize>,
         defaults: &[(Expr, f64)],
         ties: &Ties,
     ) -> Option<Closed> {
@@ -70,7 +82,7 @@ impl Loading<'_> {
         let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
         let poses = Poses { known: defaults, coordinates: &places, reach: &reach, loops: &equations, flat: 0.0 };
         let count = ties.motion.len();
-        Closed::new(&mut self.arena.clone(), &poses, (count, &rows), declared)
+        Closed::new(&mut self.arena.clone(), &poses, count, &rows, declared)
     }
 }
 

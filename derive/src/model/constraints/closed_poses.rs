@@ -118,7 +118,8 @@ impl Closed {
     pub fn new(
         arena: &mut Arena,
         poses: &Poses<'_>,
-        (constraints, rows): (usize, &[Vec<Expr>]),
+        constraints: usize,
+        rows: &[Vec<Expr>],
         declared: RangeInclusive<usize>,
     ) -> Option<Self> {
         let of_loops = poses.tape(arena)?;
@@ -307,7 +308,7 @@ impl Poses<'_> {
     /// Closed poses found from random places, and on walks from these.
     fn find(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = Chance(SEED);
-        let mut found = self.seek(tape, &mut chance, (self.tries(), ENOUGH));
+        let mut found = self.seek(tape, &mut chance, self.tries(), ENOUGH);
         if self.loops.len() <= WALKED {
             for first in found.clone() {
                 self.walk(tape, first, &mut chance, &mut found);
@@ -353,14 +354,14 @@ impl Poses<'_> {
 
     /// At most `most` closed poses, found from random places alone; `None` if a value is not known.
     pub fn some(&self, arena: &mut Arena, most: usize) -> Option<Vec<Vec<f64>>> {
-        self.seek_from(arena, (self.tries(), most))
+        self.seek_from(arena, self.tries(), most)
     }
 
     /// At most `most` closed poses, found from at most this number of random places alone; `None` if a value is not
     /// known.
-    pub fn seek_from(&self, arena: &mut Arena, (tries, most): (usize, usize)) -> Option<Vec<Vec<f64>>> {
+    pub fn seek_from(&self, arena: &mut Arena, tries: usize, most: usize) -> Option<Vec<Vec<f64>>> {
         let tape = self.tape(arena)?;
-        Some(self.seek(&tape, &mut Chance(SEED), (tries, most)))
+        Some(self.seek(&tape, &mut Chance(SEED), tries, most))
     }
 
     /// Number of random starts of a search for closed poses; smaller for more loops.
@@ -382,7 +383,7 @@ impl Poses<'_> {
         Tape::new(arena, &self.inputs(), &all).ok()
     }
 
-    fn seek(&self, tape: &Tape, chance: &mut Chance, (tries, most): (usize, usize)) -> Vec<Vec<f64>> {
+    fn seek(&self, tape: &Tape, chance: &mut Chance, tries: usize, most: usize) -> Vec<Vec<f64>> {
         let mut found = Vec::new();
         for _ in 0..tries {
             let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();

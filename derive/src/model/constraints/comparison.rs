@@ -28,7 +28,8 @@ impl Loading<'_> {
         elements: &Elements,
         coordinates: &[Coordinate],
         velocities: &[NamedVelocity],
-        (name, equation): (&str, Expr),
+        name: &str,
+        equation: Expr,
     ) -> Compared {
         let parts = self.arena.reachable(&[equation]);
         let names: Vec<&NamedVelocity> = velocities.iter().filter(|v| parts.contains(&v.symbol)).collect();

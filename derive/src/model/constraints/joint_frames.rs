@@ -145,20 +145,20 @@ impl<'a> Loading<'a> {
                     }
                     continue;
                 };
-                parent = self.chain(&mut nodes, (parent, base), turns);
+                parent = self.chain(&mut nodes, parent, &base, turns);
             }
             if let Some(turned) = self.reader.get(joint.entry, "body_turned")
                 && let Some(placed) = joints.bodies.get(&joint.body.text)
             {
                 let last = joint.named("closed_base");
                 match self.turned(joint, "body_turned", turned) {
-                    Some(turns) => drop(self.chain(&mut nodes, (placed.frame.clone(), last), turns)),
+                    Some(turns) => drop(self.chain(&mut nodes, placed.frame.clone(), &last, turns)),
                     None => self.names.spoil(&last.text),
                 }
             }
             let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) else { continue };
             let turns = self.turns_of(joint).into_iter().chain(tilted).collect();
-            self.chain(&mut nodes, (parent, placed.frame.clone()), turns);
+            self.chain(&mut nodes, parent, &placed.frame, turns);
         }
         nodes
     }
@@ -189,7 +189,8 @@ impl<'a> Loading<'a> {
     pub fn chain(
         &mut self,
         nodes: &mut Vec<FrameNode>,
-        (mut parent, last): (Located, Located),
+        mut parent: Located,
+        last: &Located,
         turns: Vec<Turn>,
     ) -> Located {
         let count = turns.len();

@@ -11,6 +11,7 @@
 //! as q̇ = W u + w. An equation between coordinates that cannot be solved for a coordinate restricts their rates by its
 //! time derivative.
 
+use super::closed_choices::SpeedDefinitions;
 use super::configuration::Stated;
 use super::independent::{Candidate, Given, Independent};
 use crate::algebra::Expr;
@@ -191,7 +192,13 @@ impl<'a> Loading<'a> {
         let mut ties = Ties { motion, loops, repeated, ..Ties::default() };
         let brought: Vec<bool> = speeds.iter().map(|(speed, _)| joints.brings(speed)).collect();
         let speeds: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.definition).collect();
-        self.when_closed(coordinates, (&speeds, &brought), (&known, also_at), &mut ties);
+        self.when_closed(
+            coordinates,
+            SpeedDefinitions { definitions: &speeds, brought: &brought },
+            &known,
+            also_at,
+            &mut ties,
+        );
         Some(ties)
     }
 

@@ -59,7 +59,7 @@ impl Relative<'_> {
         let &Closing { on, against, frame } = closing;
         let (body, holder, space) = (on.body, against.map(|place| place.body), self.drawn.space);
         let force = ReactionKind::Force { on, against };
-        let slips = self.slips(body, holder, (on.point, against.map_or(on.point, |place| place.point)));
+        let slips = self.slips(body, holder, on.point, against.map_or(on.point, |place| place.point));
         let mut kinds = vec![("force", force, slips)];
         if self.is_rigid(Some(body)) && self.is_rigid(holder) {
             kinds.push(("torque", ReactionKind::Torque { on: body, against: holder }, self.turns(body, holder)));

@@ -176,7 +176,7 @@ impl Relative<'_> {
 
     /// Velocities of a body's material at a point relative to its holder's material at another point, one for each
     /// speed.
-    pub fn slips(&self, body: usize, holder: Holder, (point, opposite): (usize, usize)) -> Vec<Triple> {
+    pub fn slips(&self, body: usize, holder: Holder, point: usize, opposite: usize) -> Vec<Triple> {
         let space = self.drawn.space;
         self.permitted(|along| {
             space.sub(self.material(Some(body), point, along), self.material(holder, opposite, along))

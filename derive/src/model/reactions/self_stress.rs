@@ -80,7 +80,7 @@ impl Model {
         };
         let first = self.reactions.len();
         let twice = repeated.iter().enumerate().find_map(|(at, (name, reaction))| {
-            let stress = self.self_stress(&pose, (first + at, reaction), &holders)?;
+            let stress = self.self_stress(&pose, first + at, reaction, &holders)?;
             let share = stress.share(&pose, sought)?;
             Some(self.words(text, (name, reaction), share, &stress, sought.is_torque))
         });
@@ -104,7 +104,7 @@ impl Model {
         let pose = self.closed_pose(&closings).or_else(|| self.any_pose(&closings))?;
         let first = self.reactions.len();
         closings.iter().enumerate().find_map(|(at, (_, reaction))| {
-            let stress = self.self_stress(&pose, (first + at, reaction), holders)?;
+            let stress = self.self_stress(&pose, first + at, reaction, holders)?;
             let share = stress.share(&pose, sought)?;
             let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
             let (on, by) = sides(reaction.kind);
@@ -284,7 +284,7 @@ impl Model {
 
     /// Work of a reaction of size 1 along q̇, then the forces and moments that it hands on to idle contacts, which must
     /// be zero.
-    fn effect(&self, pose: &Pose, (at, reaction): (usize, &Reaction), holders: &[(usize, Holder)]) -> DVector<f64> {
+    fn effect(&self, pose: &Pose, at: usize, reaction: &Reaction, holders: &[(usize, Holder)]) -> DVector<f64> {
         let (direction, work) = &pose.acting[at];
         let mut on_bodies = vec![(Vector3::zeros(), Vector3::zeros()); self.bodies.len()];
         put_on(&mut on_bodies, reaction, wrench_of(pose, reaction, *direction));
@@ -301,11 +301,12 @@ impl Model {
     fn self_stress(
         &self,
         pose: &Pose,
-        (redundant, its_reaction): (usize, &Reaction),
+        redundant: usize,
+        its_reaction: &Reaction,
         holders: &[(usize, Holder)],
     ) -> Option<SelfStress> {
         let all = self.reactions.len();
-        let effect = |at: usize, reaction: &Reaction| self.effect(pose, (at, reaction), holders);
+        let effect = |at: usize, reaction: &Reaction| self.effect(pose, at, reaction, holders);
         let work = &effect(redundant, its_reaction);
         let columns: Vec<DVector<f64>> = self.reactions.iter().enumerate().map(|(at, r)| effect(at, r)).collect();
         let matrix = DMatrix::from_fn(work.len(), all, |row, column| columns[column][row]);

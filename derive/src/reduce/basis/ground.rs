@@ -162,11 +162,10 @@ impl Ground {
     /// Finds the first integrals of the model, and the momenta and the energy among them.
     fn find_integrals(&mut self) {
         let Some(search) = &self.search else { return };
-        let terms = (&mut self.arena, &mut self.simplifier);
-        let (integrals, _) = search.basis.search(&self.model, terms, &mut Comparer::default());
+        let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
+        let (integrals, _) = search.basis.search(&self.model, arena, simplifier, &mut Comparer::default());
         self.energy = integrals.iter().find(|i| i.is_energy()).map(|i| i.expression);
-        let terms = &mut (&mut self.arena, &mut self.simplifier);
-        self.momenta = integrals.iter().filter_map(|i| search.momentum(&self.model, terms, i)).collect();
+        self.momenta = integrals.iter().filter_map(|i| search.momentum(&self.model, arena, simplifier, i)).collect();
         self.integrals = integrals;
     }
 
@@ -314,7 +313,8 @@ impl Search {
     fn momentum(
         &self,
         model: &Model,
-        (arena, simplifier): &mut (&mut Arena, &mut Simplifier),
+        arena: &mut Arena,
+        simplifier: &mut Simplifier,
         integral: &Integral,
     ) -> Option<Momentum> {
         let field = integral.field.clone()?;

@@ -110,7 +110,7 @@ impl Ground {
     pub(in crate::reduce) fn framed_by(&mut self, choice: &Choice, wanted: Wanted) -> Option<Wanted> {
         match choice.turns.as_slice() {
             [] => Some(wanted),
-            turns => self.in_frame((turns, &choice.pins), &choice.momenta, &wanted),
+            turns => self.in_frame(turns, &choice.pins, &choice.momenta, &wanted),
         }
     }
 
@@ -257,7 +257,7 @@ impl Ground {
             let wanted = ground.relative(&self.plain(momenta), wanted.clone());
             for pins in ground.sections(turns, momenta, &wanted) {
                 let mut trial = ground.clone();
-                let framed = trial.in_frame((turns, &pins), momenta, &wanted);
+                let framed = trial.in_frame(turns, &pins, momenta, &wanted);
                 if framed.is_some_and(|_| trial.level(momenta, None).is_some()) {
                     list.push(Choice { momenta: momenta.clone(), turns: turns.to_vec(), pins });
                 }

@@ -17,7 +17,8 @@ impl Ground {
     /// along the frame's motion.
     pub(in crate::reduce) fn in_frame(
         &mut self,
-        (turns, pins): (&[usize], &[usize]),
+        turns: &[usize],
+        pins: &[usize],
         momenta: &[usize],
         wanted: &Wanted,
     ) -> Option<Wanted> {

@@ -52,7 +52,7 @@ pub fn pack(
     let kept_by_domain = ground.kept_by_domain.clone();
     let events = flow.wanted.events.clone();
     let slope = flow.slope(&mut ground, equations.kinetic_energy, equations.potential_energy);
-    let constants = constants(&mut ground, level, &flow, (&equations, slope.as_ref()), &hoisted);
+    let constants = constants(&mut ground, level, &flow, &equations, slope.as_ref(), &hoisted);
     let mut divisors = equations.divisors.clone();
     divisors.dedup();
     let has_energy = flow.energy.is_some();
@@ -143,7 +143,8 @@ fn constants(
     ground: &mut Ground,
     level: &Level,
     flow: &Flow,
-    (equations, slope): (&Equations, Option<&Slope>),
+    equations: &Equations,
+    slope: Option<&Slope>,
     hoisted: &Hoist,
 ) -> Vec<Quantity> {
     let held = level.held.iter().map(|h| (h.symbol, h.about.clone(), h.unit.clone(), h.of_state));

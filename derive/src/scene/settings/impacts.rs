@@ -15,6 +15,15 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
+/// Values that a coefficient may have, and words for an error about others.
+struct Permitted<'p> {
+    may_be: &'p dyn Fn(f64) -> bool,
+    /// Fault of a value that is not permitted, such as "below 0".
+    wrong: &'p str,
+    /// Advice for such a value.
+    help: &'p str,
+}
+
 /// Law of restitution: it gives the part of the closing velocity, or of the impulse of compression, that returns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ImpactLaw {
@@ -108,33 +117,36 @@ impl<'a> Values<'a, '_> {
             let restitution = stated.and_then(|value| {
                 let may_be = |e: f64| (0.0..=1.0).contains(&e);
                 let help = "0 takes all of the closing velocity away, 1 gives all of it back";
-                self.coefficient(value, ("restitution", &name.text), parameters, (&may_be, "not from 0 to 1", help))
+                let permitted = Permitted { may_be: &may_be, wrong: "not from 0 to 1", help };
+                self.coefficient(value, "restitution", &name.text, parameters, &permitted)
             });
             let friction = self.reader.get(entry, "friction").and_then(|value| {
                 let may_be = |mu: f64| mu >= 0.0 && mu.is_finite();
                 let help = "friction takes energy: its coefficient is 0 or more";
-                self.coefficient(value, ("friction", &name.text), parameters, (&may_be, "below 0", help))
+                let permitted = Permitted { may_be: &may_be, wrong: "below 0", help };
+                self.coefficient(value, "friction", &name.text, parameters, &permitted)
             });
             list.push(Coefficients { restitution: restitution.unwrap_or_else(|| Number::rounded(0.0)), friction });
         }
         list
     }
 
-    /// Reads a coefficient of a contact, given its key, the contact's name, its permitted values, and words for an
-    /// error.
+    /// Reads a coefficient of a contact, given its key, the contact's name and its permitted values.
     fn coefficient(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
-        (key, contact): (&str, &str),
+        key: &str,
+        contact: &str,
         parameters: &[Number],
-        (may_be, wrong, help): (&dyn Fn(f64) -> bool, &str, &str),
+        permitted: &Permitted<'_>,
     ) -> Option<Number> {
+        let Permitted { may_be, wrong, help } = permitted;
         let quoted = format!("`{key}`");
         let formula = self.reader.formula(value, &quoted)?;
         let number = self.number(&formula, parameters, &quoted)?;
         if !may_be(number.double) {
             let message = format!("the {key} of `{contact}` is {}, {wrong}", number.double);
-            self.reader.error(formula.span.clone(), message, help);
+            self.reader.error(formula.span.clone(), message, *help);
         }
         Some(number)
     }
@@ -177,7 +189,7 @@ impl<'a> Values<'a, '_> {
                     help,
                 );
             }
-            let friction = self.friction(&mut places, (&name, entry), own.friction.as_ref());
+            let friction = self.friction(&mut places, &name, entry, own.friction.as_ref());
             if friction.is_some() && list.iter().filter(|impact| impact.friction.is_some()).count() == MOST_ROUGH {
                 let help = "give friction to those that matter most, or `no_slip` to those that do not slip";
                 self.reader.error(name.span.clone(), format!("more than {MOST_ROUGH} contacts have friction"), help);
@@ -203,7 +215,8 @@ impl<'a> Values<'a, '_> {
     fn friction(
         &mut self,
         places: &mut Places,
-        (name, entry): (&Located, &'a DeTable<'a>),
+        name: &Located,
+        entry: &'a DeTable<'a>,
         coefficient: Option<&Number>,
     ) -> Option<ContactFriction> {
         let (friction, along) = (self.reader.get(entry, "friction"), self.reader.get(entry, "along"));

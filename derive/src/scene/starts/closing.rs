@@ -51,7 +51,8 @@ impl<'a> Values<'a, '_> {
     pub(in crate::scene) fn close(
         &mut self,
         q: &mut [Option<Number>],
-        (held, guesses): (&[(usize, Number)], &[Option<Number>]),
+        held: &[(usize, Number)],
+        guesses: &[Option<Number>],
         parameters: &[Number],
         place: Range<usize>,
     ) -> Option<Vec<Closed>> {
@@ -70,7 +71,7 @@ impl<'a> Values<'a, '_> {
         let open_at_start = loops.open(&p, &start);
         let is_stated = free.is_empty() && loops.is_closed(&p, &start, &open_at_start, STATED);
         if !found.is_closed || free.is_empty() && !is_stated {
-            self.report_open((&loops, &found), &open_at_start, &free, place);
+            self.report_open(&loops, &found, &open_at_start, &free, place);
             return None;
         }
         if loops.is_singular(&p, &found.q) {
@@ -117,7 +118,8 @@ impl<'a> Values<'a, '_> {
 
     fn report_open(
         &mut self,
-        (loops, found): (&Loops, &Found),
+        loops: &Loops,
+        found: &Found,
         open_at_start: &[f64],
         free: &[usize],
         place: Range<usize>,

@@ -76,7 +76,8 @@ impl Values<'_, '_> {
     pub(in crate::scene) fn solve_motion(
         &mut self,
         stated: &StatedMotion,
-        (parameters, q): (&[Number], &[Number]),
+        parameters: &[Number],
+        q: &[Number],
         place: &Range<usize>,
     ) -> Option<Vec<DoubleDouble>> {
         if self.terms.conditions.is_none() {

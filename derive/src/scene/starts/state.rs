@@ -26,6 +26,24 @@ pub struct Start {
     pub closed: Vec<Closed>,
 }
 
+/// Stated value of a coordinate that a constraint of the model fixes.
+struct ConstrainedValue {
+    /// Index of the constraint.
+    constraint: usize,
+    number: Number,
+    /// Place of the value in the file.
+    span: Range<usize>,
+}
+
+/// Numbers of statements about variables that constraints fix.
+#[derive(Clone, Copy)]
+struct ConstrainedCounts {
+    /// Number of stated values.
+    held: usize,
+    /// Number of stated rates.
+    fixed: usize,
+}
+
 /// Deviation up to which a stated variable satisfies the constraint that fixes it, over one plus the size of its value.
 const RESIDUAL: f64 = 1e-9;
 
@@ -66,7 +84,7 @@ impl<'a> Values<'a, '_> {
             } else if let Some(at) = model.speeds.iter().position(|s| s.name == name.text) {
                 u[at] = Some((number, name));
             } else if let Some(at) = model.constraints.iter().position(|c| c.fixes == name.text) {
-                constrained.push((at, number, formula.span));
+                constrained.push(ConstrainedValue { constraint: at, number, span: formula.span });
             } else if let Some(at) = rate.and_then(|r| model.constraints.iter().position(|c| c.fixes == r)) {
                 fixed.push((at, number, name));
             } else {
@@ -101,9 +119,9 @@ impl<'a> Values<'a, '_> {
             return None;
         }
         self.now(&mut q, &mut rates, &place)?;
-        let held: Vec<(usize, Number)> = constrained.iter().map(|(at, number, _)| (*at, number.clone())).collect();
-        self.complete(table, (&q, held.len()), (&rates, fixed.len()), &u)?;
-        let mut closed = self.close(&mut q, (&held, &guesses), parameters, place.clone())?;
+        let held: Vec<(usize, Number)> = constrained.iter().map(|c| (c.constraint, c.number.clone())).collect();
+        self.complete(table, &q, &rates, &u, ConstrainedCounts { held: held.len(), fixed: fixed.len() })?;
+        let mut closed = self.close(&mut q, &held, &guesses, parameters, place.clone())?;
         let exact_q: Vec<Number> = q.into_iter().flatten().collect();
         let (p, q) = (doubles(parameters), doubles(&exact_q));
         self.check_constrained(&constrained, &p, &q);
@@ -120,7 +138,7 @@ impl<'a> Values<'a, '_> {
         if by_rates && is_whole {
             self.check_motion(table, &p, &q, &doubles(&rates));
         } else if self.model.ties_rates() || !fixed.is_empty() {
-            let solved = self.solve_motion(&stated, (parameters, &exact_q), &place)?;
+            let solved = self.solve_motion(&stated, parameters, &exact_q, &place)?;
             if by_rates {
                 closed.extend(self.solved_rates(&stated, &solved));
                 rates = solved.into_iter().map(Number::wide).collect();
@@ -160,15 +178,16 @@ impl<'a> Values<'a, '_> {
         Some(())
     }
 
-    /// Reports coordinates, speeds and rates that have no value. `held` and `fixed` are the numbers of stated variables
-    /// that constraints fix and of their stated rates. Speeds and rates must not be mixed.
+    /// Reports coordinates, speeds and rates that have no value. Speeds and rates must not be mixed.
     fn complete(
         &mut self,
         table: &'a DeTable<'a>,
-        (q, held): (&[Option<Number>], usize),
-        (rates, fixed): (&[Option<(Number, Located)>], usize),
+        q: &[Option<Number>],
+        rates: &[Option<(Number, Located)>],
         u: &[Option<(Number, Located)>],
+        constrained: ConstrainedCounts,
     ) -> Option<()> {
+        let ConstrainedCounts { held, fixed } = constrained;
         let model = &self.model;
         let place = self.reader.entries(table).first().map_or(0..0, |(key, _)| key.span.clone());
         let open = model.coordinates.iter().zip(q).filter(|(_, x)| x.is_none());
@@ -200,9 +219,9 @@ impl<'a> Values<'a, '_> {
         None
     }
 
-    fn check_constrained(&mut self, stated: &[(usize, Number, std::ops::Range<usize>)], parameters: &[f64], q: &[f64]) {
-        for (at, number, span) in stated {
-            let constraint = self.model.constraints[*at].clone();
+    fn check_constrained(&mut self, stated: &[ConstrainedValue], parameters: &[f64], q: &[f64]) {
+        for ConstrainedValue { constraint, number, span } in stated {
+            let constraint = self.model.constraints[*constraint].clone();
             let inputs = [parameters, q].concat();
             let symbols = [self.model.p(), self.model.q()].concat();
             let Ok(tape) = Tape::new(&self.model.arena, &symbols, &[constraint.value]) else { continue };

@@ -31,13 +31,13 @@ impl Search<'_> {
     fn tree(&mut self) {
         for rest in self.rests.clone() {
             for (kind, velocities) in self.relative.between(rest.body, rest.holder) {
-                self.along_wanted_axes(kind, &velocities, (rest.body, rest.holder));
+                self.along_wanted_axes(kind, &velocities, rest.body, rest.holder);
             }
         }
     }
 
     /// Keeps the reactions of a kind along axes that do no work at these velocities, one velocity for each speed.
-    fn along_wanted_axes(&mut self, kind: ReactionKind, velocities: &[Triple], (body, holder): (usize, Holder)) {
+    fn along_wanted_axes(&mut self, kind: ReactionKind, velocities: &[Triple], body: usize, holder: Holder) {
         if self.missing == 0 {
             return;
         }
@@ -45,7 +45,7 @@ impl Search<'_> {
             let direction = self.relative.drawn.frames[frame].axes[axis];
             let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
             if !works && self.is_wanted(kind, direction) {
-                self.choose(self.last_place(), Found::along_axis(kind, (frame, axis)), direction, Vec::new());
+                self.choose(self.last_place(), Found::along_axis(kind, frame, axis), direction, Vec::new());
             }
         }
     }
@@ -62,19 +62,19 @@ impl Search<'_> {
             let ends: Vec<usize> = (0..count).filter(is_end).collect();
             for point in (0..count).filter(|at| self.relative.has(body, *at)).collect::<Vec<_>>() {
                 for opposite in &ends {
-                    self.line(body, holder, (point, *opposite));
+                    self.line(body, holder, point, *opposite);
                 }
             }
         }
     }
 
-    fn line(&mut self, body: usize, holder: Holder, (point, opposite): (usize, usize)) {
+    fn line(&mut self, body: usize, holder: Holder, point: usize, opposite: usize) {
         let DrawnModel { space, points, .. } = &self.relative.drawn;
         let way = space.sub(points[opposite].place, points[point].place);
         if self.missing == 0 || way == [0; 3] {
             return;
         }
-        let slips = self.relative.slips(body, holder, (point, opposite));
+        let slips = self.relative.slips(body, holder, point, opposite);
         if slips.iter().any(|slip| space.dot(*slip, way) != 0) {
             return;
         }
@@ -107,7 +107,7 @@ impl Search<'_> {
                 let is_there =
                     |b: usize| self.relative.is_rigid(Some(b)) || self.relative.model.bodies[b].centre == point;
                 if is_there(body) && holder.is_none_or(is_there) {
-                    self.meeting(body, holder, (point, point), holds);
+                    self.meeting(body, holder, point, point, holds);
                 }
             }
         }
@@ -118,7 +118,7 @@ impl Search<'_> {
         for (body, holder) in self.relative.pairs() {
             if self.missing > 0 && self.relative.is_rigid(Some(body)) && self.relative.is_rigid(holder) {
                 let turns = self.relative.turns(body, holder);
-                self.along_wanted_axes(ReactionKind::Torque { on: body, against: holder }, &turns, (body, holder));
+                self.along_wanted_axes(ReactionKind::Torque { on: body, against: holder }, &turns, body, holder);
             }
         }
     }
@@ -131,7 +131,7 @@ impl Search<'_> {
             for point in 0..self.relative.model.points.len() {
                 for opposite in 0..self.relative.model.points.len() {
                     if point != opposite && self.relative.has(body, point) && self.relative.has(other, opposite) {
-                        self.meeting(body, holder, (point, opposite), holds);
+                        self.meeting(body, holder, point, opposite, holds);
                     }
                 }
             }
@@ -139,15 +139,15 @@ impl Search<'_> {
     }
 
     /// Chooses forces where two bodies meet, at a point of each: without slip if `holds`, otherwise with slip too.
-    fn meeting(&mut self, body: usize, holder: Holder, (point, opposite): (usize, usize), holds: bool) {
+    fn meeting(&mut self, body: usize, holder: Holder, point: usize, opposite: usize, holds: bool) {
         if self.missing == 0 {
             return;
         }
-        let slips = self.relative.slips(body, holder, (point, opposite));
+        let slips = self.relative.slips(body, holder, point, opposite);
         if !holds || slips.iter().all(|slip| *slip == [0; 3]) {
             let against = holder.map(|body| Place { body, point: opposite });
             let kind = ReactionKind::Force { on: Place { body, point }, against };
-            self.along_wanted_axes(kind, &slips, (body, holder));
+            self.along_wanted_axes(kind, &slips, body, holder);
         }
     }
 }

@@ -27,6 +27,18 @@ struct Ways {
     placed: Vec<String>,
 }
 
+/// Constraint that states one velocity of one body alone.
+struct Edge {
+    /// Name of the constraint.
+    name: String,
+    /// Force or torque that holds the body against the ground.
+    kind: ReactionKind,
+    /// Frame that has the axis of the force or torque.
+    frame: usize,
+    /// Index of the axis: 0, 1 or 2.
+    axis: usize,
+}
+
 impl Search<'_> {
     /// Chooses the reactions that the connections of the model file carry.
     pub fn held(&mut self) {
@@ -53,7 +65,7 @@ impl Search<'_> {
         let built_in = model.repeated.iter().filter_map(|repeated| repeated.rolled);
         let built_in: Vec<Rolled> = built_in.filter(|rolled| !rests_there(rolled)).collect();
         let edges = self.relative.edges();
-        let elsewhere: Vec<&str> = edges.iter().map(|(name, ..)| name.as_str()).collect();
+        let elsewhere: Vec<&str> = edges.iter().map(|edge| edge.name.as_str()).collect();
         let ways = Ways {
             open: self.relative.open(true, &elsewhere),
             free: self.relative.open(false, &elsewhere),
@@ -74,29 +86,29 @@ impl Search<'_> {
         for &Rolled { body, against, point, frame, axis, .. } in components {
             let on = Place { body, point };
             let kind = ReactionKind::Force { on, against: against.map(|body| Place { body, point }) };
-            let slips = self.relative.slips(body, against, (point, point));
+            let slips = self.relative.slips(body, against, point, point);
             let direction = self.relative.drawn.frames[frame].axes[axis];
             if slips.iter().all(|slip| self.relative.drawn.space.dot(*slip, direction) == 0) {
-                self.choose(place, Found::along_axis(kind, (frame, axis)), direction, Vec::new());
+                self.choose(place, Found::along_axis(kind, frame, axis), direction, Vec::new());
             }
         }
     }
 
     /// Chooses the forces and torques of edges, unless the model file names a reaction that holds the edge's body
     /// against the ground.
-    fn edges(&mut self, edges: &[(String, ReactionKind, (usize, usize))]) {
-        for (name, kind, (frame, axis)) in edges {
+    fn edges(&mut self, edges: &[Edge]) {
+        for Edge { name, kind, frame, axis } in edges {
             let model = self.relative.model;
             let is_enforced = model.motion_constraints.iter().any(|c| c.name == *name && c.enforced_by.is_some());
             let is_held = model.stated_reactions().iter().any(|reaction| sides(reaction.kind) == sides(*kind));
             let velocities = match *kind {
-                ReactionKind::Force { on, .. } => self.relative.slips(on.body, None, (on.point, on.point)),
+                ReactionKind::Force { on, .. } => self.relative.slips(on.body, None, on.point, on.point),
                 ReactionKind::Torque { on, .. } => self.relative.turns(on, None),
             };
             let direction = self.relative.drawn.frames[*frame].axes[*axis];
             let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
             if !is_enforced && !is_held && !works {
-                self.choose(0, Found::along_axis(*kind, (*frame, *axis)), direction, Vec::new());
+                self.choose(0, Found::along_axis(*kind, *frame, *axis), direction, Vec::new());
             }
         }
     }
@@ -130,7 +142,7 @@ impl Search<'_> {
                 continue;
             }
             open -= 1;
-            let found = Found::along_axis(kind, (frame, axis));
+            let found = Found::along_axis(kind, frame, axis);
             self.choose(self.place_of(rest.body), found, direction, Vec::new());
         }
     }
@@ -191,9 +203,8 @@ impl Search<'_> {
 }
 
 impl Relative<'_> {
-    /// Constraints that each state one velocity of one body alone, by name, with the force or the torque that holds the
-    /// body against the ground, and the frame and the axis of its direction.
-    fn edges(&self) -> Vec<(String, ReactionKind, (usize, usize))> {
+    /// Constraints that each state one velocity of one body alone.
+    fn edges(&self) -> Vec<Edge> {
         let model = self.model;
         let holds = |of: &VelocityOf<usize>| {
             let (body, point) = match *of {
@@ -214,7 +225,7 @@ impl Relative<'_> {
         let edge = |constraint: &MotionConstraint| {
             let compared = model.contacts.compared.iter().find(|compared| compared.name == constraint.name)?;
             let (of, frame, axis) = compared.alone.as_ref()?;
-            Some((constraint.name.clone(), holds(of)?, (*frame, *axis)))
+            Some(Edge { name: constraint.name.clone(), kind: holds(of)?, frame: *frame, axis: *axis })
         };
         stated.filter_map(edge).collect()
     }
@@ -250,7 +261,7 @@ impl Relative<'_> {
         let point = self.least_moving_point(body, holder);
         let against = holder.map(|body| Place { body, point });
         let force = ReactionKind::Force { on: Place { body, point }, against };
-        let mut kinds = vec![(force, self.slips(body, holder, (point, point)))];
+        let mut kinds = vec![(force, self.slips(body, holder, point, point))];
         if self.is_rigid(Some(body)) && self.is_rigid(holder) {
             kinds.push((ReactionKind::Torque { on: body, against: holder }, self.turns(body, holder)));
         }
@@ -267,7 +278,7 @@ impl Relative<'_> {
                 let direction = self.drawn.frames[frame].axes[axis];
                 let power: Vec<u64> = velocities.iter().map(|v| self.drawn.space.dot(*v, direction)).collect();
                 if power.iter().any(|x| *x != 0) {
-                    list.push((Found { is_shared: true, ..Found::along_axis(kind, (frame, axis)) }, power));
+                    list.push((Found { is_shared: true, ..Found::along_axis(kind, frame, axis) }, power));
                 }
             }
         }

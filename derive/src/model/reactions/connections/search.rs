@@ -29,7 +29,7 @@ pub struct Found {
 
 impl Found {
     /// A reaction along an axis of a frame that does no work by itself.
-    pub fn along_axis(kind: ReactionKind, (frame, axis): (usize, usize)) -> Self {
+    pub fn along_axis(kind: ReactionKind, frame: usize, axis: usize) -> Self {
         Self { kind, along: Along::Axis(frame, axis), is_shared: false, law: None }
     }
 
