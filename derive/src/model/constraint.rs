@@ -49,6 +49,8 @@ pub struct Loop {
 /// A component of the velocity at which the material of a rolling body would slip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rolled {
+    /// Index of the contact in [`super::Contacts::rolling`].
+    pub contact: usize,
     /// Index of the body that rolls.
     pub body: usize,
     /// Index of the body on which the rolling body rolls; `None` for the ground.

@@ -1,5 +1,5 @@
-//! Contacts of bodies that the model file states, other than rolling and reactions: friction, and equations that
-//! compare two bodies.
+//! Contacts of bodies that the model file states, other than reactions: rolling, friction, and equations that compare
+//! two bodies.
 
 use crate::algebra::text::parse::VelocityOf;
 
@@ -23,9 +23,11 @@ pub struct Compared {
     pub is_difference: bool,
 }
 
-/// Contacts of bodies that the model file states, other than rolling and reactions.
+/// Contacts of bodies that the model file states, other than reactions.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
+    /// Names of the contacts where bodies roll, in the order of the model file.
+    pub rolling: Vec<String>,
     /// Bodies on which friction acts, each with the body against which it rubs; `None` is the ground.
     pub rubbing: Vec<(usize, Option<usize>)>,
     /// Bodies and velocities that each constraint of the model file ties.

@@ -14,7 +14,7 @@ mod reading;
 mod units;
 mod velocities;
 
-pub use crate::geometry::{Frame, Point, Turn};
+pub use crate::geometry::{Frame, Point, Turn, TurnSense};
 pub(crate) use bodies::joint_kinds::JOINT_KINDS;
 pub(crate) use bodies::shapes::SHAPE_KINDS;
 pub use bodies::shapes::{Shape, ShapeForm, equations_text};
@@ -265,6 +265,17 @@ pub struct Reaction {
     pub law: Option<usize>,
 }
 
+/// Reaction of an equation of a joint that closes a loop.
+#[derive(Clone, Debug)]
+pub struct JointReaction {
+    /// Name of the joint.
+    pub joint: String,
+    /// Name of the joint's equation that the reaction enforces.
+    pub equation: String,
+    /// Reaction that the joint exerts.
+    pub reaction: Reaction,
+}
+
 /// A condition of the domain in which the model holds.
 #[derive(Clone, Debug)]
 pub struct Condition {
@@ -362,10 +373,9 @@ pub struct Model {
     pub velocities: Vec<NamedVelocity>,
     /// Reactions: first those of the model file, then those that were found.
     pub reactions: Vec<Reaction>,
-    /// Reactions of joints along directions that are held otherwise as well, each after the name of its joint equation.
-    /// They are taken as zero.
-    pub redundant: Vec<(String, Reaction)>,
-    /// Contacts of bodies that the model file states, other than rolling and reactions.
+    /// Reactions of joints along directions that are held otherwise as well. They are taken as zero.
+    pub redundant: Vec<JointReaction>,
+    /// Contacts of bodies that the model file states, other than reactions.
     pub contacts: Contacts,
     /// Holonomic constraints that are solved for a coordinate.
     pub constraints: Vec<Constraint>,

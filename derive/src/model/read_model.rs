@@ -8,14 +8,13 @@ use super::bodies::inputs::Signals;
 use super::bodies::joints::Joints;
 use super::bodies::motion::Moving;
 use super::constraints::configuration::{Solved, Stated, solve_all};
-use super::constraints::joint_frames::Holding;
 use super::constraints::motion::{Tied, Ties};
 use super::constraints::openings::openings;
 use super::input::Binding;
 use super::reading::names::{Kind, Names};
 use super::reading::reader::Loading;
 use super::reading::repetition::written_out;
-use super::{Compared, Condition, Coordinate, Model, NamedVelocity, Repeated, Rolled};
+use super::{Compared, Condition, Coordinate, JointReaction, Model, NamedVelocity, Repeated, Rolled};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
@@ -150,7 +149,7 @@ struct Connections {
     /// Components of the velocities at which rolling bodies would slip, each as an equation.
     slips: Vec<(Stated, Rolled)>,
     /// Reactions that may hold joints that close loops.
-    holding: Vec<Holding>,
+    holding: Vec<JointReaction>,
     /// True if all connections could be read.
     is_known: bool,
 }
@@ -290,7 +289,13 @@ impl<'a> Loading<'a> {
     }
 
     /// Finds reactions, and puts those that conditions of the domain name into these conditions.
-    fn complete(&mut self, model: &mut Model, holding: Vec<Holding>, prescribing: &[String], fixed: &mut Substitution) {
+    fn complete(
+        &mut self,
+        model: &mut Model,
+        holding: Vec<JointReaction>,
+        prescribing: &[String],
+        fixed: &mut Substitution,
+    ) {
         model.loops.iter_mut().for_each(|one| one.prescribes = prescribing.contains(&one.name));
         model.hold_joints(holding, fixed);
         model.complete_loads();
@@ -360,6 +365,7 @@ impl<'a> Loading<'a> {
         } else if needs_motion {
             let mut moving = Moving::new(&mut self.arena, elements, coordinates);
             let forces = self.spring_forces(&mut moving, elements, springs);
+            elements.contacts.rolling = rolling.iter().map(|rolling| rolling.name.text.clone()).collect();
             slips = self.slips(&mut moving, elements, rolling);
             let value = |v: &NamedVelocity| (v.symbol, moving.named(&mut self.arena, elements, v));
             let mut put = Substitution::new(&velocities.iter().map(value).collect::<Vec<_>>());

@@ -12,7 +12,7 @@ use crate::model::reading::names::{CONFIGURATION, Kind, PARAMETERS};
 use crate::model::reading::reader::Loading;
 use crate::model::reading::tree::Node;
 use crate::model::units::Unit;
-use crate::model::{Hung, Model, Place, Reaction, ReactionKind};
+use crate::model::{Hung, JointReaction, Model, Place, Reaction, ReactionKind};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
@@ -35,9 +35,6 @@ pub struct Closing {
     /// Index of the closed body, and index of the body that carries; `None` for the ground.
     bodies: (usize, Option<usize>),
 }
-
-/// Name of an equation of a closed joint, and the reaction that holds this equation.
-pub type Holding = (String, Reaction);
 
 impl Joint<'_> {
     /// Name `JOINT_part`, made of the joint's name and a part.
@@ -310,7 +307,7 @@ impl<'a> Loading<'a> {
     /// axes that stay perpendicular. Each has its reaction. The force on the closed body acts at the joint's point. Its
     /// opposite acts on the other body, at that body's joint point or at its material at the first point. So the two do
     /// no work in open loops either.
-    pub fn closed(&mut self, moving: &mut Moving, closings: &[Closing]) -> (Vec<Stated>, Vec<Holding>) {
+    pub fn closed(&mut self, moving: &mut Moving, closings: &[Closing]) -> (Vec<Stated>, Vec<JointReaction>) {
         let (mut list, mut holding) = (Vec::new(), Vec::new());
         for Closing { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in closings {
             let axis = axes.first().copied().unwrap_or(2);
@@ -345,7 +342,7 @@ impl<'a> Loading<'a> {
                         is_shared: false,
                         law: None,
                     };
-                    holding.push((name_of.clone(), reaction));
+                    holding.push(JointReaction { joint: name.text.clone(), equation: name_of.clone(), reaction });
                     list.push(Stated {
                         name: name_of,
                         equation,
@@ -398,14 +395,15 @@ fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
 impl Model {
     /// Adds the reactions of joint equations that are constraints; the reactions of dependent equations are redundant.
     /// In directions, values replace the coordinates that constraints fix.
-    pub(in crate::model) fn hold_joints(&mut self, holding: Vec<Holding>, fixed: &mut Substitution) {
-        for (name, mut reaction) in holding {
-            let solved = self.constraints.iter().any(|c| c.name == name);
+    pub(in crate::model) fn hold_joints(&mut self, holding: Vec<JointReaction>, fixed: &mut Substitution) {
+        for mut held in holding {
+            let reaction = &mut held.reaction;
             reaction.direction = reaction.direction.map(|e| fixed.apply(&mut self.arena, e));
-            if solved || self.motion_constraints.iter().any(|c| c.name == name) {
-                self.reactions.push(reaction);
+            let solved = self.constraints.iter().any(|c| c.name == held.equation);
+            if solved || self.motion_constraints.iter().any(|c| c.name == held.equation) {
+                self.reactions.push(held.reaction);
             } else {
-                self.redundant.push((name, reaction));
+                self.redundant.push(held);
             }
         }
     }

@@ -33,7 +33,7 @@ use toml::de::DeTable;
 
 /// Rolling of a body, as the model file states it.
 pub struct StatedRolling {
-    name: Located,
+    pub name: Located,
     body: usize,
     point: usize,
     against: Option<usize>,
@@ -117,7 +117,8 @@ impl<'a> Loading<'a> {
         rolling: Vec<StatedRolling>,
     ) -> Vec<(Stated, Rolled)> {
         let mut list = Vec::new();
-        for StatedRolling { name, body, point, against, frame, is_stated } in rolling {
+        for (contact, rolling) in rolling.into_iter().enumerate() {
+            let StatedRolling { name, body, point, against, frame, is_stated } = rolling;
             let span = name.span.clone();
             let mut slip = moving.material(&mut self.arena, elements, body, point);
             if let Some(other) = against {
@@ -128,7 +129,7 @@ impl<'a> Loading<'a> {
                 let equation = moving.component(&mut self.arena, &slip, frame, axis);
                 let name = format!("{}_{}", name.text, axis + 1);
                 let stated = Stated { name, equation, enforced_by: None, span: span.clone(), may_repeat: true };
-                list.push((stated, Rolled { body, against, point, frame, axis, is_stated }));
+                list.push((stated, Rolled { contact, body, against, point, frame, axis, is_stated }));
             }
         }
         list

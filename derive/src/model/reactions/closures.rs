@@ -20,8 +20,8 @@ struct Closing {
 }
 
 impl Relative<'_> {
-    /// Forces and torques that may act where equations keep points together, each after an empty string.
-    pub fn closings(&self, holders: &[(usize, Holder)]) -> Vec<(String, Reaction)> {
+    /// Forces and torques that may act where equations keep points together.
+    pub fn closings(&self, holders: &[(usize, Holder)]) -> Vec<Reaction> {
         let found: Vec<Closing> = self.model.reactions.iter().filter_map(|r| self.closing(r, holders)).collect();
         let mut list = Vec::new();
         for (at, closing) in found.iter().enumerate() {
@@ -54,8 +54,8 @@ impl Relative<'_> {
         })
     }
 
-    /// Reactions at a closing that do no work in any permitted motion, each after an empty string.
-    fn held_at(&self, closing: &Closing) -> Vec<(String, Reaction)> {
+    /// Reactions at a closing that do no work in any permitted motion.
+    fn held_at(&self, closing: &Closing) -> Vec<Reaction> {
         let &Closing { on, against, frame } = closing;
         let (body, holder, space) = (on.body, against.map(|place| place.body), self.drawn.space);
         let force = ReactionKind::Force { on, against };
@@ -73,7 +73,7 @@ impl Relative<'_> {
                     let mut direction = [Expr::ZERO; 3];
                     direction[axis] = Expr::ONE;
                     let symbol = Expr::ONE;
-                    let reaction = Reaction {
+                    list.push(Reaction {
                         name,
                         symbol,
                         kind,
@@ -82,8 +82,7 @@ impl Relative<'_> {
                         is_stated: false,
                         is_shared: false,
                         law: None,
-                    };
-                    list.push((String::new(), reaction));
+                    });
                 }
             }
         }

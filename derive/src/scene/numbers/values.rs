@@ -324,7 +324,7 @@ impl<'a> Values<'a, '_> {
         if !others.is_empty() {
             known.extend(model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate)));
         }
-        let redundant: Vec<&str> = model.redundant.iter().map(|(_, r)| r.name.as_str()).collect();
+        let redundant: Vec<&str> = model.redundant.iter().map(|r| r.reaction.name.as_str()).collect();
         let mut resolve = |arena: &mut Arena, name: &str| {
             if let Some((_, e)) = known.iter().find(|(n, _)| n == name) {
                 return Ok(*e);
