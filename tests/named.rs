@@ -1,6 +1,6 @@
 //! Equations whose terms are named are those written out: random mechanisms derived both ways.
 
-use crate::arm::arm;
+use crate::arm::{Reactions, arm};
 use crate::mechanism::Mechanism;
 use crate::spoilt::Random;
 use tripos::code::{Ready, code};
@@ -93,7 +93,7 @@ type Dd = DoubleDouble;
 #[test]
 fn large_models_run_interpreted() {
     let n = 5;
-    let mechanism = tripos::Mechanism::new(arm(n, false));
+    let mechanism = tripos::Mechanism::new(arm(n, Reactions::None));
     let p: Vec<Dd> = (0..mechanism.parameters.len()).map(|i| Dd::from_f64(1.0 + 0.07 * i as f64)).collect();
     let state: Vec<Dd> =
         (0..2 * n).map(|i| Dd::from_f64(0.3 + 0.4 * i as f64 - if i < n { 0.0 } else { 2.5 })).collect();

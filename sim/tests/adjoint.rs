@@ -133,7 +133,7 @@ const SPAN: (f64, f64) = (0.0, 2.0);
 fn options(problem: Problem, p: &[f64], method: Method, tolerance: f64) -> Options {
     let corners = match problem {
         Problem::Driven(_) => {
-            vec![Corner { moves: [1.0, 0.0, 0.0, 0.0], ..Corner::still(p[2], true) }, Corner::still(BEND, false)]
+            vec![Corner { moves: [1.0, 0.0, 0.0, 0.0], ..Corner::jump(p[2]) }, Corner::bend(BEND)]
         }
         _ => Vec::new(),
     };

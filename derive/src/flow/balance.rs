@@ -26,6 +26,15 @@ pub struct Along {
     pub is_rate: bool,
 }
 
+/// Kind of a motion whose variables are constant, except those along symmetries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steadiness {
+    /// State in which nothing moves except drives at a constant rate.
+    Rest,
+    /// Motion at constant velocities along the symmetries.
+    SteadyMotion,
+}
+
 /// Conditions of rest, or of motion along the symmetries, as terms that must vanish.
 #[derive(Clone, Debug, Default)]
 pub struct Balance {
@@ -40,9 +49,12 @@ pub struct Balance {
 }
 
 impl Flow {
-    /// Conditions of rest, or of motion along the symmetries if `moves`. Drives at a constant rate continue in both.
-    pub fn balance(&mut self, model: &Model, moves: bool) -> Balance {
-        let along = if moves { self.velocities(model) } else { Vec::new() };
+    /// Conditions of rest, or of motion along the symmetries. Drives at a constant rate continue in both.
+    pub fn balance(&mut self, model: &Model, steadiness: Steadiness) -> Balance {
+        let along = match steadiness {
+            Steadiness::Rest => Vec::new(),
+            Steadiness::SteadyMotion => self.velocities(model),
+        };
         let q_count = model.coordinates.len();
         // Time continues by itself. Rest at any time is stated at time 0.
         let by_time = self.by_time(model);

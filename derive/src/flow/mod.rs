@@ -10,7 +10,7 @@ mod program;
 mod rest;
 mod symmetry;
 
-pub use balance::{Along, Balance};
+pub use balance::{Along, Balance, Steadiness};
 pub use letters::{Chosen, InLetters, NotInLetters, Stated};
 pub use program::{Program, Rates, Sizes};
 pub use rest::Rest;

@@ -8,7 +8,7 @@ mod vector;
 pub(crate) use components::transposed;
 pub use components::{Components, apply_tensor, cross_components};
 pub use motion::{Motion, angular_velocities, linear_velocities};
-pub use turn::{Oriented, Turn};
+pub use turn::{Oriented, Turn, TurnSense};
 pub use vector::{Dots, Frames, Part, Vector};
 
 use crate::algebra::Expr;

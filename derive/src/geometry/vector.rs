@@ -6,7 +6,7 @@
 
 use super::Frame;
 use super::components::{Components, cross_components, row_times, transposed};
-use super::turn::Turn;
+use super::turn::{Turn, TurnSense};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::{Arena, Expr};
@@ -184,31 +184,31 @@ impl Frames {
         self.tree.iter().all(|frame| frame.rotation.as_ref().is_none_or(|(parent, _)| *parent == 0))
     }
 
-    /// Turns that lead from the axes of `from` to those of `to`, each with true if it is taken back. Adjacent turns
-    /// about one axis are merged.
-    fn turns(&self, arena: &mut Arena, from: usize, to: usize) -> Vec<(Turn, bool)> {
+    /// Turns that lead from the axes of `from` to those of `to`, each with the sense in which it is taken. Adjacent
+    /// turns about one axis are merged.
+    fn turns(&self, arena: &mut Arena, from: usize, to: usize) -> Vec<(Turn, TurnSense)> {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let mut shared = 0;
         while shared < up.len().min(down.len()) && up[up.len() - 1 - shared] == down[down.len() - 1 - shared] {
             shared += 1;
         }
-        let way = up[..up.len() - shared].iter().map(|frame| (*frame, true));
-        let way = way.chain(down[..down.len() - shared].iter().rev().map(|frame| (*frame, false)));
-        let mut turns: Vec<(Turn, bool)> = Vec::new();
-        for (frame, back) in way {
+        let way = up[..up.len() - shared].iter().map(|frame| (*frame, TurnSense::Back));
+        let way = way.chain(down[..down.len() - shared].iter().rev().map(|frame| (*frame, TurnSense::Forward)));
+        let mut turns: Vec<(Turn, TurnSense)> = Vec::new();
+        for (frame, sense) in way {
             match (self.turned_into(frame).expect("not the inertial frame"), turns.last_mut()) {
                 (Turn::About(axis, angle), Some((Turn::About(last, sum), _))) if last == axis => {
-                    let angle = if back { arena.neg(*angle) } else { *angle };
+                    let angle = if sense == TurnSense::Back { arena.neg(*angle) } else { *angle };
                     *sum = arena.add(*sum, angle);
                     if *sum == Expr::ZERO {
                         turns.pop();
                     }
                 }
                 (Turn::About(axis, angle), _) => {
-                    let angle = if back { arena.neg(*angle) } else { *angle };
-                    turns.push((Turn::About(*axis, angle), false));
+                    let angle = if sense == TurnSense::Back { arena.neg(*angle) } else { *angle };
+                    turns.push((Turn::About(*axis, angle), TurnSense::Forward));
                 }
-                (turn @ Turn::Oriented(_), _) => turns.push((turn.clone(), back)),
+                (turn @ Turn::Oriented(_), _) => turns.push((turn.clone(), sense)),
             }
         }
         turns
@@ -221,8 +221,8 @@ impl Frames {
         }
         let (i, o) = (Expr::ONE, Expr::ZERO);
         let mut matrix = [[i, o, o], [o, i, o], [o, o, i]];
-        for (turn, back) in self.turns(arena, from, to) {
-            let columns = transposed(&matrix).map(|column| turn.apply(arena, &column, back));
+        for (turn, sense) in self.turns(arena, from, to) {
+            let columns = transposed(&matrix).map(|column| turn.apply(arena, &column, sense));
             matrix = transposed(&columns);
         }
         self.rotations.insert((from, to), matrix);

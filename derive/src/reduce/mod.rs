@@ -42,13 +42,21 @@ pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
     Ground::new(model)?.reduce(scene)
 }
 
+/// Frames in which a reduction may write its equations.
+#[derive(Clone, Copy)]
+enum FrameChoice {
+    /// Moving frame, if one saves work; otherwise the inertial frame.
+    MayMove,
+    Inertial,
+}
+
 impl Ground {
     /// Reduced system of a scene of the model that this ground was made from.
     ///
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`reduce`].
     pub fn reduce(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
-        self.reduce_with(scene, true)
+        self.reduce_with(scene, FrameChoice::MayMove)
     }
 
     /// Reduced system of a scene without a moving frame; its variables are functions of the model's variables.
@@ -56,10 +64,10 @@ impl Ground {
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`reduce`].
     pub fn reduce_without_frame(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
-        self.reduce_with(scene, false)
+        self.reduce_with(scene, FrameChoice::Inertial)
     }
 
-    fn reduce_with(&self, scene: &Scene, may_turn: bool) -> Result<Reduction, DeriveError> {
+    fn reduce_with(&self, scene: &Scene, frame: FrameChoice) -> Result<Reduction, DeriveError> {
         self.has_motion_of_its_own()?;
         let mut ground = self.clone();
         has_inertia_at(&self.arena, &self.kane, &self.model, &scene.exact.rational)?;
@@ -87,7 +95,10 @@ impl Ground {
         }
         let momenta = best.map(|(_, momenta)| momenta).unwrap_or_default();
         let mut framed = ground.clone();
-        let framing = if may_turn { framed.framing(&wanted, &choices, &momenta, &mut work) } else { None };
+        let framing = match frame {
+            FrameChoice::MayMove => framed.framing(&wanted, &choices, &momenta, &mut work),
+            FrameChoice::Inertial => None,
+        };
         // Without a frame, the terms of the search are dropped, so that the equations are written as before the search.
         match framing {
             Some(_) => ground = framed,

@@ -312,7 +312,7 @@ impl<'a> Problem<'a> {
     #[must_use]
     pub fn options(&self, options: &Options) -> Options {
         let corners = self.model.corners(&self.scene.parameters).into_iter();
-        let corners = corners.map(|(at, jumps)| Corner::still(at, jumps)).collect();
+        let corners = corners.map(|(at, jumps)| if jumps { Corner::jump(at) } else { Corner::bend(at) }).collect();
         Options { corners, clock: self.model.time(), ..self.mechanism.follow.options(options) }
     }
 

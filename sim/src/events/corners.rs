@@ -25,10 +25,16 @@ pub struct Corner {
 pub const DIRECTIONS: usize = 4;
 
 impl Corner {
-    /// Makes a corner whose time depends on nothing.
+    /// Makes a corner at which the right-hand side jumps, and whose time, s, depends on nothing.
     #[must_use]
-    pub const fn still(at: f64, jumps: bool) -> Self {
-        Self { at, jumps, moves: [0.0; DIRECTIONS] }
+    pub const fn jump(at: f64) -> Self {
+        Self { at, jumps: true, moves: [0.0; DIRECTIONS] }
+    }
+
+    /// Makes a corner at which the right-hand side is continuous, and whose time, s, depends on nothing.
+    #[must_use]
+    pub const fn bend(at: f64) -> Self {
+        Self { at, jumps: false, moves: [0.0; DIRECTIONS] }
     }
 }
 

@@ -12,7 +12,7 @@ use super::carry::{named, turned};
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::geometry::{Components, Turn, cross_components, transposed};
+use crate::geometry::{Components, Turn, TurnSense, cross_components, transposed};
 use crate::model::{Body, Model};
 
 const NOTHING: Components = [Expr::ZERO; 3];
@@ -217,7 +217,7 @@ impl Tree {
             let (moment, inertia) = match &node.edge {
                 Edge::Turn(turn) => {
                     let before = &model.frames[self.nodes[node.parent].frame].name;
-                    let moment = turned(arena, turn, true, &moment, &format!("s_{name}_in_{before}"));
+                    let moment = turned(arena, turn, TurnSense::Back, &moment, &format!("s_{name}_in_{before}"));
                     (moment, turned_tensor(arena, turn, &inertia, &format!("J_{name}_in_{before}")))
                 }
                 Edge::Shift { by } => shifted(arena, &list[at], by, name),
@@ -273,8 +273,8 @@ impl Tree {
             let of = &model.frames[self.nodes[start].frame].name;
             match &node.edge {
                 Edge::Turn(turn) => {
-                    linear = turned(arena, turn, true, &linear, &format!("p_{of}_in_{name}"));
-                    angular = turned(arena, turn, true, &angular, &format!("h_{of}_in_{name}"));
+                    linear = turned(arena, turn, TurnSense::Back, &linear, &format!("p_{of}_in_{name}"));
+                    angular = turned(arena, turn, TurnSense::Back, &angular, &format!("h_{of}_in_{name}"));
                 }
                 Edge::Shift { by } => {
                     let about = cross_components(arena, by, &linear);
@@ -334,9 +334,9 @@ fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str)
     let Turn::About(axis, angle) = turn else {
         let half = [0, 1, 2].map(|i| {
             let column = std::array::from_fn(|j| tensor[place(j, i)]);
-            turned(arena, turn, true, &column, what)
+            turned(arena, turn, TurnSense::Back, &column, what)
         });
-        let rows = transposed(&half).map(|row| turned(arena, turn, true, &row, what));
+        let rows = transposed(&half).map(|row| turned(arena, turn, TurnSense::Back, &row, what));
         return [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|(i, j)| rows[i][j]);
     };
     let (axis, angle) = (*axis, *angle);
@@ -346,7 +346,7 @@ fn turned_tensor(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str)
     // The entries beside the axis turn like a vector.
     let mut beside = NOTHING;
     (beside[j], beside[k]) = (row[1], row[2]);
-    let beside = turned(arena, turn, true, &beside, what);
+    let beside = turned(arena, turn, TurnSense::Back, &beside, what);
     let difference = arena.sub(tensor[place(k, k)], tensor[place(j, j)]);
     let difference = arena.name(difference, &format!("{what}_{}{}", j + 1, k + 1));
     let (of_difference, of_product) = (arena.mul(s, difference), arena.mul(c, tensor[place(j, k)]));

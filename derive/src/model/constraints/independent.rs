@@ -122,6 +122,14 @@ impl Taken {
     }
 }
 
+/// Poses in which a constraint follows from others.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Reach {
+    EveryPose,
+    /// Poses in which the other constraints are independent.
+    MostPoses,
+}
+
 impl Loading<'_> {
     /// Chooses the constraints that are independent of those before them. Reports constraints that contradict or repeat
     /// others.
@@ -143,31 +151,31 @@ impl Loading<'_> {
         let mut waiting = candidates.into_iter();
         while let Some(candidate) = waiting.next() {
             let Tie::Rolling(rolled) = candidate.tie else {
-                self.take(&mut taken, given, candidate, true);
+                self.take(&mut taken, given, candidate, Reach::EveryPose);
                 continue;
             };
             // The three components of a contact come one after another.
             let mut group = vec![candidate];
             group.extend(waiting.by_ref().take(2));
-            let everywhere = self.turn_contact(&mut taken, given.elements, rolled, &mut group);
+            let reach = self.turn_contact(&mut taken, given.elements, rolled, &mut group);
             for candidate in group {
-                self.take(&mut taken, given, candidate, everywhere);
+                self.take(&mut taken, given, candidate, reach);
             }
         }
         taken.found
     }
 
     /// Takes a contact along the axes of another frame if a component along its own axes follows from other constraints
-    /// in most poses only. Returns true if the components that follow do so in every pose.
+    /// in most poses only. Returns the poses in which the components that follow do so.
     fn turn_contact(
         &mut self,
         taken: &mut Taken,
         elements: &Elements,
         rolled: Rolled,
         group: &mut [Candidate],
-    ) -> bool {
+    ) -> Reach {
         let stated: Vec<Expr> = group.iter().map(|c| c.equation).collect();
-        let &[x, y, z] = stated.as_slice() else { return true };
+        let &[x, y, z] = stated.as_slice() else { return Reach::EveryPose };
         let slip = Vector::in_frame(rolled.frame, [x, y, z]);
         let mut everywhere = taken.follow_everywhere(&mut self.arena, &slip, rolled.frame);
         let others = if everywhere || rolled.is_stated { Vec::new() } else { frames_at(elements, rolled) };
@@ -183,12 +191,12 @@ impl Loading<'_> {
             everywhere = true;
         }
         taken.slips.push(slip);
-        everywhere
+        if everywhere { Reach::EveryPose } else { Reach::MostPoses }
     }
 
-    /// Takes a candidate if it is independent of those taken before; else it follows from them, `everywhere` or in most
-    /// poses.
-    fn take(&mut self, taken: &mut Taken, given: &Given<'_>, candidate: Candidate, everywhere: bool) {
+    /// Takes a candidate if it is independent of those taken before; else it follows from them, in the poses of
+    /// `reach`.
+    fn take(&mut self, taken: &mut Taken, given: &Given<'_>, candidate: Candidate, reach: Reach) {
         let Candidate { name, equation, tie, enforced_by, span, may_repeat } = candidate;
         let (row, rest) = match taken.form.coefficients(&mut self.arena, equation) {
             Ok(linear) => linear,
@@ -241,7 +249,7 @@ impl Loading<'_> {
             (_, None) => self.undecided(&name, span),
             (_, Some(false)) => self.repeated(&name, span, "contradicts those before it"),
             (true, Some(true)) => {
-                taken.found.repeated.push(Repeated::of(name, tie, (!everywhere).then_some(equation)));
+                taken.found.repeated.push(Repeated::of(name, tie, (reach == Reach::MostPoses).then_some(equation)));
             }
             (_, Some(true)) => {
                 let how = match tie {

@@ -15,6 +15,15 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
+/// Kind of a formula of a contact.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum ContactFormula {
+    /// Distance between the bodies.
+    Gap,
+    /// Velocity along the contact.
+    Slip,
+}
+
 /// Values that a coefficient may have, and words for an error about others.
 struct Permitted<'p> {
     may_be: &'p dyn Fn(f64) -> bool,
@@ -247,7 +256,7 @@ impl<'a> Values<'a, '_> {
 
     /// Reads a velocity along a contact; reports one that is not linear in rates and speeds.
     fn slip(&mut self, places: &mut Places, formula: &Located) -> Option<Expr> {
-        let slip = self.contact_formula(places, formula, true)?;
+        let slip = self.contact_formula(places, formula, ContactFormula::Slip)?;
         let model = &mut *self.model;
         let moving: Vec<Expr> = model.coordinates.iter().map(|c| c.rate).chain(model.u()).collect();
         let arena = &mut model.arena;
@@ -267,7 +276,7 @@ impl<'a> Values<'a, '_> {
 
     /// Reads the gap of a contact. Returns the gap and its time derivative.
     fn gap(&mut self, places: &mut Places, formula: &Located) -> Option<(Expr, Expr)> {
-        let gap = self.contact_formula(places, formula, false)?;
+        let gap = self.contact_formula(places, formula, ContactFormula::Gap)?;
         let model = &mut *self.model;
         if !model.coordinates.iter().any(|c| c.name != TIME && model.arena.mentions(gap, c.symbol)) {
             let help = "a gap is a formula of coordinates or positions, such as \"p(P) @ N [3] - R\"";
@@ -295,8 +304,10 @@ impl<'a> Values<'a, '_> {
         list
     }
 
-    /// Reads a formula in parameters, coordinates and positions. If `with_rates`, also in rates, speeds and velocities.
-    fn contact_formula(&mut self, places: &mut Places, formula: &Located, with_rates: bool) -> Option<Expr> {
+    /// Reads a formula in parameters, coordinates and positions. The formula of a slip may contain rates, speeds and
+    /// velocities too.
+    fn contact_formula(&mut self, places: &mut Places, formula: &Located, kind: ContactFormula) -> Option<Expr> {
+        let with_rates = kind == ContactFormula::Slip;
         let model = &mut *self.model;
         let mut arena = std::mem::take(&mut model.arena);
         let mut known: Vec<(String, Expr)> = model.parameters.iter().map(|p| (p.name.clone(), p.symbol)).collect();

@@ -11,16 +11,23 @@ use crate::model::reactions::random_pose::{DrawnModel, Triple};
 use crate::model::reactions::relative_motion::Holder;
 use crate::model::{Place, ReactionKind};
 
+/// Slip of the points at which forces are sought.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Slip {
+    None,
+    Allowed,
+}
+
 impl Search<'_> {
     /// Chooses the reactions that no connection of the model file carries and that are still missing.
     pub fn elsewhere(&mut self) {
         // Points where bodies hold fast come first. A force at a point where they slide is tried last.
-        for holds in [true, false] {
-            self.contacts(holds);
-            if !holds {
+        for slip in [Slip::None, Slip::Allowed] {
+            self.contacts(slip);
+            if slip == Slip::Allowed {
                 self.spins();
             }
-            self.loops(holds);
+            self.loops(slip);
         }
         self.lines();
         self.tree();
@@ -100,14 +107,14 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces where bodies touch at a point: without slip if `holds`, otherwise with slip too.
-    fn contacts(&mut self, holds: bool) {
+    /// Chooses forces where bodies touch at a point.
+    fn contacts(&mut self, slip: Slip) {
         for (body, holder) in self.relative.pairs() {
             for point in 0..self.relative.model.points.len() {
                 let is_there =
                     |b: usize| self.relative.is_rigid(Some(b)) || self.relative.model.bodies[b].centre == point;
                 if is_there(body) && holder.is_none_or(is_there) {
-                    self.meeting(body, holder, point, point, holds);
+                    self.meeting(body, holder, point, point, slip);
                 }
             }
         }
@@ -123,28 +130,27 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces between points of two bodies that loops hold together: without slip if `holds`, otherwise with
-    /// slip too.
-    fn loops(&mut self, holds: bool) {
+    /// Chooses forces between points of two bodies that loops hold together.
+    fn loops(&mut self, slip: Slip) {
         for (body, holder) in self.relative.pairs() {
             let Some(other) = holder else { continue };
             for point in 0..self.relative.model.points.len() {
                 for opposite in 0..self.relative.model.points.len() {
                     if point != opposite && self.relative.has(body, point) && self.relative.has(other, opposite) {
-                        self.meeting(body, holder, point, opposite, holds);
+                        self.meeting(body, holder, point, opposite, slip);
                     }
                 }
             }
         }
     }
 
-    /// Chooses forces where two bodies meet, at a point of each: without slip if `holds`, otherwise with slip too.
-    fn meeting(&mut self, body: usize, holder: Holder, point: usize, opposite: usize, holds: bool) {
+    /// Chooses forces where two bodies meet, at a point of each.
+    fn meeting(&mut self, body: usize, holder: Holder, point: usize, opposite: usize, slip: Slip) {
         if self.missing == 0 {
             return;
         }
         let slips = self.relative.slips(body, holder, point, opposite);
-        if !holds || slips.iter().all(|slip| *slip == [0; 3]) {
+        if slip == Slip::Allowed || slips.iter().all(|velocity| *velocity == [0; 3]) {
             let against = holder.map(|body| Place { body, point: opposite });
             let kind = ReactionKind::Force { on: Place { body, point }, against };
             self.along_wanted_axes(kind, &slips, body, holder);

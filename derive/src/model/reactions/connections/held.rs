@@ -27,6 +27,13 @@ struct Ways {
     placed: Vec<String>,
 }
 
+/// Treatment of the model file's other equations between velocities.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum OtherEquations {
+    Hold,
+    Ignored,
+}
+
 /// Constraint that states one velocity of one body alone.
 struct Edge {
     /// Name of the constraint.
@@ -67,8 +74,8 @@ impl Search<'_> {
         let edges = self.relative.edges();
         let elsewhere: Vec<&str> = edges.iter().map(|edge| edge.name.as_str()).collect();
         let ways = Ways {
-            open: self.relative.open(true, &elsewhere),
-            free: self.relative.open(false, &elsewhere),
+            open: self.relative.open(OtherEquations::Hold, &elsewhere),
+            free: self.relative.open(OtherEquations::Ignored, &elsewhere),
             placed: elsewhere.iter().map(|name| (*name).to_owned()).collect(),
         };
         self.rolled(&tied, 0);
@@ -231,15 +238,15 @@ impl Relative<'_> {
     }
 
     /// Motions that the mechanism would have if loops were open and nothing rolled, without the constraints whose names
-    /// are `placed`. Other equations of the model file between velocities hold if `are_held`. `None` if these are the
+    /// are `placed`. `others` are the other equations of the model file between velocities. `None` if these are the
     /// mechanism's own motions.
-    fn open(&self, are_held: bool, placed: &[&str]) -> Option<Vec<Vec<u64>>> {
+    fn open(&self, others: OtherEquations, placed: &[&str]) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let holds = |constraint: &MotionConstraint| match constraint.tie {
             Tie::Loop(at) => model.loops[at].prescribes,
             Tie::Clock => true,
             Tie::Rolling(_) => false,
-            Tie::Stated => are_held && !placed.contains(&constraint.name.as_str()),
+            Tie::Stated => others == OtherEquations::Hold && !placed.contains(&constraint.name.as_str()),
         };
         let is_open = !model.openings.is_empty() || !model.motion_constraints.iter().all(holds);
         is_open.then(|| self.open_ways(&mut model.arena.clone(), &holds)).flatten()
