@@ -10,7 +10,7 @@ use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::mechanics::{Form, Kinematics, derive_all_with};
 use tripos_derive::{Equations, Formulation, Model, model};
 use tripos_traits::{DoubleDouble, Real, Scalar};
@@ -99,7 +99,7 @@ fn large_models_run_interpreted() {
         (0..2 * n).map(|i| Dd::from_f64(0.3 + 0.4 * i as f64 - if i < n { 0.0 } else { 2.5 })).collect();
     let mut both = Vec::new();
     for formulation in [Formulation::Kane, Formulation::Lagrange] {
-        let code = code(&mechanism, &By::from(formulation), None, Ready::Solved).unwrap();
+        let code = code(&mechanism, &EquationsOrigin::from(formulation), None, Ready::Solved).unwrap();
         let system = code.extended();
         let derivative = |y: &[Dd]| {
             let (mut q_dot, mut v_dot) = (vec![Dd::int(0); n], vec![Dd::int(0); n]);

@@ -17,7 +17,7 @@ use crate::prove::IntegralKind;
 
 /// Velocity of a steady motion along one symmetry.
 #[derive(Clone, Debug)]
-pub struct Along {
+pub struct SymmetryVelocity {
     /// Symbol of the velocity: that of the coordinate's rate if `is_rate`.
     pub symbol: Expr,
     /// Index of the symmetry in [`Flow::symmetries`].
@@ -39,7 +39,7 @@ pub enum Steadiness {
 #[derive(Clone, Debug, Default)]
 pub struct Balance {
     /// Velocities along symmetries; empty for rest.
-    pub along: Vec<Along>,
+    pub along: Vec<SymmetryVelocity>,
     /// Generalized speeds, in coordinates and velocities along symmetries.
     pub speeds: Vec<Expr>,
     /// Terms that must vanish, in parameters, coordinates and velocities along symmetries.
@@ -101,10 +101,10 @@ impl Flow {
     }
 
     /// Velocities along all symmetries except the shift of time, with their symbols.
-    fn velocities(&mut self, model: &Model) -> Vec<Along> {
+    fn velocities(&mut self, model: &Model) -> Vec<SymmetryVelocity> {
         let n = model.coordinates.len();
         let rates = model.q_dot();
-        let mut list: Vec<Along> = Vec::new();
+        let mut list: Vec<SymmetryVelocity> = Vec::new();
         let by_time = self.by_time(model);
         for (symmetry, field) in self.symmetries.iter().enumerate().filter(|(at, _)| Some(*at) != by_time) {
             // The velocity c is q' if no other symmetry changes the coordinate.
@@ -117,7 +117,7 @@ impl Flow {
                 Some(at) => rates[at],
                 None => fresh_symbol(&mut self.arena, &name(model, field.kind)),
             };
-            list.push(Along { symbol, symmetry, is_rate: own.is_some() });
+            list.push(SymmetryVelocity { symbol, symmetry, is_rate: own.is_some() });
         }
         list
     }

@@ -19,7 +19,8 @@ pub(crate) use bodies::joint_kinds::JOINT_KINDS;
 pub(crate) use bodies::shapes::SHAPE_KINDS;
 pub use bodies::shapes::{Shape, ShapeForm, equations_text};
 pub use constraint::{
-    AddedVelocity, Branch, Constraint, DependentConstraint, Loop, MotionConstraint, Opening, Rolled, Tie,
+    AddedVelocity, Branch, Constraint, DependentConstraint, Loop, MotionConstraint, MotionConstraintKind, Opening,
+    Rolled,
 };
 pub use contacts::{Compared, Contacts};
 pub use input::{Binding, Input};
@@ -202,7 +203,7 @@ pub struct Potential {
 
 /// A body that a joint carries, with the body or ground that holds it.
 #[derive(Clone, Copy, Debug)]
-pub struct Hung {
+pub struct CarriedBody {
     /// Index of the body that the joint carries.
     pub body: usize,
     /// Index of the body that holds the carried body; `None` for the ground.
@@ -319,9 +320,9 @@ impl Repeated {
 
     /// A repeated equation that others imply: in every pose, or with `elsewhere` only where those others are
     /// independent.
-    fn of(name: String, tie: Tie, elsewhere: Option<Expr>) -> Self {
-        let rolled = if let Tie::Rolling(rolled) = tie { Some(rolled) } else { None };
-        Self { name, is_of_loop: matches!(tie, Tie::Loop(_)), rolled, elsewhere }
+    fn of(name: String, kind: MotionConstraintKind, elsewhere: Option<Expr>) -> Self {
+        let rolled = if let MotionConstraintKind::Rolling(rolled) = kind { Some(rolled) } else { None };
+        Self { name, is_of_loop: matches!(kind, MotionConstraintKind::Loop(_)), rolled, elsewhere }
     }
 }
 
@@ -395,7 +396,7 @@ pub struct Model {
     /// Conditions of the domain in which the model holds.
     pub domain: Vec<Condition>,
     /// Bodies that joints carry, each with its holder.
-    pub hung: Vec<Hung>,
+    pub carried: Vec<CarriedBody>,
     /// Shapes of the parts that the model file states.
     pub shapes: Vec<Shape>,
     /// Rates q̇ in terms of the speeds u.
@@ -467,7 +468,8 @@ impl Model {
     pub fn count(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
         let clock = usize::from(self.time().is_some());
-        let nonholonomic = |c: &&MotionConstraint| matches!(c.tie, Tie::Stated | Tie::Rolling(_));
+        let nonholonomic =
+            |c: &&MotionConstraint| matches!(c.kind, MotionConstraintKind::Stated | MotionConstraintKind::Rolling(_));
         let count = format!(
             "{}, {}, {}, {}, {}",
             plural(self.configuration_variables, "configuration variable"),

@@ -6,8 +6,8 @@
 use super::bodies::elements::Elements;
 use super::bodies::inputs::Signals;
 use super::bodies::joints::Joints;
-use super::bodies::motion::Moving;
-use super::constraints::configuration::{Solved, Stated, solve_all};
+use super::bodies::motion::MechanismMotion;
+use super::constraints::configuration::{Solved, StatedConstraint, solve_all};
 use super::constraints::motion::{Tied, Ties};
 use super::constraints::openings::openings;
 use super::input::Binding;
@@ -143,11 +143,11 @@ struct Connections {
     /// Velocities and positions that formulas name.
     velocities: Vec<NamedVelocity>,
     /// Constraints that contain coordinates only.
-    configuration: Vec<Stated>,
+    configuration: Vec<StatedConstraint>,
     /// Constraints that contain rates or speeds.
-    motion: Vec<Stated>,
+    motion: Vec<StatedConstraint>,
     /// Components of the velocities at which rolling bodies would slip, each as an equation.
-    slips: Vec<(Stated, Rolled)>,
+    slips: Vec<(StatedConstraint, Rolled)>,
     /// Reactions that may hold joints that close loops.
     holding: Vec<JointReaction>,
     /// True if all connections could be read.
@@ -191,8 +191,8 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check(self, &parameters);
-        let mut fix = |c: Stated| Stated { equation: fixed.apply(&mut self.arena, c.equation), ..c };
-        let [kept, stated] = [kept, motion].map(|list| -> Vec<Stated> { list.into_iter().map(&mut fix).collect() });
+        let mut fix = |constraint: StatedConstraint| constraint.with(&mut self.arena, &mut fixed);
+        let [kept, stated]: [Vec<_>; 2] = [kept, motion].map(|list| list.into_iter().map(&mut fix).collect());
         let tied = Tied {
             coordinates: &coordinates,
             elements: &elements,
@@ -235,7 +235,7 @@ impl<'a> Loading<'a> {
             speeds: speeds.into_iter().map(|(speed, _)| speed).collect(),
             dependent_speeds: left_out.into_iter().map(|speed| joints.dependent(speed)).collect(),
             motion_constraints: motion.into_iter().map(|(constraint, _)| constraint).collect(),
-            hung: joints.hung(&elements),
+            carried: joints.carried(&elements),
             frames: elements.frames,
             points: elements.points,
             bodies: elements.bodies,
@@ -350,7 +350,8 @@ impl<'a> Loading<'a> {
         let velocities = elements.velocities(self);
         let mut compared: Vec<Compared> =
             stated.iter().map(|c| self.compared(elements, coordinates, &velocities, &c.name, c.equation)).collect();
-        let names_motion = |c: &Stated| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
+        let names_motion =
+            |c: &StatedConstraint| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
         let needs_motion = !closings.is_empty()
             || !rolling.is_empty()
             || !springs.is_empty()
@@ -363,7 +364,7 @@ impl<'a> Loading<'a> {
         if !is_known {
             stated.clear();
         } else if needs_motion {
-            let mut moving = Moving::new(&mut self.arena, elements, coordinates);
+            let mut moving = MechanismMotion::new(&mut self.arena, elements, coordinates);
             let forces = self.spring_forces(&mut moving, elements, springs);
             elements.contacts.rolling = rolling.iter().map(|rolling| rolling.name.text.clone()).collect();
             slips = self.slips(&mut moving, elements, rolling);

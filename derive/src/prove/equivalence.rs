@@ -63,7 +63,7 @@ pub fn prove(
 }
 
 /// Verdict on two formulations, and the combination that leads from one to the other, in words.
-type Found = (Verdict, String);
+type FormulationVerdict = (Verdict, String);
 
 struct Prover<'a> {
     model: &'a Model,
@@ -77,7 +77,7 @@ struct Prover<'a> {
 impl Prover<'_> {
     /// Compares two systems by the combination that leads from `left` to `right`. `None` if only the other direction is
     /// known.
-    fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<Found> {
+    fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<FormulationVerdict> {
         let (from, to) = (left.formulation, right.formulation);
         match (from.carries_reactions(), to.carries_reactions()) {
             (false, false) if from.is_in_rates() == to.is_in_rates() => Some(self.row_by_row(left, right)),
@@ -89,14 +89,14 @@ impl Prover<'_> {
     }
 
     /// Compares two systems of the same kind row by row.
-    fn row_by_row(&mut self, left: &Equations, right: &Equations) -> Found {
+    fn row_by_row(&mut self, left: &Equations, right: &Equations) -> FormulationVerdict {
         let rows = Combined { matrix: left.matrix.clone(), right: left.forcing.clone() };
         let verdict = equal_systems(&mut self.kinematics.arena, self.comparer, &rows, right, 0);
         (verdict, format!("{} = {}, row by row", label(left), label(right)))
     }
 
     /// Proves Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds.
-    fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+    fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> FormulationVerdict {
         if !self.model.motion_constraints.is_empty() {
             return self.speeds_and_multipliers(speeds, rates);
         }
@@ -121,7 +121,7 @@ impl Prover<'_> {
     }
 
     /// Proves Speeds = Wᵀ · Rates, which cancels the multipliers; the rows of the constraints vanish.
-    fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+    fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> FormulationVerdict {
         let Self { model, kinematics, comparer, maps, .. } = self;
         let arena = &mut kinematics.arena;
         let (n, m) = (model.coordinates.len(), model.motion_constraints.len());
@@ -140,7 +140,7 @@ impl Prover<'_> {
     }
 
     /// Proves Speeds = P · Balances; rows of the balances that P does not use give the reactions.
-    fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> Found {
+    fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> FormulationVerdict {
         let Self { model, kinematics, comparer, .. } = self;
         let combined = combine(&mut kinematics.arena, &balances.projection, balances);
         let identity = equal_systems(&mut kinematics.arena, comparer, &combined, speeds, model.reactions.len());
@@ -157,7 +157,7 @@ impl Prover<'_> {
     }
 
     /// Proves Rates = P · Balances, with the partial velocities with respect to q̇.
-    fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> Found {
+    fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> FormulationVerdict {
         let Self { model, kinematics, comparer, maps, .. } = self;
         let rows = rows_of(model, kinematics, balances);
         let velocities = kinematics.in_rates.clone();
@@ -182,7 +182,12 @@ impl Prover<'_> {
 
     /// Proves Rates = P · Balances up to the forces of the constraints. Wᵀ cancels these forces on both sides. So the
     /// reactions along q̇ are Aᵀλ for exactly one λ.
-    fn multipliers_and_balances(&mut self, partial: &Matrix, rates: &Equations, balances: &Equations) -> Found {
+    fn multipliers_and_balances(
+        &mut self,
+        partial: &Matrix,
+        rates: &Equations,
+        balances: &Equations,
+    ) -> FormulationVerdict {
         let Self { model, kinematics, comparer, maps, .. } = self;
         let arena = &mut kinematics.arena;
         let p = model.speeds.len();

@@ -4,7 +4,7 @@ use super::Kind;
 use super::isolate::{Isolation, Known, Ranges, isolate};
 use super::root::NotANumber;
 use super::samples::{Node, Probe, hidden_extrema, may_dip, sign};
-use super::walk::{Doubt, Findings, Found, LADDER, Memory, walk};
+use super::walk::{Doubt, Finding, Findings, LADDER, Memory, walk};
 
 /// Fraction of a step over which the slope of an event function at the step's ends is taken: the root of ε, below which
 /// a smooth function cannot turn by more than rounding.
@@ -56,11 +56,11 @@ fn doubt_of(known: Known) -> Doubt {
 
 /// Reports the open parts of a step as one undecided event, at their smallest sample. Parts that begin and end at zero
 /// are not reported.
-fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Found> {
+fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Finding> {
     let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
     let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
     let near = ends.min_by(|a, b| a.g.abs().total_cmp(&b.g.abs()))?;
-    Some(Found { theta: near.theta, kind: Kind::Undecided, side: memory.side })
+    Some(Finding { theta: near.theta, kind: Kind::Undecided, side: memory.side })
 }
 
 fn by_samples(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {

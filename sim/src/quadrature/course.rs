@@ -3,7 +3,7 @@
 use super::chart::{Chart, Place};
 use super::energy::{Crest, Energy};
 use super::error::{NoQuadrature, Obstacle};
-use super::track::{Found, Goal, Scratch, Track};
+use super::track::{Goal, PanelPlace, Scratch, Track};
 
 /// Largest number of panels of a stretch between turning points, rejected attempts included.
 const PANELS_OF_SWING: u32 = 2000;
@@ -36,7 +36,7 @@ pub(super) enum Course {
 /// those of the motion.
 pub(super) struct Spot<'c> {
     pub(super) track: &'c Track,
-    pub(super) found: Found,
+    pub(super) found: PanelPlace,
     /// True if the coordinate q rises at this instant.
     pub(super) rising: bool,
     /// Number of whole periods before this instant.

@@ -39,7 +39,7 @@ pub enum Varied {
 
 /// Parameter of a regressor's column: an inertial parameter of a body, or a parameter of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Of {
+pub enum ColumnParameter {
     /// Inertial parameter of a body, with the index of the body.
     Body(usize, Inertial),
     /// Parameter of the model, with its index.
@@ -50,7 +50,7 @@ pub enum Of {
 #[derive(Clone, Debug)]
 pub struct Column {
     /// Parameter to which the column belongs.
-    pub of: Of,
+    pub of: ColumnParameter,
     /// Name of the parameter, such as `mx_rod`.
     pub name: String,
     /// Unit of the parameter.
@@ -168,7 +168,7 @@ fn linear_part(
             *left = arena.sub(*left, part);
         }
         let (name, unit, stated) = (parameter.name.clone(), parameter.unit.clone(), parameter.symbol);
-        columns.push(Column { of: Of::Parameter(at), name, unit, forces, stated });
+        columns.push(Column { of: ColumnParameter::Parameter(at), name, unit, forces, stated });
     }
     (columns, rest)
 }
@@ -242,7 +242,7 @@ impl Motion {
     /// Columns of the regressor for the inertial parameters of a body.
     fn columns(&self, kinematics: &mut Kinematics, model: &Model, anchor: &Anchor) -> Vec<Column> {
         let body = &model.bodies[anchor.body];
-        let stated = Stated::new(kinematics, body, anchor);
+        let stated = InertialParameters::new(kinematics, body, anchor);
         anchor
             .parameters()
             .into_iter()
@@ -255,7 +255,7 @@ impl Motion {
                     arena.sum(&terms)
                 });
                 Column {
-                    of: Of::Body(anchor.body, inertial),
+                    of: ColumnParameter::Body(anchor.body, inertial),
                     forces: forces.collect(),
                     name: format!("{}_{}", inertial.letters(), body.name),
                     unit: inertial.unit(),
@@ -296,13 +296,13 @@ fn anchor_name(model: &Model, anchor: &Anchor) -> String {
 }
 
 /// Inertial parameters of a body by the model: mass, first moments and inertia about the anchor's point.
-struct Stated {
+struct InertialParameters {
     mass: Expr,
     moment: Components,
     inertia: [Components; 3],
 }
 
-impl Stated {
+impl InertialParameters {
     fn new(kinematics: &mut Kinematics, body: &Body, anchor: &Anchor) -> Self {
         let back = kinematics.positions[anchor.point].neg(&mut kinematics.arena);
         let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);

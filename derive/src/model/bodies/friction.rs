@@ -6,7 +6,7 @@
 //! Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30 (1994) 1083–1138).
 
 use super::elements::Elements;
-use super::motion::Moving;
+use super::motion::MechanismMotion;
 use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function};
 use crate::diagnostic::shown;
@@ -196,7 +196,12 @@ impl<'a> Loading<'a> {
     }
 
     /// Adds the forces and torques of friction to the elements.
-    pub fn friction_loads(&mut self, moving: &mut Moving, elements: &mut Elements, stated: Vec<StatedFriction>) {
+    pub fn friction_loads(
+        &mut self,
+        moving: &mut MechanismMotion,
+        elements: &mut Elements,
+        stated: Vec<StatedFriction>,
+    ) {
         for friction in stated {
             match friction.contact {
                 Contact::Point { on, against, frame, normal } => {

@@ -1,12 +1,12 @@
 //! Decisions made in the closed poses of a mechanism: the constraints that follow from others there, and the joint
 //! speeds that describe the motion best.
 
-use super::closed_poses::{Closed, Dependent, Poses, reach};
+use super::closed_poses::{ClosedPoses, Dependent, Poses, reach};
 use super::motion::Ties;
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::model::reading::reader::Loading;
-use crate::model::{Coordinate, DependentConstraint, Tie, Unit};
+use crate::model::{Coordinate, DependentConstraint, MotionConstraintKind, Unit};
 use std::ops::{Range, RangeInclusive};
 
 /// Definitions of all speeds, in terms of q and q̇.
@@ -68,7 +68,7 @@ impl Loading<'_> {
         declared: RangeInclusive<usize>,
         defaults: &[(Expr, f64)],
         ties: &Ties,
-    ) -> Option<Closed> {
+    ) -> Option<ClosedPoses> {
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
         let mut form = LinearForm::new(&rates);
         let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(speeds.iter().copied());
@@ -82,7 +82,7 @@ impl Loading<'_> {
         let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
         let poses = Poses { known: defaults, coordinates: &places, reach: &reach, loops: &equations, flat: 0.0 };
         let count = ties.motion.len();
-        Closed::new(&mut self.arena.clone(), &poses, count, &rows, declared)
+        ClosedPoses::new(&mut self.arena.clone(), &poses, count, &rows, declared)
     }
 }
 
@@ -90,10 +90,12 @@ impl Loading<'_> {
 /// constraint between velocities the expression that is zero.
 fn take_out(ties: &mut Ties, at: usize) -> (String, Option<Expr>) {
     let (constraint, _) = ties.motion.remove(at);
-    let Tie::Loop(place) = constraint.tie else { return (constraint.name, Some(constraint.equation)) };
+    let MotionConstraintKind::Loop(place) = constraint.kind else {
+        return (constraint.name, Some(constraint.equation));
+    };
     ties.closed.insert(0, ties.loops.remove(place));
     for (other, _) in &mut ties.motion {
-        if let Tie::Loop(at) = &mut other.tie {
+        if let MotionConstraintKind::Loop(at) = &mut other.kind {
             *at -= usize::from(*at > place);
         }
     }

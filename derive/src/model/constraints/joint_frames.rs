@@ -1,18 +1,18 @@
 //! Frames and points that joints place, and equations of joints that close loops.
 
-use super::configuration::Stated;
+use super::configuration::StatedConstraint;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Rational};
 use crate::geometry::{Frame, Turn, Vector, cross_components};
 use crate::model::bodies::elements::{Elements, vector};
 use crate::model::bodies::joint_kinds::{Freedom, JointKind};
 use crate::model::bodies::joints::{Joint, Joints, Placed};
-use crate::model::bodies::motion::Moving;
+use crate::model::bodies::motion::MechanismMotion;
 use crate::model::reading::names::{CONFIGURATION, Kind, PARAMETERS};
 use crate::model::reading::reader::Loading;
 use crate::model::reading::tree::Node;
 use crate::model::units::Unit;
-use crate::model::{Hung, JointReaction, Model, Place, Reaction, ReactionKind};
+use crate::model::{CarriedBody, JointReaction, Model, Place, Reaction, ReactionKind};
 use crate::read::Located;
 use toml::de::{DeTable, DeValue};
 
@@ -103,7 +103,7 @@ impl<'a> Joints<'a> {
 
 impl Joints<'_> {
     /// Bodies that joints carry, each with its holder and its point at the joint.
-    pub fn hung(&self, elements: &Elements) -> Vec<Hung> {
+    pub fn carried(&self, elements: &Elements) -> Vec<CarriedBody> {
         let body = |name: &str| elements.bodies.iter().position(|body| body.name == name);
         let carries = |joint: &Joint<'_>| {
             let on = match &joint.to {
@@ -111,7 +111,7 @@ impl Joints<'_> {
                 None => None,
             };
             let point = elements.points.iter().position(|point| point.name == joint.name.text)?;
-            Some(Hung { body: body(&joint.body.text)?, on, point })
+            Some(CarriedBody { body: body(&joint.body.text)?, on, point })
         };
         self.list.iter().filter(|joint| joint.carries).filter_map(carries).collect()
     }
@@ -307,7 +307,11 @@ impl<'a> Loading<'a> {
     /// axes that stay perpendicular. Each has its reaction. The force on the closed body acts at the joint's point. Its
     /// opposite acts on the other body, at that body's joint point or at its material at the first point. So the two do
     /// no work in open loops either.
-    pub fn closed(&mut self, moving: &mut Moving, closings: &[Closing]) -> (Vec<Stated>, Vec<JointReaction>) {
+    pub fn closed(
+        &mut self,
+        moving: &mut MechanismMotion,
+        closings: &[Closing],
+    ) -> (Vec<StatedConstraint>, Vec<JointReaction>) {
         let (mut list, mut holding) = (Vec::new(), Vec::new());
         for Closing { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in closings {
             let axis = axes.first().copied().unwrap_or(2);
@@ -343,7 +347,7 @@ impl<'a> Loading<'a> {
                         law: None,
                     };
                     holding.push(JointReaction { joint: name.text.clone(), equation: name_of.clone(), reaction });
-                    list.push(Stated {
+                    list.push(StatedConstraint {
                         name: name_of,
                         equation,
                         enforced_by: None,

@@ -4,7 +4,7 @@
 //! motion along it: a slider carries no force along its own axis, even if a loop prevents it from sliding. So each such
 //! coordinate keeps the velocities at which frames turn and points move along it.
 
-use super::configuration::{Opened, Stated};
+use super::configuration::{Opened, StatedConstraint};
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::Turn;
@@ -17,7 +17,7 @@ pub(in crate::model) fn openings(
     arena: &mut Arena,
     opened: &Opened,
     elements: &Elements,
-    constraints: &[&[Stated]],
+    constraints: &[&[StatedConstraint]],
     replacements: &[(Expr, Expr)],
 ) -> Vec<Opening> {
     let mut slopes = OpenSlopes {

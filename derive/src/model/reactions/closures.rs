@@ -9,7 +9,7 @@
 
 use super::relative_motion::{Holder, Relative};
 use crate::algebra::Expr;
-use crate::model::{Place, Reaction, ReactionKind, Tie};
+use crate::model::{MotionConstraintKind, Place, Reaction, ReactionKind};
 
 /// A pair of bodies, or a body and the ground, that equations keep together at a point of each.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -39,8 +39,8 @@ impl Relative<'_> {
         let ReactionKind::Force { on, against } = reaction.kind else { return None };
         let by = against.map(|place| place.body);
         let pairs = [(Some(on.body), by), (by, Some(on.body))];
-        let rolls = self.model.motion_constraints.iter().any(|c| match c.tie {
-            Tie::Rolling(rolled) => pairs.contains(&(Some(rolled.body), rolled.against)),
+        let rolls = self.model.motion_constraints.iter().any(|c| match c.kind {
+            MotionConstraintKind::Rolling(rolled) => pairs.contains(&(Some(rolled.body), rolled.against)),
             _ => false,
         });
         let hangs = holders.iter().any(|(body, holder)| pairs.contains(&(Some(*body), *holder)));

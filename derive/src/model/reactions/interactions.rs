@@ -13,7 +13,7 @@ use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::geometry::{Frames, Vector};
 use crate::model::units::Unit;
-use crate::model::{Hung, Model, Place, Reaction, ReactionKind};
+use crate::model::{CarriedBody, Model, Place, Reaction, ReactionKind};
 use crate::read::Located;
 use std::ops::Range;
 
@@ -179,11 +179,11 @@ impl Model {
         if sought.about.is_some() {
             return Ok(sought.about);
         }
-        let joins = |hung: &&Hung| {
-            let pair = (Some(hung.body), hung.on);
+        let joins = |carried: &&CarriedBody| {
+            let pair = (Some(carried.body), carried.on);
             pair == (sought.on, sought.by) || pair == (sought.by, sought.on)
         };
-        if let Some(joint) = self.hung.iter().find(joins) {
+        if let Some(joint) = self.carried.iter().find(joins) {
             return Ok(Some(joint.point));
         }
         let mut points = Vec::new();

@@ -101,7 +101,7 @@ pub fn extended(numbers: &[Number]) -> Vec<DoubleDouble> {
 }
 
 /// Reader of a file whose values belong to a model.
-pub struct Values<'a, 'm> {
+pub struct ValueReader<'a, 'm> {
     pub reader: Reader<'a>,
     pub model: &'m mut Model,
     /// Parsed formulas of this file.
@@ -116,14 +116,14 @@ pub struct Values<'a, 'm> {
     pub is_wide: bool,
 }
 
-impl<'a, 'm> Values<'a, 'm> {
+impl<'a, 'm> ValueReader<'a, 'm> {
     /// A reader of a file that is read once, without replaced numbers.
     pub fn new(reader: Reader<'a>, model: &'m mut Model) -> Self {
         Self { reader, model, terms: Terms::default(), given: &[], instant: None, names: Vec::new(), is_wide: false }
     }
 }
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// The table under a key; `None` if it is absent or no table.
     pub fn section(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<&'a DeTable<'a>> {
         let value = self.reader.get(table, key)?;

@@ -10,7 +10,7 @@ use crate::diagnostic::nearest;
 use crate::model::TIME;
 use crate::read::Located;
 use crate::scene::numbers::places::Places;
-use crate::scene::numbers::values::{Number, Values};
+use crate::scene::numbers::values::{Number, ValueReader};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
@@ -111,7 +111,7 @@ const MOST_ROUGH: usize = 4;
 /// Key of the section that states contacts.
 const IMPACTS: &str = "impacts";
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads the coefficients of contacts, in the order of the scene file, at these values of the parameters.
     pub(in crate::scene) fn coefficients(
         &mut self,

@@ -1,9 +1,9 @@
 //! Starts of mechanisms with loops: coordinates that close the loops are solved for, from guesses.
 
-use super::loops::{Found, Loops};
-use super::start::Closed;
+use super::loops::{FoundPose, Loops};
+use super::start::SolvedVariable;
 use crate::model::TIME;
-use crate::scene::numbers::values::{Number, Values, doubles};
+use crate::scene::numbers::values::{Number, ValueReader, doubles};
 use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::{DoubleDouble, Scalar};
@@ -11,7 +11,7 @@ use tripos_traits::{DoubleDouble, Scalar};
 /// Residual up to which a loop counts as closed if every coordinate is stated, relative to the size of its terms.
 /// People state few digits.
 const STATED: f64 = 1e-9;
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Guesses of a scene for the coordinates that its start leaves open, one for each coordinate.
     pub(in crate::scene) fn guesses(
         &mut self,
@@ -55,7 +55,7 @@ impl<'a> Values<'a, '_> {
         guesses: &[Option<Number>],
         parameters: &[Number],
         place: Range<usize>,
-    ) -> Option<Vec<Closed>> {
+    ) -> Option<Vec<SolvedVariable>> {
         let free: Vec<usize> = (0..q.len()).filter(|at| q[*at].is_none()).collect();
         // If nothing is free, held variables are checked when all values are known.
         let held = if free.is_empty() { &[] } else { held };
@@ -108,7 +108,7 @@ impl<'a> Values<'a, '_> {
         for at in moving {
             q[*at] = Some(Number::wide(precise[*at]));
         }
-        let name = |at: &usize| Closed {
+        let name = |at: &usize| SolvedVariable {
             name: self.model.coordinates[*at].name.clone(),
             value: precise[*at].hi(),
             is_rate: false,
@@ -119,7 +119,7 @@ impl<'a> Values<'a, '_> {
     fn report_open(
         &mut self,
         loops: &Loops,
-        found: &Found,
+        found: &FoundPose,
         open_at_start: &[f64],
         free: &[usize],
         place: Range<usize>,

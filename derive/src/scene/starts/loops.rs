@@ -35,7 +35,7 @@ pub struct Loops {
 }
 
 /// Result of a search for a closed pose.
-pub(in crate::scene) struct Found {
+pub(in crate::scene) struct FoundPose {
     pub q: Vec<f64>,
     /// Residual of each loop, in the loop's unit.
     pub open: Vec<f64>,
@@ -192,7 +192,7 @@ impl Loops {
 
     /// Runs Newton's method with halved steps, along the `free` coordinates alone. If the loops leave some of these
     /// open, it takes the smallest change.
-    pub(in crate::scene) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> Found {
+    pub(in crate::scene) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> FoundPose {
         let mut q = start.to_vec();
         let mut open = DVector::from_vec(self.open(p, &q));
         let inverse_at = |q: &[f64]| {
@@ -227,7 +227,7 @@ impl Loops {
         }
         let open: Vec<f64> = open.iter().copied().collect();
         let is_closed = self.is_closed(p, &q, &open, OPEN);
-        Found { q, open, is_closed, inverse }
+        FoundPose { q, open, is_closed, inverse }
     }
 }
 

@@ -2,13 +2,13 @@
 //! constraints.
 
 use super::rates::StatedMotion;
-use super::start::{Closed, Exact, Stated};
+use super::start::{Exact, InitialMotion, SolvedVariable};
 use crate::algebra::value::evaluate::Tape;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Model, TIME, Unit};
 use crate::read::Located;
-use crate::scene::numbers::values::{Number, Values, Varied, doubles, extended};
+use crate::scene::numbers::values::{Number, ValueReader, Varied, doubles, extended};
 use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
@@ -23,7 +23,7 @@ pub struct Start {
     /// Parameters and state to 32 digits, as the file states them.
     pub exact: Exact,
     /// Coordinates and rates whose values were solved for.
-    pub closed: Vec<Closed>,
+    pub closed: Vec<SolvedVariable>,
 }
 
 /// Stated value of a coordinate that a constraint of the model fixes.
@@ -58,7 +58,7 @@ fn model_rate(model: &Model, at: usize) -> String {
     format!("{}'", model.coordinates[at].name)
 }
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads a state: every coordinate, and every speed or every q′.
     ///
     /// The file may leave out coordinates that loops determine, or that follow from stated values of variables that
@@ -150,7 +150,8 @@ impl<'a> Values<'a, '_> {
             self.reader.errors.push(Diagnostic::of_file(message, "choose another state"));
             return None;
         }
-        let motion = if by_rates { Stated::Rates(extended(&rates)) } else { Stated::Speeds(extended(&exact_u)) };
+        let motion =
+            if by_rates { InitialMotion::Rates(extended(&rates)) } else { InitialMotion::Speeds(extended(&exact_u)) };
         let rational = parameters.iter().map(|p| p.exact.clone()).collect();
         let exact = Exact { parameters: extended(parameters), rational, q: extended(&exact_q), motion };
         Some(Start { q, u, exact, closed })

@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, TIME, not_a_name};
 use crate::read::{Located, Reader};
 use crate::scene::SceneOutput;
-use crate::scene::numbers::values::{Number, Values, Varied, doubles, extended};
+use crate::scene::numbers::values::{Number, ValueReader, Varied, doubles, extended};
 use crate::scene::settings::inputs::bind;
 use crate::scene::settings::outputs::ENERGIES;
 use toml::de::DeTable;
@@ -65,7 +65,7 @@ pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -
     let place = |name: &str| model.parameters.iter().position(|p| p.name == *name);
     let varied = given.iter().filter_map(|(name, x)| Some((Varied::Parameter(place(name)?), Number::rounded(*x))));
     let varied: Vec<(Varied, Number)> = varied.collect();
-    let mut values = Values { given: &varied, ..Values::new(reader, model) };
+    let mut values = ValueReader { given: &varied, ..ValueReader::new(reader, model) };
     let mut asked = Asked::default();
     if let Some(impacts) = values.reader.get(table, "impacts") {
         let message = "what is near a contact is not told: it holds on one side alone";
@@ -104,7 +104,7 @@ pub fn load_asked(source: &Source, model: &mut Model, given: &[(String, f64)]) -
 /// [`Diagnostics`] if the text is no formula in the names of the model.
 pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnostics> {
     let source = Source::from_text("--output", text);
-    let mut values = Values::new(Reader::new(&source), model);
+    let mut values = ValueReader::new(Reader::new(&source), model);
     let formula = Located { text: text.to_owned(), span: 0..text.len(), exact: true };
     let value = values.output_formula(&formula);
     values.reader.finish()?;
@@ -119,7 +119,7 @@ fn state_names(model: &Model) -> impl Iterator<Item = String> {
 /// Value of a state, its formula, and true if it is a guess.
 type StatedValue = (Number, Expr, bool);
 
-impl<'a> Values<'a, '_> {
+impl<'a> ValueReader<'a, '_> {
     /// Reads the entries that every state file may have, including its own names.
     pub(in crate::scene) fn state_file(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         self.reader.schema(table);

@@ -6,7 +6,7 @@ use super::happening::Happening;
 use super::held::{Free, Held};
 use super::meeting::Met;
 use nalgebra::DVector;
-use tripos_sim::{Failure, Found, Mode, Undecided};
+use tripos_sim::{ContactSolution, Failure, Mode, Undecided};
 
 /// Time ahead, in durations of the shortest flight, at which modes that are all possible at an instant are compared.
 const AHEAD: f64 = 16384.0;
@@ -55,7 +55,7 @@ impl Bouncing<'_> {
         let what = "no forces keep apart what is closed";
         let mut found = found.map_err(|why| self.undecided(t, rest, what, &why))?;
         // A contact whose force has reached its friction limit no longer sticks.
-        let begins = |found: &Found| {
+        let begins = |found: &ContactSolution| {
             let mut modes = rest.iter().zip(&found.modes);
             !modes.any(|(at, mode)| met.meeting.happening == Some(Happening::Slips(*at)) && *mode == Mode::Sticks)
         };
@@ -86,7 +86,7 @@ impl Bouncing<'_> {
         (t, y): (f64, &[f64]),
         now: &Free,
         (rest, slips): (&[usize], &[Option<f64>]),
-        found: &[Found],
+        found: &[ContactSolution],
     ) -> usize {
         let (_, rows) = self.contacts.closed(&now.response, rest);
         let (ahead, later) = self.ahead(t, y, now, &self.contacts.spread(&found[0].forces, &rows), 1.0);

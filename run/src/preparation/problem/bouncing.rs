@@ -4,7 +4,7 @@ use super::{Power, Problem};
 use crate::error::Error;
 use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, Kept, LEAST};
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{Event, Failure, Options, RightHandSide, SimError, Solution};
 use tripos_traits::Real;
@@ -68,7 +68,7 @@ impl Problem<'_> {
 ///
 /// # Errors
 /// [`Error::Request`] with advice on what to change.
-pub(super) fn check(scene: &Scene, by: &By) -> Result<(), Error> {
+pub(super) fn check(scene: &Scene, by: &EquationsOrigin) -> Result<(), Error> {
     let how = &scene.integration;
     let (what, help) = if scene.impacts.is_empty() {
         return Ok(());

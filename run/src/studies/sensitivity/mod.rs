@@ -48,7 +48,7 @@ use ends::{End, end, instants, second};
 use equations::{Carried, Equations, From};
 use shown::Quantities;
 use start::Seed;
-use tripos_derive::mechanics::By;
+use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Integrator, Scene, Solve};
 
 /// A run with the derivatives of its shown quantities.
@@ -250,7 +250,7 @@ fn check_names(names: &[String]) -> Result<(), Error> {
 fn check_equations(scene: &Scene, by: Option<&str>) -> Result<(), Error> {
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
-    if by == Some(By::Reduced.name().as_str()) {
+    if by == Some(EquationsOrigin::Reduced.name().as_str()) {
         let help = "leave `--by` out: whole equations are run for derivatives";
         return refuse("a scene's reduced equations are not differentiated", help);
     }

@@ -8,7 +8,7 @@ use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::text::print::{text_of, view_of};
 use tripos_derive::algebra::text::view::View;
-use tripos_derive::flow::{Chosen, InLetters, NotInLetters, Stated};
+use tripos_derive::flow::{Chosen, InLetters, NotInLetters, OperatingPoint};
 use tripos_derive::scene::Asked;
 use tripos_traits::DoubleDouble;
 
@@ -70,7 +70,7 @@ pub fn in_letters(model: &Mechanism, asked: &Asked, found: &About, letters: &[St
     );
     let inputs = model.parameters.iter().filter(|p| found.inputs.contains(&p.name)).map(|p| p.symbol).collect();
     let outputs = question.output_terms.clone();
-    let stated = Stated { numbers, states: asked.formulas.clone(), inputs, outputs };
+    let stated = OperatingPoint { numbers, states: asked.formulas.clone(), inputs, outputs };
     let chosen = question.chosen(found);
     let mut system = question.flow.in_letters(&stated, &chosen).map_err(|why| refused(&why, letters))?;
     let matrices = system.matrices.clone();

@@ -1,6 +1,6 @@
 //! Trial of one set of contact modes after the other: its forces, and whether these agree with the modes.
 
-use super::{Found, Mode};
+use super::{ContactSolution, Mode};
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 /// Fraction of the largest singular value below which a singular value counts as rounding.
@@ -70,7 +70,7 @@ impl Touch<'_> {
 impl Trial<'_> {
     /// Finds all sets of modes that agree with the laws of contact, within `nothing`, with their forces and the motion
     /// of the rows. If no contact has friction, only the first set is found, since all sets move alike.
-    pub(crate) fn found(&self, c: &DVector<f64>, nothing: f64) -> Vec<(Found, DVector<f64>)> {
+    pub(crate) fn found(&self, c: &DVector<f64>, nothing: f64) -> Vec<(ContactSolution, DVector<f64>)> {
         let choices: Vec<Vec<Choice>> = self.touches.iter().map(Touch::choices).collect();
         let is_smooth = self.touches.iter().all(|touch| touch.friction.is_none());
         let mut list = Vec::new();
@@ -88,7 +88,7 @@ impl Trial<'_> {
             let after = self.g * &forces + c;
             if self.agrees(&chosen, &forces, &after, nothing) {
                 let (modes, pushes) = chosen.iter().map(|choice| (choice.mode, choice.pushes)).unzip();
-                list.push((Found { modes, pushes, forces }, after));
+                list.push((ContactSolution { modes, pushes, forces }, after));
                 if is_smooth {
                     break;
                 }

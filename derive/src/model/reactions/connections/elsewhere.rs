@@ -6,7 +6,7 @@
 //! as the equations of all bodies need.
 
 use super::held::works_alone;
-use super::search::{Along, Found, Search};
+use super::search::{FoundReaction, ReactionDirection, Search};
 use crate::model::reactions::random_pose::{DrawnModel, Triple};
 use crate::model::reactions::relative_motion::Holder;
 use crate::model::{Place, ReactionKind};
@@ -36,9 +36,9 @@ impl Search<'_> {
 
     /// Chooses reactions between each body and its holder, in the motions that all constraints together permit.
     fn tree(&mut self) {
-        for rest in self.rests.clone() {
-            for (kind, velocities) in self.relative.between(rest.body, rest.holder) {
-                self.along_wanted_axes(kind, &velocities, rest.body, rest.holder);
+        for support in self.supports.clone() {
+            for (kind, velocities) in self.relative.between(support.body, support.holder) {
+                self.along_wanted_axes(kind, &velocities, support.body, support.holder);
             }
         }
     }
@@ -52,7 +52,7 @@ impl Search<'_> {
             let direction = self.relative.drawn.frames[frame].axes[axis];
             let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
             if !works && self.is_wanted(kind, direction) {
-                self.choose(self.last_place(), Found::along_axis(kind, frame, axis), direction, Vec::new());
+                self.choose(self.last_place(), FoundReaction::along_axis(kind, frame, axis), direction, Vec::new());
             }
         }
     }
@@ -88,7 +88,8 @@ impl Search<'_> {
         let against = holder.map(|body| Place { body, point: opposite });
         let kind = ReactionKind::Force { on: Place { body, point }, against };
         if self.is_wanted(kind, way) {
-            let found = Found { kind, along: Along::Line(point, opposite), is_shared: false, law: None };
+            let found =
+                FoundReaction { kind, along: ReactionDirection::Line(point, opposite), is_shared: false, law: None };
             self.choose(self.last_place(), found, way, Vec::new());
         }
     }
@@ -96,7 +97,8 @@ impl Search<'_> {
     /// Chooses forces and torques where bodies rest that each do work, and together hold directions that no axis holds.
     /// Each of them adds an unknown. They add as many equations as their powers along the speeds are independent.
     fn shared(&mut self) {
-        let all: Vec<_> = self.rests.iter().flat_map(|rest| self.relative.working(rest.body, rest.holder)).collect();
+        let all: Vec<_> =
+            self.supports.iter().flat_map(|support| self.relative.working(support.body, support.holder)).collect();
         let powers: Vec<Vec<u64>> = all.iter().map(|(_, power)| power.clone()).collect();
         let field = self.relative.drawn.space.0;
         for (at, (found, power)) in all.into_iter().enumerate() {
