@@ -14,7 +14,7 @@ mod reading;
 mod units;
 mod velocities;
 
-pub use crate::geometry::{Frame, Point, Turn, TurnSense};
+pub use crate::geometry::{Frame, Placement, Point, Turn, TurnSense};
 pub(crate) use bodies::joint_kinds::JOINT_KINDS;
 pub(crate) use bodies::shapes::SHAPE_KINDS;
 pub use bodies::shapes::{Shape, ShapeForm, equations_text};
@@ -22,7 +22,7 @@ pub use constraint::{
     AddedVelocity, Branch, Constraint, DependentConstraint, Loop, MotionConstraint, MotionConstraintKind, Opening,
     Rolled,
 };
-pub use contacts::{Compared, Contacts};
+pub use contacts::{Compared, Contacts, StatedVelocity};
 pub use input::{Binding, Input};
 pub use reactions::interactions::GROUND;
 pub(crate) use reactions::interactions::{StatedInteraction, is_redundant};

@@ -123,9 +123,10 @@ fn frames(model: &Model) -> String {
 
 fn points(model: &Model) -> String {
     let rows = model.points.iter().filter_map(|p| {
-        let (parent, frame, components) = p.position?;
-        let parent = inline(&symbol(&model.points[parent].name));
-        Some(vec![inline(&symbol(&p.name)), parent, components_in(model, frame, &components)])
+        let placement = p.position?;
+        let parent = inline(&symbol(&model.points[placement.parent].name));
+        let vector = components_in(model, placement.frame, &placement.components);
+        Some(vec![inline(&symbol(&p.name)), parent, vector])
     });
     some("Points", &["Point", "Placed from", "By the vector"], &rows.collect::<Vec<_>>())
 }

@@ -228,7 +228,8 @@ fn geometry(model: &Model) -> Vec<Element> {
     });
     let points = model.points.iter().map(|point| match point.position {
         None => Element::new(Section::Points, &point.name, "origin".to_owned(), Vec::new()),
-        Some((parent, frame, components)) => {
+        Some(placement) => {
+            let (parent, frame, components) = (placement.parent, placement.frame, placement.components);
             let place = format!("from {} in {}", model.points[parent].name, model.frames[frame].name);
             Element::new(Section::Points, &point.name, place, components.to_vec())
         }

@@ -13,7 +13,7 @@ use crate::algebra::solve::least::{Block, Sum};
 use crate::algebra::term::adjoint::transposed_product;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::{Arena, Expr, Rational};
-use crate::geometry::{Components, Vector, apply_tensor, cross_components};
+use crate::geometry::{Components, Placement, Vector, apply_tensor, cross_components};
 use crate::mechanics::error::DeriveError;
 use crate::mechanics::motion::carried_accelerations::{Accelerations, AlphaTerms};
 use crate::mechanics::motion::kinematics::{
@@ -140,7 +140,7 @@ impl Kinematics {
         point: usize,
         velocities: &Velocities,
     ) -> Components {
-        let Some((.., components)) = model.points[point].position else { return [Expr::ZERO; 3] };
+        let Some(Placement { components, .. }) = model.points[point].position else { return [Expr::ZERO; 3] };
         let mut rates =
             Differential::along(&model.q().into_iter().zip(velocities.rates.iter().copied()).collect::<Vec<_>>());
         components.map(|e| rates.apply(&mut self.arena, e))

@@ -3,7 +3,7 @@
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::{Expr, Rational};
-use crate::geometry::{Components, Vector, apply_tensor, cross_components};
+use crate::geometry::{Components, Placement, Vector, apply_tensor, cross_components};
 use crate::model::Model;
 
 /// Accelerations of all frames and points. Those of points are less the acceleration of free fall.
@@ -79,7 +79,7 @@ impl Kinematics {
         let mut turns: Vec<Option<[Components; 3]>> = vec![None; model.frames.len()];
         let mut linear: Vec<Vector> = Vec::new();
         for point in &model.points {
-            let Some((parent, frame, components)) = point.position else {
+            let Some(Placement { parent, frame, components }) = point.position else {
                 linear.push(fall.neg(&mut self.arena));
                 continue;
             };

@@ -12,7 +12,7 @@ use super::carry::{named, turned};
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::geometry::{Components, Turn, TurnSense, cross_components, transposed};
+use crate::geometry::{Components, Placement, Turn, TurnSense, cross_components, transposed};
 use crate::model::{Body, Model};
 
 const NOTHING: Components = [Expr::ZERO; 3];
@@ -150,7 +150,7 @@ impl Tree {
     ) -> Option<usize> {
         let mut steps = Vec::new();
         let mut point = body.centre;
-        while let Some((before, frame, components)) = model.points[point].position {
+        while let Some(Placement { parent: before, frame, components }) = model.points[point].position {
             steps.push((frame, components, point));
             point = before;
         }

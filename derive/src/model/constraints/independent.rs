@@ -344,7 +344,7 @@ impl Loading<'_> {
 /// Frames along whose axes a contact may be taken: those from the ground outwards to its bodies and its point.
 fn frames_at(elements: &Elements, rolled: Rolled) -> Vec<usize> {
     let of_body = |body: usize| elements.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
-    let of_point = elements.points[rolled.point].position.as_ref().map(|(_, frame, _)| *frame);
+    let of_point = elements.points[rolled.point].position.map(|placement| placement.frame);
     let mut list: Vec<usize> = Vec::new();
     for last in [of_body(rolled.body), rolled.against.and_then(of_body), of_point].into_iter().flatten() {
         let parent = |at: &usize| elements.frames[*at].rotation.as_ref().map(|(parent, _)| *parent);

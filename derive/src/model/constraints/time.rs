@@ -103,7 +103,7 @@ impl Model {
         }
         let Some(time) = self.time().map(|at| &self.coordinates[at]) else { return false };
         let turns = self.frames.iter().filter_map(|f| f.rotation.as_ref()).flat_map(|(_, turn)| turn.terms());
-        let places = self.points.iter().filter_map(|p| p.position.as_ref()).flat_map(|(_, _, position)| *position);
+        let places = self.points.iter().filter_map(|p| p.position).flat_map(|placement| placement.components);
         let geometry: Vec<Expr> = turns.chain(places).collect();
         let ties = self.motion_constraints.iter().filter(|c| c.kind != MotionConstraintKind::Clock).map(|c| c.equation);
         self.arena.reachable(&geometry).contains(&time.symbol)

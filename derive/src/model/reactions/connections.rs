@@ -23,6 +23,7 @@ mod elsewhere;
 mod held;
 mod search;
 
+use super::interactions::found_prefix;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::{Expr, Function};
 use crate::geometry::Frames;
@@ -87,7 +88,7 @@ impl Model {
                 (0, self.unit_along(from, to), format!("to_{}", self.points[to].name.to_lowercase()))
             }
         };
-        let mut wanted = format!("{}_{what}_{along}", self.bodies[body].name);
+        let mut wanted = found_prefix(&self.bodies[body].name, what) + &along;
         wanted.truncate(MAX_LENGTH);
         let mut name = wanted.clone();
         let mut times = 1;

@@ -13,7 +13,7 @@ use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::geometry::{Frames, Vector};
 use crate::model::units::Unit;
-use crate::model::{CarriedBody, Model, Place, Reaction, ReactionKind};
+use crate::model::{CarriedBody, Model, Place, Placement, Reaction, ReactionKind};
 use crate::read::Located;
 use std::ops::Range;
 
@@ -161,7 +161,7 @@ impl Model {
     /// Position of a point relative to the origin.
     pub(in crate::model) fn position(&self, arena: &mut Arena, point: usize) -> Vector {
         let (mut at, mut sum) = (point, Vector::default());
-        while let Some((parent, frame, components)) = self.points[at].position {
+        while let Some(Placement { parent, frame, components }) = self.points[at].position {
             sum = sum.add(arena, &Vector::in_frame(frame, components));
             at = parent;
         }
@@ -355,18 +355,16 @@ pub fn is_redundant(name: &str) -> (String, &'static str) {
     )
 }
 
+/// Beginning of the name of every reaction on a body that is found; `what` is `force` or `torque`.
+pub fn found_prefix(body: &str, what: &str) -> String {
+    format!("{body}_{what}_")
+}
+
 /// Unit of a reaction that may be found under a name such as `BODY_force_…` or `BODY_torque_…`; `None` for other names.
 pub fn may_be_found<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
     let is_of = |body: &str| {
-        let rest = name.strip_prefix(body)?;
-        let starts = |what: &str| rest.starts_with(what);
-        if starts("_force_") {
-            Some(Unit::new(1, 1, -2))
-        } else if starts("_torque_") {
-            Some(Unit::new(2, 1, -2))
-        } else {
-            None
-        }
+        let kinds = [("force", Unit::new(1, 1, -2)), ("torque", Unit::new(2, 1, -2))];
+        kinds.into_iter().find(|(what, _)| name.starts_with(&found_prefix(body, what)))
     };
-    bodies.find_map(is_of)
+    bodies.find_map(is_of).map(|(_, unit)| unit)
 }

@@ -10,7 +10,7 @@ use crate::algebra::value::field::Field;
 use crate::algebra::value::points::Drawn;
 use crate::algebra::{Arena, Expr, Function, Rational};
 use crate::geometry::Turn;
-use crate::model::{AddedVelocity, Model};
+use crate::model::{AddedVelocity, Model, Placement};
 use std::collections::BTreeMap;
 
 /// Residues of three components of a vector, along inertial axes if nothing else is said.
@@ -229,8 +229,7 @@ impl DrawnModel {
             .iter()
             .enumerate()
             .map(|(at, point)| {
-                let (_, _, position) = point.position?;
-                let components = position.into_iter().enumerate();
+                let components = point.position?.components.into_iter().enumerate();
                 let mut place = components.map(|(axis, e)| (axis, follower.follow(arena, e))).collect::<Vec<_>>();
                 let openings: Vec<_> = model.openings.iter().map(|opening| added(&opening.moves, at)).collect();
                 Follower::open(&mut place, first, &openings);
@@ -270,7 +269,7 @@ impl DrawnModel {
         }
         let mut points: Vec<DrawnPoint> = Vec::new();
         for (point, place) in model.points.iter().zip(&places) {
-            let (Some((parent, frame, _)), Some(followed)) = (point.position, place) else {
+            let (Some(Placement { parent, frame, .. }), Some(followed)) = (point.position, place) else {
                 points.push(DrawnPoint::still(all));
                 continue;
             };

@@ -11,7 +11,7 @@
 
 use super::relative_motion::{Holder, Relative};
 use crate::algebra::text::parse::VelocityOf;
-use crate::model::{Compared, MotionConstraintKind, Rolled};
+use crate::model::{Compared, MotionConstraintKind, Placement, Rolled};
 use std::cmp::{Ordering, Reverse};
 
 /// Reason why a body may rest on another, the strongest reason first.
@@ -202,7 +202,7 @@ impl Relative<'_> {
         let own = frame_of(body);
         let mut frames: Vec<usize> = own.into_iter().collect();
         let mut at = model.bodies[body].centre;
-        while let Some((parent, frame, _)) = model.points[at].position {
+        while let Some(Placement { parent, frame, .. }) = model.points[at].position {
             frames.push(frame);
             if parent != 0 && !self.has(body, parent) {
                 if self.has(other, parent) {

@@ -15,7 +15,7 @@ use crate::algebra::value::rank::Basis;
 use crate::model::reactions::random_pose::Triple;
 use crate::model::reactions::relative_motion::{Holder, Relative, sides};
 use crate::model::reactions::supports::{Reason, Support};
-use crate::model::{MotionConstraint, MotionConstraintKind, Place, ReactionKind, Rolled};
+use crate::model::{MotionConstraint, MotionConstraintKind, Place, ReactionKind, Rolled, StatedVelocity};
 
 /// Bases of the motions that a mechanism would have if loops were open and nothing rolled; `None` for its own motions.
 struct Ways {
@@ -232,7 +232,7 @@ impl Relative<'_> {
         let stated = model.motion_constraints.iter().filter(|c| c.kind == MotionConstraintKind::Stated);
         let edge = |constraint: &MotionConstraint| {
             let compared = model.contacts.compared.iter().find(|compared| compared.name == constraint.name)?;
-            let (of, frame, axis) = compared.alone.as_ref()?;
+            let StatedVelocity { of, frame, axis } = compared.alone.as_ref()?;
             Some(Edge { name: constraint.name.clone(), kind: holds(of)?, frame: *frame, axis: *axis })
         };
         stated.filter_map(edge).collect()
