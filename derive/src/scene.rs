@@ -25,12 +25,13 @@ pub use families::neighbours::Nearby;
 pub use motions::motion::{Formulas, Motion, MotionForm, MotionSample, load_motion};
 #[cfg(feature = "files")]
 pub use motions::samples::load_samples;
+pub use numbers::values::NamedNumber;
 pub use settings::impacts::{ContactFriction, Impact, ImpactLaw};
 pub use settings::inputs::load_bound;
 pub(crate) use settings::integration::SOLVES;
 pub use settings::integration::{Integration, Integrator, Project, Solve};
 pub use settings::outputs::ENERGIES;
-pub use starts::loops::Loops;
+pub use starts::loops::{DependentLoop, Loops};
 pub use starts::start::{Exact, InitialMotion, SolvedVariable};
 pub use starts::unknowns::{Asked, load_asked, load_output};
 

@@ -24,6 +24,7 @@ pub use constraint::{
 };
 pub use contacts::{Compared, Contacts, StatedVelocity};
 pub use input::{Binding, Input};
+pub use physics::ImpossibleBody;
 pub use reactions::interactions::GROUND;
 pub(crate) use reactions::interactions::{StatedInteraction, is_redundant};
 pub use read_model::{is_model, load};

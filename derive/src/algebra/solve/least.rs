@@ -64,7 +64,7 @@ enum SolvedFor {
     Names,
 }
 
-/// One way to solve the quadratic form.
+/// Attempt to solve the quadratic form: its order of elimination, and its limit.
 #[derive(Clone, Copy)]
 struct Attempt {
     order: Order,

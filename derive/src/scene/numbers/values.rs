@@ -11,8 +11,9 @@ use crate::algebra::value::exact::exact_value;
 use crate::algebra::value::interval::{lost_constant, without_lost_zeros};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::model::{Model, StatedInteraction, StatedUnit, Unit, is_redundant};
+use crate::model::{ImpossibleBody, Model, StatedInteraction, StatedUnit, Unit, is_redundant};
 use crate::read::{Located, Reader};
+use crate::scene::settings::inputs::InputNumber;
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
@@ -100,6 +101,17 @@ pub fn extended(numbers: &[Number]) -> Vec<DoubleDouble> {
     numbers.iter().map(Number::extended).collect()
 }
 
+/// Number that a state file names for itself.
+#[derive(Clone, Debug)]
+pub struct NamedNumber<N> {
+    /// Name of the number in the file.
+    pub name: String,
+    /// Symbol of the number in formulas.
+    pub symbol: Expr,
+    /// Value of the number.
+    pub value: N,
+}
+
 /// Reader of a file whose values belong to a model.
 pub struct ValueReader<'a, 'm> {
     pub reader: Reader<'a>,
@@ -110,8 +122,8 @@ pub struct ValueReader<'a, 'm> {
     pub given: &'m [(Varied, Number)],
     /// Instant of the state, s, if the file states it outside of the state, as by a scene's span.
     pub instant: Option<Number>,
-    /// Numbers that the file names for itself: name, symbol, value.
-    pub names: Vec<(String, Expr, Number)>,
+    /// Numbers that the file names for itself.
+    pub names: Vec<NamedNumber<Number>>,
     /// True if formulas that are not rational are evaluated to 32 digits, as derivatives of a start require.
     pub is_wide: bool,
 }
@@ -153,8 +165,8 @@ impl<'a> ValueReader<'a, '_> {
             }
             (values[at], places[at]) = (Some(number), Some(formula.span));
         }
-        for (at, number, span) in self.numbers_of_inputs(table) {
-            (values[at], places[at]) = (Some(number), Some(span));
+        for InputNumber { parameter, number, span } in self.numbers_of_inputs(table) {
+            (values[parameter], places[parameter]) = (Some(number), Some(span));
         }
         for (place, number) in self.given {
             let Varied::Parameter(at) = *place else { continue };
@@ -181,7 +193,7 @@ impl<'a> ValueReader<'a, '_> {
     /// Reports values at which a body cannot exist, at the first stated value on which the body's mass or inertia
     /// depends.
     fn check_bodies(&mut self, values: &[Number], places: &[Option<std::ops::Range<usize>>]) {
-        for (message, help, parameters) in self.model.impossible(&doubles(values)) {
+        for ImpossibleBody { message, help, parameters } in self.model.impossible(&doubles(values)) {
             match parameters.into_iter().find_map(|at| places[at].clone()) {
                 Some(span) => self.reader.error(span, message, help),
                 None => self.reader.errors.push(Diagnostic::of_file(message, help)),
@@ -224,7 +236,7 @@ impl<'a> ValueReader<'a, '_> {
         if let Some(number) = &term.constant {
             return Some(number.clone());
         }
-        let own = self.names.iter().map(|(_, _, number)| number.double);
+        let own = self.names.iter().map(|named| named.value.double);
         let value = term.tape.evaluate(&doubles(parameters).into_iter().chain(own).collect::<Vec<_>>())[0];
         if !value.is_finite() {
             self.reader.error(
@@ -235,13 +247,13 @@ impl<'a> ValueReader<'a, '_> {
             return None;
         }
         let symbols = self.model.parameters.iter().map(|p| p.symbol);
-        let own = self.names.iter().map(|(_, symbol, number)| (*symbol, number));
+        let own = self.names.iter().map(|named| (named.symbol, &named.value));
         let pairs = symbols.zip(parameters).chain(own).filter_map(|(s, p)| Some((s, p.exact.clone()?)));
         let exact = exact_value(&self.model.arena, term.expression, &pairs.collect::<Vec<_>>());
         let number = match exact {
             Some(exact) => Number::exact(exact),
             None if self.is_wide => {
-                let own = self.names.iter().map(|(_, _, number)| number.extended());
+                let own = self.names.iter().map(|named| named.value.extended());
                 let known: Vec<DoubleDouble> = extended(parameters).into_iter().chain(own).collect();
                 Number::wide(term.tape.to::<DoubleDouble>().evaluate(&known)[0])
             }
@@ -269,7 +281,7 @@ impl<'a> ValueReader<'a, '_> {
         let model = &mut *self.model;
         let known: Vec<(String, Expr)> =
             model.parameters.iter().take(known).map(|p| (p.name.clone(), p.symbol)).collect();
-        let own = self.names.iter().map(|(name, symbol, _)| (name.clone(), *symbol));
+        let own = self.names.iter().map(|named| (named.name.clone(), named.symbol));
         let known: Vec<(String, Expr)> = known.into_iter().chain(own).collect();
         let stated = StatedUnit::of(&formula.text);
         let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));

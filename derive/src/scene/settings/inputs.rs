@@ -15,6 +15,15 @@ use toml::de::{DeTable, DeValue};
 /// Key of the section that gives values to inputs.
 const INPUTS: &str = "inputs";
 
+/// Number that a scene gives to an input.
+pub struct InputNumber {
+    /// Index of the input among the parameters.
+    pub parameter: usize,
+    pub number: Number,
+    /// Byte range of the number in the scene file.
+    pub span: Range<usize>,
+}
+
 /// Formulas that a scene gives to inputs, and their place in the file.
 #[derive(Default)]
 pub struct InputBindings {
@@ -76,8 +85,8 @@ impl<'a> ValueReader<'a, '_> {
         input.is_parameter && self.model.bindings.iter().all(|binding| binding.input != input.name)
     }
 
-    /// Numbers that the scene gives to inputs: index of the parameter, number, and byte range in the file.
-    pub(in crate::scene) fn numbers_of_inputs(&mut self, table: &'a DeTable<'a>) -> Vec<(usize, Number, Range<usize>)> {
+    /// Numbers that the scene gives to inputs.
+    pub(in crate::scene) fn numbers_of_inputs(&mut self, table: &'a DeTable<'a>) -> Vec<InputNumber> {
         let mut numbers = Vec::new();
         // Errors of the section are reported where its formulas are read.
         let Some(section) = table.get(INPUTS).and_then(|value| value.get_ref().as_table()) else { return numbers };
@@ -91,8 +100,8 @@ impl<'a> ValueReader<'a, '_> {
             let Some(formula) = formula else { continue };
             self.check_unit(&formula, &input.unit, &name.text);
             let at = self.model.parameters.iter().position(|p| p.name == name.text);
-            if let (Some(at), Some(number)) = (at, self.constant(&formula)) {
-                numbers.push((at, number, formula.span));
+            if let (Some(parameter), Some(number)) = (at, self.constant(&formula)) {
+                numbers.push(InputNumber { parameter, number, span: formula.span });
             }
         }
         numbers

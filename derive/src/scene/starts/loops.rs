@@ -34,6 +34,17 @@ pub struct Loops {
     held: Vec<DoubleDouble>,
 }
 
+/// Residual of a loop that should follow from independent ones.
+#[derive(Clone, Copy, Debug)]
+pub struct DependentLoop<'l> {
+    /// Name of the loop.
+    pub name: &'l str,
+    /// Residual of the loop, in the loop's unit.
+    pub residual: f64,
+    /// Size of the residual over the sum of the sizes of its terms.
+    pub part: f64,
+}
+
 /// Result of a search for a closed pose.
 pub(in crate::scene) struct FoundPose {
     pub q: Vec<f64>,
@@ -88,13 +99,15 @@ impl Loops {
         self.names.iter().map(String::as_str)
     }
 
-    /// Loops that should follow from independent ones: name, residual in the loop's unit, and residual over the sum of
-    /// the sizes of its terms.
+    /// Residuals of the loops that should follow from independent ones.
     #[must_use]
-    pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64, f64)> {
+    pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<DependentLoop<'_>> {
         let (open, slopes) = (self.open(p, q), self.slopes(p, q));
-        let following = (self.independent..self.count)
-            .map(|row| (self.names[row].as_str(), open[row], open[row].abs() / size(&slopes, row, q)));
+        let following = (self.independent..self.count).map(|row| DependentLoop {
+            name: &self.names[row],
+            residual: open[row],
+            part: open[row].abs() / size(&slopes, row, q),
+        });
         following.collect()
     }
 
