@@ -89,8 +89,8 @@ impl Elements {
         found.next().filter(|_| found.next().is_none())
     }
 
-    /// Axis along which a coordinate moves a body relative to the place from which it is placed. `None` unless the coordinate stands in exactly one component of one
-    /// position.
+    /// Axis along which a coordinate moves a body relative to the place from which it is placed. `None` unless the
+    /// coordinate stands in exactly one component of one position.
     pub fn axis_moved(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<AxisMotion> {
         let steps = self.own_steps(&self.bodies[body]);
         let components = steps.iter().flat_map(|(frame, position)| {

@@ -2,21 +2,12 @@
 //! speeds that describe the motion best.
 
 use super::closed_poses::{ClosedPoses, Dependent, Poses, reach};
-use super::motion::Ties;
+use super::motion::{SpeedDefinitions, Ties};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::model::reading::reader::Loading;
 use crate::model::{Coordinate, DependentConstraint, MotionConstraintKind, Unit};
 use std::ops::{Range, RangeInclusive};
-
-/// Definitions of all speeds, in terms of q and q̇.
-#[derive(Clone, Copy)]
-pub struct SpeedDefinitions<'s> {
-    /// Right sides of the definitions.
-    pub definitions: &'s [Expr],
-    /// True for each speed that a joint brings.
-    pub brought: &'s [bool],
-}
 
 impl Loading<'_> {
     /// Removes from the independent constraints those that follow from others wherever the loops are closed. If there

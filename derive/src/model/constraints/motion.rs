@@ -11,7 +11,15 @@
 //! as q̇ = W u + w. An equation between coordinates that cannot be solved for a coordinate restricts their rates by its
 //! time derivative.
 
-use super::closed_choices::SpeedDefinitions;
+/// Definitions of all speeds, in terms of q and q̇.
+#[derive(Clone, Copy)]
+pub struct SpeedDefinitions<'s> {
+    /// Right sides of the definitions.
+    pub definitions: &'s [Expr],
+    /// True for each speed that a joint brings.
+    pub brought: &'s [bool],
+}
+
 use super::configuration::StatedConstraint;
 use super::independent::{Candidate, ConstrainedSystem, Independent};
 use crate::algebra::Expr;

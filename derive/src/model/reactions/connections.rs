@@ -23,7 +23,6 @@ mod elsewhere;
 mod held;
 mod search;
 
-use super::interactions::found_prefix;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::{Expr, Function};
 use crate::geometry::Frames;
@@ -35,6 +34,11 @@ use search::{FoundReaction, ReactionDirection, Search};
 pub(in crate::model) const MOST_EQUATIONS: usize = 72;
 /// Most characters of the name of a found reaction, without its number.
 const MAX_LENGTH: usize = 56;
+
+/// Beginning of the name of every reaction on a body that is found; `what` is `force` or `torque`.
+pub fn found_prefix(body: &str, what: &str) -> String {
+    format!("{body}_{what}_")
+}
 
 impl Model {
     /// Reactions that the model file names. They come first in [`Self::reactions`].

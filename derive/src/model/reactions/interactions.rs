@@ -4,7 +4,7 @@
 //! symbol stands for the component, since reactions that nobody named are found last. Then the sum replaces the symbol,
 //! so that only the reading of files knows of the name.
 
-use super::connections::MOST_EQUATIONS;
+use super::connections::{MOST_EQUATIONS, found_prefix};
 use super::relative_motion::{Holder, sides};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
@@ -353,11 +353,6 @@ pub fn is_redundant(name: &str) -> (String, &'static str) {
         message,
         "let a joint of the loop leave that free, or name a reaction that is determined: `tripos check` shows what follows from what",
     )
-}
-
-/// Beginning of the name of every reaction on a body that is found; `what` is `force` or `torque`.
-pub fn found_prefix(body: &str, what: &str) -> String {
-    format!("{body}_{what}_")
 }
 
 /// Unit of a reaction that may be found under a name such as `BODY_force_…` or `BODY_torque_…`; `None` for other names.

@@ -13,7 +13,6 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::model::{ImpossibleBody, Model, StatedInteraction, StatedUnit, Unit, is_redundant};
 use crate::read::{Located, Reader};
-use crate::scene::settings::inputs::InputNumber;
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
@@ -110,6 +109,15 @@ pub struct NamedNumber<N> {
     pub symbol: Expr,
     /// Value of the number.
     pub value: N,
+}
+
+/// Number that a scene gives to an input.
+pub struct InputNumber {
+    /// Index of the input among the parameters.
+    pub parameter: usize,
+    pub number: Number,
+    /// Byte range of the number in the scene file.
+    pub span: std::ops::Range<usize>,
 }
 
 /// Reader of a file whose values belong to a model.

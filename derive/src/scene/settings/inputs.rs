@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostics, Source, nearest};
 use crate::model::{Binding, Input, Model, StatedUnit, TIME};
 use crate::read::{Located, Reader};
 use crate::scene::numbers::table::{Interpolation, interpolated};
-use crate::scene::numbers::values::{Number, ValueReader};
+use crate::scene::numbers::values::{InputNumber, ValueReader};
 use crate::scene::{Scene, load};
 use std::ops::Range;
 use toml::Spanned;
@@ -14,15 +14,6 @@ use toml::de::{DeTable, DeValue};
 
 /// Key of the section that gives values to inputs.
 const INPUTS: &str = "inputs";
-
-/// Number that a scene gives to an input.
-pub struct InputNumber {
-    /// Index of the input among the parameters.
-    pub parameter: usize,
-    pub number: Number,
-    /// Byte range of the number in the scene file.
-    pub span: Range<usize>,
-}
 
 /// Formulas that a scene gives to inputs, and their place in the file.
 #[derive(Default)]
