@@ -21,7 +21,7 @@ impl Problem<'_> {
         let mut v = vec![DoubleDouble::int(0); system.lengths().variables];
         match &exact.motion {
             InitialMotion::Rates(rates) if self.by.formulation().is_some_and(Formulation::is_in_rates) => {
-                v.clone_from(rates)
+                v.clone_from(rates);
             }
             _ => system.motion_variables(&p, &q, &speeds(self.model, exact)?, &mut v),
         }
